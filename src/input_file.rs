@@ -3,6 +3,7 @@
 //! Every reader of tables, setups and swings opens its file here. A host program without a disk, or
 //! with tables of its own, gives files in memory to a command: [`with_memory_files`].
 
+use crate::thread_stack::with_innermost;
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::fs::File;
@@ -18,20 +19,9 @@ thread_local! {
     static MEMORY: RefCell<Vec<MemoryFiles>> = const { RefCell::new(vec![]) };
 }
 
-/// Removes the files of the innermost call of [`with_memory_files`], also after a panic.
-struct PopOnDrop;
-
-impl Drop for PopOnDrop {
-    fn drop(&mut self) {
-        MEMORY.with_borrow_mut(|all| all.pop());
-    }
-}
-
 /// Runs `work` on this thread with `files` in memory.
 pub fn with_memory_files<T>(files: MemoryFiles, work: impl FnOnce() -> T) -> T {
-    MEMORY.with_borrow_mut(|all| all.push(files));
-    let _popped = PopOnDrop;
-    work()
+    with_innermost(&MEMORY, files, work)
 }
 
 fn in_memory(path: &Path) -> Option<Arc<[u8]>> {

@@ -98,19 +98,16 @@ pub mod statistics;
 pub mod study;
 #[cfg(feature = "studies")]
 pub mod table;
+mod thread_stack;
 pub mod units;
 
 pub use drive::{Drive, Outcome};
 pub use error::{Error, Result};
 pub use parameters::Setup;
 
-/// Runs the examples of README and docs/library.md as doctests.
+/// Runs the examples of README, docs/library.md and docs/plots.md as doctests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 #[doc = include_str!("../docs/library.md")]
-struct Readme;
-
-/// Runs the examples of docs/plots.md as doctests.
-#[cfg(doctest)]
 #[doc = include_str!("../docs/plots.md")]
-struct Plots;
+struct ExamplesOfDocs;

@@ -6,8 +6,8 @@ use crate::pool::{self, Ended};
 use crate::request::arguments_of;
 use crate::wording;
 use longdrive::command::{
-    Call, Host, Kind, MemoryFiles, Mention, Progress, SharedProgress, Work, call, mark_options,
-    run_in_terminal,
+    Call, Host, MemoryFiles, Mention, MessageKind, Progress, SharedProgress, Work, call,
+    mark_options, run_in_terminal,
 };
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -155,14 +155,14 @@ impl Host for Caller {
         Ok(())
     }
 
-    fn say(&self, kind: Kind, text: &str) {
+    fn say(&self, kind: MessageKind, text: &str) {
         let kind = match kind {
-            Kind::Note => "note",
-            Kind::Warning => "warning",
+            MessageKind::Note => "note",
+            MessageKind::Warning => "warning",
             // not passed on: the answer already contains the errors in the arguments, without
             // colours
-            Kind::Usage => return,
-            Kind::Error => "error",
+            MessageKind::Usage => return,
+            MessageKind::Error => "error",
         };
         self.now().said.push((kind, text.to_owned()));
     }

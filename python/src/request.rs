@@ -1,40 +1,40 @@
 //! Requests from Python: the typed values of `longdrive.conversion`.
 
 use crate::boundary::{Answer, Failure, answer, kind_of};
-use longdrive::command::{Call, Value};
+use longdrive::command::{ArgumentValue, Call};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString};
 use std::ffi::OsString;
 
 /// The value of an argument.
-pub fn value_of(given: &Bound<'_, PyAny>) -> Answer<Value> {
+pub fn value_of(given: &Bound<'_, PyAny>) -> Answer<ArgumentValue> {
     if given.is_instance_of::<PyBool>() {
-        return Ok(Value::Switch(given.extract()?));
+        return Ok(ArgumentValue::Switch(given.extract()?));
     }
     if given.is_instance_of::<PyString>() {
-        return Ok(Value::Text(given.extract::<OsString>()?));
+        return Ok(ArgumentValue::Text(given.extract::<OsString>()?));
     }
     if given.is_instance_of::<PyFloat>() {
-        return Ok(Value::Number(given.extract()?));
+        return Ok(ArgumentValue::Number(given.extract()?));
     }
     if given.is_instance_of::<PyInt>() {
         // a number beyond 64 bits stays a text, which the command refuses
         return Ok(match given.extract() {
-            Ok(number) => Value::Whole(number),
-            Err(_) => Value::Text(given.str()?.extract()?),
+            Ok(number) => ArgumentValue::Whole(number),
+            Err(_) => ArgumentValue::Text(given.str()?.extract()?),
         });
     }
     if let Ok(list) = given.cast::<PyList>() {
-        return Ok(Value::Several(values_of(list)?));
+        return Ok(ArgumentValue::Several(values_of(list)?));
     }
     let attribute = |name: &str| given.getattr(name);
     match given.get_type().name()?.to_str()? {
-        "Range" => Ok(Value::Range {
+        "Range" => Ok(ArgumentValue::Range {
             low: Box::new(value_of(&attribute("low")?)?),
             high: Box::new(value_of(&attribute("high")?)?),
             count: attribute("count")?.extract()?,
         }),
-        "Distribution" => Ok(Value::Distribution(
+        "Distribution" => Ok(ArgumentValue::Distribution(
             attribute("kind")?.extract()?,
             values_of(
                 attribute("numbers")?
@@ -42,11 +42,11 @@ pub fn value_of(given: &Bound<'_, PyAny>) -> Answer<Value> {
                     .map_err(PyErr::from)?,
             )?,
         )),
-        "Named" => Ok(Value::Named(
+        "Named" => Ok(ArgumentValue::Named(
             attribute("name")?.extract()?,
             Box::new(value_of(&attribute("value")?)?),
         )),
-        "Joined" => Ok(Value::Joined(values_of(
+        "Joined" => Ok(ArgumentValue::Joined(values_of(
             attribute("parts")?.cast::<PyList>().map_err(PyErr::from)?,
         )?)),
         _ => Err(Failure::Panic(format!(
@@ -56,12 +56,12 @@ pub fn value_of(given: &Bound<'_, PyAny>) -> Answer<Value> {
     }
 }
 
-fn values_of(given: &Bound<'_, PyList>) -> Answer<Vec<Value>> {
+fn values_of(given: &Bound<'_, PyList>) -> Answer<Vec<ArgumentValue>> {
     given.iter().map(|value| value_of(&value)).collect()
 }
 
 /// Arguments by the names of their options.
-pub fn arguments_of(given: &Bound<'_, PyDict>) -> Answer<Vec<(String, Value)>> {
+pub fn arguments_of(given: &Bound<'_, PyDict>) -> Answer<Vec<(String, ArgumentValue)>> {
     given
         .iter()
         .map(|(name, value)| Ok((name.extract()?, value_of(&value)?)))

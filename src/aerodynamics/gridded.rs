@@ -2,14 +2,14 @@
 
 use super::{Coefficients, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
-use crate::parameters::{Axis, AxisVariable, Grid};
+use crate::parameters::{AxisVariable, CoefficientGrid, LawTableAxis};
 
 /// C_D and C_L of a grid, times their factors. Beyond the edges of the grid, speed and spin are
 /// clamped. Below the least spin of the grid, the lift is the lift at the edge times 1 − (1 −
 /// ω/ω_least)³.
 #[inline(always)]
 pub(super) fn grid_coefficients<T: Numbers>(
-    grid: &'static Grid,
+    grid: &'static CoefficientGrid,
     factors: [T; 2],
     stream: Stream<T>,
 ) -> Coefficients<T> {
@@ -20,7 +20,7 @@ pub(super) fn grid_coefficients<T: Numbers>(
 
 #[inline(always)]
 fn grid_coefficients_inlined<T: Numbers>(
-    grid: &'static Grid,
+    grid: &'static CoefficientGrid,
     [cd_factor, cl_factor]: [T; 2],
     stream: Stream<T>,
 ) -> Coefficients<T> {
@@ -64,8 +64,8 @@ fn value<T: Numbers>(variable: AxisVariable, stream: &Stream<T>) -> T {
 
 /// Coordinate along an axis, clamped beyond its ends; 0 if the grid has no such axis.
 #[inline(always)]
-fn coordinate<T: Numbers>(axis: &Option<Axis>, stream: &Stream<T>) -> T {
-    let Some(Axis {
+fn coordinate<T: Numbers>(axis: &Option<LawTableAxis>, stream: &Stream<T>) -> T {
+    let Some(LawTableAxis {
         variable,
         ends: [first, last],
         over: [under, over],

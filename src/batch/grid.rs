@@ -4,19 +4,19 @@ use crate::parameters::{Parameter, Setup, Vary};
 
 /// Equally spaced values of a parameter over a range, both ends included.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Axis {
+pub struct GridAxis {
     /// Parameter and range, SI.
     pub over: Vary,
     /// Number of values; a count of 1 gives only the lower end.
     pub count: u64,
 }
 
-impl Axis {
+impl GridAxis {
     /// Reads `NAME=LOW..HIGH:COUNT`, for example `club.loft=5deg..15deg:101`.
     ///
     /// ```
-    /// use longdrive::{Setup, batch::Axis};
-    /// let axis = Axis::read(&Setup::default(), "swing.speed=40..50m/s:6").unwrap();
+    /// use longdrive::{Setup, batch::GridAxis};
+    /// let axis = GridAxis::read(&Setup::default(), "swing.speed=40..50m/s:6").unwrap();
     /// assert_eq!((axis.value(0), axis.value(1), axis.value(5)), (40.0, 42.0, 50.0));
     /// ```
     ///
@@ -65,7 +65,7 @@ impl Axis {
 /// Cartesian grid of several axes; the first axis varies slowest, the last fastest.
 #[derive(Clone, Debug)]
 pub struct Grid {
-    axes: Vec<Axis>,
+    axes: Vec<GridAxis>,
     parameters: Vec<&'static Parameter>,
     rows: u64,
     next: u64,
@@ -77,7 +77,7 @@ impl Grid {
     /// # Errors
     /// [`Error::TooLarge`] if the number of rows overflows; [`Error::SearchRange`] if an axis has
     /// no values or a parameter is repeated; [`Error::Nothing`] if `axes` is empty.
-    pub fn new(axes: Vec<Axis>) -> Result<Self> {
+    pub fn new(axes: Vec<GridAxis>) -> Result<Self> {
         let parameters: Vec<_> = axes.iter().map(|axis| axis.over.parameter).collect();
         refuse_repeated(&parameters)?;
         if let Some(axis) = axes.iter().find(|axis| axis.count == 0) {
@@ -141,7 +141,7 @@ impl Points for Grid {
     }
 
     fn identity(&self) -> String {
-        let axis = |axis: &Axis| {
+        let axis = |axis: &GridAxis| {
             format!(
                 "{}={:?}..{:?}:{}",
                 axis.over.parameter.name, axis.over.low, axis.over.high, axis.count

@@ -10,11 +10,11 @@
 //! size, and the output is independent of the number of threads.
 //!
 //! ```
-//! use longdrive::batch::{Axis, Grid, Run, simulate_batch};
+//! use longdrive::batch::{GridAxis, Grid, Run, simulate_batch};
 //! use longdrive::{Outcome, Setup};
 //!
 //! let setup = Setup::default();
-//! let axis = |text| Axis::read(&setup, text).unwrap();
+//! let axis = |text| GridAxis::read(&setup, text).unwrap();
 //! let axes = vec![axis("club.loft=8deg..12deg:3"), axis("swing.speed=40..50 m/s:2")];
 //! let mut grid = Grid::new(axes).unwrap();
 //! let mut rows = vec![];
@@ -42,7 +42,7 @@ mod sequence;
 
 pub use block::{Block, Status, StatusCounts};
 pub use definition::Batch;
-pub use grid::{Axis, Grid};
+pub use grid::{Grid, GridAxis};
 pub(crate) use in_order::{HAS_THREADS, in_order};
 pub use points::Points;
 pub(crate) use points::refuse_repeated;

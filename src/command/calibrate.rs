@@ -2,7 +2,7 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 use crate::command::args::{SetupArgs, U32, whole};
-use crate::command::files::{Destination, Folder, Rule};
+use crate::command::files::{Destination, Folder, OutputRule};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{Answer, system, tell, warn};
 use crate::command::reproduce::{DOCUMENT, write};
@@ -106,7 +106,7 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let setup = request.setup()?;
-    let outputs = Outputs::new(args, &request)?;
+    let outputs = CalibrationFiles::new(args, &request)?;
     request.refuse_launch(
         &setup,
         &format!(
@@ -187,14 +187,14 @@ fn read_shots(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Shot
 }
 
 /// The files to write.
-struct Outputs {
+struct CalibrationFiles {
     folder: Option<Folder>,
     setup: Option<Destination>,
 }
 
-impl Outputs {
+impl CalibrationFiles {
     fn new(args: &Args, request: &Request) -> Result<Self> {
-        let rule = Rule::new(request.inputs().chain([args.data.clone()]), args.overwrite);
+        let rule = OutputRule::new(request.inputs().chain([args.data.clone()]), args.overwrite);
         let folder = args
             .plot
             .as_ref()
@@ -231,7 +231,7 @@ impl Outputs {
 /// Cross-validation: fits of this law and of the laws to compare. Each fit omits some rows.
 struct CrossValidation<'a> {
     folds: usize,
-    compared: Vec<Compared<'a>>,
+    compared: Vec<ComparedLaw<'a>>,
 }
 
 impl<'a> CrossValidation<'a> {
@@ -253,10 +253,10 @@ impl<'a> CrossValidation<'a> {
         let compared = args
             .compare
             .iter()
-            .map(|law| Compared::new(setup, law, plan))
+            .map(|law| ComparedLaw::new(setup, law, plan))
             .collect::<Result<Vec<_>>>()?;
         check_folds(table, plan, folds)?;
-        for Compared { law, plan, .. } in &compared {
+        for ComparedLaw { law, plan, .. } in &compared {
             check_folds(table, plan, folds)
                 .map_err(|error| Error::unreadable(format!("`compare {law}`"), error))?;
         }
@@ -327,14 +327,14 @@ fn show_iteration(is_numbered: bool) -> impl Fn(u64, f64) {
 const AS_SET_UP: &str = "as the setup has it";
 
 /// Another law on the same rows: its published coefficients, and its fit to the rows.
-struct Compared<'a> {
+struct ComparedLaw<'a> {
     law: &'a str,
     as_it_stands: &'static str,
     setup: Setup<f64>,
     plan: FitPlan,
 }
 
-impl<'a> Compared<'a> {
+impl<'a> ComparedLaw<'a> {
     fn new(setup: &Setup<f64>, law: &'a str, plan: &FitPlan) -> Result<Self> {
         let mut other = *setup;
         other.set_law(law)?;

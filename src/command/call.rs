@@ -11,15 +11,15 @@ use std::ffi::OsString;
 /// A request: a command with arguments.
 ///
 /// ```
-/// use longdrive::command::{Call, Value};
-/// let range = Value::Range {
-///     low: Box::new(Value::Number(0.1)),
-///     high: Box::new(Value::Text("20 deg".into())),
+/// use longdrive::command::{Call, ArgumentValue};
+/// let range = ArgumentValue::Range {
+///     low: Box::new(ArgumentValue::Number(0.1)),
+///     high: Box::new(ArgumentValue::Text("20 deg".into())),
 ///     count: None,
 /// };
 /// let call = Call {
 ///     command: "optimize".into(),
-///     arguments: vec![("vary".into(), Value::Named("club.loft".into(), Box::new(range)))],
+///     arguments: vec![("vary".into(), ArgumentValue::Named("club.loft".into(), Box::new(range)))],
 /// };
 /// let words = call.words().unwrap();
 /// assert_eq!(words, ["longdrive", "optimize", "--vary=club.loft=0.1 rad..20 deg"]);
@@ -29,12 +29,12 @@ pub struct Call {
     /// The command, as on the command line: `optimize`, `plot contour`.
     pub command: String,
     /// Arguments by the names of their options, with underscores: `subject_to`.
-    pub arguments: Vec<(String, Value)>,
+    pub arguments: Vec<(String, ArgumentValue)>,
 }
 
 /// The value of an argument.
 #[derive(Clone, Debug)]
-pub enum Value {
+pub enum ArgumentValue {
     /// On or off, for an option such as `overwrite`.
     Switch(bool),
     /// A text, as on the command line.
@@ -46,24 +46,24 @@ pub enum Value {
     /// A range; for a grid, also the number of values.
     Range {
         /// The lower end: a number or a text.
-        low: Box<Value>,
+        low: Box<ArgumentValue>,
         /// The upper end.
-        high: Box<Value>,
+        high: Box<ArgumentValue>,
         /// The number of values, the ends included.
         count: Option<u64>,
     },
     /// A distribution: its kind, and its numbers.
-    Distribution(String, Vec<Value>),
+    Distribution(String, Vec<ArgumentValue>),
     /// A value with the name of its parameter or outcome. The name may be a list with commas; the
     /// value then has no unit.
-    Named(String, Box<Value>),
+    Named(String, Box<ArgumentValue>),
     /// Several values of one argument.
-    Several(Vec<Value>),
+    Several(Vec<ArgumentValue>),
     /// Texts that are joined by commas into one value, such as the changes that define a model.
-    Joined(Vec<Value>),
+    Joined(Vec<ArgumentValue>),
 }
 
-impl Value {
+impl ArgumentValue {
     /// The text of a value on the command line, such as `club.loft=0.1 rad..20 deg`.
     pub fn text(&self) -> OsString {
         CommandLine::default().text(self, None)
@@ -115,7 +115,7 @@ impl Call {
     /// The quantity of the goal of a search.
     fn goal(&self) -> Option<Quantity> {
         let text = self.arguments.iter().find_map(|(name, value)| match value {
-            Value::Text(text) if name == "maximize" || name == "minimize" => text.to_str(),
+            ArgumentValue::Text(text) if name == "maximize" || name == "minimize" => text.to_str(),
             _ => None,
         });
         quantity_of_goal(text.unwrap_or("carry"))
@@ -126,12 +126,12 @@ impl Call {
     fn along(&self) -> Option<Quantity> {
         let (_, value) = self.arguments.iter().find(|(name, _)| name == "along")?;
         let first = match value {
-            Value::Several(values) => values.first()?,
+            ArgumentValue::Several(values) => values.first()?,
             value => value,
         };
         match first {
-            Value::Named(name, _) => quantity_of(name),
-            Value::Text(text) => quantity_of(text.to_str()?.split('=').next()?.trim()),
+            ArgumentValue::Named(name, _) => quantity_of(name),
+            ArgumentValue::Text(text) => quantity_of(text.to_str()?.split('=').next()?.trim()),
             _ => None,
         }
     }
@@ -194,14 +194,14 @@ pub(super) struct CommandLine {
 }
 
 impl CommandLine {
-    fn argument(&mut self, arg: &Arg, value: &Value) {
-        if let Value::Several(values) = value {
+    fn argument(&mut self, arg: &Arg, value: &ArgumentValue) {
+        if let ArgumentValue::Several(values) = value {
             for value in values {
                 self.argument(arg, value);
             }
             return;
         }
-        if let Value::Switch(false) = value {
+        if let ArgumentValue::Switch(false) = value {
             return;
         }
         let mut word = match arg.is_positional() {
@@ -209,7 +209,7 @@ impl CommandLine {
             false => OsString::from(format!("--{}", arg.get_long().unwrap_or_default())),
         };
         let takes_value = !matches!(arg.get_action(), ArgAction::SetTrue | ArgAction::Count);
-        if takes_value && !matches!(value, Value::Switch(true)) {
+        if takes_value && !matches!(value, ArgumentValue::Switch(true)) {
             if !arg.is_positional() {
                 word.push("=");
             }
@@ -233,13 +233,13 @@ impl CommandLine {
     }
 
     /// A value as text; `quantity` is the quantity of the numbers in the value.
-    fn text(&mut self, value: &Value, quantity: Option<Quantity>) -> OsString {
+    fn text(&mut self, value: &ArgumentValue, quantity: Option<Quantity>) -> OsString {
         match value {
-            Value::Switch(is_on) => is_on.to_string().into(),
-            Value::Text(text) => text.clone(),
-            Value::Whole(number) => number.to_string().into(),
-            Value::Number(number) => self.number(*number, quantity).into(),
-            Value::Range { low, high, count } => {
+            ArgumentValue::Switch(is_on) => is_on.to_string().into(),
+            ArgumentValue::Text(text) => text.clone(),
+            ArgumentValue::Whole(number) => number.to_string().into(),
+            ArgumentValue::Number(number) => self.number(*number, quantity).into(),
+            ArgumentValue::Range { low, high, count } => {
                 let mut text = self.text(low, quantity);
                 text.push("..");
                 text.push(self.text(high, quantity));
@@ -248,7 +248,7 @@ impl CommandLine {
                 }
                 text
             }
-            Value::Distribution(kind, numbers) => {
+            ArgumentValue::Distribution(kind, numbers) => {
                 let mut text = OsString::from(format!("{kind}("));
                 for (at, number) in numbers.iter().enumerate() {
                     text.push(if at == 0 { "" } else { "," });
@@ -257,12 +257,12 @@ impl CommandLine {
                 text.push(")");
                 text
             }
-            Value::Named(name, value) => {
+            ArgumentValue::Named(name, value) => {
                 let mut text = OsString::from(format!("{name}="));
                 text.push(self.text(value, quantity_of(name)));
                 text
             }
-            Value::Several(values) | Value::Joined(values) => {
+            ArgumentValue::Several(values) | ArgumentValue::Joined(values) => {
                 let texts: Vec<_> = values
                     .iter()
                     .map(|value| self.text(value, quantity))
@@ -314,10 +314,10 @@ pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
 
 #[cfg(test)]
 mod tests {
-    use super::{Call, Value, quantity_of_goal};
+    use super::{ArgumentValue, Call, quantity_of_goal};
     use crate::units::Quantity;
 
-    fn words(command: &str, arguments: Vec<(&str, Value)>) -> Vec<String> {
+    fn words(command: &str, arguments: Vec<(&str, ArgumentValue)>) -> Vec<String> {
         let arguments = arguments
             .into_iter()
             .map(|(name, value)| (name.into(), value));
@@ -332,22 +332,22 @@ mod tests {
             .collect()
     }
 
-    fn number(number: f64) -> Box<Value> {
-        Box::new(Value::Number(number))
+    fn number(number: f64) -> Box<ArgumentValue> {
+        Box::new(ArgumentValue::Number(number))
     }
 
     #[test]
     fn exact_numbers_have_the_si_unit_of_their_argument_parameter_or_goal() {
-        let change = Value::Named("swing.speed".into(), number(1.5));
+        let change = ArgumentValue::Named("swing.speed".into(), number(1.5));
         let arguments = vec![
-            ("loss", Value::Number(1e-7)),
-            ("minimize", Value::Text("std(launch_angle)".into())),
-            ("change", Value::Several(vec![change])),
-            ("tolerance", Value::Number(0.001)),
-            ("max_iterations", Value::Whole(3)),
-            ("overwrite", Value::Switch(true)),
-            ("json", Value::Switch(false)),
-            ("setup", Value::Text("-".into())),
+            ("loss", ArgumentValue::Number(1e-7)),
+            ("minimize", ArgumentValue::Text("std(launch_angle)".into())),
+            ("change", ArgumentValue::Several(vec![change])),
+            ("tolerance", ArgumentValue::Number(0.001)),
+            ("max_iterations", ArgumentValue::Whole(3)),
+            ("overwrite", ArgumentValue::Switch(true)),
+            ("json", ArgumentValue::Switch(false)),
+            ("setup", ArgumentValue::Text("-".into())),
         ];
         let mut written = words("optimum-sensitivity", arguments);
         written.sort();
@@ -367,16 +367,19 @@ mod tests {
 
     #[test]
     fn exact_distributions_and_several_changes_are_one_word_each() {
-        let numbers = vec![Value::Text("1deg".into()), Value::Number(0.25)];
-        let distribution = Value::Distribution("normal".into(), numbers);
-        let distribution = Value::Named("swing.path".into(), Box::new(distribution));
-        let model = Value::Joined(vec![
-            Value::Named("aero.cd0".into(), number(0.2)),
-            Value::Named("club.loft".into(), number(0.2)),
+        let numbers = vec![
+            ArgumentValue::Text("1deg".into()),
+            ArgumentValue::Number(0.25),
+        ];
+        let distribution = ArgumentValue::Distribution("normal".into(), numbers);
+        let distribution = ArgumentValue::Named("swing.path".into(), Box::new(distribution));
+        let model = ArgumentValue::Joined(vec![
+            ArgumentValue::Named("aero.cd0".into(), number(0.2)),
+            ArgumentValue::Named("club.loft".into(), number(0.2)),
         ]);
         let arguments = vec![
             ("distribution", distribution),
-            ("model", Value::Several(vec![model])),
+            ("model", ArgumentValue::Several(vec![model])),
         ];
         let mut written = words("robust", arguments);
         written.sort();
@@ -402,7 +405,7 @@ mod tests {
     fn unknown_arguments_are_named() {
         let call = Call {
             command: "plot laws".into(),
-            arguments: vec![("sense".into(), Value::Switch(true))],
+            arguments: vec![("sense".into(), ArgumentValue::Switch(true))],
         };
         let message = call.words().unwrap_err().to_string();
         assert_eq!(

@@ -1,7 +1,7 @@
 use crate::command::args::SetupArgs;
 use crate::command::names::outcomes;
 use crate::command::output::{Answer, spinner, tell, tell_error, warn};
-use crate::command::request::{Request, Setting, Source, refuse_duplicates};
+use crate::command::request::{CommandSetting, Request, Source, refuse_duplicates};
 use crate::report::{ComparisonReport, SetupOrigin};
 use crate::study::Comparison;
 use crate::units::Message;
@@ -9,7 +9,7 @@ use crate::{Error, Outcome, Result};
 
 /// The two drives.
 #[derive(clap::Args)]
-pub struct Pair {
+pub struct PairArgs {
     #[command(flatten)]
     pub setup_args: SetupArgs,
 
@@ -39,7 +39,7 @@ pub struct Pair {
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
-    pub pair: Pair,
+    pub pair: PairArgs,
 
     /// The outcomes whose difference is split, separated by commas; "all" for every one.
     #[arg(
@@ -91,15 +91,11 @@ pub fn warnings(comparison: &Comparison) -> Vec<Message> {
     [("a", 0), ("b", 1)].into_iter().flat_map(of).collect()
 }
 
-fn of_a(error: Error) -> Error {
-    error.of_drive("drive a")
-}
+/// Names of the drives in errors.
+const A: &str = "drive a";
+const B: &str = "drive b";
 
-fn of_b(error: Error) -> Error {
-    error.of_drive("drive b")
-}
-
-impl Pair {
+impl PairArgs {
     /// The requests of the two drives.
     ///
     /// # Errors
@@ -112,32 +108,39 @@ impl Pair {
                           for example `set_b club.loft=10.5deg`";
             return Err(Error::unreadable("compare", source));
         }
-        let source_a = Source::read(&self.setup_args.drive.setup).map_err(of_a)?;
+        let source_a =
+            Source::read(&self.setup_args.drive.setup).map_err(|error| error.of_drive(A))?;
         let source_b = match &self.other {
-            Some(other) => Source::read(other).map_err(of_b)?,
+            Some(other) => Source::read(other).map_err(|error| error.of_drive(B))?,
             None => source_a.clone(),
         };
         let settings_a = self.settings(
-            Setting::read_all("set_a", &self.set_a)?,
-            Setting::read_all_launch("launch_a", &self.launch_a)?,
+            CommandSetting::read_all("set_a", &self.set_a)?,
+            CommandSetting::read_all_launch("launch_a", &self.launch_a)?,
         )?;
         let settings_b = self.settings(
-            Setting::read_all("set_b", &self.set_b)?,
-            Setting::read_all_launch("launch_b", &self.launch_b)?,
+            CommandSetting::read_all("set_b", &self.set_b)?,
+            CommandSetting::read_all_launch("launch_b", &self.launch_b)?,
         )?;
         Ok([
-            Request::new(source_a, settings_a, &self.setup_args).map_err(of_a)?,
-            Request::new(source_b, settings_b, &self.setup_args).map_err(of_b)?,
+            Request::new(source_a, settings_a, &self.setup_args)
+                .map_err(|error| error.of_drive(A))?,
+            Request::new(source_b, settings_b, &self.setup_args)
+                .map_err(|error| error.of_drive(B))?,
         ])
     }
 
     /// The settings of a drive: its own settings, and the common settings that they do not replace.
-    fn settings(&self, own_set: Vec<Setting>, own_launch: Vec<Setting>) -> Result<Vec<Setting>> {
+    fn settings(
+        &self,
+        own_set: Vec<CommandSetting>,
+        own_launch: Vec<CommandSetting>,
+    ) -> Result<Vec<CommandSetting>> {
         let own = [own_set, own_launch].concat();
         let common = self.setup_args.drive.settings()?;
         refuse_duplicates(&common)?;
         let is_replaced =
-            |setting: &Setting| own.iter().any(|own| own.parameter == setting.parameter);
+            |setting: &CommandSetting| own.iter().any(|own| own.parameter == setting.parameter);
         let common = common.into_iter().filter(|setting| !is_replaced(setting));
         let settings: Vec<_> = common.chain(own.iter().cloned()).collect();
         refuse_duplicates(&settings)?;
@@ -150,7 +153,10 @@ impl Pair {
     /// The errors of [`Request::setup`], [`Request::within_tolerance`] and [`Comparison::new`].
     pub fn comparison(&self, [a, b]: &[Request; 2]) -> Result<Comparison> {
         let setup = |request: &Request| request.within_tolerance(request.setup()?);
-        let comparison = Comparison::new(&setup(a).map_err(of_a)?, &setup(b).map_err(of_b)?)?;
+        let comparison = Comparison::new(
+            &setup(a).map_err(|error| error.of_drive(A))?,
+            &setup(b).map_err(|error| error.of_drive(B))?,
+        )?;
         if comparison.is_refined {
             let setup = &comparison.setups[0];
             tell(&format!(

@@ -1,10 +1,10 @@
 use crate::command::args::SetupArgs;
-use crate::command::files::{Destination, Rule, ending};
+use crate::command::files::{Destination, OutputRule, ending};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, command_line, system, tell, warn};
 use crate::command::ranges::varied;
-use crate::command::request::{Request, Setting, Source};
+use crate::command::request::{CommandSetting, Request, Source};
 use crate::report::{
     DeliveryReport, SetupOrigin, bound_warnings, delivery_toml, parameter_difference_text,
     parameter_text, population_warnings, recovered_csv, recovered_toml,
@@ -94,7 +94,7 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<Answer> {
     refuse_step(&args.setup_args)?;
     let requests = Requests::new(args)?;
-    let outputs = Outputs::new(args, &requests.club)?;
+    let outputs = DeliveryFiles::new(args, &requests.club)?;
     let setup = requests.setup_of_club()?;
     let launched = requests.setup_of_launch(args)?;
     warn(setup.warnings());
@@ -269,16 +269,16 @@ fn answer(args: &Args, found: &Deliveries) -> Answer {
 }
 
 /// The files to write.
-struct Outputs {
+struct DeliveryFiles {
     setup: Option<Destination>,
     swings: Option<Destination>,
     /// True for a table of swings; false for their distributions.
     is_table: bool,
 }
 
-impl Outputs {
+impl DeliveryFiles {
     fn new(args: &Args, request: &Request) -> Result<Self> {
-        let rule = Rule::new(request.inputs().chain(args.shots.clone()), args.overwrite);
+        let rule = OutputRule::new(request.inputs().chain(args.shots.clone()), args.overwrite);
         let setup = rule.setup_file(args.output.as_deref())?;
         let rule = rule.and_not(args.output.as_deref());
         let swings = args.swings.as_deref();
@@ -446,7 +446,7 @@ impl Requests {
             .drive
             .settings()?
             .into_iter()
-            .partition(Setting::is_of_launch);
+            .partition(CommandSetting::is_of_launch);
         let options = [
             ("ball_speed", &args.ball_speed),
             ("launch_angle", &args.launch_angle),
@@ -458,7 +458,7 @@ impl Requests {
         ];
         for (name, text) in options {
             if let Some(text) = text {
-                of_launch.push(Setting::of_launch(name, name, text)?);
+                of_launch.push(CommandSetting::of_launch(name, name, text)?);
             }
         }
         Ok(Self {
@@ -483,7 +483,7 @@ impl Requests {
             .settings
             .iter()
             .filter(|setting| setting.replaces_launch())
-            .map(Setting::to_string)
+            .map(CommandSetting::to_string)
             .collect();
         if args.shots.is_some() && !options.is_empty() {
             return Err(Error::unreadable(

@@ -20,12 +20,12 @@ use tempfile::NamedTempFile;
 
 /// Files that the outputs of a command must not replace, and the permission to replace other files.
 #[derive(Clone, Debug, Default)]
-pub struct Rule {
+pub struct OutputRule {
     inputs: Vec<PathBuf>,
     overwrite: bool,
 }
 
-impl Rule {
+impl OutputRule {
     /// The rule for a command that reads the files `inputs`, or that stores its progress in these
     /// files.
     pub fn new(inputs: impl IntoIterator<Item = PathBuf>, overwrite: bool) -> Self {
@@ -56,13 +56,13 @@ impl Rule {
             return Ok(Destination {
                 shown: path.into(),
                 path: path.into(),
-                kind: Kind::Memory,
+                kind: DestinationKind::Memory,
                 may_replace: true,
             });
         }
         refuse_standard_output(path, "file, as in `output mine.toml`")?;
         let destination = self.place(path)?;
-        if destination.is_file() {
+        if destination.kind == DestinationKind::File {
             // before the work, report a path that cannot be written
             create_beside(&destination.path).map_err(|error| unwritable(path, &error))?;
         }
@@ -112,7 +112,7 @@ impl Rule {
             return Ok(Destination {
                 shown: path.into(),
                 path: path.into(),
-                kind: Kind::File,
+                kind: DestinationKind::File,
                 may_replace: self.overwrite,
             });
         };
@@ -135,8 +135,8 @@ impl Rule {
             shown: path.into(),
             path: at,
             kind: match found.is_file() {
-                true => Kind::File,
-                false => Kind::Device,
+                true => DestinationKind::File,
+                false => DestinationKind::Device,
             },
             may_replace: self.overwrite,
         })
@@ -224,36 +224,51 @@ pub struct Destination {
     shown: PathBuf,
     /// The path of the file itself, with links resolved.
     pub path: PathBuf,
-    kind: Kind,
+    pub kind: DestinationKind,
     /// True if the file may be replaced. False for a new file without `--overwrite`: another
     /// program may create the file before it is written.
     may_replace: bool,
 }
 
+/// The kind of a destination.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
+pub enum DestinationKind {
     /// A file on disk, new or existing.
     File,
     /// A device or a pipe.
     Device,
     /// A file that the caller of the command keeps in memory.
     Memory,
+    StandardOutput,
+    /// What is written is discarded.
+    Nowhere,
 }
 
 impl Destination {
+    /// Standard output, or nowhere.
+    pub fn without_file(kind: DestinationKind) -> Self {
+        Self {
+            shown: "-".into(),
+            path: "-".into(),
+            kind,
+            may_replace: false,
+        }
+    }
+
     /// The warning that the file is not written, with the reason.
     pub fn not_written(&self, why: &str) -> Message {
         format!("{} is not written: {why}", self.path.display()).into()
     }
 
-    /// Returns true for a file on disk; false for a device, a pipe, and a file in memory.
-    pub fn is_file(&self) -> bool {
-        self.kind == Kind::File
+    /// The file on disk.
+    pub fn file(&self) -> Option<&Path> {
+        (self.kind == DestinationKind::File).then_some(&self.path)
     }
 
-    /// Returns true for a file that the caller of the command keeps in memory.
-    pub fn is_in_memory(&self) -> bool {
-        self.kind == Kind::Memory
+    /// The file on disk, or the device.
+    pub fn path_on_disk(&self) -> Option<&Path> {
+        let is_on_disk = matches!(self.kind, DestinationKind::File | DestinationKind::Device);
+        is_on_disk.then_some(&self.path)
     }
 
     /// Writes the complete file.
@@ -263,7 +278,7 @@ impl Destination {
     pub fn write(&self, bytes: &[u8]) -> Result<()> {
         let write = || self.stage(bytes)?.put_in_place();
         // writing to a pipe may block forever without a reader
-        if !self.is_file() {
+        if self.kind != DestinationKind::File {
             return write();
         }
         interrupt::undisturbed(&self.shown, write)
@@ -273,54 +288,72 @@ impl Destination {
     ///
     /// # Errors
     /// [`Error::Results`] if the file cannot be written.
-    pub fn begin(&self) -> Result<Pieces> {
-        let to = match self.kind {
-            Kind::File => create_beside(&self.path).map(To::Beside),
-            Kind::Device => fs::OpenOptions::new()
+    pub fn begin(&self) -> Result<OutputStream> {
+        let sink = match self.kind {
+            DestinationKind::File => create_beside(&self.path).map(Sink::Beside),
+            DestinationKind::Device => fs::OpenOptions::new()
                 .write(true)
                 .open(&self.path)
-                .map(To::Device),
-            Kind::Memory => Ok(To::Memory(vec![])),
+                .map(Sink::Device),
+            DestinationKind::Memory => Ok(Sink::Memory(vec![])),
+            DestinationKind::StandardOutput => Ok(Sink::StandardOutput),
+            DestinationKind::Nowhere => Ok(Sink::Nowhere),
         };
-        Ok(Pieces {
-            to: to.map_err(|error| unwritable(&self.shown, &error))?,
+        Ok(OutputStream {
+            sink: sink.map_err(|error| unwritable(&self.shown, &error))?,
             destination: self.clone(),
         })
     }
 
     /// Writes the complete file under a temporary name.
-    fn stage(&self, bytes: &[u8]) -> Result<Pieces> {
+    fn stage(&self, bytes: &[u8]) -> Result<OutputStream> {
         let mut file = self.begin()?;
         file.write(bytes)?;
         Ok(file)
     }
 }
 
-/// A file that is written piece by piece.
-pub struct Pieces {
-    to: To,
+/// An output that is written piece by piece.
+pub struct OutputStream {
+    sink: Sink,
     destination: Destination,
 }
 
-enum To {
+/// The open end of an output.
+enum Sink {
     /// A temporary file in the same folder. It is deleted unless it is renamed.
     Beside(NamedTempFile),
     Device(fs::File),
     Memory(Vec<u8>),
+    StandardOutput,
+    Nowhere,
 }
 
-impl Pieces {
+impl OutputStream {
     /// Writes the next piece.
     ///
     /// # Errors
-    /// [`Error::Results`] if the piece cannot be written.
+    /// If the piece cannot be written: [`Error::Output`] for standard output, [`Error::Results`] for
+    /// a file.
     pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
-        let written = match &mut self.to {
-            To::Beside(file) => file.write_all(bytes),
-            To::Device(file) => file.write_all(bytes),
-            To::Memory(content) => content.write_all(bytes),
-        };
-        written.map_err(|error| unwritable(&self.destination.shown, &error))
+        self.try_write(bytes).map_err(|error| match self.sink {
+            Sink::StandardOutput => Error::Output(error),
+            _ => unwritable(&self.destination.shown, &error),
+        })
+    }
+
+    /// Writes the next piece; the error is that of the system.
+    ///
+    /// # Errors
+    /// If the piece cannot be written.
+    pub fn try_write(&mut self, bytes: &[u8]) -> io::Result<()> {
+        match &mut self.sink {
+            Sink::Beside(file) => file.write_all(bytes),
+            Sink::Device(file) => file.write_all(bytes),
+            Sink::Memory(content) => content.write_all(bytes),
+            Sink::StandardOutput => running().host.write(bytes),
+            Sink::Nowhere => Ok(()),
+        }
     }
 
     /// Moves the complete file to its path, which Ctrl-C does not interrupt.
@@ -328,7 +361,7 @@ impl Pieces {
     /// # Errors
     /// [`Error::Results`] if the file cannot be moved. An existing file is then unchanged.
     pub fn finish(self) -> Result<()> {
-        if !self.destination.is_file() {
+        if self.destination.kind != DestinationKind::File {
             return self.put_in_place();
         }
         let shown = self.destination.shown.clone();
@@ -346,13 +379,13 @@ impl Pieces {
             file.as_file().sync_all()?;
             Ok(persist(file.into_temp_path(), &path, may_replace)?)
         };
-        match self.to {
-            To::Device(_) => Ok(()),
-            To::Memory(content) => {
+        match self.sink {
+            Sink::Device(_) | Sink::StandardOutput | Sink::Nowhere => Ok(()),
+            Sink::Memory(content) => {
                 running().host.keep(&shown, content);
                 Ok(())
             }
-            To::Beside(file) => rename(file).map_err(|error| match error.kind() {
+            Sink::Beside(file) => rename(file).map_err(|error| match error.kind() {
                 ErrorKind::AlreadyExists => refused(
                     &shown,
                     "it was made by another program while this command ran; use `overwrite` to \
@@ -368,7 +401,7 @@ impl Pieces {
 #[derive(Clone, Debug)]
 pub struct Folder {
     pub path: PathBuf,
-    rule: Rule,
+    rule: OutputRule,
 }
 
 impl Folder {
@@ -376,7 +409,7 @@ impl Folder {
     /// a folder that was created for them is deleted if it is empty.
     ///
     /// # Errors
-    /// The errors of [`Rule::file`] and [`Destination::write`].
+    /// The errors of [`OutputRule::file`] and [`Destination::write`].
     pub fn write<'a>(&self, files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> Result<usize> {
         if self.is_in_memory() {
             let host = &running().host;
@@ -410,7 +443,9 @@ impl Folder {
                 .iter()
                 .map(|(destination, bytes)| destination.stage(bytes))
                 .collect::<Result<Vec<_>>>()?;
-            staged.into_iter().try_for_each(Pieces::put_in_place)?;
+            staged
+                .into_iter()
+                .try_for_each(OutputStream::put_in_place)?;
             Ok(files.len())
         })
     }
@@ -432,7 +467,6 @@ pub fn refuse_overwrite_of_standard_output(path: &Path, overwrite: bool) -> Resu
 }
 
 /// The error for Parquet without a file.
-#[cfg(feature = "parquet")]
 pub fn parquet_without_file(path: &Path) -> Error {
     let reason = "Parquet needs a file; name one with `output`, or take `format csv` or jsonl";
     refused(path, reason)

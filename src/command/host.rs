@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 
 /// Kinds of messages other than the answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum MessageKind {
     /// A remark or progress. `--quiet` suppresses it.
     Note,
     /// A warning about the request or the answer.
@@ -38,7 +38,7 @@ pub trait Host: Send + Sync {
     }
 
     /// Receives a message other than the answer.
-    fn say(&self, kind: Kind, text: &str);
+    fn say(&self, kind: MessageKind, text: &str);
 
     /// The maximum width of an answer as text, in columns.
     fn width(&self) -> usize {
@@ -124,7 +124,7 @@ impl Host for () {
         Ok(())
     }
 
-    fn say(&self, _: Kind, _: &str) {}
+    fn say(&self, _: MessageKind, _: &str) {}
 }
 
 /// The work whose progress a host may show.

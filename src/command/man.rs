@@ -1,4 +1,4 @@
-use crate::command::files::Rule;
+use crate::command::files::OutputRule;
 use crate::command::output::{Answer, tell};
 use crate::command::running::running;
 use crate::units::counted;
@@ -33,7 +33,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let mut pages = vec![];
     all(&program, &mut pages)?;
     let names: Vec<&str> = pages.iter().map(|(name, _)| name.as_str()).collect();
-    let folder = Rule::new([], args.overwrite).folder(folder, &names)?;
+    let folder = OutputRule::new([], args.overwrite).folder(folder, &names)?;
     let written = folder.write(
         pages
             .iter()

@@ -3,7 +3,7 @@
 //! Each command reads its request, calls the library, and answers as text or as one JSON object.
 //!
 //! ```
-//! use longdrive::command::{Host, Kind, run};
+//! use longdrive::command::{Host, MessageKind, run};
 //! use std::io;
 //! use std::sync::{Arc, Mutex};
 //!
@@ -17,7 +17,7 @@
 //!         self.answer.lock().unwrap().push_str(text);
 //!         Ok(())
 //!     }
-//!     fn say(&self, _: Kind, _: &str) {}
+//!     fn say(&self, _: MessageKind, _: &str) {}
 //! }
 //!
 //! let notes = Arc::new(Notes::default());
@@ -83,9 +83,9 @@ mod width;
 mod wording;
 
 pub use crate::input_file::{MemoryFiles, with_memory_files};
-pub use call::{Call, Value, quantity_of, quantity_of_goal, with_degrees};
+pub use call::{ArgumentValue, Call, quantity_of, quantity_of_goal, with_degrees};
 pub use described::described;
-pub use host::{Host, Kind, Progress, SharedProgress, Work};
+pub use host::{Host, MessageKind, Progress, SharedProgress, Work};
 pub use mention::{Mention, mark_options};
 pub use run::{call, run};
 #[cfg(feature = "cli")]

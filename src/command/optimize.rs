@@ -1,7 +1,7 @@
 pub use crate::command::args::OptimizeArgs as Args;
 
 use crate::Result;
-use crate::command::files::{Destination, Rule};
+use crate::command::files::{Destination, OutputRule};
 use crate::command::output::{Answer, tell, warn};
 use crate::command::ranges::{DefaultRanges, held};
 use crate::command::request::Request;
@@ -65,6 +65,6 @@ impl Args {
     /// The destination of the setup file of the optimum.
     pub fn destination(&self, request: &Request) -> Result<Option<Destination>> {
         let inputs = request.inputs().chain(self.checkpoint.clone());
-        Rule::new(inputs, self.overwrite).setup_file(self.output.as_deref())
+        OutputRule::new(inputs, self.overwrite).setup_file(self.output.as_deref())
     }
 }

@@ -1,4 +1,4 @@
-use super::host::Kind;
+use super::host::MessageKind;
 use super::host::{SharedProgress, Work};
 use super::mention::commands_with;
 use super::running::running;
@@ -10,6 +10,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use serde::Serialize;
 use serde_json::Value;
 use std::ffi::OsString;
+use std::fmt::Display;
 use std::io;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -44,7 +45,7 @@ fn say_warning(warning: &Message) {
     let text = warning.in_units(running.system());
     running
         .host
-        .say(Kind::Warning, &in_words_of_the_host(&text));
+        .say(MessageKind::Warning, &in_words_of_the_host(&text));
 }
 
 /// All warnings of the answer.
@@ -179,6 +180,13 @@ pub fn tell(text: &str) {
     running().tell(text);
 }
 
+/// Reports notes about an input, which `input` names.
+pub fn tell_notes<'a>(input: impl Display, notes: impl IntoIterator<Item = &'a Message>) {
+    for note in notes {
+        tell(&format!("note: {input}: {}", note.in_units(system())));
+    }
+}
+
 /// Adds a text about omitted results to the JSON; with `--verbose`, also reports the text.
 pub fn tell_left_out(text: &str) {
     running().left_out().push(text.into());
@@ -202,7 +210,7 @@ pub fn tell_error(error: &Error) {
 pub fn say_error(message: &str) {
     running()
         .host
-        .say(Kind::Error, &in_words_of_the_host(message));
+        .say(MessageKind::Error, &in_words_of_the_host(message));
 }
 
 /// Reports an error and returns the exit status: 1 for a valid request without an answer, 2 for bad
@@ -236,7 +244,7 @@ pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: b
             _ => 0,
         };
     }
-    running().host.say(Kind::Usage, &shown);
+    running().host.say(MessageKind::Usage, &shown);
     if is_json {
         let text = rendered.to_string();
         let text = text.split("\n\nUsage:").next().unwrap_or_default();

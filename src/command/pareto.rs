@@ -1,11 +1,11 @@
 //! The trade-off between two objectives: `pareto` and `plot pareto`.
 
 use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, whole};
-use crate::command::files::{Destination, Rule, ending, refused};
+use crate::command::files::{Destination, OutputRule, ending, refused};
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, once_a_second, spinner, stated_system, system, tell, warn};
-use crate::command::picture::{Drawing, Target};
+use crate::command::picture::{PictureArgs, PlotDestination};
 use crate::command::ranges::{DefaultRanges, held, varied};
 use crate::command::request::Request;
 use crate::command::running::running;
@@ -97,8 +97,8 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let output = Output::new(args, &request)?;
-    let Followed {
+    let output = ParetoFile::new(args, &request)?;
+    let FollowedFront {
         setup,
         found,
         mut warnings,
@@ -125,10 +125,10 @@ pub fn run(args: &Args) -> Result<Answer> {
 }
 
 /// Draws the front, for `plot pareto`.
-pub fn draw(setup_args: &SetupArgs, asked: &GoalArgs, drawing: &Drawing) -> Result<Answer> {
+pub fn draw(setup_args: &SetupArgs, asked: &GoalArgs, drawing: &PictureArgs) -> Result<Answer> {
     let request = setup_args.request()?;
-    let target = Target::new(&request, drawing)?;
-    let Followed {
+    let target = PlotDestination::new(&request, drawing)?;
+    let FollowedFront {
         found, warnings, ..
     } = followed(&request, asked)?;
     if found.interrupted {
@@ -142,13 +142,13 @@ pub fn draw(setup_args: &SetupArgs, asked: &GoalArgs, drawing: &Drawing) -> Resu
 }
 
 /// The front, with warnings about the setup and its drives.
-struct Followed {
+struct FollowedFront {
     setup: Setup<f64>,
     found: Pareto,
     warnings: Vec<Message>,
 }
 
-fn followed(request: &Request, asked: &GoalArgs) -> Result<Followed> {
+fn followed(request: &Request, asked: &GoalArgs) -> Result<FollowedFront> {
     asked.swings.refuse_stray()?;
     let (setup, search) = if asked.swings.is_given() {
         over_swings(request, asked)?
@@ -189,7 +189,7 @@ fn followed(request: &Request, asked: &GoalArgs) -> Result<Followed> {
         .chain(found.warnings(&interrupt))
         .collect();
     interrupt::ends();
-    Ok(Followed {
+    Ok(FollowedFront {
         setup,
         found,
         warnings,
@@ -284,7 +284,7 @@ impl GoalArgs {
 }
 
 /// The output file: its destination and content.
-struct Output {
+struct ParetoFile {
     destination: Destination,
     /// True for the setup at one point; false for the table of all points.
     is_setup: bool,
@@ -292,7 +292,7 @@ struct Output {
     at: Option<usize>,
 }
 
-impl Output {
+impl ParetoFile {
     fn new(args: &Args, request: &Request) -> Result<Option<Self>> {
         let Some(path) = &args.output else {
             return Ok(None);
@@ -324,7 +324,7 @@ impl Output {
                 })?)
             }
         };
-        let rule = Rule::new(
+        let rule = OutputRule::new(
             request.inputs().chain(args.asked.swings.inputs()),
             args.overwrite,
         );

@@ -1,7 +1,7 @@
 //! Destinations of pictures, and their formats.
 
 use crate::command::args::{stated, whole};
-use crate::command::files::{Destination, Rule, ending};
+use crate::command::files::{Destination, OutputRule, ending};
 use crate::command::output::{Answer, stated_system, system, tell, warn, warnings};
 use crate::command::request::Request;
 #[cfg(not(feature = "png"))]
@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 /// Options of a picture.
 #[derive(clap::Args)]
-pub struct Drawing {
+pub struct PictureArgs {
     /// The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
     #[arg(long, short, value_name = "FILE")]
     pub output: PathBuf,
@@ -44,14 +44,14 @@ const WIDTH: u32 = 480;
 
 /// The format of a plot.
 #[derive(Clone, Copy)]
-enum Format {
+enum PlotFormat {
     Svg,
     #[cfg(feature = "png")]
     Png,
     Csv,
 }
 
-impl Format {
+impl PlotFormat {
     /// The format of a file, by its extension.
     fn of(file: &Path) -> Result<Self> {
         match ending(file).as_str() {
@@ -75,31 +75,31 @@ impl Format {
 }
 
 /// The destination of a plot, with its format.
-pub struct Target<'a> {
-    drawing: &'a Drawing,
-    format: Format,
+pub struct PlotDestination<'a> {
+    drawing: &'a PictureArgs,
+    format: PlotFormat,
     destination: Destination,
 }
 
-impl<'a> Target<'a> {
+impl<'a> PlotDestination<'a> {
     /// The checked destination of a plot of this request.
-    pub fn new(request: &Request, drawing: &'a Drawing) -> Result<Self> {
+    pub fn new(request: &Request, drawing: &'a PictureArgs) -> Result<Self> {
         Self::beside(request.inputs(), drawing)
     }
 
     /// The checked destination of a plot that reads these files.
-    pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &'a Drawing) -> Result<Self> {
-        let format = Format::of(&drawing.output)?;
+    pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &'a PictureArgs) -> Result<Self> {
+        let format = PlotFormat::of(&drawing.output)?;
         let look = [
             ("`dark`", drawing.dark),
             ("`width`", drawing.width.is_some()),
         ];
-        if let (Format::Csv, Some(option)) = (format, stated(look).next()) {
+        if let (PlotFormat::Csv, Some(option)) = (format, stated(look).next()) {
             let source = "it applies to pictures, and a .csv file has only the data; leave it out, \
                           or write a .svg or .png file";
             return Err(Error::unreadable(option, source));
         }
-        let rule = Rule::new(inputs, drawing.overwrite);
+        let rule = OutputRule::new(inputs, drawing.overwrite);
         Ok(Self {
             drawing,
             format,
@@ -140,10 +140,10 @@ impl<'a> Target<'a> {
             width: drawing.width.unwrap_or(WIDTH),
         };
         let bytes = match self.format {
-            Format::Svg => figure_svg(figure, &look)?.into_bytes(),
+            PlotFormat::Svg => figure_svg(figure, &look)?.into_bytes(),
             #[cfg(feature = "png")]
-            Format::Png => crate::report::plot::figure_png(figure, &look, 2.0)?,
-            Format::Csv => figure_csv(figure, stated_system().into())?.into_bytes(),
+            PlotFormat::Png => crate::report::plot::figure_png(figure, &look, 2.0)?,
+            PlotFormat::Csv => figure_csv(figure, stated_system().into())?.into_bytes(),
         };
         let file = drawing.output.display().to_string();
         self.destination.write(&bytes)?;

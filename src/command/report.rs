@@ -1,7 +1,7 @@
 use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::date::today;
 use crate::command::explore::page::compiled_in;
-use crate::command::files::Rule;
+use crate::command::files::OutputRule;
 use crate::command::host::SharedProgress;
 use crate::command::names::{sigmas, usual};
 use crate::command::output::{Answer, bar, command_line, system, tell, warn, warnings};
@@ -60,7 +60,7 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let inputs = Inputs::new(args, &request)?;
+    let inputs = ReportRequest::new(args, &request)?;
     let date = today()?;
     // check the folder before the work, not after it
     let explorer = explorer_link(&request, &inputs.stated);
@@ -70,7 +70,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     let mut names = vec!["index.html", SETUP_FILE];
     names.extend(explorer_page.map(|_| EXPLORER_FILE));
-    let folder = Rule::new(request.inputs(), args.overwrite).folder(&args.output, &names)?;
+    let folder = OutputRule::new(request.inputs(), args.overwrite).folder(&args.output, &names)?;
 
     let bar = bar("parts");
     bar.set_length(USUAL_POINTS + 5);
@@ -121,7 +121,7 @@ fn explorer_link(request: &Request, setup: &Setup<f64>) -> Option<ExplorerLink> 
 }
 
 /// The drive and the search of a report.
-struct Inputs {
+struct ReportRequest {
     /// The setup of the request.
     stated: Setup<f64>,
     /// The setup of the request, with the integration method and step that keep the error of the
@@ -139,7 +139,7 @@ struct Inputs {
     sigmas: Vec<Sigma>,
 }
 
-impl Inputs {
+impl ReportRequest {
     fn new(args: &Args, request: &Request) -> Result<Self> {
         let stated = request.setup()?;
         let of = args.search.sought()?.0;
@@ -171,7 +171,11 @@ impl Inputs {
 }
 
 /// Computes the sections of a report. A section without an answer becomes a remark.
-fn add_sections(findings: &mut Findings, inputs: &Inputs, bar: &SharedProgress) -> Result<()> {
+fn add_sections(
+    findings: &mut Findings,
+    inputs: &ReportRequest,
+    bar: &SharedProgress,
+) -> Result<()> {
     let search = inputs.sought.as_ref().map(|(search, _)| search);
     let mut remarks = vec![];
     add_drives(findings, search, bar, &mut remarks)?;

@@ -1,5 +1,5 @@
 use crate::Result;
-use crate::command::files::{Folder, Rule};
+use crate::command::files::{Folder, OutputRule};
 use crate::command::output::{Answer, stated_system, tell};
 use crate::report::{Mae494Report, Reply, Report, TextFile, WinfieldTanReport, document_files};
 use crate::reproduce::{Mae494, WinfieldTan, mae494, winfield_tan};
@@ -13,7 +13,7 @@ pub const DOCUMENT: [&str; 2] = ["report.md", "index.html"];
 pub struct Args {
     /// The study.
     #[arg(value_enum, value_name = "STUDY")]
-    pub study: Published,
+    pub study: PublishedStudy,
 
     /// Print the answer as JSON (SI units and radians), and nothing else, to standard output.
     #[arg(long)]
@@ -31,7 +31,7 @@ pub struct Args {
 
 /// A study that can be reproduced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Published {
+pub enum PublishedStudy {
     /// The student report "Optimization of a Golf Driver", MAE 494.
     Mae494,
     /// Winfield & Tan (1994), "Optimization of clubhead loft and swing elevation angles".
@@ -39,7 +39,7 @@ pub enum Published {
 }
 
 pub fn run(args: &Args) -> Result<Answer> {
-    let rule = Rule::new([], args.overwrite);
+    let rule = OutputRule::new([], args.overwrite);
     let folder = args
         .output
         .as_ref()
@@ -47,7 +47,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .transpose()?;
     let computing = |what: &str| tell(&format!("computing {what}"));
     match args.study {
-        Published::Mae494 => {
+        PublishedStudy::Mae494 => {
             let found = mae494(computing)?;
             answer(
                 &Mae494Report::new(&found),
@@ -56,7 +56,7 @@ pub fn run(args: &Args) -> Result<Answer> {
                 args.json,
             )
         }
-        Published::WinfieldTan => {
+        PublishedStudy::WinfieldTan => {
             let found = winfield_tan(computing)?;
             answer(
                 &WinfieldTanReport::new(&found),

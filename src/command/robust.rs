@@ -1,7 +1,7 @@
 //! One design for several models of impact and flight.
 
 use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, U32, whole};
-use crate::command::files::Rule;
+use crate::command::files::OutputRule;
 use crate::command::interrupt;
 use crate::command::names::tell_of_the_run;
 use crate::command::output::{Answer, spinner, tell, tell_detail, warn};
@@ -60,7 +60,7 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<Answer> {
     args.swings.refuse_stray()?;
     let request = args.setup_args.request()?;
-    let rule = Rule::new(request.inputs().chain(args.swings.inputs()), args.overwrite);
+    let rule = OutputRule::new(request.inputs().chain(args.swings.inputs()), args.overwrite);
     let output = rule.setup_file(args.output.as_deref())?;
     let (setup, search) = args.search(&request)?;
     let within = args.within(&search.of)?;

@@ -1,9 +1,10 @@
 //! The command that runs on a thread: its program, its `Host`, and its output options.
 
 use super::args::OutputOptions;
-use super::host::{Host, Kind};
+use super::host::{Host, MessageKind};
 use super::mention::with_mentions_of;
 use crate::report::TextOptions;
+use crate::thread_stack::with_innermost;
 use crate::units::{Message, System};
 use clap::Command;
 use std::cell::RefCell;
@@ -34,15 +35,6 @@ thread_local! {
     static RUNNING: RefCell<Vec<Arc<Running>>> = const { RefCell::new(vec![]) };
 }
 
-/// Removes the command from its thread, also after a panic.
-struct PopOnDrop;
-
-impl Drop for PopOnDrop {
-    fn drop(&mut self) {
-        RUNNING.with_borrow_mut(|all| all.pop());
-    }
-}
-
 /// Runs `work` as a command of this thread.
 pub fn within<T>(
     program: &'static Command,
@@ -58,9 +50,7 @@ pub fn within<T>(
         words: words.get(1..).unwrap_or_default().to_vec(),
         ..Running::default()
     };
-    RUNNING.with_borrow_mut(|all| all.push(Arc::new(running)));
-    let _ended = PopOnDrop;
-    work()
+    with_innermost(&RUNNING, Arc::new(running), work)
 }
 
 /// The innermost command of this thread. Threads that a command starts must get its `Running`
@@ -108,11 +98,6 @@ impl Running {
         }
     }
 
-    /// True if tables are to fit a screen.
-    pub fn is_for_a_screen(&self) -> bool {
-        self.host.is_screen() && !self.options.all
-    }
-
     /// A message in the syntax of the host.
     pub fn in_words_of_the_host(&self, message: &str) -> String {
         with_mentions_of(self.program, message, |mention| self.host.mention(mention))
@@ -121,7 +106,8 @@ impl Running {
     /// Reports a remark or progress, unless `--quiet` is given.
     pub fn tell(&self, text: &str) {
         if !self.options.quiet {
-            self.host.say(Kind::Note, &self.in_words_of_the_host(text));
+            self.host
+                .say(MessageKind::Note, &self.in_words_of_the_host(text));
         }
     }
 

@@ -5,7 +5,7 @@
 //! - Files are complete or absent. A message names the files that were completed before.
 //! - A second Ctrl-C ends the program at once.
 
-use super::host::{Host, Kind, Progress, SharedProgress, Work};
+use super::host::{Host, MessageKind, Progress, SharedProgress, Work};
 use super::{colour, width};
 use crate::report::{Reply, remark};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -81,7 +81,7 @@ impl Terminal {
                 stop.store(true, Ordering::Relaxed);
                 *told = Some(Instant::now());
                 self.say(
-                    Kind::Note,
+                    MessageKind::Note,
                     &format!("{stopping}; press Ctrl-C again to end at once"),
                 );
             }
@@ -94,7 +94,7 @@ impl Terminal {
             written => format!("nothing was printed; written before: {written}"),
         };
         let message = format!("interrupted before there was an answer; {files}");
-        self.say(Kind::Error, &message);
+        self.say(MessageKind::Error, &message);
         if is_json {
             let reply = Reply::refused(Some(command), "interrupted", message);
             let _ =
@@ -123,19 +123,19 @@ impl Host for Terminal {
         width::of_answers()
     }
 
-    fn say(&self, kind: Kind, text: &str) {
+    fn say(&self, kind: MessageKind, text: &str) {
         match kind {
-            Kind::Note => {
+            MessageKind::Note => {
                 let _ = writeln!(
                     io::stderr().lock(),
                     "{}",
                     remark(text, width::of_messages())
                 );
             }
-            Kind::Warning => colour::say("warning", text),
-            Kind::Error => colour::say("error", text),
+            MessageKind::Warning => colour::say("warning", text),
+            MessageKind::Error => colour::say("error", text),
             // a broken pipe is not an error
-            Kind::Usage => {
+            MessageKind::Usage => {
                 let _ = write!(anstream::stderr().lock(), "{text}");
             }
         }

@@ -1,6 +1,6 @@
 use crate::Result;
 use crate::command::args::OwnLaw;
-use crate::command::files::{Rule, ending};
+use crate::command::files::{OutputRule, ending};
 use crate::command::output::{Answer, system, tell};
 use crate::command::reproduce::{DOCUMENT, write};
 use crate::report::{SetupOrigin, ValidationReport};
@@ -31,7 +31,7 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Result<Answer> {
-    let rule = Rule::new([], args.overwrite);
+    let rule = OutputRule::new([], args.overwrite);
     let own = args.own.law()?;
     let output = args.output.as_deref();
     let file = output

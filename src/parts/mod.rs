@@ -13,12 +13,12 @@
 //! name when it is complete.
 //!
 //! ```
-//! use longdrive::batch::{Axis, Batch, Grid, Run};
+//! use longdrive::batch::{GridAxis, Batch, Grid, Run};
 //! use longdrive::parts::{Dataset, PartResult, check};
 //! use longdrive::{Outcome, Setup};
 //!
 //! let setup = Setup::default();
-//! let axis = Axis::read(&setup, "club.loft=5deg..15deg:3000").unwrap();
+//! let axis = GridAxis::read(&setup, "club.loft=5deg..15deg:3000").unwrap();
 //! let mut points = Grid::new(vec![axis]).unwrap();
 //! let batch = Batch::new(&setup, &[axis.over.parameter], &[Outcome::BallSpeed], &[]).unwrap();
 //! let dataset = Dataset::new(batch, &points, 2, vec![], vec![]).unwrap();

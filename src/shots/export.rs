@@ -1,7 +1,7 @@
 //! Reads the rows of an export as shots.
 
-use super::head::{Export, Read};
-use super::shot::{Club, Further, Origin, REFUSED, Shot, StatedOfClub as Stated, Value, within};
+use super::head::{Export, MeasuredColumn};
+use super::shot::{Club, Further, Origin, REFUSED, Shot, StatedValue, within};
 use crate::drive::Outcome;
 use crate::table::{
     CONDITIONS, DecimalMark, Record, Refusal, RowFault, Stated as Conditions, cells, conditions,
@@ -49,7 +49,7 @@ impl Export {
     }
 
     /// The number in the cell `text`, SI; `None` for an empty cell.
-    fn number(&self, read: &Read, text: &str) -> Result<Option<f64>, String> {
+    fn number(&self, read: &MeasuredColumn, text: &str) -> Result<Option<f64>, String> {
         if DecimalMark::is_ambiguous(self.decimal_mark, text) {
             return Err(format!(
                 "'{text}' may have decimals or thousands; write a number without a mark between \
@@ -76,7 +76,7 @@ impl Export {
                     let origin = read.origin.or(spin.filter(|_| OF_SPIN.contains(&of)));
                     match range {
                         Some(reason) => shot.notes.push(format!("not compared: {reason}")),
-                        None => shot.values.push(Value { of, value, origin }),
+                        None => shot.values.push(StatedValue { of, value, origin }),
                     }
                 }
                 Err(why) if is_condition => {
@@ -86,14 +86,13 @@ impl Export {
                 Err(why) => shot.notes.push(format!("not compared: {name}: {why}")),
             }
         }
-        let club = self.club.each_ref().map(|club| {
+        let club = self.club.each_ref();
+        let heads = club.map(|club| club.as_ref().map_or("", |(_, column)| &column.head));
+        let stated = club.map(|club| {
             let (at, column) = club.as_ref()?;
-            Some(Stated {
-                head: &column.head,
-                value: column.value(cell(*at)).ok().flatten()?,
-            })
+            column.value(cell(*at)).ok().flatten()
         });
-        shot.club = Club::measured(club, &mut shot.notes);
+        shot.club = Club::measured(stated, heads, &mut shot.notes);
         let text = |at: Option<usize>| {
             at.map(|at| cell(at).to_owned())
                 .filter(|text| !text.is_empty())

@@ -2,7 +2,7 @@
 
 use super::flown::Flown;
 use super::open_connect;
-use super::shot::{Shot, launch_parameters};
+use super::shot::{LAUNCH, Shot};
 use super::source::{Chunk, Section, Shots};
 use super::statistics::ShotStatistics;
 use crate::batch::{Batch, CHUNK, Run, in_order};
@@ -65,7 +65,8 @@ impl Flying {
                 source,
             });
         }
-        let mut parameters = launch_parameters(setup)?;
+        let launch = LAUNCH.iter().map(|name| setup.parameter(name));
+        let mut parameters = launch.collect::<Result<Vec<_>>>()?;
         parameters.extend(further);
         Ok(Self {
             batch: Batch::new(setup, &parameters, of, &[])?,

@@ -6,9 +6,9 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    Column, Content, DecimalMark, Format, Head, OF_FLOWN, TextTable, air_of_rows, air_of_setup,
-    cells, club_column, columns_remark, given_air, missing_of_launch, near_known,
-    replace_air_remark, rest_of_head, split_unit, with_nearest, words,
+    Column, Content, DecimalMark, OF_FLOWN, TableFormat, TableHead, TextTable, air_of_rows,
+    air_of_setup, cells, club_column, columns_remark, given_air, heads_of, missing_of_launch,
+    near_known, replace_air_remark, rest_of_head, split_unit, with_nearest, words,
 };
 use crate::units::Message;
 use std::borrow::Cow;
@@ -16,7 +16,7 @@ use std::ops::Range;
 
 /// A column with values to read.
 #[derive(Clone, Debug)]
-pub(super) struct Read {
+pub(super) struct MeasuredColumn {
     pub at: usize,
     pub of: Outcome,
     pub column: Column,
@@ -34,7 +34,7 @@ pub struct Export {
     /// Units in the line below the column heads; `None` if there is no such line.
     pub units: Option<Vec<String>>,
     pub(super) maker: Option<&'static str>,
-    pub(super) read: Vec<Read>,
+    pub(super) read: Vec<MeasuredColumn>,
     /// Columns of the club: speed, attack angle, path, face angle.
     pub(super) club: [Option<(usize, Column)>; 4],
     pub(super) further: Vec<Further>,
@@ -69,10 +69,10 @@ impl Export {
     ///
     /// # Errors
     /// [`Error::Table`] if a launch column is missing, or if a unit has the wrong dimension.
-    pub(super) fn read(setup: &Setup<f64>, mut head: Head, table: &TextTable) -> Result<Self> {
+    pub(super) fn read(setup: &Setup<f64>, mut head: TableHead, table: &TextTable) -> Result<Self> {
         add_totals(setup, &mut head)?;
         let meant = Interpretation::of(Some(setup), &mut head, table);
-        let Head {
+        let TableHead {
             line,
             heads,
             columns,
@@ -167,7 +167,7 @@ impl Export {
         match column.content {
             Content::Outcome(of) if self.read.iter().all(|read| read.of != of) => {
                 column.check_unit()?;
-                self.read.push(Read {
+                self.read.push(MeasuredColumn {
                     at,
                     of,
                     column: column.clone(),
@@ -185,7 +185,7 @@ impl Export {
             // parameters of the club do not affect the flight of a launch: read them as club data
             Content::Note | Content::Input(_) => {
                 let below = read_units(self.units.as_deref(), at);
-                let format = Format {
+                let format = TableFormat {
                     is_export: self.is_export,
                     has_decimal_comma: self.separator != b',',
                 };
@@ -261,11 +261,9 @@ impl Export {
             }
         });
         let not_read: Vec<String> = not_read.collect();
-        let in_degrees: Vec<&str> = columns
-            .iter()
-            .filter(|column| self.is_export && column.is_in_assumed_degrees())
-            .map(|column| column.head.as_str())
-            .collect();
+        let in_degrees = heads_of(columns, |column| {
+            self.is_export && column.is_in_assumed_degrees()
+        });
         let stated_air = self.stated_air().map(|air| air_of_rows(&air.column.head));
         let of_air = stated_air.or_else(|| given_air(columns));
         let replaced = (!self.added.is_empty())
@@ -339,8 +337,8 @@ impl Export {
     }
 }
 
-/// Interprets the columns of rest positions, which `Head` does not know.
-fn add_totals(setup: &Setup<f64>, head: &mut Head) -> Result<()> {
+/// Interprets the columns of rest positions, which `TableHead` does not know.
+fn add_totals(setup: &Setup<f64>, head: &mut TableHead) -> Result<()> {
     if head.format.is_export {
         for at in 0..head.columns.len() {
             let unit = read_units(head.units.as_deref(), at);
@@ -384,7 +382,7 @@ fn total(
     name: &str,
     head: &str,
     below: Option<&str>,
-    format: Format,
+    format: TableFormat,
 ) -> Result<Option<Column>> {
     let Some(of) = rest_of_head(&words(name)) else {
         return Ok(None);

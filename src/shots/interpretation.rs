@@ -1,10 +1,10 @@
 //! Interpretation of an export: its maker, missing units, and sign conventions.
 
-use super::sign_conventions::SignConventions;
+use super::sign_conventions::turn_spins;
 use crate::drive::Outcome;
 use crate::parameters::Setup;
 use crate::table::{
-    Column, Content, Head, TextTable, assume_units, split_unit, states_weather, words,
+    Column, Content, TableHead, TextTable, assume_units, density_in, split_unit, words,
 };
 
 /// Makers with column heads (in lower case) that occur together only in their exports. Sources:
@@ -49,7 +49,7 @@ pub(crate) struct Interpretation {
 impl Interpretation {
     /// Interprets the columns of an export, and changes them accordingly. A table that is not an
     /// export stays unchanged. With a `setup`, a column of weather is read as the air of each row.
-    pub fn of(setup: Option<&Setup<f64>>, head: &mut Head, table: &TextTable) -> Self {
+    pub fn of(setup: Option<&Setup<f64>>, head: &mut TableHead, table: &TextTable) -> Self {
         if !head.format.is_export {
             return Self::default();
         }
@@ -77,7 +77,7 @@ impl Interpretation {
         Self {
             maker,
             without_unit,
-            turned: SignConventions::detect(maker, &head.columns, &rows).apply(&mut head.columns),
+            turned: turn_spins(maker, &mut head.columns, &rows),
         }
     }
 }
@@ -109,7 +109,7 @@ fn weather_of_rows(
         return;
     }
     let is_condition = |at: &usize| ["condition", "conditions"].contains(&plain[*at].as_str());
-    let states_weather = |at: &usize| rows.iter().any(|row| states_weather(&row[*at]));
+    let states_weather = |at: &usize| rows.iter().any(|row| density_in(&row[*at]).is_some());
     if let Some(at) = (0..columns.len()).filter(is_condition).find(states_weather) {
         let column = &mut columns[at];
         if setup.why_replaced(density).is_some() {

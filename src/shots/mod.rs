@@ -56,7 +56,7 @@ pub use head::Export;
 pub(crate) use interpretation::Interpretation;
 pub use objects::Objects;
 pub(crate) use open_connect::ASSUMED;
-pub use shot::{Club, Origin, Shot, Value};
+pub use shot::{Club, Origin, Shot, StatedValue};
 pub(crate) use sizes::size;
 pub(crate) use source::is_json;
 pub use source::{Section, Shots};

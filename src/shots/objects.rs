@@ -8,7 +8,7 @@ const LONGEST: usize = 1 << 16;
 
 /// State of the scanner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum State {
+enum ScannerState {
     Between,
     /// Within an object, with the number of open braces and brackets.
     Inside(usize),
@@ -25,7 +25,7 @@ enum State {
 /// record ends with its line, or before the next opening brace, so that later objects are found.
 #[derive(Clone, Debug)]
 pub struct Objects {
-    state: State,
+    state: ScannerState,
     line: u64,
     is_line_start: bool,
     begun: u64,
@@ -35,7 +35,7 @@ pub struct Objects {
 
 impl Default for Objects {
     fn default() -> Self {
-        let state = State::Between;
+        let state = ScannerState::Between;
         Self {
             state,
             line: 1,
@@ -64,7 +64,7 @@ impl Objects {
 
     /// True if an object is incomplete.
     pub fn is_under_way(&self) -> bool {
-        self.state != State::Between
+        self.state != ScannerState::Between
     }
 
     /// Ends an incomplete object at the end of the input.
@@ -74,7 +74,7 @@ impl Objects {
         }
     }
 
-    fn begin(&mut self, state: State, byte: u8) {
+    fn begin(&mut self, state: ScannerState, byte: u8) {
         (self.state, self.begun) = (state, self.line);
         self.bytes = vec![byte];
     }
@@ -88,60 +88,60 @@ impl Objects {
             text,
             is_whole,
         });
-        self.state = State::Between;
+        self.state = ScannerState::Between;
     }
 
     fn take(&mut self, byte: u8) {
         match self.state {
-            State::Between => match byte {
-                b'{' => self.begin(State::Inside(1), byte),
+            ScannerState::Between => match byte {
+                b'{' => self.begin(ScannerState::Inside(1), byte),
                 // array syntax, separators, and bytes of a byte-order mark
                 b'[' | b']' | b',' | 0 | 0xef | 0xbb | 0xbf => {}
                 _ if byte.is_ascii_whitespace() => {}
-                _ => self.begin(State::Astray, byte),
+                _ => self.begin(ScannerState::Astray, byte),
             },
-            State::Astray => match byte {
+            ScannerState::Astray => match byte {
                 b'\n' => self.end(false),
                 b'{' => {
                     self.end(false);
-                    self.begin(State::Inside(1), byte);
+                    self.begin(ScannerState::Inside(1), byte);
                 }
                 _ => self.add(byte),
             },
-            State::TooLong => {
+            ScannerState::TooLong => {
                 if byte == b'\n' {
-                    self.state = State::Between;
+                    self.state = ScannerState::Between;
                 } else if byte == b'{' && self.is_line_start {
-                    self.begin(State::Inside(1), byte);
+                    self.begin(ScannerState::Inside(1), byte);
                 }
             }
-            State::Inside(_) if byte == b'{' && self.is_line_start => {
+            ScannerState::Inside(_) if byte == b'{' && self.is_line_start => {
                 self.end(false);
-                self.begin(State::Inside(1), byte);
+                self.begin(ScannerState::Inside(1), byte);
             }
-            State::Inside(depth) => {
+            ScannerState::Inside(depth) => {
                 self.add(byte);
-                if self.state == State::TooLong {
+                if self.state == ScannerState::TooLong {
                     return;
                 }
                 match byte {
-                    b'"' => self.state = State::Text(depth, false),
-                    b'{' | b'[' => self.state = State::Inside(depth + 1),
+                    b'"' => self.state = ScannerState::Text(depth, false),
+                    b'{' | b'[' => self.state = ScannerState::Inside(depth + 1),
                     b'}' | b']' if depth == 1 => self.end(true),
-                    b'}' | b']' => self.state = State::Inside(depth - 1),
+                    b'}' | b']' => self.state = ScannerState::Inside(depth - 1),
                     _ => {}
                 }
             }
             // a JSON string cannot contain a line feed
-            State::Text(..) if byte == b'\n' => self.end(false),
-            State::Text(depth, is_escaped) => {
+            ScannerState::Text(..) if byte == b'\n' => self.end(false),
+            ScannerState::Text(depth, is_escaped) => {
                 self.add(byte);
-                if self.state == State::TooLong {
+                if self.state == ScannerState::TooLong {
                     return;
                 }
                 self.state = match byte {
-                    b'"' if !is_escaped => State::Inside(depth),
-                    _ => State::Text(depth, byte == b'\\' && !is_escaped),
+                    b'"' if !is_escaped => ScannerState::Inside(depth),
+                    _ => ScannerState::Text(depth, byte == b'\\' && !is_escaped),
                 };
             }
         }
@@ -151,7 +151,7 @@ impl Objects {
         self.bytes.push(byte);
         if self.bytes.len() > LONGEST {
             self.end(false);
-            self.state = State::TooLong;
+            self.state = ScannerState::TooLong;
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Reads messages of GSPro Open Connect as shots.
 
 use super::export::{OF_SPIN, add_notes, launch};
-use super::shot::{Club, Origin, REFUSED, Shot, StatedOfClub, Value};
+use super::shot::{Club, Origin, REFUSED, Shot, StatedValue};
 use super::sizes::size;
 use super::written;
 use crate::drive::Outcome;
@@ -213,7 +213,7 @@ fn fill_ball(
                     // 0 means that the value was not sent
                     Some(_) if number == 0.0 => {}
                     Some(reason) => shot.notes.push(format!("not compared: {reason}")),
-                    None => shot.values.push(Value {
+                    None => shot.values.push(StatedValue {
                         of,
                         value,
                         origin: origin(message, of),
@@ -270,22 +270,22 @@ fn club_data(club: &Map<String, Json>, speed_unit: &str, notes: &mut Vec<String>
     let angle = |key| value(key).map(f64::to_radians);
     let speed = value("Speed").map(|speed| speed * size(Quantity::SPEED, speed_unit));
     let stated = [
-        ("ClubData.Speed", speed),
-        ("ClubData.AngleOfAttack", angle("AngleOfAttack")),
-        ("ClubData.Path", angle("Path")),
-        ("ClubData.FaceToTarget", angle("FaceToTarget")),
+        speed,
+        angle("AngleOfAttack"),
+        angle("Path"),
+        angle("FaceToTarget"),
     ];
-    let stated = stated.map(|(head, value)| {
-        Some(StatedOfClub {
-            head,
-            value: value?,
-        })
-    });
-    Club::measured(stated, notes)
+    let heads = [
+        "ClubData.Speed",
+        "ClubData.AngleOfAttack",
+        "ClubData.Path",
+        "ClubData.FaceToTarget",
+    ];
+    Club::measured(stated, heads, notes)
 }
 
 /// Removes spin values of 0 that mean "not sent": another form of the spin is not 0.
-fn remove_unsent(values: &mut Vec<Value>) {
+fn remove_unsent(values: &mut Vec<StatedValue>) {
     let has = |of| {
         values
             .iter()

@@ -1,8 +1,7 @@
 //! A shot of a launch monitor.
 
 use crate::drive::Outcome;
-use crate::error::Error;
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::Parameter;
 use crate::table::{CONDITIONS, Column, Refusal, Stated, implausible_club};
 
 /// Flight status of a row that was not flown.
@@ -42,7 +41,7 @@ impl Origin {
 
 /// A value of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Value {
+pub struct StatedValue {
     /// Outcome.
     pub of: Outcome,
     /// Value, SI.
@@ -64,13 +63,6 @@ pub struct Club {
     pub face_angle: Option<f64>,
 }
 
-/// A club value with its column head, SI.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct StatedOfClub<'a> {
-    pub head: &'a str,
-    pub value: f64,
-}
-
 impl Club {
     /// Names of the parameters, in the order of the values.
     pub const NAMES: [&'static str; 4] = [
@@ -80,21 +72,23 @@ impl Club {
         "swing.face_angle",
     ];
 
-    /// Club data from stated values, in the order of [`NAMES`](Self::NAMES). An implausible value
-    /// counts as not measured, with a note in `notes`. A club speed of 0 counts as not measured. If
-    /// all other stated values are 0 too, none of them counts as measured.
-    pub(super) fn measured(stated: [Option<StatedOfClub<'_>>; 4], notes: &mut Vec<String>) -> Self {
-        if Self::is_still(stated.map(|stated| Some(stated?.value))) {
+    /// Club data from stated values and their column heads, in the order of [`NAMES`](Self::NAMES).
+    /// An implausible value counts as not measured, with a note in `notes`. A club speed of 0 counts
+    /// as not measured. If all other stated values are 0 too, none of them counts as measured.
+    pub(super) fn measured(
+        stated: [Option<f64>; 4],
+        heads: [&str; 4],
+        notes: &mut Vec<String>,
+    ) -> Self {
+        if Self::is_still(stated) {
             return Self::default();
         }
         let mut values = [None; 4];
         for (at, stated) in stated.into_iter().enumerate() {
-            let Some(StatedOfClub { head, value }) =
-                stated.filter(|stated| at > 0 || stated.value != 0.0)
-            else {
+            let Some(value) = stated.filter(|value| at > 0 || *value != 0.0) else {
                 continue;
             };
-            match implausible_club(Self::NAMES[at], value, head) {
+            match implausible_club(Self::NAMES[at], value, heads[at]) {
                 Some(why) => notes.push(why),
                 None => values[at] = Some(value),
             }
@@ -136,7 +130,7 @@ pub struct Shot {
     /// Text of the row.
     pub text: String,
     /// Ball data, including the launch.
-    pub values: Vec<Value>,
+    pub values: Vec<StatedValue>,
     /// Club data.
     pub club: Club,
     /// Name of the club, if a column has it.
@@ -190,7 +184,7 @@ impl Shot {
     }
 
     /// Value of an outcome.
-    pub fn value(&self, of: Outcome) -> Option<Value> {
+    pub fn value(&self, of: Outcome) -> Option<StatedValue> {
         self.values.iter().find(|value| value.of == of).copied()
     }
 
@@ -216,7 +210,7 @@ impl Shot {
     }
 
     /// Measured outcomes of the flight.
-    pub fn measured(&self) -> impl Iterator<Item = &Value> {
+    pub fn measured(&self) -> impl Iterator<Item = &StatedValue> {
         self.values
             .iter()
             .filter(|value| !CONDITIONS.contains(&value.of))
@@ -231,11 +225,6 @@ pub(super) const LAUNCH: [&str; 5] = [
     "launch.backspin",
     "launch.sidespin",
 ];
-
-/// The launch parameters, in the order of [`Shot::launch`].
-pub(super) fn launch_parameters(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>, Error> {
-    LAUNCH.iter().map(|name| setup.parameter(name)).collect()
-}
 
 /// A parameter of a table that is not part of the launch, with its column and the index of the
 /// column.

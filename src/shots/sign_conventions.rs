@@ -3,71 +3,61 @@
 use crate::drive::Outcome;
 use crate::table::{Column, Content, has_outcome};
 
-/// Flags for spin columns whose positive values are to the left.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct SignConventions {
-    sidespin: bool,
-    axis: bool,
-}
-
 /// Minimum fraction of the rows that agree on a sign convention.
 const SHARE: f64 = 0.8;
 
 /// The side of a lateral curve counts if the curve exceeds this fraction of the carry.
 const STRAIGHT: f64 = 0.01;
 
-impl SignConventions {
-    /// Detects such columns in exports of Garmin. Positive values of `Sidespin` are to the left if
-    /// the table has no spin axis, or if sidespin and spin axis have opposite signs. If these signs
-    /// agree and the balls curve to the other side, positive values of both are to the left.
-    pub fn detect(maker: Option<&str>, columns: &[Column], rows: &[Vec<String>]) -> Self {
-        if maker != Some("Garmin") || !has_outcome(columns, Outcome::Sidespin) {
-            return Self::default();
-        }
-        if !has_outcome(columns, Outcome::SpinAxis) {
-            return Self {
-                sidespin: true,
-                axis: false,
-            };
-        }
-        let signs: Vec<Signs> = rows.iter().map(|row| Signs::of(columns, row)).collect();
-        if mostly(
-            signs
-                .iter()
-                .filter_map(|row| Some(row.sidespin? != row.axis?)),
-        ) {
-            return Self {
-                sidespin: true,
-                axis: false,
-            };
-        }
-        let curves_against = mostly(signs.iter().filter_map(|row| Some(row.curve? != row.axis?)));
-        Self {
-            sidespin: curves_against,
-            axis: curves_against,
-        }
+/// Reverses the signs of spin columns whose positive values are to the left, and returns a message
+/// about them.
+pub(super) fn turn_spins(
+    maker: Option<&str>,
+    columns: &mut [Column],
+    rows: &[Vec<String>],
+) -> Option<String> {
+    let turned = turned_spins(maker, columns, rows);
+    let is_turned =
+        |column: &Column| matches!(column.content, Content::Outcome(of) if turned.contains(&of));
+    let mut names = vec![];
+    for column in columns.iter_mut().filter(|column| is_turned(column)) {
+        column.is_turned = !column.is_turned;
+        names.push(column.head.as_str());
     }
+    let (is, why) = match turned.contains(&Outcome::SpinAxis) {
+        true => ("are", ": the balls curve to the opposite side"),
+        false => ("is", ", as Garmin's exports have it"),
+    };
+    (!names.is_empty())
+        .then(|| format!("{} {is} read with + to the left{why}", names.join(" and ")))
+}
 
-    /// Reverses the signs of the affected columns, and returns a message about them.
-    pub fn apply(self, columns: &mut [Column]) -> Option<String> {
-        let mut names = vec![];
-        for column in columns {
-            let is_turned = match column.content {
-                Content::Outcome(Outcome::Sidespin) => self.sidespin,
-                Content::Outcome(Outcome::SpinAxis) => self.axis,
-                _ => false,
-            };
-            if is_turned {
-                column.is_turned = !column.is_turned;
-                names.push(column.head.as_str());
-            }
-        }
-        let (is, why) = match self.axis {
-            true => ("are", ": the balls curve to the opposite side"),
-            false => ("is", ", as Garmin's exports have it"),
-        };
-        (!names.is_empty())
-            .then(|| format!("{} {is} read with + to the left{why}", names.join(" and ")))
+/// The spins whose positive values are to the left, in exports of Garmin. Positive values of
+/// `Sidespin` are to the left if the table has no spin axis, or if sidespin and spin axis have
+/// opposite signs. If these signs agree and the balls curve to the other side, positive values of
+/// both are to the left.
+fn turned_spins(
+    maker: Option<&str>,
+    columns: &[Column],
+    rows: &[Vec<String>],
+) -> &'static [Outcome] {
+    if maker != Some("Garmin") || !has_outcome(columns, Outcome::Sidespin) {
+        return &[];
+    }
+    if !has_outcome(columns, Outcome::SpinAxis) {
+        return &[Outcome::Sidespin];
+    }
+    let signs: Vec<Signs> = rows.iter().map(|row| Signs::of(columns, row)).collect();
+    let are_opposite = mostly(
+        signs
+            .iter()
+            .filter_map(|row| Some(row.sidespin? != row.axis?)),
+    );
+    let curves_against = mostly(signs.iter().filter_map(|row| Some(row.curve? != row.axis?)));
+    match (are_opposite, curves_against) {
+        (true, _) => &[Outcome::Sidespin],
+        (false, true) => &[Outcome::Sidespin, Outcome::SpinAxis],
+        (false, false) => &[],
     }
 }
 

@@ -8,10 +8,10 @@ use super::written;
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::input_file::InputFile;
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::table::{
-    Column, Entry, Record, RowFilter, SourceName, TableOptions, Text, TextTable, remark_from_line,
+    Column, Record, RowFilter, SourceName, TableEntry, TableOptions, Text, TextTable,
+    remark_from_line,
 };
 use crate::units::Message;
 use std::io::{self, Read};
@@ -25,7 +25,7 @@ const PIECE: usize = 1 << 16;
 pub struct Shots {
     /// The column heads of the table's first section; `None` for messages.
     export: Option<Arc<Export>>,
-    pub(super) rows: Rows,
+    pub(super) rows: UnreadRows,
     /// Parameters of every row other than the launch.
     pub(super) further: Vec<&'static Parameter>,
     /// True if the source is JSON lines written by `fly`.
@@ -33,7 +33,7 @@ pub struct Shots {
 }
 
 /// Unread rows.
-pub(super) enum Rows {
+pub(super) enum UnreadRows {
     Table(Box<TableRows>),
     Objects(Box<dyn Read + Send>, Objects, SourceName),
 }
@@ -75,15 +75,13 @@ impl Shots {
     /// cannot be opened, or if it is not a table and `filter` is not empty. If the filter selects
     /// no row, an error follows the last row.
     pub fn open(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
-        let text = if path == Path::new("-") {
+        let mut text = if path == Path::new("-") {
             Text::open("standard input", io::stdin())?
         } else {
-            let name = path.display().to_string();
-            // report a folder as unreadable: opening succeeds, reading fails
-            let file = SourceName(name.clone()).io(InputFile::open(path))?;
-            Text::open(&name, file)?
+            Text::of_file(path)?
         };
-        Self::of_text(setup, text.with_filter(filter))
+        text.filter = filter;
+        Self::of_text(setup, text)
     }
 
     /// Reads CSV with column heads, or JSON, in UTF-8, UTF-16 or Windows-1252.
@@ -112,7 +110,7 @@ impl Shots {
             }
             let further = written::further(setup, &text.beginning);
             let is_written = written::begins(&text.beginning);
-            let rows = Rows::Objects(text.source, Objects::default(), text.name);
+            let rows = UnreadRows::Objects(text.source, Objects::default(), text.name);
             return Ok(Self {
                 export: None,
                 rows,
@@ -138,7 +136,7 @@ impl Shots {
         Ok(Self {
             further: export.further(),
             export: Some(export),
-            rows: Rows::Table(Box::new(rows)),
+            rows: UnreadRows::Table(Box::new(rows)),
             is_written: false,
         })
     }
@@ -172,11 +170,11 @@ impl Shots {
     /// Remarks on later sections and on the selection of rows, complete after the last row.
     pub fn final_remarks(&self) -> Vec<Message> {
         match &self.rows {
-            Rows::Table(rows) => {
+            UnreadRows::Table(rows) => {
                 let of_filter = rows.table.filter.remark();
                 rows.remarks.iter().cloned().chain(of_filter).collect()
             }
-            Rows::Objects(..) => vec![],
+            UnreadRows::Objects(..) => vec![],
         }
     }
 
@@ -210,7 +208,7 @@ impl Shots {
 
     /// Uses the setup's air for every row, even if the export states other air.
     pub fn in_given_air(&mut self) {
-        let (Some(export), Rows::Table(rows)) = (&mut self.export, &mut self.rows) else {
+        let (Some(export), UnreadRows::Table(rows)) = (&mut self.export, &mut self.rows) else {
             return;
         };
         rows.is_air_given = true;
@@ -232,10 +230,10 @@ impl TableRows {
         while records.len() < most {
             match self.table.next_entry()? {
                 None => break,
-                Some(Entry::Row(record)) => records.push(record),
-                Some(Entry::Excluded) => {}
-                Some(Entry::Head(record)) if records.is_empty() => self.begin(&record)?,
-                Some(Entry::Head(record)) => {
+                Some(TableEntry::Row(record)) => records.push(record),
+                Some(TableEntry::Excluded) => {}
+                Some(TableEntry::Head(record)) if records.is_empty() => self.begin(&record)?,
+                Some(TableEntry::Head(record)) => {
                     self.table.give_back(record);
                     break;
                 }
@@ -280,7 +278,7 @@ impl TableRows {
     }
 }
 
-impl Rows {
+impl UnreadRows {
     /// The next rows, at most `most`; `None` at the end.
     pub fn next_rows(&mut self, most: usize) -> Result<Option<Chunk>> {
         match self {

@@ -3,7 +3,7 @@
 use super::flown::Flown;
 use super::shot::Origin;
 use super::source::Shots;
-use super::unit_checks::Comparison;
+use super::unit_checks::UnitChecks;
 use crate::batch::Status;
 use crate::drive::{ExceededCount, Outcome};
 use crate::table::Refusal;
@@ -165,7 +165,7 @@ pub struct ShotStatistics {
     /// Number of landed drives whose spin ratio at launch is too large for a driver.
     pub lofted: u64,
     /// Predicted and measured values, for checks of units and signs.
-    comparison: Comparison,
+    unit_checks: UnitChecks,
 }
 
 /// True for a launch (ball speed, angle, direction, backspin and sidespin, SI) of a club with more
@@ -202,7 +202,7 @@ impl ShotStatistics {
             noted: 0,
             beyond: ExceededCount::default(),
             lofted: 0,
-            comparison: Comparison::new(of.len()),
+            unit_checks: UnitChecks::new(of.len()),
         }
     }
 
@@ -233,7 +233,7 @@ impl ShotStatistics {
                 self.beyond.add(flown.beyond(row));
                 self.lofted += u64::from(shot.launch().is_some_and(is_lofted));
             }
-            self.comparison.add(flown, row);
+            self.unit_checks.add(flown, row);
             if let Some(club) = shot.club_name.as_deref().and_then(|name| self.club(name)) {
                 club.add(flown, row);
             }
@@ -267,7 +267,7 @@ impl ShotStatistics {
 
     /// Warnings about columns of `shots` with a likely wrong unit or sign.
     pub fn unit_warnings(&self, shots: &Shots) -> Vec<Message> {
-        self.comparison.warnings(&self.of, shots)
+        self.unit_checks.warnings(&self.of, shots)
     }
 
     /// Adds the statistics of later shots.
@@ -279,7 +279,7 @@ impl ShotStatistics {
         self.noted += other.noted;
         self.beyond.merge(other.beyond);
         self.lofted += other.lofted;
-        self.comparison.merge(other.comparison);
+        self.unit_checks.merge(other.unit_checks);
         for (name, shots) in &other.clubs {
             if let Some(club) = self.club(name) {
                 club.merge(shots);

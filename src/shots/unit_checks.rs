@@ -47,7 +47,7 @@ const SLOW: f64 = 22.0;
 
 /// Ratios and sides of predicted and measured values.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Comparison {
+pub(super) struct UnitChecks {
     /// Ratios predicted/measured of each outcome.
     ratios: Vec<Vec<f64>>,
     /// Number of rows whose predicted and measured sides are clear, and number of those rows whose
@@ -57,7 +57,7 @@ pub(super) struct Comparison {
     carries: Vec<f64>,
 }
 
-impl Comparison {
+impl UnitChecks {
     pub fn new(outcomes: usize) -> Self {
         Self {
             ratios: vec![vec![]; outcomes],

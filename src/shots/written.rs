@@ -2,7 +2,7 @@
 
 use super::export::launch;
 use super::objects::Objects;
-use super::shot::{Club, Origin, REFUSED, Shot, Value, within};
+use super::shot::{Club, Origin, REFUSED, Shot, StatedValue, within};
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup};
 use crate::table::Refusal;
@@ -107,7 +107,7 @@ fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refus
             .iter()
             .find(|(of, _)| *of == name)
             .and_then(|(_, origin)| Origin::read(origin.as_str()?));
-        shot.values.push(Value { of, value, origin });
+        shot.values.push(StatedValue { of, value, origin });
     }
     let club = members(message, "club")?;
     let of_club = |name: &str| {

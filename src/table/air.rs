@@ -40,14 +40,9 @@ impl Column {
     }
 }
 
-/// Recognizes a description of the weather in words.
-pub(crate) fn states_weather(cell: &str) -> bool {
-    density_in(cell).is_some()
-}
-
 /// Air density for TrackMan's weather text: `Normalized to no wind conditions at 1135 ft altitude,
 /// 77 °F and Premium ball`.
-pub(super) fn density_in(words: &str) -> Option<f64> {
+pub(crate) fn density_in(words: &str) -> Option<f64> {
     let words: Vec<&str> = words
         .split([' ', ',', ';'])
         .filter(|word| !word.is_empty())

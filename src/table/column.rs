@@ -3,7 +3,7 @@
 use super::heads::Meaning;
 use super::launch_monitor;
 use super::numbers;
-use super::numbers::{Side, cell_number, unwrapped};
+use super::numbers::{CellSide, cell_number, unwrapped};
 use crate::drive::{Outcome, Sign};
 use crate::error::{Error, Result};
 use crate::parameters::{Golfer, Parameter, Setup};
@@ -36,7 +36,7 @@ pub(crate) struct Column {
     unit: Option<String>,
     /// The parsed unit, if it matches the column's quantity.
     size: Option<Unit>,
-    pub format: Format,
+    pub format: TableFormat,
     /// True if the column is an angle of an export and has no unit. It is read in degrees.
     pub is_in_assumed_degrees: bool,
     /// True for a launch condition whose column head is its dotted name: `launch.ball_speed`.
@@ -57,7 +57,7 @@ pub(crate) struct Column {
 
 /// Format of a table. The default is the format of a table in SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Format {
+pub(crate) struct TableFormat {
     /// True for an export of a launch monitor: unknown columns are ignored.
     pub is_export: bool,
     /// True if numbers may have decimal commas.
@@ -95,7 +95,7 @@ impl Column {
         setup: &Setup<f64>,
         head: &str,
         below: Option<&str>,
-        format: Format,
+        format: TableFormat,
     ) -> Result<Self> {
         let head = head.trim();
         let (name, unit) = launch_monitor::split_unit(head);
@@ -185,7 +185,7 @@ impl Column {
             head: head.into(),
             unit: None,
             size: None,
-            format: Format::default(),
+            format: TableFormat::default(),
             is_in_assumed_degrees: false,
             is_dotted_condition,
             is_of_given_air: false,
@@ -325,7 +325,7 @@ impl Column {
     }
 
     /// True if values of the quantity can have this side in place of a sign.
-    fn has(&self, side: Side) -> bool {
+    fn has(&self, side: CellSide) -> bool {
         let of_parameter = |names: &[&str]| match self.content {
             Content::Input(parameter) => names.contains(&parameter.name),
             _ => false,
@@ -335,14 +335,14 @@ impl Column {
             _ => false,
         };
         match side {
-            Side::OfTarget { .. } => {
+            CellSide::OfTarget { .. } => {
                 of_parameter(&[PATH, FACE]) || of_outcome(|of| of.sign() == Sign::Right)
             }
-            Side::UpDown { .. } => {
+            CellSide::UpDown { .. } => {
                 of_parameter(&["swing.attack_angle"]) || of_outcome(|of| of == Outcome::LaunchAngle)
             }
-            Side::InOut { .. } => of_parameter(&[PATH]),
-            Side::OpenClosed { .. } => of_parameter(&[FACE]),
+            CellSide::InOut { .. } => of_parameter(&[PATH]),
+            CellSide::OpenClosed { .. } => of_parameter(&[FACE]),
         }
     }
 
@@ -382,7 +382,7 @@ impl Column {
         {
             return Err(self.is_not(cell, "not a number"));
         }
-        let sign = stated.side.map_or(1.0, Side::sign) * self.sign(stated.side);
+        let sign = stated.side.map_or(1.0, CellSide::sign) * self.sign(stated.side);
         let value = self.converted(cell, stated.number, stated.unit.as_deref())?;
         // avoid −0 for straight directions
         Ok(Some(if sign < 0.0 { -value } else { value }))
@@ -392,7 +392,7 @@ impl Column {
     /// face angle as positive to the right for every golfer, also in cells with a side such as `R`;
     /// this program counts them as positive outwards. In a turned column, positive values are to
     /// the left.
-    fn sign(&self, side: Option<Side>) -> f64 {
+    fn sign(&self, side: Option<CellSide>) -> f64 {
         if self.is_turned && side.is_none() {
             return -1.0;
         }
@@ -400,7 +400,7 @@ impl Column {
             return 1.0;
         };
         let is_of_the_course = match side {
-            Some(Side::OfTarget { .. }) => true,
+            Some(CellSide::OfTarget { .. }) => true,
             Some(_) => false,
             None => self.head != parameter.name,
         };
@@ -531,7 +531,7 @@ fn is_replaced(setup: &Setup<f64>, name: &str) -> bool {
 }
 
 /// True for an unknown column head of a launch monitor, false for a misspelt name of this program.
-fn is_head_of_launch_monitor(name: &str, format: Format) -> bool {
+fn is_head_of_launch_monitor(name: &str, format: TableFormat) -> bool {
     let is_written_otherwise = name.is_empty() || name.contains(". ");
     let has_own_marks = name.contains(['_', '.']) && !name.ends_with('.');
     // `cary` is a misspelt name of this program; `club` and `date` belong to launch monitors

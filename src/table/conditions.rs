@@ -5,7 +5,7 @@ use crate::drive::Outcome;
 
 /// An error in the launch conditions of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Fault {
+pub(crate) struct ConditionFault {
     /// The condition at fault.
     pub of: Outcome,
     pub why: &'static str,
@@ -13,7 +13,7 @@ pub(crate) struct Fault {
     pub is_missing: bool,
 }
 
-impl Fault {
+impl ConditionFault {
     fn missing(of: Outcome, why: &'static str) -> Self {
         Self {
             of,
@@ -133,19 +133,19 @@ pub(crate) fn contradiction(
 pub(crate) fn conditions(
     values: Stated,
     has: impl Fn(Outcome) -> bool,
-) -> Result<[(&'static str, f64); 5], Fault> {
+) -> Result<[(&'static str, f64); 5], ConditionFault> {
     let [speed, angle, direction, spins @ ..] = without_redundant_spins(values);
     let is_empty = "the cell is empty; every launch needs this value";
-    let speed = speed.ok_or(Fault::missing(Outcome::BallSpeed, is_empty))?;
-    let angle = angle.ok_or(Fault::missing(Outcome::LaunchAngle, is_empty))?;
+    let speed = speed.ok_or(ConditionFault::missing(Outcome::BallSpeed, is_empty))?;
+    let angle = angle.ok_or(ConditionFault::missing(Outcome::LaunchAngle, is_empty))?;
     if speed <= 0.0 {
-        return Err(Fault::invalid(
+        return Err(ConditionFault::invalid(
             Outcome::BallSpeed,
             "the ball's speed must be above 0",
         ));
     }
     if angle.abs() >= std::f64::consts::FRAC_PI_2 {
-        return Err(Fault::invalid(
+        return Err(ConditionFault::invalid(
             Outcome::LaunchAngle,
             "the launch angle must be between −90° and 90°",
         ));
@@ -164,7 +164,7 @@ pub(crate) fn conditions(
 fn spin_components(
     [spin, backspin, sidespin, axis]: [Option<f64>; 4],
     has: impl Fn(Outcome) -> bool,
-) -> Result<[f64; 2], Fault> {
+) -> Result<[f64; 2], ConditionFault> {
     match (spin, backspin, sidespin, axis) {
         (None, None, _, _) => {
             let of = if has(Outcome::Spin) {
@@ -172,7 +172,7 @@ fn spin_components(
             } else {
                 Outcome::Backspin
             };
-            Err(Fault::missing(
+            Err(ConditionFault::missing(
                 of,
                 "the cells of the spin are empty; every launch needs a spin",
             ))
@@ -183,7 +183,7 @@ fn spin_components(
         (None, Some(back), None, Some(axis)) if axis.abs() <= MOST_AXIS => {
             Ok([back, back * axis.tan()])
         }
-        (None, Some(_), None, Some(_)) => Err(Fault::invalid(
+        (None, Some(_), None, Some(_)) => Err(ConditionFault::invalid(
             Outcome::SpinAxis,
             "with a backspin the axis must be between −90° and 90°, since sidespin = backspin · \
              tan(axis); correct it, or give the sidespin",
@@ -191,7 +191,7 @@ fn spin_components(
         (Some(spin), _, Some(side), None) if side.abs() <= spin => {
             Ok([(spin * spin - side * side).sqrt(), side])
         }
-        (Some(_), _, Some(_), None) => Err(Fault::invalid(
+        (Some(_), _, Some(_), None) => Err(ConditionFault::invalid(
             Outcome::Spin,
             "the sidespin is larger than the spin; correct one of them",
         )),

@@ -128,11 +128,7 @@ pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
 
 /// Remark on angles without a unit, which are read in degrees.
 pub(crate) fn in_degrees(columns: &[Column]) -> Option<String> {
-    let heads: Vec<&str> = columns
-        .iter()
-        .filter(|column| column.is_in_assumed_degrees())
-        .map(|column| column.head.as_str())
-        .collect();
+    let heads = heads_of(columns, Column::is_in_assumed_degrees);
     let (is, angles) = if heads.len() == 1 {
         ("is", "an angle")
     } else {
@@ -212,11 +208,11 @@ fn redundant_spins(columns: &[Column]) -> &'static [Outcome] {
     }
 }
 
-/// Column heads of the columns that satisfy `is`, without empty column heads.
-fn heads_of(columns: &[Column], is: impl Fn(&Column) -> bool) -> Vec<&str> {
+/// Column heads of the columns that satisfy `is`.
+pub(crate) fn heads_of(columns: &[Column], is: impl Fn(&Column) -> bool) -> Vec<&str> {
     columns
         .iter()
-        .filter(|column| is(column) && !column.head.is_empty())
+        .filter(|column| is(column))
         .map(|column| column.head.as_str())
         .collect()
 }

@@ -1,7 +1,7 @@
 //! The column heads of a table: meaning of the columns, and errors in column heads.
 
 use super::CONDITIONS;
-use super::column::{Column, Content, Format, OF_SHOTS};
+use super::column::{Column, Content, OF_SHOTS, TableFormat};
 use super::export_columns::{ClubColumns, ignore_columns};
 use super::launch_monitor::{is_export, units_row};
 use crate::drive::Outcome;
@@ -52,7 +52,7 @@ impl TableOptions {
 
 /// The column heads of a table, interpreted.
 #[derive(Clone, Debug)]
-pub(crate) struct Head {
+pub(crate) struct TableHead {
     /// Line of the column heads, from 1.
     pub line: u64,
     /// The column heads as written.
@@ -60,7 +60,7 @@ pub(crate) struct Head {
     /// The columns in order.
     pub columns: Vec<Column>,
     /// Format of the table.
-    pub format: Format,
+    pub format: TableFormat,
     /// Cells of the line of units; `None` without this line.
     pub units: Option<Vec<String>>,
     /// Remarks on ignored columns.
@@ -69,7 +69,7 @@ pub(crate) struct Head {
     pub encoding: Option<&'static str>,
 }
 
-impl Head {
+impl TableHead {
     /// Interprets the column heads of a text table; `first` is the row below, which may contain
     /// units.
     ///
@@ -83,7 +83,7 @@ impl Head {
         wanted: &TableOptions,
     ) -> Result<Self, ColumnErrors> {
         let is_export = is_export(heads.iter().map(String::as_str));
-        let format = Format {
+        let format = TableFormat {
             is_export,
             has_decimal_comma: separator != b',',
         };
@@ -137,7 +137,7 @@ impl Head {
             line: 1,
             heads: names.to_vec(),
             columns,
-            format: Format::default(),
+            format: TableFormat::default(),
             units: None,
             remarks: vec![],
             encoding: None,
@@ -147,15 +147,6 @@ impl Head {
     /// True if there is a column of the delivery.
     pub fn has_strike(&self) -> bool {
         self.columns.iter().any(Column::is_of_the_strike)
-    }
-
-    /// Column heads of the columns that satisfy `is`.
-    pub fn named(&self, is: impl Fn(&Column) -> bool) -> Vec<&str> {
-        self.columns
-            .iter()
-            .filter(|column| is(column))
-            .map(|column| column.head.as_str())
-            .collect()
     }
 }
 

@@ -18,20 +18,23 @@ mod plausible;
 mod points;
 mod records;
 mod refusal;
+mod row_fault;
 mod row_filter;
 mod text;
 
-pub(crate) use air::{air_of_rows, air_of_setup, replace_air_remark, states_weather};
-pub(crate) use column::{Column, Content, Format, OF_FLOWN};
-pub(crate) use conditions::{Fault, Stated, conditions, contradiction, is_straight_by_assumption};
+pub(crate) use air::{air_of_rows, air_of_setup, density_in, replace_air_remark};
+pub(crate) use column::{Column, Content, OF_FLOWN, TableFormat};
+pub(crate) use conditions::{
+    ConditionFault, Stated, conditions, contradiction, is_straight_by_assumption,
+};
 pub(crate) use decimal_mark::{DecimalMark, DecimalMarkCheck};
 #[cfg(feature = "commands")]
 pub(crate) use export_columns::ASSUMED_UNITS;
 pub(crate) use export_columns::{
-    ClubColumns, assume_units, given_air, has_outcome, has_whole_launch, in_degrees,
+    ClubColumns, assume_units, given_air, has_outcome, has_whole_launch, heads_of, in_degrees,
     missing_of_launch, near_known, with_nearest,
 };
-pub(crate) use head::{Head, TableOptions, columns_remark, remark_from_line};
+pub(crate) use head::{TableHead, TableOptions, columns_remark, remark_from_line};
 pub(crate) use heads::rest_of_head;
 pub(crate) use launch_monitor::{split_unit, words};
 pub(crate) use plausible::{
@@ -40,11 +43,11 @@ pub(crate) use plausible::{
 pub use points::{open_table, sweep_points};
 pub use records::Record;
 pub(crate) use records::{cells, quoted};
-pub(crate) use refusal::NonShotRows;
 pub use refusal::Refusal;
+pub(crate) use row_fault::{NonShotRows, RowFault};
 pub use row_filter::RowFilter;
 pub(crate) use row_filter::{club_column, counted_values};
-pub(crate) use text::{Entry, RowFault, SourceName, Text, TextTable};
+pub(crate) use text::{SourceName, TableEntry, Text, TextTable};
 
 use crate::drive::Outcome;
 

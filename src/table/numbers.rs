@@ -11,12 +11,12 @@ pub(super) struct CellNumber {
     /// Unit after the number.
     pub unit: Option<String>,
     /// Side, in place of a sign.
-    pub side: Option<Side>,
+    pub side: Option<CellSide>,
 }
 
 /// A word or letter that replaces the sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Side {
+pub(super) enum CellSide {
     /// Left or right of the target, for right- and left-handed golfers alike.
     OfTarget { is_right: bool },
     /// Up or down.
@@ -28,29 +28,29 @@ pub(super) enum Side {
 }
 
 /// Spellings of the sides.
-const SIDES: [(&str, Side); 14] = [
-    ("right", Side::OfTarget { is_right: true }),
-    ("left", Side::OfTarget { is_right: false }),
-    ("r", Side::OfTarget { is_right: true }),
-    ("l", Side::OfTarget { is_right: false }),
-    ("up", Side::UpDown { is_up: true }),
-    ("down", Side::UpDown { is_up: false }),
-    ("u", Side::UpDown { is_up: true }),
-    ("d", Side::UpDown { is_up: false }),
-    ("i-o", Side::InOut { is_in_to_out: true }),
+const SIDES: [(&str, CellSide); 14] = [
+    ("right", CellSide::OfTarget { is_right: true }),
+    ("left", CellSide::OfTarget { is_right: false }),
+    ("r", CellSide::OfTarget { is_right: true }),
+    ("l", CellSide::OfTarget { is_right: false }),
+    ("up", CellSide::UpDown { is_up: true }),
+    ("down", CellSide::UpDown { is_up: false }),
+    ("u", CellSide::UpDown { is_up: true }),
+    ("d", CellSide::UpDown { is_up: false }),
+    ("i-o", CellSide::InOut { is_in_to_out: true }),
     (
         "o-i",
-        Side::InOut {
+        CellSide::InOut {
             is_in_to_out: false,
         },
     ),
-    ("open", Side::OpenClosed { is_open: true }),
-    ("closed", Side::OpenClosed { is_open: false }),
-    ("o", Side::OpenClosed { is_open: true }),
-    ("c", Side::OpenClosed { is_open: false }),
+    ("open", CellSide::OpenClosed { is_open: true }),
+    ("closed", CellSide::OpenClosed { is_open: false }),
+    ("o", CellSide::OpenClosed { is_open: true }),
+    ("c", CellSide::OpenClosed { is_open: false }),
 ];
 
-impl Side {
+impl CellSide {
     fn named(word: &str) -> Option<Self> {
         SIDES
             .iter()
@@ -107,7 +107,7 @@ pub(super) fn cell_number(cell: &str, has_decimal_comma: bool) -> Option<CellNum
     let letter = cell.char_indices().nth(1).map(|(at, _)| cell.split_at(at));
     let mut beginnings = [word, letter].into_iter().flatten();
     if let Some((named, after)) =
-        beginnings.find_map(|(word, after)| Some((Side::named(word)?, after)))
+        beginnings.find_map(|(word, after)| Some((CellSide::named(word)?, after)))
     {
         (side, rest) = (Some(named), after.trim());
     }
@@ -124,7 +124,7 @@ pub(super) fn cell_number(cell: &str, has_decimal_comma: bool) -> Option<CellNum
     };
     let value = number(digits, has_decimal_comma)?;
     for word in words.replace('\u{b0}', " deg ").split_whitespace() {
-        match (Side::named(word), is_unit(word)) {
+        match (CellSide::named(word), is_unit(word)) {
             (Some(named), _) if side.is_none() => side = Some(named),
             (_, true) if found.is_none() => found = Some(unit(word)),
             _ => return None,
@@ -241,17 +241,17 @@ pub(super) fn is_same_unit(one: &str, other: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{CellNumber, Side, cell_number};
+    use super::{CellNumber, CellSide, cell_number};
     use super::{number, unit};
 
     #[test]
     fn numbers_with_units_and_sides_are_read() {
-        let right = Some(Side::OfTarget { is_right: true });
-        let left = Some(Side::OfTarget { is_right: false });
-        let down = Some(Side::UpDown { is_up: false });
+        let right = Some(CellSide::OfTarget { is_right: true });
+        let left = Some(CellSide::OfTarget { is_right: false });
+        let down = Some(CellSide::UpDown { is_up: false });
         let [inside, closed] = [
-            Side::InOut { is_in_to_out: true },
-            Side::OpenClosed { is_open: false },
+            CellSide::InOut { is_in_to_out: true },
+            CellSide::OpenClosed { is_open: false },
         ]
         .map(Some);
         for (cell, comma, number, unit, side) in [

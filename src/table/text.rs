@@ -2,17 +2,17 @@
 //! begin sections.
 
 use super::encoding::{Encoding, decoded};
-use super::head::{Head, TableOptions};
+use super::head::{TableHead, TableOptions};
 use super::launch_monitor::is_head;
 use super::records::{Lines, Record, cells};
-use super::refusal::{NonShot, Refusal};
 use super::row_filter::RowFilter;
 use crate::csv_dialect::detect_separator;
 use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
+use crate::input_file::InputFile;
 use crate::parameters::Setup;
-use crate::units::counted;
 use std::io::{self, BufReader, Cursor, Read};
+use std::path::Path;
 
 /// Number of bytes inspected for format, column heads and decimal mark.
 const BEGINNING: u64 = 1 << 16;
@@ -78,14 +78,21 @@ impl Text {
         })
     }
 
-    /// Selects rows of the table.
-    pub fn with_filter(self, filter: RowFilter) -> Self {
-        Self { filter, ..self }
+    /// Opens a file.
+    ///
+    /// # Errors
+    /// The errors of [`open`](Self::open), and [`Error::Table`](crate::Error::Table) if there is no
+    /// such file.
+    pub fn of_file(path: &Path) -> Result<Self> {
+        let name = SourceName(path.display().to_string());
+        // a folder is an error of the reader: opening it succeeds
+        let file = name.io(InputFile::open(path))?;
+        Self::open(&name.0, file)
     }
 }
 
 /// A record of a table.
-pub(crate) enum Entry {
+pub(crate) enum TableEntry {
     /// A row.
     Row(Record),
     /// A row that the filter excludes.
@@ -119,7 +126,11 @@ impl TextTable {
     /// # Errors
     /// [`Error::Table`](crate::Error::Table) if the source cannot be read, if the table is empty,
     /// if a quote in the column heads is not closed, or if a column is unknown.
-    pub fn open(text: Text, setup: &Setup<f64>, wanted: &TableOptions) -> Result<(Self, Head)> {
+    pub fn open(
+        text: Text,
+        setup: &Setup<f64>,
+        wanted: &TableOptions,
+    ) -> Result<(Self, TableHead)> {
         let Text {
             name,
             beginning,
@@ -180,7 +191,7 @@ impl TextTable {
         record: &Record,
         setup: &Setup<f64>,
         wanted: &TableOptions,
-    ) -> Result<Option<Head>> {
+    ) -> Result<Option<TableHead>> {
         let head = self.head(record, setup, wanted)?;
         if head.heads == self.heads && head.units == self.units {
             return Ok(None);
@@ -190,7 +201,12 @@ impl TextTable {
     }
 
     /// Reads a line of column heads and the line of units below it.
-    fn head(&mut self, record: &Record, setup: &Setup<f64>, wanted: &TableOptions) -> Result<Head> {
+    fn head(
+        &mut self,
+        record: &Record,
+        setup: &Setup<f64>,
+        wanted: &TableOptions,
+    ) -> Result<TableHead> {
         if let Some(refusal) = record.unclosed() {
             return Err(self.name.refused(String::new(), refusal.reason));
         }
@@ -205,7 +221,7 @@ impl TextTable {
             .map_err(|reason| self.name.refused(place(), reason))?;
         let below = self.record()?;
         let first = below.as_ref().map(|below| self.cells(below));
-        let head = Head::read(setup, heads, first, self.separator, wanted);
+        let head = TableHead::read(setup, heads, first, self.separator, wanted);
         let mut head = head.map_err(|wrong| wrong.in_file(&self.name.0))?;
         head.line = record.line;
         if head.units.is_none()
@@ -237,7 +253,7 @@ impl TextTable {
     /// # Errors
     /// [`Error::Table`](crate::Error::Table) if the source cannot be read, if a line is not text or
     /// is too long, or, at the end, if the filter selected no row.
-    pub fn next_entry(&mut self) -> Result<Option<Entry>> {
+    pub fn next_entry(&mut self) -> Result<Option<TableEntry>> {
         let Some(record) = self.record()? else {
             self.filter
                 .finish()
@@ -245,15 +261,15 @@ impl TextTable {
             return Ok(None);
         };
         if self.has_sections && is_head(&record.text, self.separator) {
-            return Ok(Some(Entry::Head(record)));
+            return Ok(Some(TableEntry::Head(record)));
         }
         if !self.filter.is_empty() {
             let row = self.cells(&record);
             if !self.filter.takes(&row) {
-                return Ok(Some(Entry::Excluded));
+                return Ok(Some(TableEntry::Excluded));
             }
         }
-        Ok(Some(Entry::Row(record)))
+        Ok(Some(TableEntry::Row(record)))
     }
 
     /// Pushes a record back to the front of the input.
@@ -316,56 +332,4 @@ impl HeadPlace {
         }
         first
     }
-}
-
-/// Why a row of a table is not read.
-pub(crate) enum RowFault<'a> {
-    /// A row of an export without a shot.
-    NonShot(NonShot<'a>),
-    /// An unclosed quote, fewer cells than column heads, or a filled cell beyond them.
-    Unreadable(Refusal),
-}
-
-impl<'a> RowFault<'a> {
-    /// The fault of a record with the cells `row`, in a table with `width` columns; `None` for a
-    /// row that can be read.
-    pub fn find<S: AsRef<str>>(
-        record: &Record,
-        row: &'a [S],
-        width: usize,
-        is_export: bool,
-    ) -> Option<Self> {
-        if let Some(refusal) = record.unclosed() {
-            return Some(Self::Unreadable(refusal));
-        }
-        if let Some(no_shot) = NonShot::of(row).filter(|_| is_export) {
-            return Some(Self::NonShot(no_shot));
-        }
-        miscounted(row, width).map(Self::Unreadable)
-    }
-
-    /// Reason for rejecting the row.
-    pub fn refusal(self) -> Refusal {
-        match self {
-            Self::NonShot(no_shot) => no_shot.refusal(),
-            Self::Unreadable(refusal) => refusal,
-        }
-    }
-}
-
-/// Refusal of a row that has fewer cells than `heads`, the number of column heads, or a filled cell
-/// beyond them.
-fn miscounted<S: AsRef<str>>(row: &[S], heads: usize) -> Option<Refusal> {
-    let filled = row
-        .iter()
-        .rposition(|cell| !cell.as_ref().is_empty())
-        .map_or(0, |at| at + 1);
-    if row.len() >= heads && filled <= heads {
-        return None;
-    }
-    let [row, head] = [row.len(), heads].map(|count| counted(count as u64, "cell"));
-    let reason = format!(
-        "the row has {row}, but the head has {head}; give every row a cell for each column"
-    );
-    Some(Refusal::new(Refusal::CELLS, reason))
 }

@@ -1,6 +1,6 @@
 //! Answers begin with the answer, fit a screen and its width, and name their setup.
 
-use crate::command_line::{Output, json, longdrive, number};
+use crate::command_line::{Output, json, longdrive, number, widest};
 use crate::program;
 use longdrive::{Drive, Outcome, Setup};
 use serde_json::Value;
@@ -22,13 +22,6 @@ fn in_columns(columns: Option<usize>, words: &[&str]) -> Output {
         out: text(output.stdout),
         err: text(output.stderr),
     }
-}
-
-fn widest(text: &str) -> usize {
-    text.lines()
-        .map(|line| line.chars().count())
-        .max()
-        .unwrap_or(0)
 }
 
 #[test]

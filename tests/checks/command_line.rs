@@ -7,7 +7,7 @@ use longdrive::report::TextOptions;
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Child;
 use std::time::Duration;
 
@@ -87,6 +87,26 @@ pub fn commands() -> BTreeSet<String> {
     let commands = longdrive::command::described();
     let name = |command: &Value| command["name"].as_str().unwrap().to_owned();
     commands.as_array().unwrap().iter().map(name).collect()
+}
+
+/// The words of a text, without its line breaks.
+pub fn on_one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The number of characters of the longest line.
+pub fn widest(text: &str) -> usize {
+    text.lines()
+        .map(|line| line.chars().count())
+        .max()
+        .unwrap_or(0)
+}
+
+/// Writes a file, and returns its path.
+pub fn file_with(folder: &Path, name: &str, text: &str) -> String {
+    let path = folder.join(name);
+    std::fs::write(&path, text).unwrap();
+    path.display().to_string()
 }
 
 pub fn number(value: &Value) -> f64 {

@@ -1,22 +1,10 @@
 //! Chosen units in every text (studies, messages, warnings, notes), and remarks that fit a
 //! terminal.
 
-use crate::command_line::{WHOLE, longdrive};
+use crate::command_line::{WHOLE, longdrive, on_one_line, widest};
 use crate::reproduce::{FOUND, PAPER, PAPER_WRITTEN};
 use longdrive::report::{Mae494Report, Report, WinfieldTanReport};
 use longdrive::units::System;
-
-/// The words of a text, without its line breaks.
-fn words(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-fn widest(text: &str) -> usize {
-    text.lines()
-        .map(|line| line.chars().count())
-        .max()
-        .unwrap_or(0)
-}
 
 /// The numbers with one of these units, without the other system's numbers in parentheses.
 fn alone<'a>(text: &'a str, units: &[&str]) -> Vec<&'a str> {
@@ -37,7 +25,7 @@ fn published_numbers_of_mae494_keep_their_units_and_computed_ones_have_the_chose
     for (text, system) in [(&metric, "metric"), (&us, "us")] {
         assert!(widest(text) <= 100, "{system}: {} columns", widest(text));
     }
-    let (in_metres, in_yards) = (words(&metric), words(&us));
+    let (in_metres, in_yards) = (on_one_line(&metric), on_one_line(&us));
     // printed: 248.48 m; a yard is 0.9144 m, a mile per hour 0.44704 m/s
     assert!(
         in_metres.contains("prints 248.48 m;") && in_yards.contains("prints 248.48 m (271.74 yd);"),
@@ -84,7 +72,7 @@ fn published_numbers_of_winfield_and_tan_keep_their_units_and_computed_ones_have
         widest(&metric) <= 100 && widest(&us) <= 100,
         "{metric}\n{us}"
     );
-    let (in_metres, in_yards) = (words(&metric), words(&us));
+    let (in_metres, in_yards) = (on_one_line(&metric), on_one_line(&us));
     let carry = PAPER.shot.computed.carry;
     // printed: 197.31 yd, 139.16 mph
     assert!(
@@ -117,7 +105,7 @@ fn a_study_has_its_own_units_by_default() {
     assert!(metric.contains("250.09 yd (228.68 m)"), "{metric}");
     let help = longdrive(&["reproduce", "--help"]).out;
     assert!(
-        words(&help).contains("reproduce: the units of the study"),
+        on_one_line(&help).contains("reproduce: the units of the study"),
         "{help}"
     );
 }
@@ -157,7 +145,7 @@ fn heights_in_messages_have_the_chosen_units() {
     ] {
         for (units, shown) in [("us", in_us), ("metric", in_metric)] {
             let said = longdrive(&[&args[..], &["--units", units]].concat());
-            let text = words(&(said.out + &said.err));
+            let text = on_one_line(&(said.out + &said.err));
             assert!(text.contains(shown), "{args:?} {units}: {text}");
             let others: &[&str] = if units == "us" { &["m"] } else { &["yd"] };
             assert_eq!(alone(&text, others), [""; 0], "{args:?} {units}: {text}");
@@ -211,7 +199,7 @@ fn speeds_and_limits_in_messages_have_the_chosen_units() {
     ] {
         for (units, shown, other) in [("us", in_us, in_metric), ("metric", in_metric, in_us)] {
             let said = longdrive(&[args, &["--units", units]].concat());
-            let text = words(&(said.out + &said.err));
+            let text = on_one_line(&(said.out + &said.err));
             assert!(text.contains(shown), "{args:?} {units}: {text}");
             assert!(!text.contains(other), "{args:?} {units}: {text}");
         }
@@ -249,7 +237,7 @@ fn notes_of_plots_are_in_the_chosen_system() {
                 .concat(),
             );
             assert!(
-                said.status == 0 && words(&said.err).contains(first),
+                said.status == 0 && on_one_line(&said.err).contains(first),
                 "{plot:?} {units}: {}",
                 said.err
             );
@@ -259,7 +247,7 @@ fn notes_of_plots_are_in_the_chosen_system() {
                 [" yd ", " yd.", " mph"]
             };
             // a limit is printed as it was typed
-            let told = words(&said.err).replace("apex_height <= 30 yd", "");
+            let told = on_one_line(&said.err).replace("apex_height <= 30 yd", "");
             assert!(
                 !other.iter().any(|unit| told.contains(unit)),
                 "{plot:?} {units}: {}",

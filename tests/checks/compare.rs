@@ -7,7 +7,8 @@ use longdrive::study::{Comparison, Difference, Shares};
 use longdrive::{Drive, Outcome, Setup};
 use rayon::prelude::*;
 
-fn changed(from: &Setup<f64>, settings: &[(&str, &str)]) -> Setup<f64> {
+/// The setup with these settings.
+pub fn changed(from: &Setup<f64>, settings: &[(&str, &str)]) -> Setup<f64> {
     let mut setup = *from;
     setup.set_all(settings.iter().copied()).unwrap();
     setup

@@ -1,6 +1,6 @@
 //! Design: other swings, unset parameters, limits that no design meets, and wrong questions.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use longdrive::derivative::{Evaluator, Order};
 use longdrive::{Outcome, Setup};
@@ -15,10 +15,6 @@ const TWO: [&str; 4] = [
     "--distribution=swing.face_angle=truncated(0deg,3deg,-6deg,6deg)",
     "--distribution=strike.toe=truncated(0mm,9mm,-18mm,18mm)",
 ];
-
-fn words(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
 
 /// A swing that does not fly, and that only the error estimate uses, does not suppress the answer.
 #[test]
@@ -66,7 +62,7 @@ fn other_swings_without_a_flight_do_not_suppress_a_design() {
         );
         let said = longdrive(&asked);
         assert!(
-            said.status == 0 && words(&said.out).contains("one of the golfer's other swings"),
+            said.status == 0 && on_one_line(&said.out).contains("one of the golfer's other swings"),
             "{}",
             said.out
         );
@@ -171,16 +167,16 @@ fn a_variable_without_an_effect_is_named() {
     ];
     let said = longdrive(&[&swings[..], &both].concat());
     assert!(
-        said.status == 0 && words(&said.out).contains("negligible effect"),
+        said.status == 0 && on_one_line(&said.out).contains("negligible effect"),
         "{} {}",
         said.out,
         said.err
     );
     let told = "club.bulge_radius has a negligible effect: within its range it changes \
                 mean(carry) by less than 1 mm";
-    assert!(words(&said.out).contains(told), "{}", said.out);
+    assert!(on_one_line(&said.out).contains(told), "{}", said.out);
     assert!(
-        !words(&said.out).contains("club.loft has a negligible effect"),
+        !on_one_line(&said.out).contains("club.loft has a negligible effect"),
         "{}",
         said.out
     );
@@ -231,7 +227,7 @@ fn impossible_designs_are_refused_in_plain_words() {
         let said = longdrive(&[&FEW[..2], args].concat());
         assert_eq!(said.status, 2, "{args:?}: {} {}", said.err, said.out);
         assert!(
-            words(&said.err).contains(part),
+            on_one_line(&said.err).contains(part),
             "{args:?}: {part}: {}",
             said.err
         );
@@ -241,7 +237,7 @@ fn impossible_designs_are_refused_in_plain_words() {
     std::fs::write(&file, "").unwrap();
     let said = longdrive(&["design", "--swings", &file]);
     assert!(
-        said.status == 2 && words(&said.err).contains("nothing.toml: it has no distribution"),
+        said.status == 2 && on_one_line(&said.err).contains("nothing.toml: it has no distribution"),
         "{}",
         said.err
     );
@@ -265,7 +261,7 @@ fn unchecked_rules_and_missing_effects_are_reported() {
     ]);
     let told = "the rule on the moment of inertia is checked at 32 swings only, since the \
                 distribution of club.inertia.xx has no ends";
-    assert!(said.status == 0 && words(&(said.out + &said.err)).contains(told));
+    assert!(said.status == 0 && on_one_line(&(said.out + &said.err)).contains(told));
     let bounded = swings.replace(
         "normal(5700 g cm^2,10 g cm^2)",
         "uniform(5600 g cm^2,5999 g cm^2)",
@@ -276,7 +272,7 @@ fn unchecked_rules_and_missing_effects_are_reported() {
         &bounded,
         "--vary=club.loft=10deg..12deg",
     ]);
-    assert!(said.status == 0 && !words(&(said.out + &said.err)).contains("is checked at"));
+    assert!(said.status == 0 && !on_one_line(&(said.out + &said.err)).contains("is checked at"));
 
     let placed = [
         "--set=club.weight_1.depth=40mm",
@@ -291,7 +287,7 @@ fn unchecked_rules_and_missing_effects_are_reported() {
         let told = format!(
             "club.weight_1.depth, club.weight_1.toe change nothing: {why} club.weight_1.mass"
         );
-        assert!(words(&said.err).contains(&told), "{}", said.err);
+        assert!(on_one_line(&said.err).contains(&told), "{}", said.err);
     }
     let said = longdrive(
         &[

@@ -1,6 +1,6 @@
 //! The command `explore` if it serves no page.
 
-use longdrive::command::{Host, Kind, run};
+use longdrive::command::{Host, MessageKind, run};
 use std::io;
 use std::sync::{Arc, Mutex};
 
@@ -15,7 +15,7 @@ impl Host for NoTerminal {
         Ok(())
     }
 
-    fn say(&self, _: Kind, text: &str) {
+    fn say(&self, _: MessageKind, text: &str) {
         self.said.lock().unwrap().push_str(text);
     }
 }

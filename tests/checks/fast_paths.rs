@@ -2,7 +2,7 @@
 //! between impact and flight, methods of higher order.
 
 use crate::common::{close, landing, mixed};
-use longdrive::batch::{Axis, Grid, Run, Sequence, Status, gradient_batch};
+use longdrive::batch::{Grid, GridAxis, Run, Sequence, Status, gradient_batch};
 use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::integration::accuracy;
 use longdrive::number::{Jet, Number};
@@ -135,7 +135,7 @@ fn same_derivatives_for_any_spin_decay() {
     }
     let decay = setup.variable("aero.spin_decay").unwrap();
     let mut points = Grid::new(vec![
-        Axis::read(&setup, "aero.spin_decay=0/s..3/s:61").unwrap(),
+        GridAxis::read(&setup, "aero.spin_decay=0/s..3/s:61").unwrap(),
     ])
     .unwrap();
     let alone = Evaluator::new(&setup, &[Outcome::Carry], &[decay], Order::First).unwrap();
@@ -337,7 +337,7 @@ fn same_drives_in_lanes_and_alone() {
 #[test]
 fn statuses_of_a_mixed_grid_agree_with_single_drives() {
     let setup = Setup::preset("mae494").unwrap();
-    let axis = |text| Axis::read(&setup, text).unwrap();
+    let axis = |text| GridAxis::read(&setup, text).unwrap();
     let axes = vec![
         axis("club.loft=-20deg..30deg:41"),
         axis("swing.attack_angle=-20deg..20deg:33"),

@@ -2,18 +2,12 @@
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
+use crate::weather::with;
 use longdrive::derivative::{gradient, hessian};
 use longdrive::impact::Head;
 use longdrive::study::certificate::certify;
 use longdrive::{Drive, Error, Outcome, Setup};
 use nalgebra::Matrix3;
-
-fn with(settings: &[(&str, &str)]) -> Setup<f64> {
-    let mut setup = Setup::default();
-    setup.set_all(settings.iter().copied()).unwrap();
-    setup.validate().unwrap();
-    setup
-}
 
 const WEIGHT: [(&str, &str); 4] = [
     ("club.weight_1.mass", "14 g"),

@@ -1,14 +1,9 @@
 //! Hints of messages name the probable intention.
 
-use crate::command_line::longdrive;
+use crate::command_line::{longdrive, on_one_line};
 use crate::program;
 use std::fs;
 use std::process::Stdio;
-
-/// A message on one line.
-fn joined(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
 
 #[test]
 fn an_option_of_other_commands_is_not_taken_for_one_that_begins_alike() {
@@ -30,7 +25,11 @@ fn an_option_of_other_commands_is_not_taken_for_one_that_begins_alike() {
     ] {
         let said = longdrive(words);
         assert_eq!(said.status, 2);
-        assert!(joined(&said.err).contains(says), "{words:?}: {}", said.err);
+        assert!(
+            on_one_line(&said.err).contains(says),
+            "{words:?}: {}",
+            said.err
+        );
         assert!(
             !said.err.contains("--overwrite") && !said.err.contains("--seed"),
             "{}",
@@ -46,7 +45,7 @@ fn a_word_for_a_number_gets_the_meaning_of_the_parameter() {
     assert_eq!(said.status, 2);
     let says = "Direction that the wind comes from, clockwise from the target line: 0° is a head \
                 wind, 90° from the right, 180° a tail wind";
-    assert!(joined(&said.err).contains(says), "{}", said.err);
+    assert!(on_one_line(&said.err).contains(says), "{}", said.err);
 }
 
 /// A shell reads an unquoted `>` as a redirection to a file.
@@ -60,7 +59,11 @@ fn pieces_of_a_constraint_without_quotes_get_the_advice_on_quotes() {
         let said = longdrive(words);
         assert_eq!(said.status, 2);
         let says = "put a constraint in quotes, as in --subject-to \"descent_angle >= 38 deg\"";
-        assert!(joined(&said.err).contains(says), "{words:?}: {}", said.err);
+        assert!(
+            on_one_line(&said.err).contains(says),
+            "{words:?}: {}",
+            said.err
+        );
     }
     for words in [
         &["simulate", "--speed", "95", "mph"][..],
@@ -68,7 +71,11 @@ fn pieces_of_a_constraint_without_quotes_get_the_advice_on_quotes() {
     ] {
         let said = longdrive(words);
         let says = format!("{} \"{} {}\"", words[1], words[2], words[3]);
-        assert!(joined(&said.err).contains(&says), "{words:?}: {}", said.err);
+        assert!(
+            on_one_line(&said.err).contains(&says),
+            "{words:?}: {}",
+            said.err
+        );
     }
 }
 
@@ -85,7 +92,7 @@ fn a_file_whose_name_is_not_utf_8_is_named() {
     let err = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(2));
     assert!(
-        joined(&err).contains("mine\u{fffd}.toml: its name is not UTF-8"),
+        on_one_line(&err).contains("mine\u{fffd}.toml: its name is not UTF-8"),
         "{err}"
     );
 }

@@ -1,6 +1,6 @@
 //! Files in memory: inputs that a host gives to a command, and outputs that it keeps.
 
-use longdrive::command::{Call, Host, Kind, MemoryFiles, Value, call, run};
+use longdrive::command::{ArgumentValue, Call, Host, MemoryFiles, MessageKind, call, run};
 use serde_json::Value as Json;
 use std::collections::HashMap;
 use std::io;
@@ -48,7 +48,7 @@ impl Host for InMemory {
         Ok(())
     }
 
-    fn say(&self, _: Kind, _: &str) {}
+    fn say(&self, _: MessageKind, _: &str) {}
 
     fn files(&self) -> MemoryFiles {
         self.inputs.clone()
@@ -63,18 +63,18 @@ impl Host for InMemory {
     }
 }
 
-fn text(text: &str) -> Value {
-    Value::Text(text.into())
+fn text(text: &str) -> ArgumentValue {
+    ArgumentValue::Text(text.into())
 }
 
-fn ask(command: &str, arguments: &[(&str, Value)], host: &Arc<InMemory>) -> Json {
+fn ask(command: &str, arguments: &[(&str, ArgumentValue)], host: &Arc<InMemory>) -> Json {
     let arguments = arguments
         .iter()
         .map(|(name, value)| ((*name).to_owned(), value.clone()));
     let call_of = Call {
         command: command.into(),
         arguments: arguments
-            .chain([("json".to_owned(), Value::Switch(true))])
+            .chain([("json".to_owned(), ArgumentValue::Switch(true))])
             .collect(),
     };
     call(&call_of, host.clone());
@@ -211,12 +211,12 @@ fn rows_of_shots_are_kept_in_memory() {
 
 #[test]
 fn an_angle_without_a_unit_out_of_range_suggests_degrees() {
-    let range = Value::Range {
-        low: Box::new(Value::Number(4.0)),
-        high: Box::new(Value::Number(20.0)),
+    let range = ArgumentValue::Range {
+        low: Box::new(ArgumentValue::Number(4.0)),
+        high: Box::new(ArgumentValue::Number(20.0)),
         count: None,
     };
-    let vary = Value::Named("club.loft".into(), Box::new(range));
+    let vary = ArgumentValue::Named("club.loft".into(), Box::new(range));
     let answer = ask("optimize", &[("vary", vary)], &InMemory::new(&[], &[]));
     let message = answer["message"].as_str().unwrap();
     assert!(message.ends_with("did you mean \"20 deg\"?"), "{message}");

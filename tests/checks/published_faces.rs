@@ -2,6 +2,7 @@
 //! docs/validation.md has the numbers. The side spin of a rigid impact is known to differ from the
 //! side spin of such strikes by 30 to 50 % (Caldwell 2023): each case is tested for its own claim.
 
+use crate::compare::changed;
 use longdrive::derivative::gradient;
 use longdrive::optimize::Observer;
 use longdrive::parameters::Law;
@@ -13,12 +14,6 @@ use longdrive::{Drive, Outcome, Setup};
 const RPM: f64 = std::f64::consts::TAU / 60.0;
 const YARD: f64 = 0.9144;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
-
-fn changed(setup: &Setup<f64>, settings: &[(&str, &str)]) -> Setup<f64> {
-    let mut setup = *setup;
-    setup.set_all(settings.iter().copied()).unwrap();
-    setup
-}
 
 fn value(setup: &Setup<f64>, of: Outcome) -> f64 {
     of.value(&Drive::new(setup).unwrap()).unwrap()

@@ -1,6 +1,6 @@
 //! `--only COLUMN=VALUE` selects rows of a table of shots; several clubs are told apart.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use serde_json::Value;
 use std::path::PathBuf;
 use tempfile::TempDir;
@@ -23,10 +23,6 @@ fn table() -> (TempDir, String) {
     (folder, name)
 }
 
-fn joined(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
 fn warnings(found: &Value) -> String {
     found["warnings"].to_string()
 }
@@ -42,7 +38,7 @@ fn several_clubs_are_a_warning_with_their_counts() {
         assert!(warnings(&found).contains(counts), "{}", warnings(&found));
         let said = longdrive(&[words, &["-q"]].concat());
         assert!(
-            joined(&said.err).contains("--only Club=Driver"),
+            on_one_line(&said.err).contains("--only Club=Driver"),
             "{}",
             said.err
         );
@@ -151,7 +147,7 @@ fn a_column_or_a_value_that_is_not_there_is_refused_with_those_that_are() {
         ] {
             let said = longdrive(&[command, &["--only", only]].concat());
             assert_eq!(said.status, 2, "{command:?} {only}");
-            assert!(joined(&said.err).contains(says), "{}", said.err);
+            assert!(on_one_line(&said.err).contains(says), "{}", said.err);
         }
     }
 }
@@ -184,7 +180,7 @@ fn a_stated_club_value_of_a_delivery_has_the_uncertainty_of_an_instrument() {
         assert!((before(&found, "swing.path").to_degrees() - 4.0).abs() < 1e-12);
         let said = longdrive(&[&launch[..], &stated, &["-q"]].concat()).out;
         let says = "assumed errors of the given club values: swing.speed ± 1.50 mph; use --sigma to state other errors";
-        assert!(joined(&said).contains(says), "{said}");
+        assert!(on_one_line(&said).contains(says), "{said}");
     }
     let own = ["--speed", "103mph", "--sigma", "swing.speed=3mph"];
     let (_, found) = json(&[&launch[..], &own].concat());

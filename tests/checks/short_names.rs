@@ -1,6 +1,6 @@
 //! Options with short names set one parameter each, as `--set` does; words select parameters.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use serde_json::Value;
 
 const SHORT_NAMES: [[&str; 3]; 6] = [
@@ -11,11 +11,6 @@ const SHORT_NAMES: [[&str; 3]; 6] = [
     ["--altitude", "air.altitude", "5000ft"],
     ["--wind", "wind.speed", "10mph"],
 ];
-
-/// A message on one line.
-fn joined(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
 
 #[test]
 fn same_drive_by_short_names_and_by_set() {
@@ -79,7 +74,7 @@ fn a_short_name_is_refused_without_a_unit_and_beside_a_setting() {
     ] {
         let said = longdrive(&[&["simulate"], words.as_slice()].concat());
         assert_eq!(said.status, 2, "{words:?}");
-        assert!(joined(&said.err).contains(says), "{}", said.err);
+        assert!(on_one_line(&said.err).contains(says), "{}", said.err);
     }
 }
 

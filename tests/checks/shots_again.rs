@@ -1,7 +1,7 @@
 //! Shots written by this program and read again; totals; and their files in `calibrate`, `delivery`
 //! and `sweep`.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{file_with, json, longdrive, number};
 use longdrive::Setup;
 use longdrive::study::calibrate::ShotTable;
 use longdrive::table::RowFilter;
@@ -11,12 +11,6 @@ use std::path::Path;
 
 fn shots(name: &str) -> String {
     format!("{}/data/shots/{name}", env!("CARGO_MANIFEST_DIR"))
-}
-
-fn written(folder: &Path, name: &str, text: &str) -> String {
-    let path = folder.join(name);
-    fs::write(&path, text).unwrap();
-    path.display().to_string()
 }
 
 fn lines(path: &str) -> Vec<Value> {
@@ -60,7 +54,7 @@ fn same_json_lines_after_reading_and_writing() {
 #[test]
 fn same_fit_of_a_table_and_of_the_lines_that_fly_made_of_it() {
     let folder = tempfile::tempdir().unwrap();
-    let table = written(
+    let table = file_with(
         folder.path(),
         "shots.csv",
         "Ball Speed [mph],Launch Angle [deg],Back Spin [rpm],Side Spin [rpm],Launch Direction [deg],\
@@ -96,7 +90,7 @@ fn same_flights_of_json_lines_with_their_own_parameters() {
     let place = |name: &str| folder.path().join(name).display().to_string();
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],air.density \
                 [kg/m^3]\n150,12,2700,1.1\n";
-    let table = written(folder.path(), "shots.csv", text);
+    let table = file_with(folder.path(), "shots.csv", text);
     assert_eq!(
         longdrive(&["fly", &table, "-o", &place("shots.jsonl")]).status,
         0
@@ -116,7 +110,7 @@ fn same_flights_of_json_lines_with_their_own_parameters() {
     let other = first.replace("air.density", "ball.mass");
     let said = longdrive(&[
         "fly",
-        &written(folder.path(), "mixed.jsonl", &format!("{first}{other}")),
+        &file_with(folder.path(), "mixed.jsonl", &format!("{first}{other}")),
         "--json",
     ]);
     assert!(
@@ -180,7 +174,7 @@ fn assumed_values_of_a_launch_are_not_measured_when_read_again() {
     let place = |name: &str| folder.path().join(name).display().to_string();
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd],Side \
                 [yd]\n150,12,2500,250,12 R\n";
-    let table = written(folder.path(), "shots.csv", text);
+    let table = file_with(folder.path(), "shots.csv", text);
     for (format, name) in [
         ("csv", "a.csv"),
         ("launch-monitor", "b.csv"),
@@ -227,7 +221,7 @@ fn same_rows_of_a_table_flown_again() {
     let place = |name: &str| folder.path().join(name).display().to_string();
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Player\n150,12,2700,\"A, \
                 B\"\n150,abc,2700,A\n150,12\n,12,2700,A\n";
-    let table = written(folder.path(), "shots.csv", text);
+    let table = file_with(folder.path(), "shots.csv", text);
     for format in ["csv", "launch-monitor"] {
         let (first, second) = (
             place(&format!("1.{format}.csv")),
@@ -249,7 +243,7 @@ fn same_rows_of_a_table_flown_again() {
     let mended = fs::read_to_string(place("1.csv.csv"))
         .unwrap()
         .replace("150,abc", "150,11");
-    let (_, told) = json(&["fly", &written(folder.path(), "mended.csv", &mended)]);
+    let (_, told) = json(&["fly", &file_with(folder.path(), "mended.csv", &mended)]);
     assert_eq!(told["flown"], 2, "{told}");
     // the user's columns Notes and Line are not columns that this program has written
     let own =
@@ -257,7 +251,7 @@ fn same_rows_of_a_table_flown_again() {
     assert_eq!(
         longdrive(&[
             "fly",
-            &written(folder.path(), "own.csv", own),
+            &file_with(folder.path(), "own.csv", own),
             "-o",
             &place("own2.csv")
         ])
@@ -277,7 +271,7 @@ fn an_estimated_spin_stays_estimated_in_open_connect() {
     let place = |name: &str| folder.path().join(name).display().to_string();
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Rate \
                 Type\n150,12,2700,Estimated\n151,12,2700,Measured\n";
-    let table = written(folder.path(), "shots.csv", text);
+    let table = file_with(folder.path(), "shots.csv", text);
     assert_eq!(
         longdrive(&["fly", &table, "-o", &place("shots.json")]).status,
         0
@@ -299,8 +293,8 @@ fn messages_and_title_lines_are_read_by_calibrate_and_delivery_too() {
     let head = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
                 Axis [deg],Carry [yd],Club Speed [mph]";
     let rows = "150,12,0,2700,0,240,102\n155,11,0,2600,0,250,105\n160,11,0,2500,0,262,108\n";
-    let plain = written(folder.path(), "plain.csv", &format!("{head}\n{rows}"));
-    let titled = written(
+    let plain = file_with(folder.path(), "plain.csv", &format!("{head}\n{rows}"));
+    let titled = file_with(
         folder.path(),
         "titled.csv",
         &format!("Session of May\nA. Player\n\n{head}\n{rows}"),
@@ -330,7 +324,7 @@ fn a_bad_cell_of_an_export_affects_its_row_alone() {
     let folder = tempfile::tempdir().unwrap();
     let head = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd]";
     let rows = "150,12,2700,240\n155,abc,2600,250\n160,11,2500,262\n161,11,2500\n165,11,2500,270\n";
-    let table = written(folder.path(), "bad.csv", &format!("{head}\n{rows}"));
+    let table = file_with(folder.path(), "bad.csv", &format!("{head}\n{rows}"));
     let (status, found) = json(&["calibrate", &table, "modern-driver", "--fit", "aero.cd0"]);
     assert_eq!(status, 0, "{found}");
     let remarks = found["data"]["remarks"].to_string();
@@ -343,7 +337,7 @@ fn a_bad_cell_of_an_export_affects_its_row_alone() {
 fn impossible_rows_of_points_are_reported_with_their_value() {
     let folder = tempfile::tempdir().unwrap();
     let text = "club.loft [deg],swing.speed [mph]\n9,100\n,101\n95,100\n9,-3\n";
-    let table = written(folder.path(), "points.csv", text);
+    let table = file_with(folder.path(), "points.csv", text);
     let said = longdrive(&["sweep", "--points", &table]);
     assert_eq!(said.status, 0, "{}", said.err);
     let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -391,7 +385,7 @@ fn flat_landings_are_counted_if_the_run_is_requested() {
     );
     assert!(!carry.contains(flat), "{carry}");
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n160,4,1500\n160,12,2700\n";
-    let table = written(folder.path(), "shots.csv", text);
+    let table = file_with(folder.path(), "shots.csv", text);
     let flown = told(&["fly", &table, "--of", "total"]);
     assert!(
         flown.contains("1 of 2 shots that landed: the ball lands at less than 25 deg"),
@@ -517,7 +511,7 @@ fn same_shots_in_parquet_and_in_json_lines() {
             2500 + i
         ),
     };
-    let table = written(
+    let table = file_with(
         folder.path(),
         "shots.csv",
         &(head.to_owned() + &(0..33_000).map(row).collect::<String>()),

@@ -1,12 +1,11 @@
 //! Rows of an export that are no drives, and exports without units: `calibrate` and `delivery
 //! --shots` read them as `fly` does.
 
-use crate::command_line::json;
+use crate::command_line::{file_with, json};
 use crate::shots::flown;
 use longdrive::study::calibrate::ShotTable;
 use longdrive::table::RowFilter;
 use longdrive::{Outcome, Setup};
-use std::fs;
 use std::io::Cursor;
 use std::path::Path;
 
@@ -45,12 +44,6 @@ fn of_fly(text: &str) -> (Vec<usize>, Vec<String>) {
     (rows, reasons)
 }
 
-fn place(folder: &Path, name: &str, text: &str) -> String {
-    let path = folder.join(name);
-    fs::write(&path, text).unwrap();
-    path.display().to_string()
-}
-
 #[test]
 fn calibrate_and_delivery_omit_the_rows_that_fly_refuses() {
     let bad = [
@@ -68,14 +61,14 @@ fn calibrate_and_delivery_omit_the_rows_that_fly_refuses() {
     let table = read(&text);
     assert_eq!(rows(&table), flies);
     let folder = tempfile::tempdir().unwrap();
-    let file = place(folder.path(), "shots.csv", &text);
+    let file = file_with(folder.path(), "shots.csv", &text);
     let launches =
         ShotTable::open_launches(&Setup::default(), Path::new(&file), RowFilter::default())
             .unwrap();
     let with_club = text
         .replace("Side [yd]\n", "Side [yd],Club Speed [mph]\n")
         .replace(",5\n", ",5,103\n");
-    let file = place(folder.path(), "club.csv", &with_club);
+    let file = file_with(folder.path(), "club.csv", &with_club);
     let clubs = ShotTable::open_launches(&Setup::default(), Path::new(&file), RowFilter::default())
         .unwrap();
     for (table, of) in [
@@ -112,7 +105,7 @@ fn delivery_omits_the_incomplete_launches_that_fly_refuses() {
         .replace("Side [yd]\n", "Side [yd],Club Speed [mph]\n")
         .replace(",5\n", ",5,103\n");
     for (name, text) in [("shots.csv", &text), ("club.csv", &with_club)] {
-        let file = place(folder.path(), name, text);
+        let file = file_with(folder.path(), name, text);
         let table =
             ShotTable::open_launches(&Setup::default(), Path::new(&file), RowFilter::default())
                 .unwrap();
@@ -126,7 +119,7 @@ fn delivery_omits_the_incomplete_launches_that_fly_refuses() {
         );
     }
     // a table without spin has no complete launch: its stated values are explained
-    let file = place(
+    let file = file_with(
         folder.path(),
         "slow.csv",
         "Ball Speed [mph],Launch Angle [deg],Club Speed [mph]\n150,12,103\n150,,103\n",

@@ -3,7 +3,7 @@
 
 use crate::common::close;
 use longdrive::batch::{
-    Axis, Batch, Block, CHUNK, Grid, Points, Run, Sequence, Status, StatusCounts,
+    Batch, Block, CHUNK, Grid, GridAxis, Points, Run, Sequence, Status, StatusCounts,
 };
 use longdrive::batch::{gradient_batch, simulate_batch};
 use longdrive::parameters::{Parameter, Vary};
@@ -17,7 +17,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 fn grid(setup: &Setup<f64>, axes: &[&str]) -> Grid {
     Grid::new(
         axes.iter()
-            .map(|text| Axis::read(setup, text).unwrap())
+            .map(|text| GridAxis::read(setup, text).unwrap())
             .collect(),
     )
     .unwrap()
@@ -334,10 +334,10 @@ fn bad_axes_are_refused_with_advice() {
         ("club.loft:3", "write NAME=LOW..HIGH"),
         ("flight.step=1ms..5ms:3", "setting of the computation"),
     ] {
-        let message = Axis::read(&setup, text).unwrap_err().to_string();
+        let message = GridAxis::read(&setup, text).unwrap_err().to_string();
         assert!(message.contains(says), "{text}: {message}");
     }
-    let axis = |text| Axis::read(&setup, text).unwrap();
+    let axis = |text| GridAxis::read(&setup, text).unwrap();
     let twice = Grid::new(vec![
         axis("club.loft=5deg..15deg:3"),
         axis("club.loft=5deg..15deg:3"),

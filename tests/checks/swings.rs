@@ -10,7 +10,8 @@ use longdrive::study::{Goal, Optimum, Search, Sense, Vary, optimum};
 use longdrive::{Drive, Outcome, Setup};
 use std::sync::Arc;
 
-fn swings(setup: &Setup<f64>, distributions: &[&str]) -> Swings {
+/// Swings with these distributions, without correlations.
+pub fn swings(setup: &Setup<f64>, distributions: &[&str]) -> Swings {
     Swings::distributed(
         distributions
             .iter()

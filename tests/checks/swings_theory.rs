@@ -2,24 +2,13 @@
 //! sample to that over all swings.
 
 use crate::common::close;
+use crate::swings::swings;
 use longdrive::optimize::{Observer, Options};
 use longdrive::study::swings::{Rule, Scenarios, Strokes, Swings};
-use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Goal, Search, Sense, Vary, optimum};
 use longdrive::{Outcome, Setup};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
-
-fn swings(setup: &Setup<f64>, distributions: &[&str]) -> Swings {
-    Swings::distributed(
-        distributions
-            .iter()
-            .map(|text| Uncertain::read(setup, text).unwrap())
-            .collect(),
-        &[],
-    )
-    .unwrap()
-}
 
 /// The derivatives of every goal, compared with differences of the goal's values and gradients.
 #[test]

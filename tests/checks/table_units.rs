@@ -1,11 +1,6 @@
 //! Temperatures, altitudes and CSV in the units of the reader.
 
-use crate::command_line::{json, longdrive, number};
-
-/// A message on one line.
-fn joined(text: &str) -> String {
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
+use crate::command_line::{json, longdrive, number, on_one_line};
 
 /// The head of a CSV text, and the numbers of its first row; NaN for words.
 fn csv(text: &str) -> (Vec<String>, Vec<f64>) {
@@ -60,7 +55,7 @@ fn an_altitude_without_a_temperature_is_told_with_the_standard_one() {
     let says = "air.altitude is given without air.temperature, which is then 77 °F; the standard \
                 atmosphere has 41 °F there, and so air that is 7 % denser";
     let said = longdrive(&["simulate", "-q", "--altitude", "5000ft"]);
-    assert!(joined(&said.err).contains(says), "{}", said.err);
+    assert!(on_one_line(&said.err).contains(says), "{}", said.err);
     let (_, found) = json(&["simulate", "--altitude", "5000ft"]);
     assert!(
         found["warnings"]
@@ -68,7 +63,7 @@ fn an_altitude_without_a_temperature_is_told_with_the_standard_one() {
             .contains("without air.temperature")
     );
     let whole = ["simulate", "--altitude", "5000ft", "--temperature", "41F"];
-    assert!(!joined(&longdrive(&whole).err).contains("without air.temperature"));
+    assert!(!on_one_line(&longdrive(&whole).err).contains("without air.temperature"));
 }
 
 /// The columns of a sweep in stated units are those in SI, converted.

@@ -14,7 +14,8 @@ use longdrive::study::uncertainty::{Distribution, Uncertain};
 use longdrive::{Drive, Error, Outcome, Setup};
 use std::fs;
 
-fn with(settings: &[(&str, &str)]) -> Setup<f64> {
+/// The default setup with these settings.
+pub fn with(settings: &[(&str, &str)]) -> Setup<f64> {
     let mut setup = Setup::default();
     setup.set_all(settings.iter().copied()).unwrap();
     setup.validate().unwrap();
@@ -300,7 +301,7 @@ fn same_drives_in_a_sweep_over_the_weather_and_alone() {
         "air.altitude=0..2000m:3",
         "wind.from=-90deg..90deg:5",
     ];
-    let axes = over.map(|text| longdrive::batch::Axis::read(&setup, text).unwrap());
+    let axes = over.map(|text| longdrive::batch::GridAxis::read(&setup, text).unwrap());
     let mut grid = Grid::new(axes.to_vec()).unwrap();
     let names = ["air.temperature", "air.altitude", "wind.from"];
     let wrt = names.map(|name| setup.parameter(name).unwrap());

@@ -3,7 +3,7 @@
 
 use crate::clock;
 use crate::tasks::{Discretisation, mae494, two};
-use longdrive::batch::{Axis, Batch, Block, Grid, Run, gradient_batch};
+use longdrive::batch::{Batch, Block, Grid, GridAxis, Run, gradient_batch};
 use longdrive::{Outcome, Result};
 use std::hint::black_box;
 
@@ -21,9 +21,11 @@ const REPEATS: usize = 5;
 /// Largest duration of the repetitions of a row, s.
 const PATIENCE: f64 = 0.1;
 
-fn axes(by: &Discretisation) -> Result<Vec<Axis>> {
+fn axes(by: &Discretisation) -> Result<Vec<GridAxis>> {
     let setup = mae494(by)?;
-    AXES.iter().map(|text| Axis::read(&setup, text)).collect()
+    AXES.iter()
+        .map(|text| GridAxis::read(&setup, text))
+        .collect()
 }
 
 /// Carry and its two derivatives in a row of a block; zeros if the ball does not fly.
@@ -65,7 +67,7 @@ impl Sums {
 /// Evaluates rows of the grid: a row is one loft with all attack angles.
 pub struct Rows {
     batch: Batch,
-    axes: Vec<Axis>,
+    axes: Vec<GridAxis>,
 }
 
 impl Rows {

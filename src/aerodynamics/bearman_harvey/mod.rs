@@ -3,7 +3,9 @@ mod grid;
 use super::gridded::grid_coefficients;
 use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stream};
 use crate::number::Numbers;
-use crate::parameters::{Axis, AxisVariable, BearmanHarvey, Cell, Grid, Surface, cells_of};
+use crate::parameters::{
+    AxisVariable, BearmanHarvey, Cell, CoefficientGrid, LawTableAxis, Surface, cells_of,
+};
 use grid::{DRAG, LIFT, SPEEDS, SPINS};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -36,16 +38,16 @@ static CELLS: LazyLock<[Cell; (ROWS - 1) * (COLUMNS - 1)]> = LazyLock::new(|| {
     cells_of::<{ ROWS * COLUMNS }, _>(&SPEEDS, SPIN_OF_ROW.as_slice(), tables)
 });
 
-static GRID: LazyLock<Grid> = LazyLock::new(|| {
+static GRID: LazyLock<CoefficientGrid> = LazyLock::new(|| {
     let [least, most] = SPINS.map(|rpm| rpm * RPM);
     let [slowest, .., fastest] = SPEEDS;
-    Grid {
-        spin: Some(Axis {
+    CoefficientGrid {
+        spin: Some(LawTableAxis {
             variable: AxisVariable::Spin,
             ends: [least, most],
             over: [SPIN_OVER * RPM; 2],
         }),
-        speed: Some(Axis {
+        speed: Some(LawTableAxis {
             variable: AxisVariable::Speed,
             ends: [slowest, fastest],
             over: SPEED_OVER,

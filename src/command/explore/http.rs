@@ -13,7 +13,7 @@ pub const TOO_MANY: &[u8] =
 
 /// A response: its head and its body.
 #[derive(Debug, PartialEq)]
-pub struct Response<'a> {
+pub struct HttpResponse<'a> {
     pub head: String,
     pub body: &'a [u8],
 }
@@ -29,8 +29,8 @@ pub struct Site<'a> {
 }
 
 /// The response with a status and a text in place of the page; `more` has additional headers.
-fn refusal(status: &str, more: &str, text: &'static str) -> Response<'static> {
-    Response {
+fn refusal(status: &str, more: &str, text: &'static str) -> HttpResponse<'static> {
+    HttpResponse {
         head: head(status, "text/plain; charset=utf-8", text.len(), more),
         body: text.as_bytes(),
     }
@@ -51,13 +51,13 @@ fn head(status: &str, kind: &str, length: usize, more: &str) -> String {
 }
 
 /// The response to an incomplete request, after a timeout or at the end of its connection.
-pub fn incomplete() -> Response<'static> {
+pub fn incomplete() -> HttpResponse<'static> {
     refusal("408 Request Timeout", "", "The request does not end.\n")
 }
 
 impl Site<'_> {
     /// The response to the bytes of a request so far; `None` while its head is incomplete.
-    pub fn response(&self, bytes: &[u8]) -> Option<Response<'_>> {
+    pub fn response(&self, bytes: &[u8]) -> Option<HttpResponse<'_>> {
         let mut headers = [EMPTY_HEADER; MOST_HEADERS];
         let mut request = Request::new(&mut headers);
         match request.parse(bytes) {
@@ -72,7 +72,7 @@ impl Site<'_> {
         }
     }
 
-    fn answer(&self, request: &Request<'_, '_>) -> Response<'_> {
+    fn answer(&self, request: &Request<'_, '_>) -> HttpResponse<'_> {
         let is_head = request.method == Some("HEAD");
         let response = if !is_head && request.method != Some("GET") {
             let text = "Only GET and HEAD are answered here.\n";
@@ -88,7 +88,7 @@ impl Site<'_> {
             self.page()
         };
         if is_head {
-            return Response {
+            return HttpResponse {
                 body: b"",
                 ..response
             };
@@ -107,13 +107,13 @@ impl Site<'_> {
         hosts.next().is_none() && own.iter().any(|own| host == Some(own.as_bytes()))
     }
 
-    fn page(&self) -> Response<'_> {
+    fn page(&self) -> HttpResponse<'_> {
         // prevent clickjacking: another page could show this page in an invisible frame
         let more = format!(
             "Content-Security-Policy: {}; frame-ancestors 'none'\r\n",
             self.policy
         );
-        Response {
+        HttpResponse {
             // the file of the page has this encoding: each byte of the packed core is one character
             head: head(
                 "200 OK",

@@ -1,4 +1,4 @@
-use super::http::{MOST_BYTES, Response, Site, TOO_MANY, incomplete};
+use super::http::{HttpResponse, MOST_BYTES, Site, TOO_MANY, incomplete};
 use super::page::{PAGE, policy, refused};
 use crate::command::interrupt;
 use crate::command::listener::Listener;
@@ -73,7 +73,7 @@ fn response<'a>(
     bytes: &mut Vec<u8>,
     site: &'a Site<'_>,
     stop: &AtomicBool,
-) -> io::Result<Option<Response<'a>>> {
+) -> io::Result<Option<HttpResponse<'a>>> {
     let began = Instant::now();
     let mut piece = [0; 4096];
     while !stop.load(Ordering::Relaxed) && began.elapsed() < REQUEST_TIME {

@@ -9,8 +9,9 @@ pub use args::Args;
 
 use crate::batch::Run;
 use crate::command::args::refuse_threads;
+use crate::command::files::{Destination, DestinationKind, OutputStream};
 use crate::command::interrupt;
-use crate::command::output::{Answer, system, tell, text_of, warn};
+use crate::command::output::{Answer, system, tell, tell_notes, text_of, warn};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::input_file;
@@ -25,7 +26,7 @@ use crate::{Error, Outcome, Result, Setup};
 use args::FlyFormat;
 use request::{asked, followed, setup};
 use std::path::Path;
-use target::{Output, Target};
+use target::{destination, format_of};
 
 pub fn run(args: &Args) -> Result<Answer> {
     match args.listen {
@@ -42,7 +43,8 @@ fn fly(args: &Args) -> Result<Answer> {
     refuse_threads(args.threads)?;
     let request = args.setup_args.request()?;
     let setup = setup(&request, &format!("the rows of {}", file.display()))?;
-    let target = Target::new(args, file, &request)?;
+    let format = format_of(args, request.is_json)?;
+    let destination = destination(args, file, &request)?;
     let stop = interrupt::stops("stopping after the rows under way");
     let filter = RowFilter::read(&args.only)?;
     let mut shots = read_shots(file, filter, &request, &setup)?;
@@ -50,17 +52,19 @@ fn fly(args: &Args) -> Result<Answer> {
     let of = asked(args)?;
     let flying = flying(&request, &setup, &shots, &of)?;
     warn(setup.warnings());
-    let mut remarks = Remarks { file, all: vec![] };
-    remarks.add(shots.remarks().iter().cloned());
-    remarks.add(not_compared(&shots, &of, request.gives_ground()));
+    let mut remarks = shots.remarks().to_vec();
+    remarks.extend(not_compared(&shots, &of, request.gives_ground()));
+    tell_notes(file.display(), &remarks);
     let run = Run {
         threads: args.threads,
         stop: Some(&stop),
         ..Run::default()
     };
     let maker = shots.maker();
-    let (tally, output) = written(&target, &flying, &mut shots, &run)?;
-    remarks.add(shots.final_remarks());
+    let (tally, output) = written(&destination, format, &flying, &mut shots, &run)?;
+    let final_remarks = shots.final_remarks();
+    tell_notes(file.display(), &final_remarks);
+    remarks.extend(final_remarks);
     let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
     if !is_stopped {
         refuse_no_rows(&tally, file)?;
@@ -73,20 +77,22 @@ fn fly(args: &Args) -> Result<Answer> {
     ));
     let suspicions = tally.unit_warnings(&shots);
     if suspicions.is_empty() {
-        remarks.add(of_lofted(&tally, &setup.law).map(Message::from));
+        let of_lofted = of_lofted(&tally, &setup.law).map(Message::from);
+        tell_notes(file.display(), &of_lofted);
+        remarks.extend(of_lofted);
     }
     warn(suspicions);
-    let stopped = is_stopped.then(|| stopped(&tally, &target));
-    let nothing = nothing(&tally, &remarks.all);
+    let stopped = is_stopped.then(|| stopped(&tally, &destination));
+    let nothing = nothing(&tally, &remarks);
     if request.is_json {
         warn(nothing.iter().cloned().map(Message::from));
     }
     Ok(answer(
         &request,
-        &target,
+        &destination,
         &tally,
         maker,
-        &remarks.all,
+        &remarks,
         stopped,
         nothing,
     ))
@@ -143,22 +149,6 @@ fn refuse_no_rows(tally: &ShotStatistics, file: &Path) -> Result<()> {
     })
 }
 
-/// Remarks about a file of shots. `add` also reports each remark to the user.
-struct Remarks<'a> {
-    file: &'a Path,
-    all: Vec<Message>,
-}
-
-impl Remarks<'_> {
-    fn add(&mut self, remarks: impl IntoIterator<Item = Message>) {
-        for remark in remarks {
-            let text = remark.in_units(system());
-            tell(&format!("note: {}: {text}", self.file.display()));
-            self.all.push(remark);
-        }
-    }
-}
-
 /// Remarks on measured outcomes without a comparison, with advice on how to get a comparison.
 fn not_compared(shots: &Shots, of: &[Outcome], is_on_their_ground: bool) -> Vec<Message> {
     let mut remarks = vec![];
@@ -195,13 +185,15 @@ fn of_lofted(tally: &ShotStatistics, law: &Law<f64>) -> Option<String> {
 
 /// Flies the shots and writes the rows. The caller finishes the output.
 fn written(
-    target: &Target,
+    destination: &Destination,
+    format: FlyFormat,
     flying: &Flying,
     shots: &mut Shots,
     run: &Run<'_>,
-) -> Result<(ShotStatistics, Output)> {
+) -> Result<(ShotStatistics, OutputStream)> {
     let of = flying.outcomes();
-    let writer = match target.format {
+    let mut output = destination.begin()?;
+    let writer = match format {
         FlyFormat::Csv => ShotWriter::csv(shots, of, system()),
         FlyFormat::LaunchMonitor => ShotWriter::launch_monitor(of, system()),
         FlyFormat::Jsonl => ShotWriter::json_lines(shots, of),
@@ -210,7 +202,7 @@ fn written(
         #[cfg(feature = "parquet")]
         FlyFormat::Parquet => {
             let mut writer = ShotParquet::new(shots, of)?;
-            let mut output = target.open(&writer.head())?;
+            output.write(&writer.head())?;
             let tally = flying.fly(
                 shots,
                 run,
@@ -221,7 +213,7 @@ fn written(
             return Ok((tally, output));
         }
     };
-    let mut output = target.open(&writer.head())?;
+    output.write(&writer.head())?;
     let tally = flying.fly(
         shots,
         run,
@@ -232,9 +224,9 @@ fn written(
 }
 
 /// The note about an interruption: the number of rows before it, and the state of the file.
-fn stopped(tally: &ShotStatistics, target: &Target) -> String {
+fn stopped(tally: &ShotStatistics, destination: &Destination) -> String {
     let rows = counted(tally.rows, "row");
-    match target.file() {
+    match destination.path_on_disk() {
         Some(file) => format!("stopped after {rows}; {} is not written", file.display()),
         None => format!("stopped after {rows}"),
     }
@@ -265,7 +257,7 @@ fn nothing(tally: &ShotStatistics, remarks: &[Message]) -> Option<String> {
 /// The answer; `stopped` and `nothing` are the reasons for missing rows.
 fn answer(
     request: &Request,
-    target: &Target,
+    destination: &Destination,
     tally: &ShotStatistics,
     source: Option<&'static str>,
     remarks: &[Message],
@@ -273,8 +265,8 @@ fn answer(
     nothing: Option<String>,
 ) -> Answer {
     let is_answered = stopped.is_none() && nothing.is_none();
-    let file = target
-        .file()
+    let file = destination
+        .path_on_disk()
         .filter(|_| stopped.is_none())
         .map(|file| file.display().to_string());
     let mut report = ShotsReport::new(tally, source, file, remarks);
@@ -296,10 +288,10 @@ fn answer(
     for message in stopped.iter().chain(&nothing) {
         crate::command::output::say_error(message);
     }
-    let answer = match target.file() {
+    let answer = match destination.path_on_disk() {
         Some(file) if is_answered => Answer::text(format!("{text}wrote {}\n", file.display())),
         // standard output already has the rows
-        None if !target.is_silent => {
+        None if destination.kind != DestinationKind::Nowhere => {
             tell(&text);
             Answer::text(String::new())
         }

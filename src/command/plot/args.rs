@@ -1,9 +1,9 @@
 //! Options of plots.
 
 use crate::command::args::{SearchArgs, SetupArgs};
-use crate::command::compare::Pair;
+use crate::command::compare::PairArgs;
 use crate::command::pareto::GoalArgs;
-use crate::command::picture::Drawing;
+use crate::command::picture::PictureArgs;
 use crate::report::figures::{Causes, Coefficient, Over, View};
 use clap::Subcommand;
 
@@ -30,7 +30,7 @@ pub enum PlotKind {
         asked: GoalArgs,
 
         #[command(flatten)]
-        drawing: Drawing,
+        drawing: PictureArgs,
     },
     /// The effects of the uncertainties of parameters on an outcome.
     Tornado(PlotTornado),
@@ -51,7 +51,7 @@ pub enum PlotKind {
         setup_args: SetupArgs,
 
         #[command(flatten)]
-        drawing: Drawing,
+        drawing: PictureArgs,
     },
     /// Carry, lateral, ball speed and spin axis over the club face, for the drive as set up and for
     /// the optimum, or for two designs.
@@ -67,7 +67,7 @@ pub struct PlotLaws {
     pub setup_args: SetupArgs,
 
     #[command(flatten)]
-    pub drawing: Drawing,
+    pub drawing: PictureArgs,
 
     /// The laws, separated by commas; "table" for your own table of --set aero.table [default: all
     /// laws].
@@ -97,7 +97,7 @@ pub struct PlotTrajectory {
     pub setup_args: SetupArgs,
 
     #[command(flatten)]
-    pub drawing: Drawing,
+    pub drawing: PictureArgs,
 
     /// The side from which the trajectory is shown.
     #[arg(long, value_enum, default_value_t = View::Side)]
@@ -113,7 +113,7 @@ pub struct PlotFairway {
     pub search: SearchArgs,
 
     #[command(flatten)]
-    pub drawing: Drawing,
+    pub drawing: PictureArgs,
 
     /// The standard deviation of a parameter of the golfer from drive to drive, e.g.
     /// swing.face_angle=2deg. Repeatable; other parameters of swing, strike and club have the
@@ -136,7 +136,7 @@ pub struct PlotStrike {
     pub after: Option<String>,
 
     #[command(flatten)]
-    pub drawing: Drawing,
+    pub drawing: PictureArgs,
 }
 
 /// A plot with the optimum of a search.
@@ -149,7 +149,7 @@ pub struct PlotSearch {
     pub search: SearchArgs,
 
     #[command(flatten)]
-    pub drawing: Drawing,
+    pub drawing: PictureArgs,
 }
 
 #[derive(clap::Args)]
@@ -161,7 +161,7 @@ pub struct PlotChart {
     pub search: SearchArgs,
 
     #[command(flatten)]
-    pub drawing: Drawing,
+    pub drawing: PictureArgs,
 
     /// The parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
@@ -178,7 +178,7 @@ pub struct PlotTornado {
     pub setup_args: SetupArgs,
 
     #[command(flatten)]
-    pub drawing: Drawing,
+    pub drawing: PictureArgs,
 
     /// The outcome.
     #[arg(long, value_name = "OUTCOME", default_value = "carry")]
@@ -197,10 +197,10 @@ pub struct PlotTornado {
 #[derive(clap::Args)]
 pub struct PlotCompare {
     #[command(flatten)]
-    pub pair: Pair,
+    pub pair: PairArgs,
 
     #[command(flatten)]
-    pub drawing: Drawing,
+    pub drawing: PictureArgs,
 
     /// The outcome.
     #[arg(long, value_name = "OUTCOME", default_value = "carry")]
@@ -213,7 +213,7 @@ pub struct PlotVcurve {
     pub setup_args: SetupArgs,
 
     #[command(flatten)]
-    pub drawing: Drawing,
+    pub drawing: PictureArgs,
 
     /// The outcomes, separated by commas.
     #[arg(

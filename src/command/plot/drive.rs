@@ -4,7 +4,7 @@ use super::args::{PlotFairway, PlotSearch, PlotStrike};
 use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, spinner, system, tell};
-use crate::command::picture::{Drawing, Target};
+use crate::command::picture::{PictureArgs, PlotDestination};
 use crate::command::request::{Request, Source};
 use crate::optimize::{Observer, Status};
 use crate::report::figures::{face_figure, fairway_figure, launches_figure, strikes_figure};
@@ -16,7 +16,7 @@ use crate::{Drive, Error, Outcome, Result, Setup};
 
 pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = Target::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(&request, &args.drawing)?;
     let (setup, best) = searched(&request, &args.search)?;
     let given = sigmas(&setup, &args.sigma)?;
     let of = [Outcome::Carry, Outcome::Lateral];
@@ -43,7 +43,7 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
 
 pub fn launches(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = Target::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(&request, &args.drawing)?;
     let (setup, best) = searched(&request, &args.search)?;
     let optimum = best.iter().map(|best| ("optimum", &best.setup));
     let drives: Vec<_> = std::iter::once(("as set up", &setup))
@@ -61,9 +61,9 @@ pub fn launches(args: &PlotSearch) -> Result<Answer> {
     )
 }
 
-pub fn face(setup_args: &SetupArgs, drawing: &Drawing) -> Result<Answer> {
+pub fn face(setup_args: &SetupArgs, drawing: &PictureArgs) -> Result<Answer> {
     let request = setup_args.request()?;
-    let target = Target::new(&request, drawing)?;
+    let target = PlotDestination::new(&request, drawing)?;
     let setup = request.for_many(request.setup()?, &[])?;
     refuse_launch(&setup, &target)?;
     let spinner = spinner("computing strikes");
@@ -80,7 +80,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     let inputs = request
         .inputs()
         .chain(after.iter().flat_map(Request::inputs));
-    let target = Target::beside(inputs, &args.drawing)?;
+    let target = PlotDestination::beside(inputs, &args.drawing)?;
     if let (Some(_), Some(option)) = (&after, args.search.given().next()) {
         let source = "`after` gives the other design, so no optimum is searched for; leave one of the two \
              out";
@@ -124,7 +124,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
 }
 
 /// Refuses a drive given by its launch, because such a drive has no club face.
-fn refuse_launch(setup: &Setup<f64>, target: &Target<'_>) -> Result<()> {
+fn refuse_launch(setup: &Setup<f64>, target: &PlotDestination<'_>) -> Result<()> {
     if !setup.launch.is_given() {
         return Ok(());
     }
@@ -134,7 +134,11 @@ fn refuse_launch(setup: &Setup<f64>, target: &Target<'_>) -> Result<()> {
 }
 
 /// Refuses designs for golfers of different hands: the toe is on opposite sides.
-fn refuse_other_hand(before: &Setup<f64>, after: &Setup<f64>, target: &Target<'_>) -> Result<()> {
+fn refuse_other_hand(
+    before: &Setup<f64>,
+    after: &Setup<f64>,
+    target: &PlotDestination<'_>,
+) -> Result<()> {
     if before.golfer == after.golfer {
         return Ok(());
     }

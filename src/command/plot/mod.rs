@@ -11,7 +11,7 @@ use crate::command::host::SharedProgress;
 use crate::command::names::{outcomes, sigmas, usual, variables};
 use crate::command::output::{Answer, bar, spinner, system, tell, with_bar};
 use crate::command::pareto;
-use crate::command::picture::Target;
+use crate::command::picture::PlotDestination;
 use crate::command::request::Request;
 use crate::command::verify::tell_left_out;
 use crate::optimize::{Observer, Status};
@@ -62,7 +62,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 
 fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = Target::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(&request, &args.drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
     let flown = NamedDrive::new("", &setup)?;
     flown.drive.landed()?;
@@ -77,7 +77,7 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
 
 fn contour(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = Target::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(&request, &args.drawing)?;
     let setup = request.setup_with_starts(&args.search.vary)?;
     let search = args.search.search(&request, &setup)?;
     let setup = request.for_many(setup, &search.vary)?;
@@ -148,7 +148,7 @@ pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, M
 
 fn along(args: &PlotChart) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = Target::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(&request, &args.drawing)?;
     let setup = request.setup_with_starts(args.search.vary.iter().chain([&args.along]))?;
     let along = Vary::read(&setup, &args.along)?;
     let search = args
@@ -208,7 +208,7 @@ fn figure_of<'a>(
     figures: &'a ChartFigures,
     search: &Search,
     shown: Option<&'static Parameter>,
-    target: &Target<'_>,
+    target: &PlotDestination<'_>,
 ) -> Result<&'a Figure> {
     let mut held = figures.held.iter();
     if let Some((_, why)) = held.find(|(vary, _)| Some(vary.parameter) == shown) {
@@ -232,7 +232,7 @@ fn figure_of<'a>(
 
 fn tornado(args: &PlotTornado) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = Target::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(&request, &args.drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
     let of = Outcome::named(&args.of)?;
     let given = sigmas(&setup, &args.sigma)?;
@@ -256,7 +256,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
 
 fn difference(args: &PlotCompare) -> Result<Answer> {
     let requests = args.pair.requests()?;
-    let target = Target::beside(requests.iter().flat_map(Request::inputs), &args.drawing)?;
+    let target = PlotDestination::beside(requests.iter().flat_map(Request::inputs), &args.drawing)?;
     let of = Outcome::named(&args.of)?;
     let comparison = args.pair.comparison(&requests)?;
     if !comparison.differs() {
@@ -269,7 +269,7 @@ fn difference(args: &PlotCompare) -> Result<Answer> {
 
 fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = Target::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(&request, &args.drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
     let of = outcomes(&args.of)?;
     let wrt = if args.wrt.is_empty() {
@@ -307,7 +307,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
 
 fn laws(args: &PlotLaws) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = Target::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(&request, &args.drawing)?;
     let setup = request.setup()?;
     let constant = args.constant()?;
     if AirState::of(&setup.air).density == 0.0 {

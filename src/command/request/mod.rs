@@ -7,7 +7,7 @@ mod setting;
 mod source;
 mod step;
 
-pub use setting::{Setting, refuse_duplicates};
+pub use setting::{CommandSetting, refuse_duplicates};
 pub use source::Source;
 
 use crate::command::args::{DriveArgs, OwnLaw, SetupArgs};
@@ -24,7 +24,7 @@ use std::path::PathBuf;
 pub struct Request {
     pub source: Source,
     /// The settings of the command line, in the order of its options: each parameter once.
-    pub settings: Vec<Setting>,
+    pub settings: Vec<CommandSetting>,
     /// The source with the settings applied, without a check of the launch: the columns of a table
     /// or the points of a sweep may complete the launch. Parameters without a default may be
     /// missing.
@@ -59,14 +59,13 @@ impl DriveArgs {
     ///
     /// # Errors
     /// If a setting cannot be read.
-    pub fn settings(&self) -> Result<Vec<Setting>> {
-        let mut settings = Setting::read_all("set", &self.set)?;
+    pub fn settings(&self) -> Result<Vec<CommandSetting>> {
+        let mut settings = CommandSetting::read_all("set", &self.set)?;
         let short_names = self.short_names();
-        settings
-            .extend(short_names.map(|(option, parameter, value)| {
-                Setting::by_short_name(option, parameter, value)
-            }));
-        settings.extend(Setting::read_all_launch("launch", &self.launch)?);
+        settings.extend(short_names.map(|(option, parameter, value)| {
+            CommandSetting::by_short_name(option, parameter, value)
+        }));
+        settings.extend(CommandSetting::read_all_launch("launch", &self.launch)?);
         Ok(settings)
     }
 }
@@ -77,7 +76,7 @@ impl Request {
     ///
     /// # Errors
     /// If two settings state one parameter, or if a setting does not apply to the source.
-    pub fn new(source: Source, settings: Vec<Setting>, args: &SetupArgs) -> Result<Self> {
+    pub fn new(source: Source, settings: Vec<CommandSetting>, args: &SetupArgs) -> Result<Self> {
         let step = args.step()?;
         Ok(Self {
             step,
@@ -86,7 +85,7 @@ impl Request {
         })
     }
 
-    fn of_drive(source: Source, settings: Vec<Setting>) -> Result<Self> {
+    fn of_drive(source: Source, settings: Vec<CommandSetting>) -> Result<Self> {
         refuse_duplicates(&settings)?;
         let mut request = Self {
             partial_setup: source.content.setup,
@@ -369,7 +368,7 @@ impl Request {
     /// # Errors
     /// [`Error::Unreadable`], which names the setting and gives the reason `why`.
     pub fn refuse_stated(&self, parameters: &[&'static Parameter], why: &str) -> Result<()> {
-        let is_unused = |setting: &&Setting| {
+        let is_unused = |setting: &&CommandSetting| {
             parameters
                 .iter()
                 .any(|parameter| parameter.name == setting.parameter)
@@ -472,7 +471,12 @@ impl Request {
 
     /// Prints a note if the setting `by` states the spin in another form than the setup, such as
     /// spin axis instead of sidespin: the setting then replaces the setup's values of the spin.
-    fn note_replaced(&self, setup: &Setup<f64>, before: &[&'static Parameter], by: &Setting) {
+    fn note_replaced(
+        &self,
+        setup: &Setup<f64>,
+        before: &[&'static Parameter],
+        by: &CommandSetting,
+    ) {
         let after = setup.given_launch_conditions();
         let gone: Vec<_> = before
             .iter()
@@ -516,7 +520,7 @@ impl OwnLaw {
     /// The errors of [`Setup::set_all`] and [`Setup::validate`], and [`Error::Unreadable`] if a
     /// setting has a parameter that does not belong to the table.
     pub fn law(&self) -> Result<Option<Law<f64>>> {
-        let settings = Setting::read_all("set", &self.set)?;
+        let settings = CommandSetting::read_all("set", &self.set)?;
         refuse_duplicates(&settings)?;
         if settings.is_empty() {
             return Ok(None);
@@ -525,7 +529,7 @@ impl OwnLaw {
             Error::unreadable(
                 settings
                     .iter()
-                    .map(Setting::to_string)
+                    .map(CommandSetting::to_string)
                     .collect::<Vec<_>>()
                     .join(" "),
                 "this command uses every law as published; `set` only adds your own table and \

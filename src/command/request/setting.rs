@@ -7,7 +7,7 @@ use std::fmt;
 
 /// A parameter with its value, from an option of the command line.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Setting {
+pub struct CommandSetting {
     /// The argument that states the parameter: `set`, `launch_a`, `ball_speed`, `speed`.
     argument: &'static str,
     /// The name as typed: `ball_speed` after `--launch`, `speed` of `--speed`.
@@ -17,7 +17,7 @@ pub struct Setting {
     pub value: String,
 }
 
-impl Setting {
+impl CommandSetting {
     /// A launch condition with its value, from a separate option (`--ball-speed 167mph`) or from
     /// `--launch`.
     ///
@@ -125,7 +125,7 @@ impl Setting {
 }
 
 /// The setting as typed, for messages: `--set club.loft=11deg`.
-impl fmt::Display for Setting {
+impl fmt::Display for CommandSetting {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.has_own_option() {
             write!(to, "`{} {}`", self.argument, self.value)
@@ -139,7 +139,7 @@ impl fmt::Display for Setting {
 ///
 /// # Errors
 /// [`Error::Unreadable`], which names two of the settings.
-pub fn refuse_duplicates(settings: &[Setting]) -> Result<()> {
+pub fn refuse_duplicates(settings: &[CommandSetting]) -> Result<()> {
     let Some([first, again]) = first_repeated(settings, |a, b| a.parameter == b.parameter) else {
         return Ok(());
     };
@@ -169,20 +169,20 @@ fn split<'a>(argument: &str, text: &'a str, example: &str) -> Result<(&'a str, &
 
 #[cfg(test)]
 mod tests {
-    use super::{Setting, refuse_duplicates};
+    use super::{CommandSetting, refuse_duplicates};
 
     #[test]
     fn exact_settings_know_their_parameter_and_how_they_were_typed() {
-        let set = Setting::read_all("set_a", &["club.loft = 11deg".into()]).unwrap();
-        let launch = Setting::read_all_launch("launch", &["spin=2700rpm".into()]).unwrap();
-        let own = Setting::of_launch("ball_speed", "ball_speed", "70m/s").unwrap();
+        let set = CommandSetting::read_all("set_a", &["club.loft = 11deg".into()]).unwrap();
+        let launch = CommandSetting::read_all_launch("launch", &["spin=2700rpm".into()]).unwrap();
+        let own = CommandSetting::of_launch("ball_speed", "ball_speed", "70m/s").unwrap();
         let all = [&set[0], &launch[0], &own];
         assert_eq!(
             all.map(|setting| setting.parameter.as_str()),
             ["club.loft", "launch.spin", "launch.ball_speed"]
         );
         assert_eq!(
-            all.map(Setting::to_string),
+            all.map(CommandSetting::to_string),
             [
                 "`set_a club.loft=11deg`",
                 "`launch spin=2700rpm`",
@@ -190,7 +190,7 @@ mod tests {
             ]
         );
         assert_eq!(
-            all.map(Setting::replaces_launch),
+            all.map(CommandSetting::replaces_launch),
             [false, true, true],
             "--set changes one condition of the setup's launch"
         );
@@ -198,15 +198,15 @@ mod tests {
 
     #[test]
     fn one_parameter_by_two_options_is_refused() {
-        let mut all = Setting::read_all("set", &["launch.spin=1rpm".into()]).unwrap();
-        all.extend(Setting::read_all_launch("launch", &["spin=2rpm".into()]).unwrap());
+        let mut all = CommandSetting::read_all("set", &["launch.spin=1rpm".into()]).unwrap();
+        all.extend(CommandSetting::read_all_launch("launch", &["spin=2rpm".into()]).unwrap());
         let error = refuse_duplicates(&all).unwrap_err().to_string();
         assert_eq!(
             error,
             "`launch spin=2rpm`: `set launch.spin=1rpm` gives the spin too; keep one of the two"
         );
-        let short = Setting::by_short_name("speed", "swing.speed", "95mph");
-        let mut all = Setting::read_all("set", &["swing.speed=90mph".into()]).unwrap();
+        let short = CommandSetting::by_short_name("speed", "swing.speed", "95mph");
+        let mut all = CommandSetting::read_all("set", &["swing.speed=90mph".into()]).unwrap();
         all.push(short);
         let error = refuse_duplicates(&all).unwrap_err().to_string();
         assert_eq!(

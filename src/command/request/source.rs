@@ -16,16 +16,8 @@ const STANDARD_INPUT_NAME: &str = "standard input";
 pub struct Source {
     /// The argument on the command line.
     pub argument: String,
-    kind: Kind,
     /// The content of the file; for a preset, only its setup.
     pub content: SetupFile,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-enum Kind {
-    Preset,
-    File,
-    StandardInput,
 }
 
 impl Source {
@@ -38,18 +30,17 @@ impl Source {
         let path = Path::new(argument);
         let is_named_like_a_file = argument.contains(['/', '\\']) || path.extension().is_some();
         let is_preset = Preset::named(argument).is_some();
-        let (kind, content) = if !is_preset && argument == STANDARD_INPUT {
-            (Kind::StandardInput, read_standard_input()?)
+        let content = if argument == STANDARD_INPUT {
+            read_standard_input()?
         } else if !is_preset
             && (input_file::exists(path) || is_named_like_a_file && !argument.contains('='))
         {
-            (Kind::File, read_file(path)?)
+            read_file(path)?
         } else {
-            (Kind::Preset, read_preset(argument)?)
+            read_preset(argument)?
         };
         Ok(Self {
             argument: argument.into(),
-            kind,
             content,
         })
     }
@@ -75,9 +66,10 @@ impl Source {
 
     /// The name for messages.
     pub fn name(&self) -> &str {
-        match self.kind {
-            Kind::StandardInput => STANDARD_INPUT_NAME,
-            Kind::Preset | Kind::File => &self.argument,
+        if self.has_name() {
+            &self.argument
+        } else {
+            STANDARD_INPUT_NAME
         }
     }
 
@@ -92,23 +84,24 @@ impl Source {
 
     /// True if the setup has a name on the command line: a preset or a file, not standard input.
     pub fn has_name(&self) -> bool {
-        self.kind != Kind::StandardInput
+        self.argument != STANDARD_INPUT
     }
 
     /// True if the setup is the preset of an average of many golfers.
     pub fn is_average(&self) -> bool {
-        self.kind == Kind::Preset && self.content.preset.is_average()
+        Preset::named(&self.argument).is_some_and(Preset::is_average)
     }
 
     /// The parameters that a setup file on disk states.
     pub fn given_in_file(&self) -> impl Iterator<Item = &'static Parameter> {
         let given = self.content.given.iter().copied();
-        given.filter(|_| self.kind == Kind::File)
+        given.filter(|_| self.file().is_some())
     }
 
     /// The setup file, if the source is a file on disk.
     pub fn file(&self) -> Option<&Path> {
-        (self.kind == Kind::File).then_some(Path::new(&self.argument))
+        let is_file = self.has_name() && Preset::named(&self.argument).is_none();
+        is_file.then_some(Path::new(&self.argument))
     }
 }
 

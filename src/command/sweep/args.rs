@@ -127,7 +127,7 @@ pub struct Args {
         not(feature = "parquet"),
         arg(long, value_name = "FORMAT", value_parser = without_parquet),
     )]
-    pub format: Option<Format>,
+    pub format: Option<SweepFormat>,
 
     /// Continue a sweep that was stopped or killed; the complete file is the same as without the
     /// interruption.
@@ -193,7 +193,7 @@ impl PartOf {
 
 /// Format of the rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Format {
+pub enum SweepFormat {
     /// Comma-separated values; a missing value is an empty cell.
     Csv,
     /// One JSON object per drive and line; a missing value is null.
@@ -206,7 +206,7 @@ pub enum Format {
 
 /// Parser of formats in a build without Parquet.
 #[cfg(not(feature = "parquet"))]
-fn without_parquet(text: &str) -> Result<Format, String> {
+fn without_parquet(text: &str) -> Result<SweepFormat, String> {
     if text == "parquet" {
         return Err(crate::features::how_to_get("parquet"));
     }

@@ -1,8 +1,7 @@
 //! Disk space: estimates the size and time of a sweep before its start.
 
 use super::args::Args;
-use super::rows::{Rows, Writer};
-use super::target::Target;
+use super::rows::{FormattedRows, RowFormatter};
 use crate::batch::{Batch, Points};
 use crate::units::counted;
 use crate::{Error, Result};
@@ -19,10 +18,10 @@ pub fn check(
     args: &Args,
     batch: &Batch,
     points: &mut dyn Points,
-    writer: &Writer,
-    target: &Target,
+    formatter: &RowFormatter,
+    file: Option<&Path>,
 ) -> Result<()> {
-    let (most, limit) = match (&args.max_size, &target.file) {
+    let (most, limit) = match (&args.max_size, file) {
         (Some(text), _) => (read_size(text)?, format!("`max_size {text}`")),
         (None, Some(path)) => match free(path) {
             Some((bytes, folder)) => (
@@ -41,12 +40,12 @@ pub fn check(
         return Ok(());
     }
     let begun = Instant::now();
-    let content = writer.rows(batch.evaluate(0, values));
+    let content = formatter.rows(batch.evaluate(0, values));
     let seconds = begun.elapsed().as_secs_f64();
     let row = match content {
-        Rows::Text { bytes, .. } => bytes.len() as f64 / tried as f64,
+        FormattedRows::Text { bytes, .. } => bytes.len() as f64 / tried as f64,
         #[cfg(feature = "parquet")]
-        Rows::Block(_) => {
+        FormattedRows::Block(_) => {
             // a grid stores each swept value once for many rows, so its size is neglected
             let is_grid = args.sample.is_none() && args.points.is_none();
             let swept = if is_grid {

@@ -31,7 +31,7 @@ pub struct Journal {
     _replaced: Option<File>,
 }
 
-/// The rows at the beginning of a file of rows.
+/// The rows at the beginning of a file of rows; an entry of the journal.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct WrittenRows {
     /// Size, bytes.
@@ -39,13 +39,6 @@ pub struct WrittenRows {
     /// Status counts; their total is the number of rows.
     #[serde(flatten)]
     pub status_counts: StatusCounts,
-}
-
-/// An entry of the journal: the state of the file of rows on the disk.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Entry {
-    #[serde(flatten)]
-    pub written: WrittenRows,
     /// The metadata of the row group that ends here.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub group: Vec<u8>,
@@ -113,8 +106,8 @@ impl Journal {
     /// `keeps` rejects; `None` if there is no journal.
     pub fn open(
         of: &Path,
-        keeps: impl Fn(&Entry) -> bool,
-    ) -> io::Result<Option<(Self, Identity, Vec<Entry>)>> {
+        keeps: impl Fn(&WrittenRows) -> bool,
+    ) -> io::Result<Option<(Self, Identity, Vec<WrittenRows>)>> {
         let path = Self::path(of);
         let mut file = match OpenOptions::new().read(true).write(true).open(&path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
@@ -146,10 +139,13 @@ impl Journal {
         };
         let mut entries = vec![];
         for line in lines {
-            let Some(entry) = serde_json::from_str::<Entry>(line).ok().filter(&keeps) else {
+            let Some(entry) = serde_json::from_str::<WrittenRows>(line)
+                .ok()
+                .filter(&keeps)
+            else {
                 break;
             };
-            journal.entries.push((entry.written.bytes, journal.length));
+            journal.entries.push((entry.bytes, journal.length));
             journal.length += line.len() as u64;
             entries.push(entry);
         }
@@ -158,7 +154,7 @@ impl Journal {
     }
 
     /// Adds an entry. Its rows must already be on the disk.
-    pub fn add(&mut self, entry: &Entry) -> io::Result<()> {
+    pub fn add(&mut self, entry: &WrittenRows) -> io::Result<()> {
         let mut line = serde_json::to_vec(entry)?;
         line.push(b'\n');
         let written = self
@@ -169,7 +165,7 @@ impl Journal {
             self.cut()?;
             return written;
         }
-        self.entries.push((entry.written.bytes, self.length));
+        self.entries.push((entry.bytes, self.length));
         self.length += line.len() as u64;
         Ok(())
     }

@@ -14,6 +14,7 @@ pub use args::Args;
 
 use crate::batch::{Batch, Points, Run, Status, StatusCounts};
 use crate::command::args::{refuse_threads, stated};
+use crate::command::files::DestinationKind;
 use crate::command::interrupt;
 use crate::command::output::{Answer, bar, say_error, tell, warn, warnings};
 use crate::drive::CheckScope;
@@ -21,12 +22,13 @@ use crate::report::Reply;
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result};
 use request::SweepRequest;
-use rows::{Rows, Writer};
+use resumable::part_of;
+use rows::{FormattedRows, Identity, RowFormatter};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
-use target::{Output, Target};
+use target::{SweepOutput, destination, format_of};
 
 pub fn run(args: &Args) -> Result<Answer> {
     let folder = args.part.and(Some(args.output.as_path()));
@@ -38,23 +40,39 @@ pub fn run(args: &Args) -> Result<Answer> {
     // interruptible from here on: reading a long table takes time before the first drive
     let stop = interrupt::stops("stopping after the drives under way");
     let request = args.setup_args.request()?;
-    let target = Target::new(args, &request)?;
+    let format = format_of(args)?;
+    let destination = destination(args, &request, format)?;
     let SweepRequest {
         setup,
         mut points,
         batch,
         notes,
     } = SweepRequest::of(args, &request)?;
-    let writer = Writer::new(&batch, target.format, points.identity())?;
-    disk_space::check(args, &batch, points.as_mut(), &writer, &target)?;
-    let mut output = target.open(&writer, args)?;
+    let identity = Identity::new(&batch, format, points.identity());
+    let formatter = identity.formatter(&batch, format)?;
+    disk_space::check(
+        args,
+        &batch,
+        points.as_mut(),
+        &formatter,
+        destination.file(),
+    )?;
+    let mut output = SweepOutput::open(&destination, &identity, &formatter, args)?;
     warn(setup.warnings());
     let total = points.rows();
-    let is_complete = write_rows(args, &batch, points.as_mut(), &writer, &mut output, &stop)?;
+    let is_complete = write_rows(
+        args,
+        &batch,
+        points.as_mut(),
+        &formatter,
+        &mut output,
+        &stop,
+    )?;
     let counts = output.status_counts();
     // an incomplete file has another name
-    let file = target
-        .part()
+    let part = destination.file().map(part_of);
+    let file = part
+        .clone()
         .filter(|_| !is_complete)
         .unwrap_or_else(|| args.output.clone());
     let summary = SweepSummary::new(total, counts, notes, &file);
@@ -64,7 +82,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         CheckScope::Launch,
     ));
     if !is_complete {
-        tell(&stopped(&summary, &target, &output));
+        tell(&stopped(&summary, part.as_deref(), &output));
     }
     let nothing = (is_complete && !counts.has_any(batch.outcomes()))
         .then(|| no_outcome(&summary, counts, batch.outcomes()));
@@ -72,15 +90,17 @@ pub fn run(args: &Args) -> Result<Answer> {
         say_error(nothing);
     }
     let is_answered = is_complete && nothing.is_none();
+    let is_standard_output = destination.kind == DestinationKind::StandardOutput;
     // rows on standard output leave no place there for the counts of drives that did not land
-    if is_answered && !all_landed(counts) && target.is_standard_output() {
+    let all_landed = counts.count(Status::Landed) == counts.total();
+    if is_answered && !all_landed && is_standard_output {
         tell(&summary.text(None));
     }
     let answer = if request.is_json {
         let reply = Reply::done("sweep", warnings(), &summary);
         Answer::json(&ended(reply, is_complete, nothing))
-    } else if is_complete && !target.is_standard_output() {
-        Answer::text(summary.text(target.file.as_deref()) + "\n")
+    } else if is_complete && !is_standard_output {
+        Answer::text(summary.text(destination.file()) + "\n")
     } else {
         Answer::text(String::new())
     };
@@ -101,10 +121,6 @@ fn ended(
             reply.ended("interrupted", Some(stopped))
         }
     }
-}
-
-fn all_landed(status_counts: &StatusCounts) -> bool {
-    status_counts.count(Status::Landed) == status_counts.total()
 }
 
 /// Refuses options that apply only to a part of a sweep if the request writes no part.
@@ -129,8 +145,8 @@ fn write_rows(
     args: &Args,
     batch: &Batch,
     points: &mut dyn Points,
-    writer: &Writer,
-    output: &mut Output<'_>,
+    formatter: &RowFormatter,
+    output: &mut SweepOutput<'_>,
     stop: &AtomicBool,
 ) -> Result<bool> {
     let total = points.rows();
@@ -147,8 +163,8 @@ fn write_rows(
     let done = batch.run(
         points,
         &run,
-        |block| writer.rows(block),
-        |rows: Rows| {
+        |block| formatter.rows(block),
+        |rows: FormattedRows| {
             bar.inc(rows.count());
             output.take(rows)
         },
@@ -162,9 +178,9 @@ fn write_rows(
 }
 
 /// The note about an interrupted sweep, with the command to continue it.
-fn stopped(summary: &SweepSummary, target: &Target, output: &Output<'_>) -> String {
+fn stopped(summary: &SweepSummary, part: Option<&Path>, output: &SweepOutput<'_>) -> String {
     let drives = summary.text(None);
-    match target.part() {
+    match part {
         Some(part) => format!(
             "stopped: {drives}; the rows so far are in {}; the same command with `resume` \
              continues after {}",

@@ -1,7 +1,5 @@
-use super::journal::{Entry, Journal, WrittenRows};
-#[cfg(feature = "parquet")]
-use super::rows::Table;
-use super::rows::{Rows, Writer};
+use super::journal::{Journal, WrittenRows};
+use super::rows::{FormattedRows, Identity, RowFormatter};
 use crate::atomic_file::persist;
 #[cfg(feature = "parquet")]
 use crate::batch::Block;
@@ -33,7 +31,7 @@ pub struct ResumableFile<'a> {
     /// The open file.
     file: File,
     journal: Journal,
-    writer: &'a Writer,
+    formatter: &'a RowFormatter,
     /// The rows in the file.
     written: WrittenRows,
     /// Number of rows in the journal. A resumed sweep continues after these rows.
@@ -103,37 +101,46 @@ fn nothing_left(path: &Path) -> Error {
 }
 
 impl<'a> ResumableFile<'a> {
-    /// Begins or continues the file. The destination must have been checked.
-    pub fn open(path: PathBuf, writer: &'a Writer, resume: bool, overwrite: bool) -> Result<Self> {
-        if resume && Journal::path(&path).exists() {
-            return Self::go_on(path, writer);
-        }
-        let unwritable = |error: io::Error| unwritable(&path, &error);
+    /// Begins the file. The destination must have been checked.
+    pub fn begin(
+        path: &Path,
+        identity: &Identity,
+        formatter: &'a RowFormatter,
+        overwrite: bool,
+    ) -> Result<Self> {
+        let unwritable = |error: io::Error| unwritable(path, &error);
         // create the journal first: rows without a journal could not be identified
-        let journal = Journal::begin(&path, &writer.identity, overwrite).map_err(unwritable)?;
+        let journal = Journal::begin(path, identity, overwrite).map_err(unwritable)?;
         // another sweep may have completed the file since the check
         if !overwrite && path.exists() {
             journal.remove().map_err(unwritable)?;
-            return Err(exists(&path));
+            return Err(exists(path));
         }
         let rows = OpenOptions::new()
             .write(true)
             .create(true)
             .truncate(true)
-            .open(part_of(&path));
+            .open(part_of(path));
         let file = rows.map_err(|error| {
             let _ = journal.remove();
             unwritable(error)
         })?;
-        Self::at_the_beginning(path, file, journal, writer).begun()
+        let mut begun = Self::at_the_beginning(path, file, journal, formatter);
+        begun.append(&begun.formatter.head())?;
+        Ok(begun)
     }
 
-    fn at_the_beginning(path: PathBuf, file: File, journal: Journal, writer: &'a Writer) -> Self {
+    fn at_the_beginning(
+        path: &Path,
+        file: File,
+        journal: Journal,
+        formatter: &'a RowFormatter,
+    ) -> Self {
         Self {
-            path,
+            path: path.into(),
             file,
             journal,
-            writer,
+            formatter,
             written: WrittenRows::default(),
             safe: 0,
             since: 0,
@@ -145,57 +152,52 @@ impl<'a> ResumableFile<'a> {
         }
     }
 
-    fn begun(mut self) -> Result<Self> {
-        self.append(&self.writer.head())?;
-        Ok(self)
-    }
-
-    fn go_on(path: PathBuf, writer: &'a Writer) -> Result<Self> {
+    /// Continues the file after its journal. The destination must have been checked.
+    pub fn resume(path: &Path, identity: &Identity, formatter: &'a RowFormatter) -> Result<Self> {
         let unusable =
-            |error: io::Error| refused(&path, format!("its sweep cannot be resumed ({error})"));
+            |error: io::Error| refused(path, format!("its sweep cannot be resumed ({error})"));
         // the file is missing if the program was killed before it created the file, after the
         // journal
         let file = OpenOptions::new()
             .write(true)
             .create(true)
             .truncate(false)
-            .open(part_of(&path))
+            .open(part_of(path))
             .map_err(unusable)?;
         let length = file.metadata().map_err(unusable)?.len();
-        let Some((journal, identity, entries)) =
-            Journal::open(&path, |entry| entry.written.bytes <= length).map_err(unusable)?
+        let Some((journal, earlier, entries)) =
+            Journal::open(path, |entry| entry.bytes <= length).map_err(unusable)?
         else {
-            return Err(nothing_left(&path));
+            return Err(nothing_left(path));
         };
-        if let Some(part) = writer.identity.difference(&identity) {
+        if let Some(part) = identity.difference(&earlier) {
             let reason = format!(
                 "it belongs to another command ({part} differ); repeat the command that began it, \
                  or give `overwrite` to replace the file"
             );
-            return Err(refused(&path, reason));
+            return Err(refused(path, reason));
         }
         if !journal.overwrite && path.exists() {
             let reason = "it exists, and the sweep into it was begun without `overwrite`; move it \
                           away, then repeat the \
                           same command with `resume`";
-            return Err(refused(&path, reason));
+            return Err(refused(path, reason));
         }
-        let mut kept = Self::at_the_beginning(path.clone(), file, journal, writer);
+        let mut kept = Self::at_the_beginning(path, file, journal, formatter);
         if let Some(last) = entries.last() {
-            kept.written = last.written.clone();
+            kept.written = last.clone();
             kept.safe = kept.rows();
         }
         #[cfg(feature = "parquet")]
-        if let Table::Parquet(table) = &writer.table {
+        if let RowFormatter::Parquet(table) = formatter {
             kept.restore_groups(table, &entries)?;
         }
         kept.cut().map_err(unusable)?;
         tell(&format!("resuming after {}", counted(kept.safe, "row")));
         if kept.safe == 0 {
-            kept.begun()
-        } else {
-            Ok(kept)
+            kept.append(&kept.formatter.head())?;
         }
+        Ok(kept)
     }
 
     /// Status counts of the rows in the file.
@@ -208,9 +210,9 @@ impl<'a> ResumableFile<'a> {
         self.written.status_counts.total()
     }
 
-    pub fn take(&mut self, rows: Rows) -> Result<()> {
+    pub fn take(&mut self, rows: FormattedRows) -> Result<()> {
         match rows {
-            Rows::Text {
+            FormattedRows::Text {
                 bytes,
                 status_counts,
             } => {
@@ -222,8 +224,8 @@ impl<'a> ResumableFile<'a> {
                 }
             }
             #[cfg(feature = "parquet")]
-            Rows::Block(block) => {
-                let Table::Parquet(table) = &self.writer.table else {
+            FormattedRows::Block(block) => {
+                let RowFormatter::Parquet(table) = self.formatter else {
                     return Ok(());
                 };
                 self.pending.push(block);
@@ -240,7 +242,7 @@ impl<'a> ResumableFile<'a> {
     /// A complete file is renamed to its final name, and its journal is deleted.
     pub fn close(&mut self, is_complete: bool) -> Result<()> {
         #[cfg(feature = "parquet")]
-        if let Table::Parquet(table) = &self.writer.table {
+        if let RowFormatter::Parquet(table) = self.formatter {
             // after a disk error there may be no space for these rows
             let rest = if self.pending.is_empty() {
                 Ok(())
@@ -310,9 +312,9 @@ impl<'a> ResumableFile<'a> {
 
     /// Records the written rows in the journal.
     fn keep(&mut self, group: Vec<u8>) -> Result<()> {
-        let entry = Entry {
-            written: self.written.clone(),
+        let entry = WrittenRows {
             group,
+            ..self.written.clone()
         };
         self.file
             .sync_data()
@@ -367,7 +369,7 @@ impl ResumableFile<'_> {
     }
 
     /// Restores the row groups that the journal records.
-    fn restore_groups(&mut self, table: &SweepParquet, entries: &[Entry]) -> Result<()> {
+    fn restore_groups(&mut self, table: &SweepParquet, entries: &[WrittenRows]) -> Result<()> {
         let mut before = WrittenRows {
             bytes: table.head().len() as u64,
             ..WrittenRows::default()
@@ -375,7 +377,7 @@ impl ResumableFile<'_> {
         for entry in entries {
             let group = table.place(&entry.group, before.bytes, self.groups.len())?;
             self.groups.push(WrittenGroup { group, before });
-            before = entry.written.clone();
+            before = entry.clone();
         }
         Ok(())
     }

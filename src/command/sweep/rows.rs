@@ -1,4 +1,4 @@
-use super::args::Format;
+use super::args::SweepFormat;
 use crate::Result;
 use crate::batch::{Batch, Block, StatusCounts};
 use crate::command::output::stated_system;
@@ -20,6 +20,36 @@ pub struct Identity {
 }
 
 impl Identity {
+    pub fn new(batch: &Batch, format: SweepFormat, points: String) -> Self {
+        let names = |names: Vec<&str>| names.join(",");
+        Self {
+            version: env!("CARGO_PKG_VERSION").into(),
+            // debug form: every number to the last digit
+            setup: format!("{:?}", batch.setup()),
+            points,
+            outcomes: names(batch.outcomes().iter().map(|of| of.name()).collect()),
+            derivatives: names(batch.wrt().iter().map(|by| by.name).collect()),
+            format: match (format, stated_system().into()) {
+                (SweepFormat::Csv, TableUnits::Of(system)) => format!("csv in {system} units"),
+                _ => format!("{format:?}").to_lowercase(),
+            },
+        }
+    }
+
+    /// The formatter of the rows. A Parquet file contains the identity.
+    pub fn formatter(&self, batch: &Batch, format: SweepFormat) -> Result<RowFormatter> {
+        Ok(match format {
+            SweepFormat::Csv => RowFormatter::Csv(SweepCsv::new(batch, stated_system().into())),
+            SweepFormat::Jsonl => RowFormatter::JsonLines(SweepJsonLines::new(batch)),
+            #[cfg(feature = "parquet")]
+            SweepFormat::Parquet => {
+                // strings always serialise
+                let note = serde_json::to_string(self).unwrap_or_default();
+                RowFormatter::Parquet(Box::new(SweepParquet::new(batch, &note)?))
+            }
+        })
+    }
+
     /// The first difference from another identity.
     pub fn difference(&self, other: &Self) -> Option<&'static str> {
         let parts = [
@@ -39,7 +69,7 @@ impl Identity {
 }
 
 /// Rows ready to be written to a file.
-pub enum Rows {
+pub enum FormattedRows {
     Text {
         bytes: Vec<u8>,
         status_counts: StatusCounts,
@@ -49,7 +79,7 @@ pub enum Rows {
     Block(Block),
 }
 
-impl Rows {
+impl FormattedRows {
     /// Number of rows.
     pub fn count(&self) -> u64 {
         match self {
@@ -60,70 +90,36 @@ impl Rows {
     }
 }
 
-/// Converts blocks to rows.
-pub struct Writer {
-    pub identity: Identity,
-    pub table: Table,
-}
-
-/// The table in its format.
-pub enum Table {
+/// Formats blocks as rows.
+pub enum RowFormatter {
     Csv(SweepCsv),
     JsonLines(SweepJsonLines),
     #[cfg(feature = "parquet")]
     Parquet(Box<SweepParquet>),
 }
 
-impl Writer {
-    pub fn new(batch: &Batch, format: Format, points: String) -> Result<Self> {
-        let units = TableUnits::from(stated_system());
-        let names = |names: Vec<&str>| names.join(",");
-        let identity = Identity {
-            version: env!("CARGO_PKG_VERSION").into(),
-            // debug form: every number to the last digit
-            setup: format!("{:?}", batch.setup()),
-            points,
-            outcomes: names(batch.outcomes().iter().map(|of| of.name()).collect()),
-            derivatives: names(batch.wrt().iter().map(|by| by.name).collect()),
-            format: match (format, units) {
-                (Format::Csv, TableUnits::Of(system)) => format!("csv in {system} units"),
-                _ => format!("{format:?}").to_lowercase(),
-            },
-        };
-        let table = match format {
-            Format::Csv => Table::Csv(SweepCsv::new(batch, units)),
-            Format::Jsonl => Table::JsonLines(SweepJsonLines::new(batch)),
-            #[cfg(feature = "parquet")]
-            Format::Parquet => {
-                // strings always serialise
-                let note = serde_json::to_string(&identity).unwrap_or_default();
-                Table::Parquet(Box::new(SweepParquet::new(batch, &note)?))
-            }
-        };
-        Ok(Self { identity, table })
-    }
-
+impl RowFormatter {
     /// The first bytes of a file.
     pub fn head(&self) -> Vec<u8> {
-        match &self.table {
-            Table::Csv(table) => table.head(),
-            Table::JsonLines(_) => vec![],
+        match self {
+            Self::Csv(table) => table.head(),
+            Self::JsonLines(_) => vec![],
             #[cfg(feature = "parquet")]
-            Table::Parquet(table) => table.head(),
+            Self::Parquet(table) => table.head(),
         }
     }
 
     /// The rows of a block; called on the thread that computed it.
-    pub fn rows(&self, block: Block) -> Rows {
-        let bytes = match &self.table {
-            Table::Csv(table) => table.rows(&block),
-            Table::JsonLines(table) => table.rows(&block),
+    pub fn rows(&self, block: Block) -> FormattedRows {
+        let bytes = match self {
+            Self::Csv(table) => table.rows(&block),
+            Self::JsonLines(table) => table.rows(&block),
             #[cfg(feature = "parquet")]
-            Table::Parquet(_) => return Rows::Block(block),
+            Self::Parquet(_) => return FormattedRows::Block(block),
         };
         let mut status_counts = StatusCounts::default();
         status_counts.add(&block);
-        Rows::Text {
+        FormattedRows::Text {
             bytes,
             status_counts,
         }

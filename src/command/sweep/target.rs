@@ -1,211 +1,154 @@
-use super::args::{Args, Format};
-use super::resumable::{ResumableFile, check, part_of};
-use super::rows::{Rows, Writer};
+//! Destination and format of the rows of a sweep.
+
+use super::args::{Args, SweepFormat};
+use super::journal::Journal;
+use super::resumable::{ResumableFile, check};
+use super::rows::{FormattedRows, Identity, RowFormatter};
 use crate::batch::StatusCounts;
-#[cfg(feature = "parquet")]
-use crate::command::files::parquet_without_file;
 use crate::command::files::{
-    Rule, ending, refuse_overwrite_of_standard_output, refused, unwritable,
+    Destination, DestinationKind, OutputRule, OutputStream, ending, parquet_without_file,
+    refuse_overwrite_of_standard_output, refused,
 };
 use crate::command::request::Request;
-use crate::command::running::running;
 use crate::external_errors::write_error_text;
 use crate::units::counted;
 use crate::{Error, Result};
-use std::fs::{File, OpenOptions};
-use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::io;
+use std::path::Path;
 
-/// The destination of the rows.
-pub struct Target {
-    /// The path as typed.
-    path: PathBuf,
-    /// The file, if the destination stores its bytes.
-    pub file: Option<PathBuf>,
-    pub format: Format,
+/// The format of `--format`, or else of the file name extension.
+pub fn format_of(args: &Args) -> Result<SweepFormat> {
+    let path = args.output.as_path();
+    let standard_output = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
+    if standard_output.map(Path::new).contains(&path) {
+        let reason = "it is standard output; write `output -` with `format csv` or jsonl";
+        return Err(refused(path, reason));
+    }
+    refuse_overwrite_of_standard_output(path, args.overwrite)?;
+    Ok(match (args.format, ending(path).as_str()) {
+        (Some(format), _) => format,
+        (None, "csv") => SweepFormat::Csv,
+        (None, "jsonl" | "ndjson") => SweepFormat::Jsonl,
+        #[cfg(feature = "parquet")]
+        (None, "parquet") => SweepFormat::Parquet,
+        #[cfg(not(feature = "parquet"))]
+        (None, "parquet") => {
+            return Err(refused(path, crate::features::how_to_get("parquet")));
+        }
+        (None, _) if path == Path::new("-") => SweepFormat::Csv,
+        _ => {
+            return Err(refused(
+                path,
+                "its name must end in .csv, .jsonl or .parquet, or `format` must name the format",
+            ));
+        }
+    })
 }
 
-impl Target {
-    pub fn new(args: &Args, request: &Request) -> Result<Self> {
-        let target = Self {
-            path: args.output.clone(),
-            file: None,
-            format: Format::Csv,
-        };
-        let refuse = |reason: &str| Err(refused(&target.path, reason));
-        let standard_output = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
-        if standard_output
-            .map(Path::new)
-            .contains(&target.path.as_path())
-        {
-            return refuse("it is standard output; write `output -` with `format csv` or jsonl");
-        }
-        refuse_overwrite_of_standard_output(&target.path, args.overwrite)?;
-        let format = target.format_of(args)?;
-        if target.is_standard_output() && request.is_json {
-            return refuse(
-                "standard output cannot hold both the rows and the summary of `json`; name a file \
-                 with `output`",
-            );
-        }
-        if target.is_stream() && args.resume {
-            return refuse("only a file can be resumed; name one with `output`");
-        }
-        #[cfg(feature = "parquet")]
-        if target.is_stream() && format == Format::Parquet {
-            return Err(parquet_without_file(&target.path));
-        }
-        if target.is_standard_output() {
-            return Ok(Self { format, ..target });
-        }
-        let inputs = request.inputs().chain(args.points.clone());
-        // with `--resume` a file may exist; the code below checks that it belongs to a sweep
-        let destination = Rule::new(inputs, args.overwrite || args.resume).file(&target.path)?;
-        if destination.is_in_memory() {
-            return refuse(
-                "there is no disk here; write the rows to standard output, with `format csv` or \
-                 jsonl",
-            );
-        }
-        let file = destination.is_file().then(|| destination.path.clone());
-        if let Some(file) = &file {
-            check(file, args.resume, args.overwrite)?;
-        }
-        Ok(Self {
-            format,
-            file,
-            ..target
-        })
+/// The destination of the rows in this format.
+pub fn destination(args: &Args, request: &Request, format: SweepFormat) -> Result<Destination> {
+    let path = args.output.as_path();
+    let refuse = |reason: &str| Err(refused(path, reason));
+    let is_standard = path == Path::new("-");
+    if is_standard && request.is_json {
+        return refuse(
+            "standard output cannot hold both the rows and the summary of `json`; name a file \
+             with `output`",
+        );
     }
-
-    /// The format of `--format`, or else of the file name extension.
-    fn format_of(&self, args: &Args) -> Result<Format> {
-        Ok(match (args.format, ending(&self.path).as_str()) {
-            (Some(format), _) => format,
-            (None, "csv") => Format::Csv,
-            (None, "jsonl" | "ndjson") => Format::Jsonl,
-            #[cfg(feature = "parquet")]
-            (None, "parquet") => Format::Parquet,
-            #[cfg(not(feature = "parquet"))]
-            (None, "parquet") => {
-                let reason = crate::features::how_to_get("parquet");
-                return Err(refused(&self.path, reason));
-            }
-            (None, _) if self.is_standard_output() => Format::Csv,
-            _ => {
-                return Err(refused(
-                    &self.path,
-                    "its name must end in .csv, .jsonl or .parquet, or `format` must name the \
-                     format",
-                ));
-            }
-        })
+    // a pipe, a terminal or a device does not store the bytes
+    let is_stream = is_standard || std::fs::metadata(path).is_ok_and(|found| !found.is_file());
+    if is_stream && args.resume {
+        return refuse("only a file can be resumed; name one with `output`");
     }
-
-    pub fn is_standard_output(&self) -> bool {
-        self.path == Path::new("-")
+    let is_text = matches!(format, SweepFormat::Csv | SweepFormat::Jsonl);
+    if is_stream && !is_text {
+        return Err(parquet_without_file(path));
     }
-
-    /// Returns true for a pipe, a terminal or a device, which do not store the bytes.
-    fn is_stream(&self) -> bool {
-        self.is_standard_output()
-            || std::fs::metadata(&self.path).is_ok_and(|found| !found.is_file())
+    if is_standard {
+        return Ok(Destination::without_file(DestinationKind::StandardOutput));
     }
-
-    /// The path of the incomplete file.
-    pub fn part(&self) -> Option<PathBuf> {
-        self.file.as_deref().map(part_of)
+    let inputs = request.inputs().chain(args.points.clone());
+    // with `--resume` a file may exist; the code below checks that it belongs to a sweep
+    let destination = OutputRule::new(inputs, args.overwrite || args.resume).file(path)?;
+    if destination.kind == DestinationKind::Memory {
+        return refuse(
+            "there is no disk here; write the rows to standard output, with `format csv` or jsonl",
+        );
     }
-
-    /// Begins the output, or continues an interrupted output.
-    pub fn open<'a>(&self, writer: &'a Writer, args: &Args) -> Result<Output<'a>> {
-        if let Some(file) = &self.file {
-            return Ok(Output::Resumable(Box::new(ResumableFile::open(
-                file.clone(),
-                writer,
-                args.resume,
-                args.overwrite,
-            )?)));
-        }
-        let device = if self.is_standard_output() {
-            None
-        } else {
-            let device = OpenOptions::new().write(true).open(&self.path);
-            Some(device.map_err(|error| unwritable(&self.path, &error))?)
-        };
-        let mut stream = Stream {
-            device,
-            status_counts: StatusCounts::default(),
-        };
-        stream.write(&writer.head())?;
-        Ok(Output::Stream(stream))
+    if let Some(file) = destination.file() {
+        check(file, args.resume, args.overwrite)?;
     }
+    Ok(destination)
 }
 
 /// The open destination of the rows.
-pub enum Output<'a> {
+pub enum SweepOutput<'a> {
     Resumable(Box<ResumableFile<'a>>),
-    Stream(Stream),
+    /// Standard output or a device, which cannot be resumed.
+    Stream {
+        stream: OutputStream,
+        status_counts: StatusCounts,
+    },
 }
 
-pub struct Stream {
-    /// The device; `None` for standard output.
-    device: Option<File>,
-    status_counts: StatusCounts,
-}
-
-impl Stream {
-    fn write(&mut self, bytes: &[u8]) -> Result<()> {
-        let written = match &mut self.device {
-            None => running().host.write(bytes),
-            Some(device) => device.write_all(bytes).and_then(|()| device.flush()),
-        };
-        written.map_err(|error| {
-            if error.kind() == io::ErrorKind::BrokenPipe {
-                return Error::Output(error);
-            }
-            Error::Output(io::Error::new(
-                error.kind(),
-                format!(
-                    "{}; written before: {}",
-                    write_error_text(&error),
-                    counted(self.status_counts.total(), "row")
-                ),
-            ))
+impl<'a> SweepOutput<'a> {
+    /// Begins the output, or continues an interrupted output.
+    pub fn open(
+        destination: &Destination,
+        identity: &Identity,
+        formatter: &'a RowFormatter,
+        args: &Args,
+    ) -> Result<Self> {
+        if let Some(file) = destination.file() {
+            let file = match args.resume && Journal::path(file).exists() {
+                true => ResumableFile::resume(file, identity, formatter),
+                false => ResumableFile::begin(file, identity, formatter, args.overwrite),
+            };
+            return Ok(Self::Resumable(Box::new(file?)));
+        }
+        let mut stream = destination.begin()?;
+        let status_counts = StatusCounts::default();
+        write(&mut stream, &formatter.head(), &status_counts)?;
+        Ok(Self::Stream {
+            stream,
+            status_counts,
         })
     }
-}
 
-impl Output<'_> {
     /// Number of rows that need not be computed again: at the start, the rows of an earlier run.
     pub fn safe(&self) -> u64 {
         match self {
             Self::Resumable(file) => file.safe,
-            Self::Stream(_) => 0,
+            Self::Stream { .. } => 0,
         }
     }
 
     pub fn status_counts(&self) -> &StatusCounts {
         match self {
             Self::Resumable(file) => file.status_counts(),
-            Self::Stream(stream) => &stream.status_counts,
+            Self::Stream { status_counts, .. } => status_counts,
         }
     }
 
-    pub fn take(&mut self, rows: Rows) -> Result<()> {
-        match self {
-            Self::Resumable(file) => file.take(rows),
-            Self::Stream(stream) => match rows {
-                Rows::Text {
+    pub fn take(&mut self, rows: FormattedRows) -> Result<()> {
+        match (self, rows) {
+            (Self::Resumable(file), rows) => file.take(rows),
+            (
+                Self::Stream {
+                    stream,
+                    status_counts: all,
+                },
+                FormattedRows::Text {
                     bytes,
                     status_counts,
-                } => {
-                    stream.status_counts.merge(&status_counts);
-                    stream.write(&bytes)
-                }
-                #[cfg(feature = "parquet")]
-                Rows::Block(_) => Ok(()),
-            },
+                },
+            ) => {
+                all.merge(&status_counts);
+                write(stream, &bytes, all)
+            }
+            #[cfg(feature = "parquet")]
+            (Self::Stream { .. }, FormattedRows::Block(_)) => Ok(()),
         }
     }
 
@@ -213,7 +156,24 @@ impl Output<'_> {
     pub fn close(&mut self, is_complete: bool) -> Result<()> {
         match self {
             Self::Resumable(file) => file.close(is_complete),
-            Self::Stream(_) => Ok(()),
+            Self::Stream { .. } => Ok(()),
         }
     }
+}
+
+/// Writes to a stream. An error names the number of rows so far.
+fn write(stream: &mut OutputStream, bytes: &[u8], status_counts: &StatusCounts) -> Result<()> {
+    stream.try_write(bytes).map_err(|error| {
+        if error.kind() == io::ErrorKind::BrokenPipe {
+            return Error::Output(error);
+        }
+        Error::Output(io::Error::new(
+            error.kind(),
+            format!(
+                "{}; written before: {}",
+                write_error_text(&error),
+                counted(status_counts.total(), "row")
+            ),
+        ))
+    })
 }

@@ -1,7 +1,7 @@
 //! Checks that nodes form a full grid, and that the splines through it are a law.
 
-use super::grid::{Axis, AxisVariable, Grid};
-use super::read::{Fault, Node, Nodes};
+use super::grid::{AxisVariable, CoefficientGrid, LawTableAxis};
+use super::read::{GridNode, GridNodes, LawTableFault};
 use super::surface::{Cell, Surface};
 
 /// Spin ratio below which the lift falls to 0, for a table that has no axis of spin or spin ratio.
@@ -17,7 +17,7 @@ const LEAST_DISTANCE: f64 = 1e-9;
 const CLAMP_WIDTH: f64 = 0.5;
 
 /// The grid of `nodes`.
-pub(super) fn grid(nodes: &Nodes) -> Result<Grid, Fault> {
+pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, LawTableFault> {
     let rows = &nodes.rows;
     if rows.len() < 2 {
         let found = if rows.is_empty() {
@@ -25,7 +25,7 @@ pub(super) fn grid(nodes: &Nodes) -> Result<Grid, Fault> {
         } else {
             "one row only"
         };
-        return Err(Fault::of_file(format!(
+        return Err(LawTableFault::of_file(format!(
             "it has {found}; a law needs at least two nodes along an axis"
         )));
     }
@@ -43,13 +43,13 @@ pub(super) fn grid(nodes: &Nodes) -> Result<Grid, Fault> {
              without spin",
             node.lift
         );
-        return Err(Fault::at_line(node.line, reason));
+        return Err(LawTableFault::at_line(node.line, reason));
     }
     let speed = nodes.speed.map(|variable| axis(variable, &speeds));
     let spin = nodes.spin.map(|variable| axis(variable, &spins));
     let full_lift = match spin {
-        Some(Axis { ends: [0.0, _], .. }) => None,
-        Some(Axis {
+        Some(LawTableAxis { ends: [0.0, _], .. }) => None,
+        Some(LawTableAxis {
             variable,
             ends: [least, _],
             ..
@@ -59,7 +59,7 @@ pub(super) fn grid(nodes: &Nodes) -> Result<Grid, Fault> {
     let counts = [speeds.len(), spins.len()];
     let surface = Surface::new(speeds, spins, [&drag, &lift]);
     check_between_nodes(&surface, counts, nodes)?;
-    Ok(Grid {
+    Ok(CoefficientGrid {
         speed,
         spin,
         full_lift,
@@ -71,7 +71,7 @@ pub(super) fn grid(nodes: &Nodes) -> Result<Grid, Fault> {
 fn lines(
     values: impl Iterator<Item = f64>,
     variable: Option<AxisVariable>,
-) -> Result<Vec<f64>, Fault> {
+) -> Result<Vec<f64>, LawTableFault> {
     let mut lines: Vec<f64> = values.collect();
     lines.sort_by(f64::total_cmp);
     lines.dedup();
@@ -86,16 +86,20 @@ fn lines(
             "{} are nearly the same; write one number for both",
             both.trim_end()
         );
-        return Err(Fault::of_file(reason));
+        return Err(LawTableFault::of_file(reason));
     }
     Ok(lines)
 }
 
 /// The nodes of a full grid, row by row: a node at each crossing of the lines.
-fn full_grid<'a>(nodes: &'a Nodes, speeds: &[f64], spins: &[f64]) -> Result<Vec<&'a Node>, Fault> {
+fn full_grid<'a>(
+    nodes: &'a GridNodes,
+    speeds: &[f64],
+    spins: &[f64],
+) -> Result<Vec<&'a GridNode>, LawTableFault> {
     // saturating: each axis may have as many lines as there are rows
     let size = speeds.len().saturating_mul(spins.len());
-    let mut sorted: Vec<&Node> = nodes.rows.iter().collect();
+    let mut sorted: Vec<&GridNode> = nodes.rows.iter().collect();
     sorted.sort_by(|a, b| {
         a.spin
             .total_cmp(&b.spin)
@@ -111,7 +115,7 @@ fn full_grid<'a>(nodes: &'a Nodes, speeds: &[f64], spins: &[f64]) -> Result<Vec<
             place(nodes, twice[1].speed, twice[1].spin),
             twice[0].line
         );
-        return Err(Fault::at_line(twice[1].line, reason));
+        return Err(LawTableFault::at_line(twice[1].line, reason));
     }
     if sorted.len() < size {
         let nodes_at = (0..size).map(|i| (spins[i / speeds.len()], speeds[i % speeds.len()]));
@@ -134,13 +138,13 @@ fn full_grid<'a>(nodes: &'a Nodes, speeds: &[f64], spins: &[f64]) -> Result<Vec<
             crate::units::counted((size - sorted.len()) as u64, "hole"),
             place(nodes, speed, spin)
         );
-        return Err(Fault::of_file(reason));
+        return Err(LawTableFault::of_file(reason));
     }
     Ok(sorted)
 }
 
 /// An axis with its ends and the widths of its clamps.
-fn axis(variable: AxisVariable, lines: &[f64]) -> Axis {
+fn axis(variable: AxisVariable, lines: &[f64]) -> LawTableAxis {
     let last = lines.len() - 1;
     // a single line gives a constant surface: the width has no effect
     let over = if last == 0 {
@@ -148,7 +152,7 @@ fn axis(variable: AxisVariable, lines: &[f64]) -> Axis {
     } else {
         [lines[1] - lines[0], lines[last] - lines[last - 1]].map(|step| CLAMP_WIDTH * step)
     };
-    Axis {
+    LawTableAxis {
         variable,
         ends: [lines[0], lines[last]],
         over,
@@ -160,12 +164,12 @@ fn axis(variable: AxisVariable, lines: &[f64]) -> Axis {
 fn check_between_nodes(
     surface: &Surface,
     [columns, rows]: [usize; 2],
-    nodes: &Nodes,
-) -> Result<(), Fault> {
+    nodes: &GridNodes,
+) -> Result<(), LawTableFault> {
     let [wide, high] = [columns, rows].map(|count| count.saturating_sub(1).max(1));
     for (i, cell) in surface.cells.iter().enumerate() {
         if !cell.iter().all(|number| number.is_finite()) {
-            return Err(Fault::of_file(
+            return Err(LawTableFault::of_file(
                 "its numbers differ too much for a smooth curve through them; check the columns"
                     .into(),
             ));
@@ -210,7 +214,7 @@ fn samples(at: usize, count: usize, zero: f64) -> impl Iterator<Item = f64> {
 }
 
 /// The fault of a negative drag at [u, w] in a cell.
-fn negative_drag(cell: &Cell, [u, w]: [f64; 2], drag: f64, nodes: &Nodes) -> Fault {
+fn negative_drag(cell: &Cell, [u, w]: [f64; 2], drag: f64, nodes: &GridNodes) -> LawTableFault {
     let coordinate = |corner: f64, per: f64, part: f64| {
         if per > 0.0 {
             corner + part / per
@@ -220,7 +224,7 @@ fn negative_drag(cell: &Cell, [u, w]: [f64; 2], drag: f64, nodes: &Nodes) -> Fau
     };
     let speed = coordinate(cell[0], cell[1], u);
     let spin = coordinate(cell[2], cell[3], w);
-    Fault::of_file(format!(
+    LawTableFault::of_file(format!(
         "the smooth curve through its nodes has a negative drag, cd = {drag:.3}, at {}; give more \
          nodes there",
         place(nodes, speed, spin)
@@ -238,7 +242,7 @@ fn drag(cell: &Cell, u: f64, w: f64) -> f64 {
 }
 
 /// A node as text: "spin_ratio 0.1, reynolds 150000".
-fn place(nodes: &Nodes, speed: f64, spin: f64) -> String {
+fn place(nodes: &GridNodes, speed: f64, spin: f64) -> String {
     [(nodes.spin, spin), (nodes.speed, speed)]
         .into_iter()
         .filter_map(|(variable, value)| {

@@ -56,7 +56,7 @@ impl AxisVariable {
 
 /// An axis of a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Axis {
+pub struct LawTableAxis {
     /// Variable.
     pub variable: AxisVariable,
     /// First and last value, SI.
@@ -68,9 +68,9 @@ pub struct Axis {
 /// A grid of C_D and C_L with its splines. Its columns are the speed or the Reynolds number, its
 /// rows the spin or the spin ratio.
 #[derive(Debug)]
-pub(crate) struct Grid {
-    pub speed: Option<Axis>,
-    pub spin: Option<Axis>,
+pub(crate) struct CoefficientGrid {
+    pub speed: Option<LawTableAxis>,
+    pub spin: Option<LawTableAxis>,
     /// The variable with which the lift falls to 0 below a limit, and the reciprocal of this limit,
     /// SI. `None` if the grid begins at zero spin.
     pub full_lift: Option<(AxisVariable, f64)>,

@@ -5,15 +5,15 @@ mod grid;
 mod read;
 mod surface;
 
-pub(crate) use grid::Grid;
-pub use grid::{Axis, AxisVariable};
+pub(crate) use grid::CoefficientGrid;
+pub use grid::{AxisVariable, LawTableAxis};
 pub(crate) use surface::{Cell, Surface, cells_of};
 
 use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
 use crate::fingerprint::Fingerprint;
 use crate::input_file::InputFile;
-use read::Fault;
+use read::LawTableFault;
 use std::fmt;
 use std::path::{Path, absolute};
 use std::sync::{Mutex, PoisonError};
@@ -36,7 +36,7 @@ pub struct LawTable {
     /// such an axis), C_D, C_L.
     pub nodes: Vec<[f64; 4]>,
     fingerprint: u64,
-    pub(crate) grid: Grid,
+    pub(crate) grid: CoefficientGrid,
 }
 
 /// Tables read so far.
@@ -51,13 +51,13 @@ impl LawTable {
     /// [`Error::Table`], with line and advice, if the file cannot be read or is not such a table.
     pub fn open(path: &Path) -> Result<&'static Self> {
         let file = path.display().to_string();
-        let refuse = |fault: Fault| Error::Table {
+        let refuse = |fault: LawTableFault| Error::Table {
             file: file.clone(),
             place: fault.place,
             reason: fault.reason,
         };
         let text = InputFile::read_to_string(path)
-            .map_err(|error| refuse(Fault::of_file(read_error_text(&error))))?;
+            .map_err(|error| refuse(LawTableFault::of_file(read_error_text(&error))))?;
         let nodes = read::nodes(&text).map_err(refuse)?;
         let absolute_path = absolute(path)
             .ok()
@@ -94,13 +94,13 @@ impl LawTable {
     }
 
     /// The axes: speed and spin, or one of them.
-    pub fn axes(&self) -> impl Iterator<Item = &Axis> {
+    pub fn axes(&self) -> impl Iterator<Item = &LawTableAxis> {
         self.grid.speed.iter().chain(&self.grid.spin)
     }
 }
 
 /// Hash of axes and nodes.
-fn fingerprint(nodes: &read::Nodes) -> u64 {
+fn fingerprint(nodes: &read::GridNodes) -> u64 {
     let mut fingerprint = Fingerprint::new();
     for variable in nodes.speed.iter().chain(&nodes.spin) {
         fingerprint.add(f64::from(*variable as u8));

@@ -1,4 +1,4 @@
-//! Nodes of a table, parsed from the text of its file.
+//! GridNodes of a table, parsed from the text of its file.
 
 use super::grid::AxisVariable;
 use crate::csv_dialect::detect_separator;
@@ -8,13 +8,13 @@ use crate::units::Quantity;
 use csv::{ReaderBuilder, StringRecord, Trim};
 
 /// A fault of a table.
-pub(super) struct Fault {
+pub(super) struct LawTableFault {
     /// Place in the file, as the end of its name: ", line 3, column cd"; empty for the whole file.
     pub place: String,
     pub reason: String,
 }
 
-impl Fault {
+impl LawTableFault {
     /// A fault of the whole file.
     pub fn of_file(reason: String) -> Self {
         Self {
@@ -45,7 +45,7 @@ impl Fault {
 const MOST_NODES: usize = 200_000;
 
 /// A row of the table.
-pub(super) struct Node {
+pub(super) struct GridNode {
     pub line: u64,
     /// Coordinates on the axes of speed and spin, SI; 0 without such an axis.
     pub speed: f64,
@@ -55,25 +55,25 @@ pub(super) struct Node {
 }
 
 /// The rows of a table, and the variables of its axes.
-pub(super) struct Nodes {
+pub(super) struct GridNodes {
     pub speed: Option<AxisVariable>,
     pub spin: Option<AxisVariable>,
-    pub rows: Vec<Node>,
+    pub rows: Vec<GridNode>,
 }
 
 /// Content of a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Content {
+enum LawColumnContent {
     Axis(AxisVariable),
     Drag,
     Lift,
 }
 
 /// A column of the table.
-struct Column {
+struct LawColumn {
     /// Column head as written in the file.
     head: String,
-    content: Content,
+    content: LawColumnContent,
     /// Size of the column's unit, SI.
     unit_size: f64,
 }
@@ -82,7 +82,7 @@ const COLUMNS: &str = "the columns are cd, cl, spin_ratio (or s) or spin [rpm], 
                        re) or speed [m/s]; one of these two axes may be left out";
 
 /// Parses the text of a table.
-pub(super) fn nodes(text: &str) -> Result<Nodes, Fault> {
+pub(super) fn nodes(text: &str) -> Result<GridNodes, LawTableFault> {
     let (separator, rest) = detect_separator(text);
     let skipped = text[..text.len() - rest.len()].matches('\n').count() as u64;
     let mut reader = ReaderBuilder::new()
@@ -93,7 +93,7 @@ pub(super) fn nodes(text: &str) -> Result<Nodes, Fault> {
     let line = |record: Option<&csv::Position>| record.map_or(0, csv::Position::line) + skipped;
     let unreadable = |error: &csv::Error| {
         let reason = csv_row_error_text(error, text.as_bytes());
-        Fault::at_line(line(error.position()), reason)
+        LawTableFault::at_line(line(error.position()), reason)
     };
     let heads = reader
         .headers()
@@ -102,7 +102,9 @@ pub(super) fn nodes(text: &str) -> Result<Nodes, Fault> {
     let columns = columns(&heads)?;
     let axis = |is_of_spin: bool| {
         columns.iter().find_map(|column| match column.content {
-            Content::Axis(variable) if variable.is_of_spin() == is_of_spin => Some(variable),
+            LawColumnContent::Axis(variable) if variable.is_of_spin() == is_of_spin => {
+                Some(variable)
+            }
             _ => None,
         })
     };
@@ -114,24 +116,24 @@ pub(super) fn nodes(text: &str) -> Result<Nodes, Fault> {
             continue;
         }
         if rows.len() == MOST_NODES {
-            return Err(Fault::of_file(format!(
+            return Err(LawTableFault::of_file(format!(
                 "it has more than {MOST_NODES} rows; give a coarser grid, since the law is smooth \
                  between its nodes"
             )));
         }
         rows.push(node(&record, &columns, line(record.position()), separator)?);
     }
-    Ok(Nodes { speed, spin, rows })
+    Ok(GridNodes { speed, spin, rows })
 }
 
 /// Parses a row.
 fn node(
     record: &StringRecord,
-    columns: &[Column],
+    columns: &[LawColumn],
     line: u64,
     separator: u8,
-) -> Result<Node, Fault> {
-    let mut node = Node {
+) -> Result<GridNode, LawTableFault> {
+    let mut node = GridNode {
         line,
         speed: 0.0,
         spin: 0.0,
@@ -141,27 +143,29 @@ fn node(
     for (column, cell) in columns.iter().zip(record.iter()) {
         let value = number(cell, separator)
             .and_then(|value| in_range(column, value * column.unit_size))
-            .map_err(|reason| Fault {
+            .map_err(|reason| LawTableFault {
                 place: format!(", line {line}, column {}", column.head),
                 reason,
             })?;
         *match column.content {
-            Content::Axis(variable) if variable.is_of_spin() => &mut node.spin,
-            Content::Axis(_) => &mut node.speed,
-            Content::Drag => &mut node.drag,
-            Content::Lift => &mut node.lift,
+            LawColumnContent::Axis(variable) if variable.is_of_spin() => &mut node.spin,
+            LawColumnContent::Axis(_) => &mut node.speed,
+            LawColumnContent::Drag => &mut node.drag,
+            LawColumnContent::Lift => &mut node.lift,
         } = value;
     }
     Ok(node)
 }
 
 /// Parses the column heads.
-fn columns(heads: &StringRecord) -> Result<Vec<Column>, Fault> {
-    let mut columns: Vec<Column> = vec![];
+fn columns(heads: &StringRecord) -> Result<Vec<LawColumn>, LawTableFault> {
+    let mut columns: Vec<LawColumn> = vec![];
     for (at, head) in heads.iter().enumerate() {
-        let column = column(head).map_err(|reason| Fault::at_head(at, reason))?;
-        let is_same = |other: &&Column| match (other.content, column.content) {
-            (Content::Axis(a), Content::Axis(b)) => a.is_of_spin() == b.is_of_spin(),
+        let column = column(head).map_err(|reason| LawTableFault::at_head(at, reason))?;
+        let is_same = |other: &&LawColumn| match (other.content, column.content) {
+            (LawColumnContent::Axis(a), LawColumnContent::Axis(b)) => {
+                a.is_of_spin() == b.is_of_spin()
+            }
             (a, b) => a == b,
         };
         if let Some(other) = columns.iter().find(is_same) {
@@ -169,27 +173,27 @@ fn columns(heads: &StringRecord) -> Result<Vec<Column>, Fault> {
                 "'{}' and '{head}' give the same axis or number twice; keep one",
                 other.head
             );
-            return Err(Fault::at_head(at, reason));
+            return Err(LawTableFault::at_head(at, reason));
         }
         columns.push(column);
     }
-    let has = |content: Content| columns.iter().any(|column| column.content == content);
+    let has = |content: LawColumnContent| columns.iter().any(|column| column.content == content);
     let missing = match columns
         .iter()
-        .any(|column| matches!(column.content, Content::Axis(_)))
+        .any(|column| matches!(column.content, LawColumnContent::Axis(_)))
     {
-        _ if !has(Content::Drag) => "cd",
-        _ if !has(Content::Lift) => "cl",
+        _ if !has(LawColumnContent::Drag) => "cd",
+        _ if !has(LawColumnContent::Lift) => "cl",
         false => "spin_ratio, spin, reynolds or speed",
         true => return Ok(columns),
     };
-    Err(Fault::of_file(format!(
+    Err(LawTableFault::of_file(format!(
         "it has no column {missing}; {COLUMNS}"
     )))
 }
 
 /// Parses a column head, such as `speed [m/s]`.
-fn column(head: &str) -> Result<Column, String> {
+fn column(head: &str) -> Result<LawColumn, String> {
     let (name, unit) = match head.split_once(['[', '(']) {
         Some((name, unit)) => (
             name.trim(),
@@ -199,13 +203,13 @@ fn column(head: &str) -> Result<Column, String> {
     };
     let small = name.to_lowercase();
     let content = match small.as_str() {
-        "cd" => Content::Drag,
-        "cl" => Content::Lift,
+        "cd" => LawColumnContent::Drag,
+        "cl" => LawColumnContent::Lift,
         _ => match AxisVariable::ALL
             .into_iter()
             .find(|variable| variable.names().contains(&small.as_str()))
         {
-            Some(variable) => Content::Axis(variable),
+            Some(variable) => LawColumnContent::Axis(variable),
             None => {
                 let names = AxisVariable::ALL
                     .into_iter()
@@ -216,7 +220,7 @@ fn column(head: &str) -> Result<Column, String> {
         },
     };
     let unit_size = match (content, unit) {
-        (Content::Axis(variable @ (AxisVariable::Spin | AxisVariable::Speed)), unit) => {
+        (LawColumnContent::Axis(variable @ (AxisVariable::Spin | AxisVariable::Speed)), unit) => {
             let (quantity, usual) = variable.quantity();
             let Some(unit) = unit else {
                 return Err(format!(
@@ -239,7 +243,7 @@ fn column(head: &str) -> Result<Column, String> {
         }
         _ => 1.0,
     };
-    Ok(Column {
+    Ok(LawColumn {
         head: head.into(),
         content,
         unit_size,
@@ -265,21 +269,21 @@ fn number(cell: &str, separator: u8) -> Result<f64, String> {
 }
 
 /// Checks that a value is physically possible.
-fn in_range(column: &Column, value: f64) -> Result<f64, String> {
+fn in_range(column: &LawColumn, value: f64) -> Result<f64, String> {
     let (least, most, is_least_in) = match column.content {
-        Content::Axis(AxisVariable::SpinRatio) => (0.0, 1e3, true),
-        Content::Axis(AxisVariable::Spin) => (0.0, 1e5, true),
-        Content::Axis(AxisVariable::Reynolds) => (0.0, 1e9, false),
-        Content::Axis(AxisVariable::Speed) => (0.0, 1e3, false),
-        Content::Drag => (0.0, 100.0, true),
-        Content::Lift => (-100.0, 100.0, true),
+        LawColumnContent::Axis(AxisVariable::SpinRatio) => (0.0, 1e3, true),
+        LawColumnContent::Axis(AxisVariable::Spin) => (0.0, 1e5, true),
+        LawColumnContent::Axis(AxisVariable::Reynolds) => (0.0, 1e9, false),
+        LawColumnContent::Axis(AxisVariable::Speed) => (0.0, 1e3, false),
+        LawColumnContent::Drag => (0.0, 100.0, true),
+        LawColumnContent::Lift => (-100.0, 100.0, true),
     };
     if (least..=most).contains(&value) && (is_least_in || value > least) {
         return Ok(value);
     }
     let quantity = match column.content {
-        Content::Axis(variable) => variable.quantity().0,
-        Content::Drag | Content::Lift => Quantity::NUMBER,
+        LawColumnContent::Axis(variable) => variable.quantity().0,
+        LawColumnContent::Drag | LawColumnContent::Lift => Quantity::NUMBER,
     };
     let [value, least, most] = [value, least, most].map(|value| quantity.show(value, quantity.si));
     let begins = if is_least_in { "at least" } else { "more than" };

@@ -4,10 +4,9 @@ use super::reading::Reading;
 use super::rows::ShotRows;
 use super::shot_table::ShotTable;
 use crate::error::Result;
-use crate::input_file::InputFile;
 use crate::parameters::Setup;
 use crate::shots::{Shots, is_json};
-use crate::table::{ClubColumns, Entry, RowFilter, SourceName, TableOptions, Text, TextTable};
+use crate::table::{ClubColumns, RowFilter, SourceName, TableEntry, TableOptions, Text, TextTable};
 use std::io::{Cursor, Read};
 use std::path::Path;
 
@@ -36,9 +35,9 @@ impl ShotTable {
         filter: RowFilter,
         club: ClubColumns,
     ) -> Result<Self> {
-        let name = SourceName(path.display().to_string());
-        let text = Text::open(&name.0, name.io(InputFile::open(path))?)?;
-        Self::read_rows(setup, text.with_filter(filter), club)
+        let mut text = Text::of_file(path)?;
+        text.filter = filter;
+        Self::read_rows(setup, text, club)
     }
 
     /// Reads measured shots from CSV text. Also reads messages of GSPro Open Connect, and exports
@@ -75,9 +74,9 @@ impl ShotTable {
         let mut rows = ShotRows::new(&file);
         while let Some(entry) = table.next_entry()? {
             match entry {
-                Entry::Row(record) => rows.take(&reading, &record, table.separator)?,
-                Entry::Excluded => rows.skip(),
-                Entry::Head(record) => {
+                TableEntry::Row(record) => rows.take(&reading, &record, table.separator)?,
+                TableEntry::Excluded => rows.skip(),
+                TableEntry::Head(record) => {
                     let Some(head) = table.section(&record, setup, &wanted)? else {
                         continue;
                     };

@@ -7,9 +7,9 @@ use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Interpretation, Shot};
 use crate::table::{
-    CONDITIONS, ClubColumns, Column, Content, Fault, Head, Stated as Launch, TextTable,
-    club_column, columns_remark, conditions, contradiction, given_air, has_whole_launch,
-    implausible, implausible_club, implausible_launch, impossible, in_degrees,
+    CONDITIONS, ClubColumns, Column, ConditionFault, Content, Stated as Launch, TableHead,
+    TextTable, club_column, columns_remark, conditions, contradiction, given_air, has_whole_launch,
+    heads_of, implausible, implausible_club, implausible_launch, impossible, in_degrees,
     is_straight_by_assumption, near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
@@ -152,7 +152,7 @@ impl Reading {
     pub fn of_head(
         setup: &Setup<f64>,
         table: &TextTable,
-        mut head: Head,
+        mut head: TableHead,
         club: ClubColumns,
     ) -> Read<Self> {
         let refused = |place: String, reason: String| table.name.refused(place, reason);
@@ -181,7 +181,7 @@ impl Reading {
         }
         check_columns(&head)
             .map_err(|(at, reason)| refused(format!(", column {}", at + 1), reason))?;
-        let written = head.named(|column| column.content == Content::Written);
+        let written = heads_of(&head.columns, |column| column.content == Content::Written);
         remarks.extend(columns_remark(
             "columns that a sweep computes are not read",
             &written,
@@ -565,7 +565,7 @@ impl Reading {
     fn launch(&self, stated: Launch) -> Result<[(&'static str, f64); 5], RowError> {
         let has = |of: Outcome| self.column(Content::Outcome(of)).is_some();
         conditions(stated, has).map_err(
-            |Fault {
+            |ConditionFault {
                  of,
                  why,
                  is_missing,
@@ -685,10 +685,10 @@ fn inputs(columns: &[Column]) -> Vec<&'static str> {
 
 /// Removes the columns of the ball's rest position from an export, because the ground of the export
 /// is unknown. Returns a remark.
-fn without_totals(head: &mut Head) -> Option<Message> {
+fn without_totals(head: &mut TableHead) -> Option<Message> {
     let is_total =
         |column: &Column| matches!(column.content, Content::Outcome(of) if of.needs_run());
-    let remark = columns_remark(NO_GROUND, &head.named(is_total));
+    let remark = columns_remark(NO_GROUND, &heads_of(&head.columns, is_total));
     for column in head.columns.iter_mut().filter(|column| is_total(column)) {
         column.content = Content::Note;
     }
@@ -696,7 +696,7 @@ fn without_totals(head: &mut Head) -> Option<Message> {
 }
 
 /// Position of the first faulty column, with the reason.
-fn check_columns(head: &Head) -> Result<(), (usize, String)> {
+fn check_columns(head: &TableHead) -> Result<(), (usize, String)> {
     for (at, column) in head.columns.iter().enumerate() {
         column
             .check_unit()

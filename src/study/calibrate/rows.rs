@@ -70,18 +70,16 @@ impl ShotRows {
     pub fn take(&mut self, reading: &Reading, record: &Record, separator: u8) -> Result<()> {
         self.row += 1;
         let row = cells(&record.text, separator);
-        match RowFault::find(record, &row, reading.columns.len(), reading.is_export) {
-            None => {}
-            Some(RowFault::NonShot(no_shot)) => {
-                self.no_shots.add(self.row as u64, no_shot);
-                return Ok(());
-            }
-            Some(RowFault::Unreadable(wrong)) if reading.is_export => {
+        let fault = RowFault::find(record, &row, reading.columns.len(), reading.is_export);
+        if let Some(fault) = fault {
+            if let Err(wrong) = self.no_shots.add(self.row as u64, fault) {
+                if !reading.is_export {
+                    return Err(self.refused("", wrong.reason));
+                }
                 self.unreadable
                     .push(format!("row {} ({})", self.row, wrong.reason));
-                return Ok(());
             }
-            Some(RowFault::Unreadable(wrong)) => return Err(self.refused("", wrong.reason)),
+            return Ok(());
         }
         for (column, cell) in reading.columns.iter().zip(&row) {
             let looked = self.marks.check(self.row as u64, column, cell);

@@ -1,4 +1,4 @@
-use super::pieces::Pieces;
+use super::columnar::ColumnarFile;
 use super::record_batches::RecordBatches;
 use arrow_array::cast::AsArray;
 use arrow_array::types::{Float32Type, Float64Type};
@@ -8,14 +8,14 @@ use std::path::Path;
 
 /// Reads an Arrow IPC file or stream by record batches. The batches may be compressed with ZSTD or
 /// LZ4. Feather version 2 is the same format.
-pub(super) struct ArrowPieces {
+pub(super) struct ArrowFile {
     batches: RecordBatches,
     /// Current record batch, and the number of its rows that have been read.
     batch: Option<RecordBatch>,
     passed: usize,
 }
 
-impl Pieces for ArrowPieces {
+impl ColumnarFile for ArrowFile {
     fn open(path: &Path) -> Result<Self, String> {
         Ok(Self {
             batches: RecordBatches::open(path)?,

@@ -4,14 +4,14 @@ use crate::batch::refuse_repeated;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    CONDITIONS, Column, Content, Head, SourceName, columns_remark, given_air, in_degrees,
-    near_known,
+    CONDITIONS, Column, Content, SourceName, TableHead, columns_remark, given_air, heads_of,
+    in_degrees, near_known,
 };
 use crate::units::Message;
 
 /// Columns that are parameters of the drives.
 #[derive(Debug)]
-pub(super) struct Columns {
+pub(super) struct PointColumns {
     /// Positions in the table, from 0.
     pub at: Vec<usize>,
     pub parameters: Vec<&'static Parameter>,
@@ -19,10 +19,10 @@ pub(super) struct Columns {
     pub notes: Vec<Message>,
 }
 
-impl Columns {
+impl PointColumns {
     /// Selects the columns of parameters. If no column belongs to the club, also selects launch
     /// conditions.
-    pub fn new(setup: &Setup<f64>, file: &SourceName, head: &Head) -> Result<Self> {
+    pub fn new(setup: &Setup<f64>, file: &SourceName, head: &TableHead) -> Result<Self> {
         let is_struck = head.has_strike();
         let parameter = |column: &Column| match column.content {
             Content::Input(parameter) => Some(parameter),
@@ -47,7 +47,7 @@ impl Columns {
                 _ => format!(
                     "none of its columns is a parameter or a launch condition ({}); add one, such \
                      as 'club.loft [deg]'",
-                    head.named(|_| true).join(", ")
+                    heads_of(&head.columns, |_| true).join(", ")
                 ),
             };
             file.refused(String::new(), reason)
@@ -97,12 +97,12 @@ impl Columns {
 }
 
 /// Remark on ignored columns. Columns that the remarks of `head` name already are omitted.
-fn not_read(head: &Head, read: &[usize]) -> Option<Message> {
+fn not_read(head: &TableHead, read: &[usize]) -> Option<Message> {
     let is_read = |column: &Column| {
         read.iter()
             .any(|at| std::ptr::eq(&head.columns[*at], column))
     };
-    let not_read = head.named(|column| {
+    let not_read = heads_of(&head.columns, |column| {
         !is_read(column) && (column.content != Content::Note || !head.format.is_export)
     });
     let of = if head.has_strike() && !head.format.is_export {

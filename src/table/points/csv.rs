@@ -1,14 +1,13 @@
-use super::columns::Columns;
-use super::rows::Rows;
+use super::columns::PointColumns;
+use super::rows::PointRows;
 use crate::error::{Error, Result};
-use crate::input_file::InputFile;
 use crate::parameters::{Parameter, Setup};
 use crate::table::column::Column;
 use crate::table::decimal_mark::DecimalMarkCheck;
-use crate::table::head::{Head, TableOptions};
+use crate::table::head::{TableHead, TableOptions};
 use crate::table::records::cells;
-use crate::table::refusal::NonShotRows;
-use crate::table::text::{Entry, RowFault, SourceName, Text, TextTable};
+use crate::table::row_fault::{NonShotRows, RowFault};
+use crate::table::text::{SourceName, TableEntry, Text, TextTable};
 use crate::units::Message;
 use std::path::{Path, PathBuf};
 
@@ -19,8 +18,8 @@ pub(super) struct CsvRows {
     path: PathBuf,
     setup: Setup<f64>,
     table: TextTable,
-    columns: Columns,
-    section: Section,
+    columns: PointColumns,
+    section: CsvSection,
     /// Number of the row in the file.
     row: u64,
     no_shots: NonShotRows,
@@ -28,7 +27,7 @@ pub(super) struct CsvRows {
 }
 
 /// Columns of a section.
-struct Section {
+struct CsvSection {
     /// Number of cells of a row.
     width: usize,
     /// Columns to read, with their positions.
@@ -45,9 +44,9 @@ impl CsvRows {
     /// repeated, if no column is a parameter, or if a unit has the wrong dimension. Reading a row
     /// fails if a cell is not a number, or if its decimal mark is ambiguous.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        let (table, head) = opened(setup, path)?;
-        let columns = Columns::new(setup, &table.name, &head)?;
-        let section = Section::new(&table.name, &head, &columns.parameters, &columns.at)?;
+        let (table, head) = TextTable::open(Text::of_file(path)?, setup, &TableOptions::POINTS)?;
+        let columns = PointColumns::new(setup, &table.name, &head)?;
+        let section = CsvSection::new(&table.name, &head, &columns.parameters, &columns.at)?;
         let (path, setup) = (path.to_owned(), *setup);
         Ok(Self {
             path,
@@ -66,13 +65,13 @@ impl CsvRows {
         loop {
             let record = match self.table.next_entry()? {
                 None => return Ok(None),
-                Some(Entry::Head(record)) => {
+                Some(TableEntry::Head(record)) => {
                     let wanted = &TableOptions::POINTS;
                     let Some(head) = self.table.section(&record, &self.setup, wanted)? else {
                         continue;
                     };
                     let file = &self.table.name;
-                    let again = Columns::new(&self.setup, file, &head)?;
+                    let again = PointColumns::new(&self.setup, file, &head)?;
                     let at = again
                         .places_of(&self.columns.parameters)
                         .map_err(|missing| {
@@ -83,39 +82,32 @@ impl CsvRows {
                             );
                             file.refused(String::new(), reason)
                         })?;
-                    self.section = Section::new(file, &head, &self.columns.parameters, &at)?;
+                    self.section = CsvSection::new(file, &head, &self.columns.parameters, &at)?;
                     continue;
                 }
-                Some(Entry::Row(record)) => record,
-                Some(Entry::Excluded) => continue,
+                Some(TableEntry::Row(record)) => record,
+                Some(TableEntry::Excluded) => continue,
             };
             self.row += 1;
             let row = cells(&record.text, self.table.separator);
-            let Section {
+            let CsvSection {
                 width, is_export, ..
             } = self.section;
-            match RowFault::find(&record, &row, width, is_export) {
-                None => return Ok(Some(row.into_iter().map(Into::into).collect())),
-                Some(RowFault::NonShot(no_shot)) => self.no_shots.add(self.row, no_shot),
-                Some(RowFault::Unreadable(refusal)) => {
-                    let place = format!(", row {}", self.row);
-                    return Err(self.table.name.refused(place, refusal.reason));
-                }
-            }
+            let Some(fault) = RowFault::find(&record, &row, width, is_export) else {
+                return Ok(Some(row.into_iter().map(Into::into).collect()));
+            };
+            self.no_shots.add(self.row, fault).map_err(|refusal| {
+                let place = format!(", row {}", self.row);
+                self.table.name.refused(place, refusal.reason)
+            })?;
         }
     }
 }
 
-fn opened(setup: &Setup<f64>, path: &Path) -> Result<(TextTable, Head)> {
-    let name = path.display().to_string();
-    let file = SourceName(name.clone()).io(InputFile::open(path))?;
-    TextTable::open(Text::open(&name, file)?, setup, &TableOptions::POINTS)
-}
-
-impl Section {
+impl CsvSection {
     fn new(
         file: &SourceName,
-        head: &Head,
+        head: &TableHead,
         parameters: &[&'static Parameter],
         at: &[usize],
     ) -> Result<Self> {
@@ -135,15 +127,16 @@ impl Section {
     }
 }
 
-impl Rows for CsvRows {
-    fn columns(&self) -> &Columns {
+impl PointRows for CsvRows {
+    fn columns(&self) -> &PointColumns {
         &self.columns
     }
 
     fn rewind(&mut self) -> Result<()> {
         // reopen: a decoded text is not seekable
-        let (table, head) = opened(&self.setup, &self.path)?;
-        self.section = Section::new(
+        let text = Text::of_file(&self.path)?;
+        let (table, head) = TextTable::open(text, &self.setup, &TableOptions::POINTS)?;
+        self.section = CsvSection::new(
             &table.name,
             &head,
             &self.columns.parameters,

@@ -3,17 +3,17 @@
 
 #[cfg(feature = "arrow")]
 mod arrow;
+#[cfg(any(feature = "arrow", feature = "parquet"))]
+mod columnar;
 mod columns;
 mod csv;
 #[cfg(feature = "parquet")]
 mod parquet;
-#[cfg(any(feature = "arrow", feature = "parquet"))]
-mod pieces;
 #[cfg(feature = "arrow")]
 mod record_batches;
 mod rows;
 
-use crate::batch::{Axis, Grid, Points, Sequence};
+use crate::batch::{Grid, GridAxis, Points, Sequence};
 use crate::error::{Error, Result};
 #[cfg(not(all(feature = "arrow", feature = "parquet")))]
 use crate::features::how_to_get;
@@ -21,8 +21,8 @@ use crate::input_file::table_extension;
 use crate::parameters::{Setup, Vary};
 use crate::table::SourceName;
 #[cfg(any(feature = "arrow", feature = "parquet"))]
-use pieces::PieceRows;
-use rows::Table;
+use columnar::ColumnarRows;
+use rows::TablePoints;
 use std::path::Path;
 
 /// Opens a table by its file name extension: CSV (`.csv`, including exports of launch monitors
@@ -39,15 +39,19 @@ pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points + Se
     let refused =
         |reason: &str| Err(SourceName(path.display().to_string()).refused(String::new(), reason));
     match table_extension(path).as_str() {
-        "csv" => Ok(Box::new(Table::new(csv::CsvRows::open(setup, path)?)?)),
+        "csv" => Ok(Box::new(TablePoints::new(csv::CsvRows::open(
+            setup, path,
+        )?)?)),
         #[cfg(feature = "parquet")]
-        "parquet" => Ok(Box::new(Table::new(
-            PieceRows::<parquet::ParquetPieces>::open(setup, path)?,
-        )?)),
+        "parquet" => Ok(Box::new(TablePoints::new(ColumnarRows::<
+            parquet::ParquetFile,
+        >::open(setup, path)?)?)),
         #[cfg(feature = "arrow")]
-        "arrow" | "arrows" | "feather" => Ok(Box::new(Table::new(
-            PieceRows::<arrow::ArrowPieces>::open(setup, path)?,
-        )?)),
+        "arrow" | "arrows" | "feather" => {
+            Ok(Box::new(TablePoints::new(
+                ColumnarRows::<arrow::ArrowFile>::open(setup, path)?,
+            )?))
+        }
         #[cfg(not(feature = "parquet"))]
         "parquet" => refused(&how_to_get("parquet")),
         #[cfg(not(feature = "arrow"))]
@@ -60,7 +64,7 @@ pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points + Se
 /// with this seed in the ranges `over`; without a sample, the grid of the axes `over`.
 ///
 /// # Errors
-/// The errors of [`open_table`], [`Axis::read`], [`Vary::read_column`], [`Grid::new`] and
+/// The errors of [`open_table`], [`GridAxis::read`], [`Vary::read_column`], [`Grid::new`] and
 /// [`Sequence::new`], and [`Error::SearchRange`] for the range of a sample that has a count.
 pub fn sweep_points(
     setup: &Setup<f64>,
@@ -75,7 +79,7 @@ pub fn sweep_points(
     let over = over.iter();
     Ok(match sample {
         None => Box::new(Grid::new(
-            over.map(|text| Axis::read(setup, text))
+            over.map(|text| GridAxis::read(setup, text))
                 .collect::<Result<_>>()?,
         )?),
         Some(rows) => {

@@ -1,4 +1,4 @@
-use super::pieces::Pieces;
+use super::columnar::ColumnarFile;
 use crate::external_errors::{parquet_error_text, read_error_text};
 use crate::input_file::InputFile;
 use bytes::Bytes;
@@ -11,7 +11,7 @@ use std::io::{Read, Seek, SeekFrom};
 use std::path::Path;
 
 /// Reads a Parquet file by row groups.
-pub(super) struct ParquetPieces {
+pub(super) struct ParquetFile {
     file: Box<dyn FileReader>,
     /// Current row group, and the number of its rows that have been read.
     group: usize,
@@ -20,7 +20,7 @@ pub(super) struct ParquetPieces {
     columns: BTreeMap<usize, ColumnReader>,
 }
 
-impl ParquetPieces {
+impl ParquetFile {
     /// Next values of a column.
     fn next(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, ParquetError> {
         macro_rules! read {
@@ -67,7 +67,7 @@ impl ParquetPieces {
     }
 }
 
-impl Pieces for ParquetPieces {
+impl ColumnarFile for ParquetFile {
     fn open(path: &Path) -> Result<Self, String> {
         let file = reader(open_checked(path)?).map_err(|error| parquet_error_text(&error))?;
         Ok(Self {

@@ -27,11 +27,11 @@ pub(super) struct RecordBatches {
     pub(super) schema: Arc<Schema>,
     /// Offset of the end of the messages: the end of a stream, or the footer of a file.
     end: u64,
-    order: Order,
+    order: BatchOrder,
 }
 
 /// Order of the record batches.
-enum Order {
+enum BatchOrder {
     /// A file lists the offsets of its record batches in the footer.
     Listed { starts: Vec<u64>, next: usize },
     /// In a stream the record batches follow one another, up to the end marker.
@@ -39,7 +39,7 @@ enum Order {
 }
 
 /// Header of a message, with the location of its body.
-struct Head {
+struct MessageHead {
     metadata: Vec<u8>,
     body: Range<u64>,
 }
@@ -97,7 +97,7 @@ impl RecordBatches {
             file,
             schema,
             end,
-            order: Order::Listed { starts, next: 0 },
+            order: BatchOrder::Listed { starts, next: 0 },
         })
     }
 
@@ -107,7 +107,7 @@ impl RecordBatches {
             file,
             schema,
             end: length,
-            order: Order::Following { first: 0, next: 0 },
+            order: BatchOrder::Following { first: 0, next: 0 },
         };
         // without the magic number of a file it must be a stream, which begins with a message
         let neither =
@@ -115,7 +115,7 @@ impl RecordBatches {
         let head = stream.head(0).ok().flatten().ok_or(neither)?;
         let message = head.message(MessageHeader::Schema)?;
         stream.schema = read_schema(message.header_as_schema())?;
-        stream.order = Order::Following {
+        stream.order = BatchOrder::Following {
             first: head.body.end,
             next: head.body.end,
         };
@@ -125,37 +125,37 @@ impl RecordBatches {
     /// Goes back to the first record batch.
     pub(super) fn rewind(&mut self) {
         match &mut self.order {
-            Order::Listed { next, .. } => *next = 0,
-            Order::Following { first, next } => *next = *first,
+            BatchOrder::Listed { next, .. } => *next = 0,
+            BatchOrder::Following { first, next } => *next = *first,
         }
     }
 
     /// The next record batch; `None` after the last.
     pub(super) fn next(&mut self) -> Result<Option<RecordBatch>, String> {
         let at = match &self.order {
-            Order::Listed { starts, next } => match starts.get(*next) {
+            BatchOrder::Listed { starts, next } => match starts.get(*next) {
                 Some(start) => *start,
                 None => return Ok(None),
             },
-            Order::Following { next, .. } => *next,
+            BatchOrder::Following { next, .. } => *next,
         };
         let Some(head) = self.head(at)? else {
             return match &self.order {
-                Order::Listed { .. } => Err(
+                BatchOrder::Listed { .. } => Err(
                     "its footer is damaged (there is no record batch at a listed position)".into(),
                 ),
-                Order::Following { .. } => Ok(None),
+                BatchOrder::Following { .. } => Ok(None),
             };
         };
         match &mut self.order {
-            Order::Listed { next, .. } => *next += 1,
-            Order::Following { next, .. } => *next = head.body.end,
+            BatchOrder::Listed { next, .. } => *next += 1,
+            BatchOrder::Following { next, .. } => *next = head.body.end,
         }
         self.read(&head).map(Some)
     }
 
     /// The record batch with this header.
-    fn read(&mut self, head: &Head) -> Result<RecordBatch, String> {
+    fn read(&mut self, head: &MessageHead) -> Result<RecordBatch, String> {
         let message = head.message(MessageHeader::RecordBatch)?;
         let batch = message
             .header_as_record_batch()
@@ -192,7 +192,7 @@ impl RecordBatches {
     }
 
     /// The message at an offset; `None` at the end marker.
-    fn head(&mut self, at: u64) -> Result<Option<Head>, String> {
+    fn head(&mut self, at: u64) -> Result<Option<MessageHead>, String> {
         let cut_short = || {
             "it ends too early: it was cut short, or the program that wrote it did not close it"
                 .to_owned()
@@ -213,7 +213,7 @@ impl RecordBatches {
         let length = i32::from_le_bytes(length);
         if length == 0 {
             return match (&self.order, self.end - at) {
-                (Order::Following { .. }, more @ 1..) => Err(format!(
+                (BatchOrder::Following { .. }, more @ 1..) => Err(format!(
                     "it has {} after its end; put each stream into a file of its own",
                     counted(more, "byte")
                 )),
@@ -234,11 +234,11 @@ impl RecordBatches {
             .and_then(|length| body.checked_add(length))
             .filter(|end| *end <= self.end);
         let body = body..end.ok_or_else(cut_short)?;
-        Ok(Some(Head { metadata, body }))
+        Ok(Some(MessageHead { metadata, body }))
     }
 }
 
-impl Head {
+impl MessageHead {
     fn message(&self, wanted: MessageHeader) -> Result<Message<'_>, String> {
         let message = root_as_message(&self.metadata)
             .map_err(|_| format!("a message is damaged; {DAMAGED}"))?;

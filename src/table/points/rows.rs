@@ -1,4 +1,4 @@
-use super::columns::Columns;
+use super::columns::PointColumns;
 use crate::batch::{CHUNK, Points, Status};
 use crate::error::Result;
 use crate::fingerprint::Fingerprint;
@@ -6,8 +6,8 @@ use crate::parameters::{Parameter, Vary};
 use crate::units::Message;
 
 /// Rows of a table in any format.
-pub(super) trait Rows {
-    fn columns(&self) -> &Columns;
+pub(super) trait PointRows {
+    fn columns(&self) -> &PointColumns;
 
     /// Goes back to the first row.
     fn rewind(&mut self) -> Result<()>;
@@ -26,7 +26,7 @@ const LISTED: usize = 5;
 
 /// A table of points. Opening reads it once, so that unreadable and invalid rows are reported
 /// before any work.
-pub(super) struct Table<R> {
+pub(super) struct TablePoints<R> {
     rows: R,
     count: u64,
     ranges: Vec<Vary>,
@@ -35,7 +35,7 @@ pub(super) struct Table<R> {
     next: u64,
 }
 
-impl<R: Rows> Table<R> {
+impl<R: PointRows> TablePoints<R> {
     /// Reads the whole table once.
     ///
     /// # Errors
@@ -131,7 +131,7 @@ fn wrong(parameter: &'static Parameter, value: f64) -> Option<String> {
         .then(|| format!("{name} = {} is outside of its range {}", shown(), range()))
 }
 
-impl<R: Rows> Points for Table<R> {
+impl<R: PointRows> Points for TablePoints<R> {
     fn parameters(&self) -> &[&'static Parameter] {
         &self.rows.columns().parameters
     }

@@ -3,7 +3,9 @@
 use crate::message;
 use crate::refusal::Refusal;
 use crate::words::page_words;
-use longdrive::command::{Host, Kind, MemoryFiles, Mention, Progress, SharedProgress, Work, run};
+use longdrive::command::{
+    Host, MemoryFiles, Mention, MessageKind, Progress, SharedProgress, Work, run,
+};
 use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
 use std::io;
@@ -174,12 +176,12 @@ impl Host for Page {
         Ok(())
     }
 
-    fn say(&self, kind: Kind, text: &str) {
+    fn say(&self, kind: MessageKind, text: &str) {
         let kind = match kind {
-            Kind::Note => "note",
-            Kind::Warning => "warning",
-            Kind::Error => "error",
-            Kind::Usage => "usage",
+            MessageKind::Note => "note",
+            MessageKind::Warning => "warning",
+            MessageKind::Error => "error",
+            MessageKind::Usage => "usage",
         };
         let text = plain(text);
         self.now().said.push(Said { kind, text });

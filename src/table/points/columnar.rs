@@ -1,13 +1,13 @@
-use super::columns::Columns;
-use super::rows::Rows;
+use super::columns::PointColumns;
+use super::rows::PointRows;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
-use crate::table::{Head, SourceName};
+use crate::table::{SourceName, TableHead};
 use std::path::Path;
 
 /// A file of numeric columns in SI, named by parameters, read in pieces (row groups, record
 /// batches).
-pub(super) trait Pieces: Sized {
+pub(super) trait ColumnarFile: Sized {
     /// Opens the file; the error is a sentence.
     fn open(path: &Path) -> Result<Self, String>;
 
@@ -31,14 +31,14 @@ pub(super) trait Pieces: Sized {
 }
 
 /// Rows of a file read in pieces.
-pub(super) struct PieceRows<P> {
+pub(super) struct ColumnarRows<P> {
     file: SourceName,
-    columns: Columns,
+    columns: PointColumns,
     pieces: P,
     next: u64,
 }
 
-impl<P: Pieces> PieceRows<P> {
+impl<P: ColumnarFile> ColumnarRows<P> {
     /// Opens a file and interprets its columns.
     ///
     /// # Errors
@@ -49,8 +49,8 @@ impl<P: Pieces> PieceRows<P> {
         let file = SourceName(path.display().to_string());
         let pieces = P::open(path).map_err(|reason| file.refused(String::new(), reason))?;
         let names = pieces.names();
-        let head = Head::in_si(setup, &names).map_err(|wrong| wrong.in_file(&file.0))?;
-        let columns = Columns::new(setup, &file, &head)?;
+        let head = TableHead::in_si(setup, &names).map_err(|wrong| wrong.in_file(&file.0))?;
+        let columns = PointColumns::new(setup, &file, &head)?;
         let refusal = columns
             .at
             .iter()
@@ -67,8 +67,8 @@ impl<P: Pieces> PieceRows<P> {
     }
 }
 
-impl<P: Pieces> Rows for PieceRows<P> {
-    fn columns(&self) -> &Columns {
+impl<P: ColumnarFile> PointRows for ColumnarRows<P> {
+    fn columns(&self) -> &PointColumns {
         &self.columns
     }
 
@@ -79,7 +79,7 @@ impl<P: Pieces> Rows for PieceRows<P> {
     }
 
     fn read(&mut self, most: usize, into: &mut Vec<f64>) -> Result<usize> {
-        let Columns { at, parameters, .. } = &self.columns;
+        let PointColumns { at, parameters, .. } = &self.columns;
         let refused = |place: String, reason: String| self.file.refused(place, reason);
         let mut rows = 0;
         // a chunk may span several pieces
