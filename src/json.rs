@@ -6,21 +6,21 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 /// A number or `null`. JSON has no infinity: the radius of a flat face is `"inf"`, as in setup
 /// files, and a range without a lower end has the low value `"-inf"`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Number(pub Option<f64>);
+pub struct JsonNumber(pub Option<f64>);
 
-impl From<f64> for Number {
+impl From<f64> for JsonNumber {
     fn from(value: f64) -> Self {
         Self(Some(value))
     }
 }
 
-impl From<Option<f64>> for Number {
+impl From<Option<f64>> for JsonNumber {
     fn from(value: Option<f64>) -> Self {
         Self(value)
     }
 }
 
-impl Serialize for Number {
+impl Serialize for JsonNumber {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self.0 {
             Some(f64::INFINITY) => serializer.serialize_str("inf"),
@@ -32,7 +32,7 @@ impl Serialize for Number {
     }
 }
 
-impl<'de> Deserialize<'de> for Number {
+impl<'de> Deserialize<'de> for JsonNumber {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         use serde_json::Value;
         match Value::deserialize(deserializer)? {
@@ -48,7 +48,7 @@ impl<'de> Deserialize<'de> for Number {
 }
 
 #[cfg(test)]
-impl schemars::JsonSchema for Number {
+impl schemars::JsonSchema for JsonNumber {
     fn schema_name() -> std::borrow::Cow<'static, str> {
         "Number".into()
     }
@@ -66,9 +66,9 @@ impl schemars::JsonSchema for Number {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Range {
     /// Lower end, SI.
-    pub low: Number,
+    pub low: JsonNumber,
     /// Upper end, SI.
-    pub high: Number,
+    pub high: JsonNumber,
 }
 
 impl From<[f64; 2]> for Range {
@@ -89,15 +89,15 @@ pub fn range<T: Copy + Into<Option<[f64; 2]>>, S: Serializer>(
     ends.map(Range::from).serialize(serializer)
 }
 
-/// Serializes a field as a [`Number`].
-pub fn number<T: Copy + Into<Number>, S: Serializer>(
+/// Serializes a field as a [`JsonNumber`].
+pub fn number<T: Copy + Into<JsonNumber>, S: Serializer>(
     value: &T,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
     (*value).into().serialize(serializer)
 }
 
-/// Serializes values by name, in order, as an object of [`Number`]s.
+/// Serializes values by name, in order, as an object of [`JsonNumber`]s.
 pub fn numbers_by_name<N: Serialize, S: Serializer>(
     values: &[(N, f64)],
     serializer: S,
@@ -105,7 +105,7 @@ pub fn numbers_by_name<N: Serialize, S: Serializer>(
     serializer.collect_map(
         values
             .iter()
-            .map(|(name, value)| (name, Number(Some(*value)))),
+            .map(|(name, value)| (name, JsonNumber(Some(*value)))),
     )
 }
 
@@ -119,7 +119,7 @@ pub fn by_name<N: Serialize, V: Serialize, S: Serializer>(
 
 #[cfg(test)]
 mod tests {
-    use super::Number;
+    use super::JsonNumber;
 
     #[test]
     fn exact_numbers_after_writing_and_reading() {
@@ -129,12 +129,12 @@ mod tests {
             Some(f64::NEG_INFINITY),
             None,
         ] {
-            let text = serde_json::to_string(&Number(value)).unwrap();
+            let text = serde_json::to_string(&JsonNumber(value)).unwrap();
             assert_eq!(
-                serde_json::from_str::<Number>(&text).unwrap(),
-                Number(value)
+                serde_json::from_str::<JsonNumber>(&text).unwrap(),
+                JsonNumber(value)
             );
         }
-        assert!(serde_json::from_str::<Number>("\"infinite\"").is_err());
+        assert!(serde_json::from_str::<JsonNumber>("\"infinite\"").is_err());
     }
 }

@@ -56,7 +56,7 @@ pub struct FlownRange {
     pub flown: [f64; 2],
     /// The fraction of the flight time outside of the fitted range.
     #[serde(rename = "share_outside", serialize_with = "crate::json::number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub outside: f64,
 }
 

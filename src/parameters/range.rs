@@ -12,13 +12,13 @@ use serde::Serialize;
 pub struct Range {
     /// Lower end, SI.
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub low: f64,
     /// True if the lower end is allowed.
     pub low_included: bool,
     /// Upper end, SI.
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub high: f64,
     /// True if the upper end is allowed.
     pub high_included: bool,

@@ -1,6 +1,6 @@
 use super::csv_text::csv_text;
 use super::document::{Document, DocumentTable};
-use super::json::{ByName, Number};
+use super::json::{ByName, JsonNumber};
 use super::plot::NamedQuantity;
 use super::reply::{Ending, Report};
 use super::shown;
@@ -41,11 +41,11 @@ pub struct ChartPointReport {
     /// The value of the chart's parameter, SI.
     pub at: f64,
     /// The optimal value of the objective, SI.
-    pub value: Number,
+    pub value: JsonNumber,
     /// The varied parameters at the optimum, SI.
-    pub optimum: ByName<Number>,
+    pub optimum: ByName<JsonNumber>,
     /// The launch of the optimal drive: ball speed (m/s), launch angle (rad) and backspin (rad/s).
-    pub launch: ByName<Number>,
+    pub launch: ByName<JsonNumber>,
     /// The active bounds and constraints.
     pub active: Vec<String>,
     /// The active bound of each parameter that is at a bound.

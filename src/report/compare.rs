@@ -1,6 +1,6 @@
 use super::document::{Document, DocumentTable, Line};
 use super::drive::{LaunchReport, flight, launch};
-use super::json::{ByName, Number, Settings, settings};
+use super::json::{ByName, JsonNumber, Settings, settings};
 use super::reply::{Ending, Report};
 use super::shown;
 use crate::drive::Outcome;
@@ -40,7 +40,7 @@ pub struct ComparedDrive {
     pub launch: LaunchReport,
     /// The outcomes of the flight; `null` if the ball does not land.
     #[cfg_attr(test, schemars(schema_with = "super::drive::flight_schema"))]
-    pub flight: Option<ByName<Number>>,
+    pub flight: Option<ByName<JsonNumber>>,
 }
 
 /// The difference of an outcome, SI and radians.
@@ -50,9 +50,9 @@ pub struct DifferenceReport {
     /// The outcome.
     pub of: Outcome,
     /// The value of the outcome in each drive, SI; `null` if the drives cannot be compared.
-    pub values: Option<[Number; 2]>,
+    pub values: Option<[JsonNumber; 2]>,
     /// The value of b minus the value of a, SI.
-    pub difference: Number,
+    pub difference: JsonNumber,
     /// The shares of the parameters that differ; `null` if the drives cannot be compared.
     pub by_parameter: Option<Shares>,
     /// The shares of the launch conditions and the other inputs of the flight. `null` in three
@@ -98,7 +98,7 @@ impl DifferenceReport {
         match difference {
             Ok(found) => Self {
                 of,
-                values: Some(found.values.map(Number::from)),
+                values: Some(found.values.map(JsonNumber::from)),
                 difference: found.amount().into(),
                 by_parameter: Some(found.by_parameter.clone()),
                 by_launch: found.by_launch.clone(),
@@ -107,7 +107,7 @@ impl DifferenceReport {
             Err(why) => Self {
                 of,
                 values: None,
-                difference: Number(None),
+                difference: JsonNumber(None),
                 by_parameter: None,
                 by_launch: None,
                 message: Some(why.to_string()),

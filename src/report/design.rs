@@ -1,5 +1,5 @@
 use super::document::{Detail, Document, DocumentTable, Line};
-use super::json::Number;
+use super::json::JsonNumber;
 use super::limits::ended_at;
 use super::optimum::{
     DesignReport, LimitReport, OptimumReport, add_convergence, bound_in_words, ended_line, place,
@@ -238,7 +238,7 @@ fn limits_text(constraint: &DesignConstraint, system: System) -> String {
 /// The report of a rule or limit.
 fn limit_report(state: &ConstraintState) -> LimitReport {
     let constraint = &state.constraint;
-    let end = |end: f64| Number(Some(end).filter(|end| end.is_finite()));
+    let end = |end: f64| JsonNumber(Some(end).filter(|end| end.is_finite()));
     LimitReport {
         name: constraint.name.clone(),
         expression: constraint.expression.clone(),

@@ -1,5 +1,5 @@
 use super::document::{Document, DocumentTable, Line};
-use super::json::{self, ByName, Number, Settings, settings};
+use super::json::{self, ByName, JsonNumber, Settings, settings};
 use super::reply::{Ending, Report};
 use super::shown;
 use crate::atmosphere::AirState;
@@ -34,7 +34,7 @@ pub struct DriveReport<'a> {
     pub slipped: Option<bool>,
     /// The outcomes of the flight; `null` if the ball does not land.
     #[cfg_attr(test, schemars(schema_with = "flight_schema"))]
-    pub flight: Option<ByName<Number>>,
+    pub flight: Option<ByName<JsonNumber>>,
     /// The range of the law's fit and the range of the flight, for each quantity of the fit; `null`
     /// if there is no air or no flight.
     pub law_range: Option<LawRanges>,
@@ -47,11 +47,11 @@ pub struct LaunchReport {
     /// The outcomes of the launch.
     #[serde(flatten)]
     #[cfg_attr(test, schemars(schema_with = "launch_schema"))]
-    pub outcomes: ByName<Number>,
+    pub outcomes: ByName<JsonNumber>,
     /// The velocity of the ball, m/s: up, right, downrange.
-    pub velocity: [Number; 3],
+    pub velocity: [JsonNumber; 3],
     /// The angular velocity of the ball, rad/s: up, right, downrange.
-    pub spin_vector: [Number; 3],
+    pub spin_vector: [JsonNumber; 3],
 }
 
 /// The head of the club after impact.
@@ -59,9 +59,9 @@ pub struct LaunchReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ClubReport {
     /// The velocity of the centre of mass, m/s: up, right, downrange.
-    pub velocity: [Number; 3],
+    pub velocity: [JsonNumber; 3],
     /// The angular velocity, rad/s: up, right, downrange.
-    pub angular_velocity: [Number; 3],
+    pub angular_velocity: [JsonNumber; 3],
 }
 
 /// For each quantity on which a law may depend: the range of the law's fit, and the range in the
@@ -184,7 +184,7 @@ fn schema_of_part(
 ) -> schemars::Schema {
     let mut properties = serde_json::Map::new();
     for outcome in Outcome::in_group(part) {
-        let mut value = generator.subschema_for::<Number>();
+        let mut value = generator.subschema_for::<JsonNumber>();
         let mut description = outcome.doc().to_owned();
         if !outcome.quantity().si.is_empty() {
             description += &format!(" SI unit: {}.", outcome.quantity().si);
@@ -206,11 +206,11 @@ pub(super) fn launch(drive: &Drive<f64>) -> LaunchReport {
 }
 
 /// The outcomes of the flight; `None` if the ball does not land.
-pub(super) fn flight(drive: &Drive<f64>) -> Option<ByName<Number>> {
+pub(super) fn flight(drive: &Drive<f64>) -> Option<ByName<JsonNumber>> {
     matches!(drive.flight, Flight::Landed(_)).then(|| of_part(drive, OutcomeGroup::Flight))
 }
 
-fn of_part(drive: &Drive<f64>, part: OutcomeGroup) -> ByName<Number> {
+fn of_part(drive: &Drive<f64>, part: OutcomeGroup) -> ByName<JsonNumber> {
     Outcome::in_group(part)
         .map(|outcome| (outcome.name(), outcome.value(drive)))
         .collect()

@@ -1,6 +1,6 @@
 use super::document::{Detail, Document, DocumentTable, Line};
 use super::figures::ShownDrive;
-use super::json::Number;
+use super::json::JsonNumber;
 use super::lines::by_reason;
 use super::reply::Report;
 use super::{OptimumReport, shown};
@@ -38,12 +38,12 @@ pub struct OutcomeEffects {
     /// The outcome.
     pub of: Outcome,
     /// The value of the outcome, SI.
-    pub value: Number,
+    pub value: JsonNumber,
     /// The standard uncertainty of the outcome, SI, to first order for independent parameters.
-    pub standard_uncertainty: Number,
+    pub standard_uncertainty: JsonNumber,
     /// The sum of the second-order terms, SI. `standard_uncertainty` omits these terms; `flown` in
     /// each effect includes the second-order term of the effect.
-    pub linearity: Number,
+    pub linearity: JsonNumber,
     /// The effects of the parameters, the largest first.
     pub effects: Vec<EffectReport>,
 }
@@ -56,21 +56,21 @@ pub struct EffectReport {
     /// The parameter p.
     pub parameter: &'static str,
     /// ∂f/∂p, SI.
-    pub derivative: Number,
+    pub derivative: JsonNumber,
     /// (p/f) ∂f/∂p.
-    pub elasticity: Number,
+    pub elasticity: JsonNumber,
     /// The standard uncertainty σ, SI.
-    pub standard_uncertainty: Number,
+    pub standard_uncertainty: JsonNumber,
     /// The source of σ.
     pub source: Option<&'static str>,
     /// σ ∂f/∂p, SI.
-    pub effect: Number,
+    pub effect: JsonNumber,
     /// ½ σ² ∂²f/∂p², SI.
-    pub second_order: Number,
+    pub second_order: JsonNumber,
     /// The change of f in drives computed at p − σ and p + σ, SI.
-    pub flown: Option<[Number; 2]>,
+    pub flown: Option<[JsonNumber; 2]>,
     /// The derivative of the optimal value f* by p, SI; `null` for the drive as set up.
-    pub derivative_of_optimum: Number,
+    pub derivative_of_optimum: JsonNumber,
 }
 
 impl<'a> EffectsReport<'a> {
@@ -106,7 +106,7 @@ impl OutcomeEffects {
                 source: bar.map(|bar| bar.sigma.source.unwrap_or("given")),
                 effect: bar.map(|bar| bar.first_order).into(),
                 second_order: bar.and_then(|bar| bar.second_order).into(),
-                flown: bar.map(|bar| bar.flown.map(Number::from)),
+                flown: bar.map(|bar| bar.flown.map(JsonNumber::from)),
                 derivative_of_optimum: total(totals, effect.parameter).into(),
             }
         };

@@ -1,5 +1,5 @@
 use super::document::{Document, DocumentTable, Line};
-use super::json::{ByName, Matrix, Number};
+use super::json::{ByName, JsonNumber, Matrix};
 use super::reply::{Ending, Report};
 use super::shown;
 use crate::derivative::Taylor;
@@ -28,9 +28,9 @@ pub struct OutcomeReport {
     /// The outcome.
     pub of: Outcome,
     /// The value of the outcome, SI; `null` if the drive does not have it.
-    pub value: Number,
+    pub value: JsonNumber,
     /// The derivative by each parameter, SI; `null` if the drive does not have the outcome.
-    pub gradient: Option<ByName<Number>>,
+    pub gradient: Option<ByName<JsonNumber>>,
     /// The second derivatives, SI; `null` if they were not requested, or if the drive does not have
     /// the outcome.
     pub hessian: Option<Matrix>,
@@ -86,7 +86,7 @@ impl OutcomeReport {
             Err(why) => {
                 return Self {
                     of,
-                    value: Number(None),
+                    value: JsonNumber(None),
                     gradient: None,
                     hessian: None,
                     message: Some(why.to_string()),

@@ -1,6 +1,6 @@
 //! Values in the JSON of a report: ranges, vectors, matrices, and values by name.
 
-pub use crate::json::{Number, Range};
+pub use crate::json::{JsonNumber, Range};
 
 use crate::atmosphere::in_effect;
 use crate::json::by_name;
@@ -11,15 +11,15 @@ use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 
 /// The components of a vector: up, right, downrange.
-pub(super) fn components(vector: Vector<f64>) -> [Number; 3] {
-    vector.to_array().map(Number::from)
+pub(super) fn components(vector: Vector<f64>) -> [JsonNumber; 3] {
+    vector.to_array().map(JsonNumber::from)
 }
 
 /// Values by name, in order: a JSON object.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ByName<V>(pub Vec<(Cow<'static, str>, V)>);
 
-impl ByName<Number> {
+impl ByName<JsonNumber> {
     /// Values of varied parameters.
     pub(super) fn of_varied(vary: &[Vary], values: &[f64]) -> Self {
         let names = vary.iter().map(|vary| vary.parameter.name);
@@ -76,18 +76,18 @@ pub struct Matrix {
     /// The parameters of the rows and columns.
     pub names: Vec<&'static str>,
     /// The rows.
-    pub values: Vec<Vec<Number>>,
+    pub values: Vec<Vec<JsonNumber>>,
 }
 
 impl Matrix {
     /// The matrix over the parameters `names`, with `entry(row, column)` as entries.
-    pub(super) fn new<N: Into<Number>>(
+    pub(super) fn new<N: Into<JsonNumber>>(
         names: impl IntoIterator<Item = &'static str>,
         entry: impl Fn(usize, usize) -> N,
     ) -> Self {
         let names: Vec<&str> = names.into_iter().collect();
         let all = 0..names.len();
-        let row = |row: usize| -> Vec<Number> {
+        let row = |row: usize| -> Vec<JsonNumber> {
             let entries = all.clone().map(|column| entry(row, column).into());
             entries.collect()
         };
@@ -102,7 +102,7 @@ impl Matrix {
 #[serde(untagged)]
 pub enum Setting {
     /// A number in SI, or radians.
-    Number(Number),
+    Number(JsonNumber),
     /// The name of a choice, such as a law, or the file of a table.
     Choice(String),
 }

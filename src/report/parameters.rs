@@ -1,5 +1,5 @@
 use super::document::{Detail, Document, DocumentTable, Line};
-use super::json::Number;
+use super::json::JsonNumber;
 use super::reply::Report;
 use crate::atmosphere::in_effect;
 use crate::parameters::{
@@ -45,9 +45,9 @@ pub struct ParameterReport {
     /// The unit in texts.
     pub shown_in: &'static str,
     /// The value in the setup, SI; `null` if it is unset.
-    pub value: Number,
+    pub value: JsonNumber,
     /// The default value, SI.
-    pub default: Number,
+    pub default: JsonNumber,
     /// The source of the default.
     pub source: &'static str,
     /// The allowed values.
@@ -323,7 +323,7 @@ fn listing(title: &str, all: &[&ParameterReport], system: System) -> DocumentTab
     let cells = |one: &&ParameterReport| {
         let (row, quantity) = (one.row, one.row.quantity);
         let unit = system.unit(row.unit);
-        let show = |value: Number| {
+        let show = |value: JsonNumber| {
             value
                 .0
                 .map_or(UNSET.into(), |value| quantity.show(value, unit))

@@ -1,6 +1,6 @@
 use super::csv_text::csv_text;
 use super::document::{Document, DocumentTable, Line};
-use super::json::{ByName, Number};
+use super::json::{ByName, JsonNumber};
 use super::plot::NamedQuantity;
 use super::reply::{Ending, Report};
 use super::setup_file::{about_constraint, remarks_on_varied, setup_toml};
@@ -46,9 +46,9 @@ pub struct ParetoReport<'a> {
     pub knee: Option<usize>,
     /// The distance of the knee from the chord between the ends, relative to the length of the
     /// chord. Each goal is scaled by its difference between the ends.
-    pub bend: Number,
+    pub bend: JsonNumber,
     /// The goals before the search, SI; `null` if the ball does not fly in one of the swings.
-    pub as_set_up: Option<[Number; 2]>,
+    pub as_set_up: Option<[JsonNumber; 2]>,
     /// Number of omitted points that other points dominate.
     pub dominated: usize,
     /// The swings; `null` for one drive.
@@ -78,12 +78,12 @@ pub struct ParetoGoalReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ParetoPointReport {
     /// The values of the goals, SI.
-    pub values: [Number; 2],
+    pub values: [JsonNumber; 2],
     /// The varied parameters, SI.
-    pub design: ByName<Number>,
+    pub design: ByName<JsonNumber>,
     /// The derivative of the first goal by the second along the front, SI; `null` if the front has
     /// no unique slope at this point.
-    pub slope: Number,
+    pub slope: JsonNumber,
     /// The role: an end, or the knee; `null` for all other points.
     pub role: Option<String>,
     /// The active bounds and constraints.
@@ -113,7 +113,7 @@ impl<'a> ParetoReport<'a> {
             points: points.collect(),
             knee: found.knee,
             bend: found.bend.into(),
-            as_set_up: found.as_set_up.map(|goals| goals.map(Number::from)),
+            as_set_up: found.as_set_up.map(|goals| goals.map(JsonNumber::from)),
             dominated: found.dominated,
             swings: has_swings.then(|| ScenariosReport::new(&found.search.scenarios)),
             file: None,
@@ -126,7 +126,7 @@ impl ParetoPointReport {
     fn new(found: &Pareto, place: usize, point: &ParetoPoint) -> Self {
         let active = point.active.iter();
         Self {
-            values: point.goals.map(Number::from),
+            values: point.goals.map(JsonNumber::from),
             design: ByName::of_varied(&found.search.vary, &point.design),
             slope: point.slope.into(),
             role: role(found, place),

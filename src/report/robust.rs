@@ -1,5 +1,5 @@
 use super::document::{Document, DocumentTable, Line};
-use super::json::{ByName, Number, Settings, settings};
+use super::json::{ByName, JsonNumber, Settings, settings};
 use super::limits::{self, Objective, ended_at};
 use super::optimum::{ConstraintReport, Multipliers};
 use super::reply::{Ending, Report};
@@ -35,15 +35,15 @@ pub struct RobustReport<'a> {
     #[cfg_attr(test, schemars(with = "Sense"))]
     pub sense: &'static str,
     /// The varied parameters of the robust design, SI.
-    pub optimum: ByName<Number>,
+    pub optimum: ByName<JsonNumber>,
     /// The multipliers of the bounds: the decrease of the greatest loss for each SI unit by which a
     /// bound is relaxed. It is negative if relaxing the bound improves the best design of a model
     /// more than the robust design.
     pub multipliers: BTreeMap<&'static str, Multipliers>,
     /// The greatest loss of any model, SI.
-    pub greatest_loss: Number,
+    pub greatest_loss: JsonNumber,
     /// The allowed loss, SI; `null` without one.
-    pub within: Number,
+    pub within: JsonNumber,
     /// True if no model loses more than the allowed loss; `null` without an allowed loss.
     pub holds_for_all: Option<bool>,
     /// The models.
@@ -65,18 +65,18 @@ pub struct ModelReport {
     /// The reason to include the model; `null` for a model of the user.
     pub reason: Option<&'static str>,
     /// The objective with the model's best design, SI.
-    pub value: Number,
+    pub value: JsonNumber,
     /// The model's best design, SI.
-    pub optimum: ByName<Number>,
+    pub optimum: ByName<JsonNumber>,
     /// The loss of the robust design relative to the model's best design, SI.
-    pub loss: Number,
+    pub loss: JsonNumber,
     /// The multiplier of the model's loss, 0 to 1.
-    pub share: Number,
+    pub share: JsonNumber,
     /// The model's losses with the best designs of all models, in the order of the models, SI;
     /// `null` if the ball does not fly in one of the swings.
-    pub losses: Vec<Number>,
+    pub losses: Vec<JsonNumber>,
     /// The model's loss with the setup before the search, SI.
-    pub loss_as_set_up: Number,
+    pub loss_as_set_up: JsonNumber,
     /// The model's constraints with the robust design.
     pub constraints: Vec<ConstraintReport>,
 }
@@ -122,7 +122,11 @@ impl ModelReport {
             optimum: ByName::of_varied(&found.search.vary, &best.solution.x),
             loss: found.losses[k].into(),
             share: found.shares[k].into(),
-            losses: found.matrix[k].iter().copied().map(Number::from).collect(),
+            losses: found.matrix[k]
+                .iter()
+                .copied()
+                .map(JsonNumber::from)
+                .collect(),
             loss_as_set_up: found.as_set_up[k].into(),
             constraints: constraints(found, k),
         }

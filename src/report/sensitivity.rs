@@ -1,5 +1,5 @@
 use super::document::{Detail, Document, DocumentTable, Line};
-use super::json::{ByName, Number};
+use super::json::{ByName, JsonNumber};
 use super::lines::by_reason;
 use super::optimum::{
     OptimumReport, Surroundings, add_convergence, add_place, drive_lines, gain_lines,
@@ -50,11 +50,11 @@ pub struct SensitivityReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SensitivityOf {
     /// df*/dp, SI.
-    pub value: Number,
+    pub value: JsonNumber,
     /// dx*/dp of each varied parameter, SI.
-    pub optimum: Option<ByName<Number>>,
+    pub optimum: Option<ByName<JsonNumber>>,
     /// d²f*/dp², SI.
-    pub curvature: Number,
+    pub curvature: JsonNumber,
     /// The reason why the derivatives do not exist; `null` if they exist.
     pub message: Option<String>,
 }
@@ -88,7 +88,7 @@ pub struct PredictedOptimum {
     /// The value of the objective to first order, SI.
     pub first_order: f64,
     /// The varied parameters at the optimum, SI.
-    pub optimum: ByName<Number>,
+    pub optimum: ByName<JsonNumber>,
 }
 
 /// The result of a new search after a change.
@@ -98,9 +98,9 @@ pub struct ResolvedOptimum {
     /// The status of the search.
     pub status: &'static str,
     /// The value of the objective, SI.
-    pub value: Number,
+    pub value: JsonNumber,
     /// The varied parameters at the optimum, SI.
-    pub optimum: Option<ByName<Number>>,
+    pub optimum: Option<ByName<JsonNumber>>,
     /// The status in a sentence.
     pub message: Message,
 }
@@ -175,9 +175,9 @@ impl SensitivityOf {
                 message: None,
             },
             Err(error) => Self {
-                value: Number(None),
+                value: JsonNumber(None),
                 optimum: None,
-                curvature: Number(None),
+                curvature: JsonNumber(None),
                 message: Some(error.to_string()),
             },
         }

@@ -2,7 +2,7 @@
 //! of the answer.
 
 use super::document::{DocumentTable, Line};
-use super::json::{ByName, Number};
+use super::json::{ByName, JsonNumber};
 use super::limits::ended_at;
 use super::shown;
 use crate::optimize::Status;
@@ -61,7 +61,7 @@ pub struct StudiesReport {
     pub scenarios: ScenariosReport,
     /// The values of the goals at the design before the search, SI; `null` if the ball does not fly
     /// in one of the swings.
-    pub as_set_up: Option<ByName<Number>>,
+    pub as_set_up: Option<ByName<JsonNumber>>,
     /// The best design for the mean swing; `null` without an optimum, or if the ball of the mean
     /// swing does not fly.
     pub nominal: Option<NominalReport>,
@@ -86,12 +86,12 @@ pub struct StudiesReport {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct NominalReport {
     /// The varied parameters, SI.
-    pub optimum: ByName<Number>,
+    pub optimum: ByName<JsonNumber>,
     /// The values of the goals that the mean swing alone predicts, SI.
-    pub promised: ByName<Number>,
+    pub promised: ByName<JsonNumber>,
     /// The values of the goals over all swings, SI; `null` if the ball does not fly in one of the
     /// swings.
-    pub kept: Option<ByName<Number>>,
+    pub kept: Option<ByName<JsonNumber>>,
 }
 
 impl StudiesReport {
@@ -101,7 +101,7 @@ impl StudiesReport {
         if search.scenarios.is_one_drive() {
             return None;
         }
-        let goals = |values: &[f64]| -> ByName<Number> {
+        let goals = |values: &[f64]| -> ByName<JsonNumber> {
             let names = search.goals().map(|goal| goal.expression.clone());
             names.zip(values.iter().copied()).collect()
         };

@@ -28,7 +28,7 @@ mod moments;
 mod ranking;
 mod summary;
 
-pub use crate::json::Number;
+pub use crate::json::JsonNumber;
 pub(crate) use extent::{extent, largest_magnitude};
 pub use histogram::Histogram;
 pub use moments::Moments;

@@ -1,6 +1,6 @@
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::json::Number;
+use crate::json::JsonNumber;
 use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -20,7 +20,7 @@ pub struct RankedRow {
     pub value: f64,
     /// Values of the swept parameters, by name. A value missing in a table of points is `null`; an
     /// infinite value (a flat face) is the text `inf`.
-    pub point: BTreeMap<String, Number>,
+    pub point: BTreeMap<String, JsonNumber>,
 }
 
 /// Rows with the highest or lowest values of an outcome, best first. Equal values are sorted by row

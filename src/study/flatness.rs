@@ -91,12 +91,12 @@ pub struct Direction {
     #[serde(serialize_with = "numbers_by_name")]
     #[cfg_attr(
         test,
-        schemars(with = "std::collections::BTreeMap<String, crate::json::Number>")
+        schemars(with = "std::collections::BTreeMap<String, crate::json::JsonNumber>")
     )]
     pub along: Vec<(&'static Parameter, f64)>,
     /// The multiple of the direction at which the quadratic model has the stated loss.
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub reach: f64,
     /// The losses of drives computed at plus and minus this multiple of the direction, SI.
     // `None` outside of the ranges, and for a drive that does not fly

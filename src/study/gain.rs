@@ -23,7 +23,7 @@ pub struct ClubAlone {
     #[serde(serialize_with = "varied")]
     #[cfg_attr(
         test,
-        schemars(with = "std::collections::BTreeMap<String, crate::json::Number>")
+        schemars(with = "std::collections::BTreeMap<String, crate::json::JsonNumber>")
     )]
     pub optimum: Optimum,
 }

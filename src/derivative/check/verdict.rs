@@ -1,6 +1,6 @@
 use super::ladder::{LEAST_STEP, rounding_of};
 use super::{DerivativeEstimate, Ladder, Side};
-use crate::json::Number;
+use crate::json::JsonNumber;
 use serde::Serialize;
 
 /// Result of comparing an exact derivative with differences.
@@ -109,21 +109,21 @@ pub struct Check {
     pub verdict: Verdict,
     /// The exact derivative, SI.
     #[serde(serialize_with = "crate::json::number")]
-    #[cfg_attr(test, schemars(with = "Number"))]
+    #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub exact: f64,
     /// The best numerical derivative, SI.
     // `None` if there are too few values for any side
     #[serde(rename = "best_difference", serialize_with = "crate::json::number")]
-    #[cfg_attr(test, schemars(with = "Number"))]
+    #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub best: Option<DerivativeEstimate>,
     /// The absolute difference between `exact` and `best_difference`, SI.
     #[serde(serialize_with = "crate::json::number")]
-    #[cfg_attr(test, schemars(with = "Number"))]
+    #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub error: f64,
     /// The largest allowed difference, SI.
     // [`BAR`] times the error estimate of the differences, at least [`Demand::least_bar`]
     #[serde(rename = "tolerance", serialize_with = "crate::json::number")]
-    #[cfg_attr(test, schemars(with = "Number"))]
+    #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub bar: f64,
     /// The one-sided derivatives below and above a corner, SI; `null` without a corner. One of the
     /// two derivatives is `null` if its side is outside of the parameter's range.
@@ -133,7 +133,7 @@ pub struct Check {
     pub curve: Vec<CurvePoint>,
 }
 
-impl From<Option<DerivativeEstimate>> for Number {
+impl From<Option<DerivativeEstimate>> for JsonNumber {
     fn from(estimate: Option<DerivativeEstimate>) -> Self {
         Self(estimate.map(|estimate| estimate.value))
     }

@@ -4,7 +4,7 @@ mod plots;
 mod text;
 
 use super::document::Document;
-use super::json::{ByName, Matrix, Number, Settings, settings};
+use super::json::{ByName, JsonNumber, Matrix, Settings, settings};
 use super::reply::{Ending, Report};
 use super::setup_file::setup_toml;
 use super::shown::as_declared;
@@ -38,19 +38,19 @@ pub struct CalibrationReport<'a> {
     pub correlation: Matrix,
     /// Combinations of parameters that the data do not determine, each as the changes of its
     /// parameters, SI.
-    pub undetermined: Vec<ByName<Number>>,
+    pub undetermined: Vec<ByName<JsonNumber>>,
     /// χ² of the fit.
-    pub chi_square: Number,
+    pub chi_square: JsonNumber,
     /// The number of measured values minus the number of parameters that they determine, at least
     /// 0. Parameters at a bound are not counted.
     pub degrees_of_freedom: usize,
     /// The probability of a χ² at least this large, if the model is right; `null` unless the data
     /// state every uncertainty and leave degrees of freedom.
-    pub probability: Number,
+    pub probability: JsonNumber,
     /// √(χ²/degrees of freedom), by which the standard uncertainties are multiplied. It is 1 if the
     /// data state every uncertainty. If the residuals give no scale, it is 1 if the uncertainty of
     /// every value is known, and `null` otherwise.
-    pub uncertainty_scale: Number,
+    pub uncertainty_scale: JsonNumber,
     /// Iterations of the fit.
     pub iterations: u64,
     /// Evaluations of the residuals.
@@ -111,9 +111,9 @@ pub struct HeldOutReport {
     /// interrupted fit.
     pub fits: ByName<usize>,
     /// Root mean square of the residuals, each in units of its standard uncertainty.
-    pub rms_standardized: Number,
+    pub rms_standardized: JsonNumber,
     /// Root mean square of the residuals of each outcome, not divided by their uncertainties, SI.
-    pub rms: ByName<Number>,
+    pub rms: ByName<JsonNumber>,
 }
 
 impl<'a> CalibrationReport<'a> {

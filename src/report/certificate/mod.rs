@@ -7,7 +7,7 @@ pub(super) use text::settled;
 use crate::derivative::check::{Check, Curve, Verdict};
 use crate::drive::Outcome;
 use crate::report::document::{Document, Line};
-use crate::report::json::Number;
+use crate::report::json::JsonNumber;
 use crate::report::lines::by_reason;
 use crate::report::reply::{Ending, Report};
 use crate::reproduce::LoopRow;
@@ -61,25 +61,25 @@ pub struct CertificateRow<'a> {
     /// `pass`, `fail` or `corner`.
     pub verdict: Verdict,
     /// The exact derivative, SI.
-    pub exact: Number,
+    pub exact: JsonNumber,
     /// The best numerical derivative, SI.
-    pub best_difference: Number,
+    pub best_difference: JsonNumber,
     /// The difference between `exact` and `best_difference`, SI.
-    pub error: Number,
+    pub error: JsonNumber,
     /// The largest allowed `error`, SI.
-    pub tolerance: Number,
+    pub tolerance: JsonNumber,
     /// The derivative from `num_dual::Dual64`.
     pub num_dual: Agreement,
     /// The one-sided derivatives below and above a corner, SI: `null` without a corner, and on a
     /// side outside of the parameter's range.
     pub sides: Option<[Option<f64>; 2]>,
     /// The step at which the plain central difference has the smallest error, SI.
-    pub best_step: Number,
+    pub best_step: JsonNumber,
     /// The error of the central difference at `best_step`, SI.
-    pub best_step_error: Number,
+    pub best_step_error: JsonNumber,
     /// The slopes of the Taylor remainders of degree 0, 1 and 2 as functions of the step, in
     /// logarithmic scales; `null` if rounding dominates the remainder.
-    pub taylor_slopes: [Number; 3],
+    pub taylor_slopes: [JsonNumber; 3],
     /// The check of the second derivative by the parameter; `null` if this derivative does not
     /// exist or is discontinuous.
     pub second: Option<&'a Check>,
@@ -187,7 +187,7 @@ impl<'a> CertificateRow<'a> {
             sides: check.sides,
             best_step: best.map(|best| best.step).into(),
             best_step_error: best.map(|best| best.error).into(),
-            taylor_slopes: row.slopes.map(Number::from),
+            taylor_slopes: row.slopes.map(JsonNumber::from),
             second: row.second.as_ref(),
             curve: Curve::of(&check.curve),
         }

@@ -6,7 +6,7 @@ mod searches;
 mod tables;
 
 use super::document::Document;
-use super::json::{ByName, Number};
+use super::json::{ByName, JsonNumber};
 use super::optimum::Multipliers;
 use super::published::PaperUnits;
 use super::reply::Report;
@@ -75,9 +75,9 @@ pub struct TableRow {
     #[serde(flatten)]
     pub optimum: OptimumRow,
     /// The carry at the printed optimum, m.
-    pub carry_at_printed: Number,
+    pub carry_at_printed: JsonNumber,
     /// The carry lost at the printed optimum, m.
-    pub cost: Number,
+    pub cost: JsonNumber,
 }
 
 /// The numbers in the printed report.

@@ -2,7 +2,7 @@
 
 use super::super::Reply;
 use super::super::drive::{LaunchReport, LawRanges, flight, launch, law_range};
-use super::super::json::{ByName, Number, Settings, settings};
+use super::super::json::{ByName, JsonNumber, Settings, settings};
 use super::super::limits::gain;
 use super::super::swings::{OverSwings, StudiesReport};
 use super::surroundings::Surroundings;
@@ -26,23 +26,23 @@ pub struct OptimumReport {
     #[cfg_attr(test, schemars(with = "Sense"))]
     pub sense: &'static str,
     /// The value of the objective, SI; `null` if no drive flies.
-    pub value: Number,
+    pub value: JsonNumber,
     /// The varied parameters at the optimum, SI.
-    pub optimum: Option<ByName<Number>>,
+    pub optimum: Option<ByName<JsonNumber>>,
     /// The varied parameters at the start, if no point of the search has a value; otherwise
     /// omitted.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub start: Option<ByName<Number>>,
+    pub start: Option<ByName<JsonNumber>>,
     /// The drive before the search; `null` for swings.
     pub as_set_up: Option<StartReport>,
     /// The gradient of the objective at the optimum by the varied parameters, SI.
-    pub gradient: Option<ByName<Number>>,
+    pub gradient: Option<ByName<JsonNumber>>,
     /// The multipliers of the bounds of each varied parameter, SI.
     pub multipliers: Option<BTreeMap<&'static str, Multipliers>>,
     /// The constraints.
     pub constraints: Vec<ConstraintReport>,
     /// The relative KKT residual.
-    pub kkt_residual: Number,
+    pub kkt_residual: JsonNumber,
     /// Iterations of the optimizer.
     pub iterations: u64,
     /// Evaluations of objective and constraints with derivatives.
@@ -61,7 +61,7 @@ pub struct OptimumReport {
     pub launch: Option<LaunchReport>,
     /// The flight of the optimal drive; `null` for swings.
     #[cfg_attr(test, schemars(schema_with = "super::super::drive::flight_schema"))]
-    pub flight: Option<ByName<Number>>,
+    pub flight: Option<ByName<JsonNumber>>,
     /// The range of the law's fit and the range of the optimal flight, for each quantity of the
     /// fit; `null` if there is no air or no flight, and for swings.
     pub law_range: Option<LawRanges>,
@@ -69,7 +69,7 @@ pub struct OptimumReport {
     /// `window_loss`; `null` for swings, and without an optimum.
     pub window: Option<ByName<Window>>,
     /// The loss allowed in each window, SI; `null` without windows.
-    pub window_loss: Number,
+    pub window_loss: JsonNumber,
     /// The gain of the optimum in two parts: from the club with the swing as set up, and from the
     /// swing; `null` if the search does not vary both, or if the first part is unknown.
     pub club_alone: Option<ClubAlone>,
@@ -125,9 +125,9 @@ pub struct LocalReport {
     /// The status of the searches that ended here.
     pub status: &'static str,
     /// The objective, SI; `null` if no drive flies.
-    pub value: Number,
+    pub value: JsonNumber,
     /// The varied parameters, SI.
-    pub optimum: ByName<Number>,
+    pub optimum: ByName<JsonNumber>,
     /// The number of starts that reached this optimum.
     pub starts: usize,
 }
@@ -161,11 +161,11 @@ pub struct Multipliers {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct StartReport {
     /// The varied parameters before the search, SI; `null` for a parameter without a value.
-    pub parameters: ByName<Number>,
+    pub parameters: ByName<JsonNumber>,
     /// The carry, m; `null` if the drive does not fly.
-    pub carry: Number,
+    pub carry: JsonNumber,
     /// The total, m; `null` if the ball does not come to rest.
-    pub total: Number,
+    pub total: JsonNumber,
 }
 
 impl StartReport {
@@ -176,7 +176,7 @@ impl StartReport {
         let vary = optimum.search.parameters();
         let parameters = vary.map(|parameter| (parameter.name, optimum.start.value(parameter)));
         let drive = optimum.start_drive.as_ref();
-        let outcome = |of: Outcome| Number(drive.and_then(|drive| of.value(drive)));
+        let outcome = |of: Outcome| JsonNumber(drive.and_then(|drive| of.value(drive)));
         Some(Self {
             parameters: parameters.collect(),
             carry: outcome(Outcome::Carry),
@@ -232,7 +232,7 @@ impl OptimumReport {
             flight: drive.and_then(flight),
             law_range: drive.and_then(|drive| law_range(&optimum.setup, drive)),
             window: None,
-            window_loss: Number(None),
+            window_loss: JsonNumber(None),
             club_alone: None,
             file: None,
             swings: None,
@@ -268,7 +268,7 @@ pub struct DesignReport {
     /// The assumptions, in sentences.
     pub notes: Vec<String>,
     /// The values of the varied parameters before the search.
-    pub as_set_up: ByName<Number>,
+    pub as_set_up: ByName<JsonNumber>,
     /// The goals before the search and with the best design, over all swings; empty without a best
     /// design.
     pub parts: Vec<Improvement>,
@@ -292,14 +292,14 @@ pub struct LimitReport {
     #[cfg_attr(test, schemars(extend("enum" = ["bound", "limit", "value", "unknown"])))]
     pub by: &'static str,
     /// The lower limit, SI; `null` without one.
-    pub low: Number,
+    pub low: JsonNumber,
     /// The upper limit, SI; `null` without one.
-    pub high: Number,
+    pub high: JsonNumber,
     /// The value of the expression, SI; `null` if it is unknown.
-    pub value: Number,
+    pub value: JsonNumber,
     /// The distance from the nearer limit, SI; negative if the limit is violated.
-    pub margin: Number,
+    pub margin: JsonNumber,
     /// The multiplier of an active limit: the gain of the goal per SI unit by which the limit is
     /// relaxed; `null` if the limit is inactive.
-    pub price: Number,
+    pub price: JsonNumber,
 }

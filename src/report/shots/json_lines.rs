@@ -1,7 +1,7 @@
 //! Flown shots as JSON lines, in SI.
 
 #[cfg(test)]
-use super::super::json::{ByName, Number};
+use super::super::json::{ByName, JsonNumber};
 use crate::drive::Outcome;
 #[cfg(test)]
 use crate::shots::Origin;
@@ -47,22 +47,22 @@ pub struct FlyRow {
     normalized: Option<bool>,
     /// The launch that is flown; `null` for a refused row.
     #[schemars(extend("required" = LAUNCH))]
-    launch: Option<ByOutcome<Number>>,
+    launch: Option<ByOutcome<JsonNumber>>,
     /// The parameters besides the launch that the row states.
-    parameters: ByName<Number>,
+    parameters: ByName<JsonNumber>,
     /// The delivery of the club that the row states.
     #[schemars(extend("propertyNames" = { "enum": Club::NAMES }))]
-    club: ByName<Number>,
+    club: ByName<JsonNumber>,
     /// The conditions for which the export states its values.
     condition: Option<String>,
     /// The outcomes that the row states, including the launch.
-    stated: ByOutcome<Number>,
+    stated: ByOutcome<JsonNumber>,
     /// The origins of stated outcomes, if the export states them.
     origins: ByOutcome<Origin>,
     /// The predicted outcomes.
-    predicted: ByOutcome<Number>,
+    predicted: ByOutcome<JsonNumber>,
     /// The residuals, predicted − measured.
-    residual: ByOutcome<Number>,
+    residual: ByOutcome<JsonNumber>,
     /// The row as in the file.
     row: OriginalRow,
 }

@@ -21,7 +21,7 @@ pub struct SweepRow {
     /// The status of the drive.
     status: crate::batch::Status,
     #[schemars(flatten)]
-    values: super::super::json::ByName<super::super::json::Number>,
+    values: super::super::json::ByName<super::super::json::JsonNumber>,
 }
 
 impl SweepJsonLines {

@@ -2,7 +2,7 @@ use crate::drive::Outcome;
 use crate::parameters::Setup;
 use crate::report::document::{Document, DocumentTable, Line};
 use crate::report::shown;
-use crate::statistics::{Histogram, Number, Ranking, Summary};
+use crate::statistics::{Histogram, JsonNumber, Ranking, Summary};
 use crate::units::{System, counted, significant};
 
 /// A summary of a sweep's rows: counts by status, moments of each column, histograms and best rows.
@@ -78,7 +78,7 @@ fn histogram(histogram: &Histogram, system: System) -> DocumentTable {
 /// The best rows by a column, with the swept parameters of each row.
 fn ranking(ranking: &Ranking, system: System) -> DocumentTable {
     let setup = Setup::default();
-    let coordinate = |name: &str, value: Number| {
+    let coordinate = |name: &str, value: JsonNumber| {
         let Some(value) = value.0 else {
             return format!("{name} {}", shown::NONE);
         };

@@ -40,7 +40,7 @@ pub struct ConstantChange {
 pub struct ChangedOptimum {
     /// The carry, m.
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub value: Option<f64>,
     /// The varied parameters, rad.
     // the best attack angle stays at its bound

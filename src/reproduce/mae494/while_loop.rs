@@ -83,7 +83,7 @@ pub struct LoopRow {
     /// The finite difference with a step of 1e-8, SI.
     // the nearest step to 1e-8 of the parameter's characteristic size; optimizers use such steps
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub difference: Option<f64>,
     /// True if `difference` and the exact derivative have different signs.
     #[serde(rename = "sign_is_wrong")]

@@ -17,12 +17,12 @@ pub struct Estimate {
     pub parameter: &'static Parameter,
     /// The estimate, SI.
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub value: f64,
     /// The standard uncertainty, SI; `null` if the data do not determine the parameter or the scale
     /// of the uncertainties, or if the estimate is at a bound.
     #[serde(rename = "standard_uncertainty", serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub standard_error: Option<f64>,
     /// The 95 % interval, SI; `null` without a standard uncertainty.
     pub interval_95: Option<[f64; 2]>,

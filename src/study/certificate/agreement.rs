@@ -26,15 +26,15 @@ pub struct Agreement {
     pub verdict: Verdict,
     /// The derivative from `num_dual::Dual64`, SI.
     #[serde(rename = "derivative", serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub num_dual: f64,
     /// The difference from the exact derivative, SI.
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub difference: f64,
     /// The largest allowed difference, SI.
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub tolerance: f64,
 }
 

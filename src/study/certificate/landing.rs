@@ -40,7 +40,7 @@ pub struct AtLanding {
     pub parameter: &'static Parameter,
     /// The contribution of the landing time to the derivative, SI.
     #[serde(serialize_with = "crate::json::number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub landing_term: f64,
 }
 

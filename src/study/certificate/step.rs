@@ -34,18 +34,18 @@ pub struct StepError {
     /// The error of the value, relative to the magnitude of the terms from which the outcome is
     /// computed.
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub value_error: f64,
     /// The parameter whose derivative has the largest relative error.
     pub parameter: Option<&'static Parameter>,
     /// The relative error of that derivative.
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub derivative_error: Option<f64>,
     /// The error of a derivative times the typical size of its parameter, relative to the outcome:
     /// the largest of all parameters.
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub derivative_error_of_outcome: f64,
 }
 

@@ -1,7 +1,7 @@
 use crate::derivative::{Order, evaluate};
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::json::{Number, by_name, number};
+use crate::json::{JsonNumber, by_name, number};
 use crate::parameters::{GOLFER, Kind, LAW, Parameter, SPEED_OF, Setup, Ways, given_otherwise};
 use serde::{Serialize, Serializer};
 
@@ -96,7 +96,7 @@ pub struct Share {
     pub values: [CauseValue; 2],
     /// The share of the cause in the difference, SI.
     #[serde(rename = "share", serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "Number"))]
+    #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub amount: f64,
     /// True if the cause changes in one step halfway, because it has no intermediate values.
     pub at_once: bool,
@@ -108,14 +108,17 @@ pub struct Share {
 #[serde(untagged)]
 pub enum CauseValue {
     /// A number in SI, or radians.
-    Number(Number),
+    Number(JsonNumber),
     /// The name of a choice.
     Choice(&'static str),
     /// The stated numbers of a quantity that may be stated in several ways.
     #[serde(serialize_with = "by_name")]
     Numbers(
-        #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, Number>"))]
-        Vec<(&'static str, Number)>,
+        #[cfg_attr(
+            test,
+            schemars(with = "std::collections::BTreeMap<String, JsonNumber>")
+        )]
+        Vec<(&'static str, JsonNumber)>,
     ),
 }
 
@@ -133,12 +136,12 @@ pub struct Shares {
     /// The difference minus the sum of the shares, SI. It is at most `integration_error`, unless
     /// the model has a corner between the drives.
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "Number"))]
+    #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub remainder: f64,
     /// The error estimate of a share, SI: 1e-11 of the outcome (rounding) for a smooth law, up to
     /// 1e-8 of the outcome for a piecewise law.
     #[serde(rename = "integration_error", serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "Number"))]
+    #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub error: f64,
 }
 

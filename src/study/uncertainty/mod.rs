@@ -141,7 +141,7 @@ pub struct Contribution {
     /// The mean of the squared derivative over the sample, SI.
     // None if the outcome does not vary, or if no drive has the derivative
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub mean_square_slope: Option<f64>,
     /// An estimated upper bound of the total index, from the derivatives of the sample.
     // C · mean((∂f/∂p)²) / variance, C the Poincaré constant of the distribution (Sobol' &

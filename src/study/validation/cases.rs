@@ -1,6 +1,6 @@
 use super::compared::Compared;
 use crate::error::{Error, Result};
-use crate::json::Number;
+use crate::json::JsonNumber;
 use crate::units::Quantity;
 use serde::{Serialize, Serializer};
 
@@ -43,7 +43,10 @@ pub struct Case {
     /// The published quantities, SI.
     // in the order of [`Compared::ALL`]
     #[serde(serialize_with = "by_quantity")]
-    #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<Compared, Number>"))]
+    #[cfg_attr(
+        test,
+        schemars(with = "std::collections::BTreeMap<Compared, JsonNumber>")
+    )]
     published: [Option<f64>; Compared::ALL.len()],
 }
 
@@ -53,7 +56,7 @@ fn by_quantity<S: Serializer>(
     serializer: S,
 ) -> std::result::Result<S::Ok, S::Error> {
     let values = Compared::ALL.iter().zip(published);
-    let known = values.filter_map(|(of, value)| Some((of.name(), Number::from((*value)?))));
+    let known = values.filter_map(|(of, value)| Some((of.name(), JsonNumber::from((*value)?))));
     serializer.collect_map(known)
 }
 

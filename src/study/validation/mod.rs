@@ -46,11 +46,11 @@ pub struct Score {
     pub count: usize,
     /// The mean difference, computed minus published, SI; `null` if `count` is 0.
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub bias: Option<f64>,
     /// The mean absolute difference, SI; `null` if `count` is 0.
     #[serde(serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub mean_absolute_error: Option<f64>,
     /// The error of each drive.
     pub residuals: Vec<Residual>,
@@ -92,7 +92,7 @@ pub struct LawScores {
     /// with the average launch; `null` if the published drives are not averages.
     // scattered by [`SCATTER`]
     #[serde(rename = "bias_averaged", serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub averaged: Option<f64>,
 }
 
@@ -110,11 +110,11 @@ fn by_quantity<S: Serializer>(
 pub struct BiasInOtherAir {
     /// The bias at 15 °C, SI.
     #[serde(rename = "at_15_degC", serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub cold: Option<f64>,
     /// The bias at 35 °C, SI.
     #[serde(rename = "at_35_degC", serialize_with = "number")]
-    #[cfg_attr(test, schemars(with = "crate::json::Number"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub warm: Option<f64>,
 }
 
