@@ -157,10 +157,10 @@ mod tests {
     fn a_row_that_is_too_short_is_reported_in_cells_and_columns() {
         let mut reader = csv::Reader::from_reader("a,b,c\n1,2\n".as_bytes());
         let error = reader.records().next().unwrap().unwrap_err();
-        let told = csv_error_text(&error);
+        let sentence = csv_error_text(&error);
         assert!(
-            told.starts_with("the row has 2 cells, but the head has 3 cells; "),
-            "{told}"
+            sentence.starts_with("the row has 2 cells, but the head has 3 cells; "),
+            "{sentence}"
         );
         assert!(
             error.to_string().contains("found record"),

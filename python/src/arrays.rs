@@ -143,7 +143,7 @@ impl Arrays {
             }));
             self.in_degrees.extend(
                 degrees
-                    .told(parameter, self.rows as u64)
+                    .warning(parameter, self.rows as u64)
                     .filter(|_| is_bare),
             );
         }

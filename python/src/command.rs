@@ -44,7 +44,7 @@ struct Caller {
 #[derive(Default)]
 struct Now {
     answer: String,
-    said: Vec<(&'static str, String)>,
+    messages: Vec<(&'static str, String)>,
     stop: Option<Arc<AtomicBool>>,
     /// True once interruptible work has ended: the rest of the command only makes the answer.
     has_found: bool,
@@ -121,7 +121,7 @@ impl Caller {
     }
 
     /// Adds a note with the position of the progress bar and the best value so far.
-    fn tell_of_bar(&self) {
+    fn note_progress(&self) {
         let mut now = self.now();
         let Some(bar) = now.bar.clone().filter(|bar| bar.length() > 0) else {
             return;
@@ -130,8 +130,8 @@ impl Caller {
             "" => String::new(),
             best => format!(", best {best}"),
         };
-        let told = format!("{} of {} done{best}", bar.position(), bar.length());
-        now.said.push(("note", told));
+        let sentence = format!("{} of {} done{best}", bar.position(), bar.length());
+        now.messages.push(("note", sentence));
     }
 
     /// Stops the current work. Returns the time that the work may take to answer; zero if the work
@@ -164,7 +164,7 @@ impl Host for Caller {
             MessageKind::Usage => return,
             MessageKind::Error => "error",
         };
-        self.now().said.push((kind, text.to_owned()));
+        self.now().messages.push((kind, text.to_owned()));
     }
 
     /// Always true: the level of Python's log selects the messages.
@@ -306,7 +306,7 @@ fn ran<'py>(
     progress: Option<&Bound<'py, PyAny>>,
 ) -> Answer<Ran<'py>> {
     let host = caller.clone();
-    let watch = || said(&caller, say).and_then(|()| shown(&caller, progress));
+    let watch = || pass_on(&caller, say).and_then(|()| shown(&caller, progress));
     let patience = |raised: &PyErr| {
         let time = caller.stops();
         // wait for the answer only after Ctrl-C: other exceptions come from `say` or `progress`
@@ -320,8 +320,8 @@ fn ran<'py>(
         match pool::run_to_answer(py, move |_| call(&request, host), watch, patience)? {
             Ended::Done(status, raised) => (Some(status), raised),
             Ended::Left(raised) => {
-                caller.tell_of_bar();
-                said(&caller, say)?;
+                caller.note_progress();
+                pass_on(&caller, say)?;
                 let written = py.detach(|| {
                     let mut files = caller.written();
                     files.is_left = true;
@@ -332,7 +332,7 @@ fn ran<'py>(
             }
         };
     // the user may also press Ctrl-C during these last messages
-    let raised = raised.or(said(&caller, say).err());
+    let raised = raised.or(pass_on(&caller, say).err());
     let text = std::mem::take(&mut caller.now().answer);
     let outputs = PyDict::new(py);
     for (name, content) in caller.outputs().drain() {
@@ -341,10 +341,11 @@ fn ran<'py>(
     Ok((status, parsed(py, &text)?, outputs, raised))
 }
 
-fn said(caller: &Caller, say: &Bound<'_, PyAny>) -> PyResult<()> {
-    let said = std::mem::take(&mut caller.now().said);
-    said.into_iter()
-        .try_for_each(|said| say.call1(said).map(drop))
+fn pass_on(caller: &Caller, say: &Bound<'_, PyAny>) -> PyResult<()> {
+    let messages = std::mem::take(&mut caller.now().messages);
+    messages
+        .into_iter()
+        .try_for_each(|message| say.call1(message).map(drop))
 }
 
 fn shown(caller: &Caller, progress: Option<&Bound<'_, PyAny>>) -> PyResult<()> {

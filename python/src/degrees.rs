@@ -27,7 +27,7 @@ impl Degrees {
 
     /// The warning about values outside of a parameter's range, if all of them are within the range
     /// when they are read in degrees. `all` is the number of all values of the parameter.
-    pub fn told(&self, parameter: &Parameter, all: u64) -> Option<String> {
+    pub fn warning(&self, parameter: &Parameter, all: u64) -> Option<String> {
         let (low, high) = self.range.filter(|_| !self.is_beyond)?;
         let name = parameter.name;
         let which = counted_of(self.count, all, ["value", "values"]);

@@ -29,7 +29,7 @@ pub fn matrix<'py>(
 }
 
 /// The outcomes with their derivatives.
-fn asked(
+fn computed(
     setup: &Bound<'_, PyAny>,
     of: &[String],
     wrt: Option<&Bound<'_, PyAny>>,
@@ -74,7 +74,13 @@ pub fn gradient<'py>(
 ) -> PyResult<Gradient<'py>> {
     answer(|| {
         let choice = step_choice(tolerance, own_step)?;
-        let taylor = one(asked(setup, &[of.to_owned()], wrt, choice, Order::First)?)?;
+        let taylor = one(computed(
+            setup,
+            &[of.to_owned()],
+            wrt,
+            choice,
+            Order::First,
+        )?)?;
         Ok((taylor.value, vector(py, &taylor.gradient)))
     })
 }
@@ -92,7 +98,7 @@ pub fn jacobian<'py>(
 ) -> PyResult<Jacobian<'py>> {
     answer(|| {
         let choice = step_choice(tolerance, own_step)?;
-        let taylors = asked(setup, &listed("of", of)?, wrt, choice, Order::First)?;
+        let taylors = computed(setup, &listed("of", of)?, wrt, choice, Order::First)?;
         let values: Vec<_> = taylors.iter().map(|taylor| taylor.value).collect();
         let rows: Vec<_> = taylors.into_iter().map(|taylor| taylor.gradient).collect();
         let columns = rows.first().map_or(0, Vec::len);
@@ -114,7 +120,13 @@ pub fn hessian<'py>(
 ) -> PyResult<Hessian<'py>> {
     answer(|| {
         let choice = step_choice(tolerance, own_step)?;
-        let taylor = one(asked(setup, &[of.to_owned()], wrt, choice, Order::Second)?)?;
+        let taylor = one(computed(
+            setup,
+            &[of.to_owned()],
+            wrt,
+            choice,
+            Order::Second,
+        )?)?;
         let columns = taylor.gradient.len();
         Ok((
             taylor.value,

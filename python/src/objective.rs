@@ -24,9 +24,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// The last point at which the function was evaluated, with its results.
 struct Point {
     x: Vec<f64>,
-    /// The order of the computed derivatives; `asked` is the highest requested order.
+    /// The order of the computed derivatives; `requested` is the highest requested order.
     order: Order,
-    asked: Order,
+    requested: Order,
     found: Option<Taylor>,
 }
 
@@ -203,18 +203,18 @@ impl PyObjective {
     fn at(&self, x: &Bound<'_, PyAny>, order: Order) -> Answer<Option<Taylor>> {
         let (py, x) = (x.py(), self.point(x)?);
         let mut to = order;
-        let mut asked = order;
+        let mut requested = order;
         // release the lock before the computation: other code of Python may call this method
         // meanwhile
         if let Some(point) = &mut *self.last() {
             if point.x == x {
-                point.asked = point.asked.max(order);
-                asked = point.asked;
+                point.requested = point.requested.max(order);
+                requested = point.requested;
                 if point.order >= order {
                     return Ok(point.found.clone());
                 }
             } else {
-                to = order.max(point.asked);
+                to = order.max(point.requested);
             }
         }
         let found = match self.function.at(py, &x, to)? {
@@ -237,7 +237,7 @@ impl PyObjective {
         *self.last() = Some(Point {
             x,
             order: to,
-            asked,
+            requested,
             found: found.clone(),
         });
         Ok(found)

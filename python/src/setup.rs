@@ -242,11 +242,11 @@ impl PySetup {
         Ok(match choice {
             Some(choice) => choice.into_bound_py_any(py)?,
             None if name == TURF => {
-                let told = format!(
+                let sentence = format!(
                     "'{TURF}' only chooses the other numbers of the ground, which the setup has: \
                      setup[\"ground.restitution\"]"
                 );
-                return Err(Failure::Key(told));
+                return Err(Failure::Key(sentence));
             }
             None => {
                 let row = setup
@@ -654,7 +654,7 @@ impl PySetup {
     /// The warnings about the setup, a list of sentences.
     fn warnings(&self) -> PyResult<Vec<String>> {
         answer(|| {
-            let mut told: Vec<_> = self
+            let mut sentence: Vec<_> = self
                 .setup
                 .warnings()
                 .iter()
@@ -668,13 +668,13 @@ impl PySetup {
                     .filter(|row| row.is_of_strike());
                 let names: Vec<_> = of_club.map(|row| row.name).collect();
                 if !names.is_empty() {
-                    told.push(format!(
+                    sentence.push(format!(
                         "not used, since the drive is given by its launch: {}",
                         names.join(", ")
                     ));
                 }
             }
-            Ok(told)
+            Ok(sentence)
         })
     }
 

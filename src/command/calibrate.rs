@@ -4,7 +4,7 @@
 use crate::command::args::{SetupArgs, U32, whole};
 use crate::command::files::{Destination, Folder, OutputRule};
 use crate::command::interrupt::{self, BEST_SO_FAR};
-use crate::command::output::{Answer, system, tell, warn};
+use crate::command::output::{Answer, note, system, warn};
 use crate::command::reproduce::{DOCUMENT, write};
 use crate::command::request::Request;
 use crate::command::running::running;
@@ -223,7 +223,7 @@ impl CalibrationFiles {
         let data = args.data.display().to_string();
         let toml = report.toml(&request.source.content, &data)?;
         let file = request.write_setup(output, toml)?;
-        tell(&format!("wrote the fitted setup into {file}"));
+        note(&format!("wrote the fitted setup into {file}"));
         Ok(true)
     }
 }
@@ -273,7 +273,7 @@ impl<'a> CrossValidation<'a> {
     ) -> Result<Vec<(String, HeldOut)>> {
         let folds = self.folds;
         if !follow.is_interrupted() {
-            tell(&format!(
+            note(&format!(
                 "cross-validation: fitting {folds} times, each time without a part of the rows"
             ));
         }
@@ -317,7 +317,7 @@ fn show_iteration(is_numbered: bool) -> impl Fn(u64, f64) {
         } else {
             String::new()
         };
-        running.tell(&format!(
+        running.note(&format!(
             "{search}iteration {iteration:3}  half the sum of squares {sum:.6e}"
         ));
     }

@@ -2,7 +2,7 @@ use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::host::SharedProgress;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{
-    Answer, once_a_second, spinner, stated_system, system, tell, tell_detail, tell_error, warn,
+    Answer, note, note_detail, note_error, once_a_second, spinner, stated_system, system, warn,
 };
 use crate::command::ranges::{DefaultRanges, held};
 use crate::optimize::Iteration;
@@ -62,7 +62,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let stop = interrupt::stops(BEST_SO_FAR);
     request.note_starts(&setup, &search.vary);
     if !at.is_sorted_by(|a, b| a < b) {
-        tell("the values of `at` are used in ascending order, each once");
+        note("the values of `at` are used in ascending order, each once");
     }
     let held = held(&args.search.vary, || {
         DefaultRanges::longest_drive(&request, &setup)
@@ -74,7 +74,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     interrupt::ends();
     let chart = match chart {
         Err(error) if error.is_an_outcome() => {
-            tell_error(&error);
+            note_error(&error);
             let none = Chart {
                 along,
                 points: vec![],
@@ -95,8 +95,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(chart.warnings());
     let report = ChartReport::new(&chart, &search);
     let answer = if args.csv && !request.is_json {
-        for note in chart.begun.iter().chain(&chart.ended) {
-            tell(&note.in_units(system()));
+        for message in chart.begun.iter().chain(&chart.ended) {
+            note(&message.in_units(system()));
         }
         Answer::text(report.csv(stated_system().into())?)
     } else {
@@ -128,7 +128,7 @@ fn follow(
             if last.replace(place.clone()) != place {
                 let doing = format!("searching for an optimum at {place}");
                 spinner.set_message(doing.clone());
-                spinner.suspend(&mut || tell_detail(&doing));
+                spinner.suspend(&mut || note_detail(&doing));
             }
         }
     };
@@ -141,7 +141,7 @@ fn follow(
                     .value()
                     .map_or("–".into(), |value| outcome_text(of, value, system()));
                 let place = place_text(point.at);
-                spinner.suspend(&mut || tell_detail(&format!("{place}: {} {value}", of.name())));
+                spinner.suspend(&mut || note_detail(&format!("{place}: {} {value}", of.name())));
             }
         }
     };
@@ -161,7 +161,7 @@ fn progress(search: &Search, spinner: &SharedProgress) -> impl Fn(&Iteration) + 
     let (search, spinner, is_due) = (search.clone(), spinner.clone(), once_a_second());
     move |iteration| {
         if is_due() {
-            spinner.suspend(&mut || tell_detail(&iteration_line(&search, iteration, system())));
+            spinner.suspend(&mut || note_detail(&iteration_line(&search, iteration, system())));
         }
     }
 }

@@ -1,6 +1,6 @@
 use crate::command::args::SetupArgs;
 use crate::command::names::outcomes;
-use crate::command::output::{Answer, spinner, tell, tell_error, warn};
+use crate::command::output::{Answer, note, note_error, spinner, warn};
 use crate::command::request::{CommandSetting, Request, Source, refuse_duplicates};
 use crate::report::{ComparisonReport, SetupOrigin};
 use crate::study::Comparison;
@@ -65,7 +65,7 @@ pub fn run(args: &Args) -> Result<Answer> {
             // report the other outcomes if one has no value (no landing, no direction)
             Err(error) if error.is_an_outcome() => {
                 is_complete = false;
-                tell_error(&error);
+                note_error(&error);
                 each.push((of, Err(error)));
             }
             difference => each.push((of, Ok(difference?))),
@@ -159,7 +159,7 @@ impl PairArgs {
         )?;
         if comparison.is_refined {
             let setup = &comparison.setups[0];
-            tell(&format!(
+            note(&format!(
                 "note: both drives are flown with flight.method = {} and flight.step = {} s: the \
                  higher order and the shorter step of the two setups",
                 setup.method.name(),

@@ -2,7 +2,7 @@ use crate::command::args::SetupArgs;
 use crate::command::files::{Destination, OutputRule, ending};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::sigmas;
-use crate::command::output::{Answer, command_line, system, tell, warn};
+use crate::command::output::{Answer, command_line, note, system, warn};
 use crate::command::ranges::varied;
 use crate::command::request::{CommandSetting, Request, Source};
 use crate::report::{
@@ -198,8 +198,8 @@ fn of_shots(
         .remarks
         .iter()
         .filter(|remark| !table.warnings.contains(remark));
-    remarks.for_each(|remark| tell(&remark.in_units(system())));
-    tell(&format!(
+    remarks.for_each(|remark| note(&remark.in_units(system())));
+    note(&format!(
         "{}: only the launch of each row is used, not the flight",
         table.file
     ));
@@ -305,7 +305,7 @@ impl DeliveryFiles {
                 let base = &request.source.content;
                 let toml = delivery_toml(setup, &found.all, base, &found.from)?;
                 let file = request.write_setup(output, toml)?;
-                tell(&format!(
+                note(&format!(
                     "wrote the setup with this delivery into {file}; 'longdrive optimize {file} \
                      --vary club.loft=4deg..20deg' finds the loft of the longest carry for it"
                 ));
@@ -340,7 +340,7 @@ impl DeliveryFiles {
         let file = swings.path.display();
         let explained = found.explained();
         let count = counted(explained as u64, "swing");
-        tell(&if self.is_table {
+        note(&if self.is_table {
             format!(
                 "wrote {count} into {file}: what a shot does not identify is drawn towards the \
                  prior, so these swings scatter less than the golfer's; a name that ends in .toml \
@@ -350,12 +350,12 @@ impl DeliveryFiles {
             format!("wrote the distribution of {count} into {file}")
         });
         if found.all.len() > explained {
-            tell(&format!(
+            note(&format!(
                 "left out of the file: {} whose delivery was not found",
                 counted((found.all.len() - explained) as u64, "row")
             ));
         }
-        tell(&format!(
+        note(&format!(
             "the best design over these swings: {}",
             optimize_over(&swings.path, setup_words())
         ));
@@ -412,7 +412,7 @@ fn note_assumed(unknowns: &[Unknown]) {
                 shown(unknown.prior),
                 parameter_difference_text(unknown.parameter, unknown.sigma, system()),
             );
-            tell(&format!(
+            note(&format!(
                 "prior: {name} = {value} ± {sigma} (one standard deviation); {source}"
             ));
         }
@@ -426,7 +426,7 @@ fn note_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
         let measured = unknown.measured_as(setup.value(unknown.parameter).unwrap_or_default());
         let sigma = parameter_difference_text(unknown.parameter, measured.sigma, system());
         let source = measured.source.unwrap_or("as given");
-        tell(&format!(
+        note(&format!(
             "prior: {name} as in each row ± {sigma} (one standard deviation); {source}"
         ));
     }

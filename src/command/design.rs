@@ -75,18 +75,21 @@ pub fn run(args: &Args) -> Result<Answer> {
         swings.parameters().into_iter().zip(swings.means()),
         "varies about",
     )?;
-    let asked = sought(
+    let requested = sought(
         &search.search,
         &search.swings,
         &request.with_starts(setup, &search.search.vary)?,
         || Ok((Goal::read(GOAL, None)?, Sense::Maximize)),
         |setup| DefaultRanges::new(usual_vary(setup)?, &request).vary(),
     )?;
-    request.note_starts(&setup, &asked.vary);
-    let mut notes = notes_on_defaults(args, &asked);
+    request.note_starts(&setup, &requested.vary);
+    let mut notes = notes_on_defaults(args, &requested);
     let scenarios = Scenarios::new(&swings, search.swings.rule(&swings, true)?)?;
-    let asked = Search { scenarios, ..asked };
-    let design = Design::new(&setup, asked, args.rules == "golf")?;
+    let requested = Search {
+        scenarios,
+        ..requested
+    };
+    let design = Design::new(&setup, requested, args.rules == "golf")?;
     notes.extend(design.notes.iter().cloned());
     let found = found(search, &request, setup, swings, design.search.clone())?;
     let improvements = if found.optima.best.value().is_some() {
@@ -127,7 +130,7 @@ fn refuse_unnamed_preset(request: &Request) -> Result<()> {
 }
 
 /// Notes on the defaults that replace unstated arguments: swings, goal and varied parameters.
-fn notes_on_defaults(args: &Args, asked: &Search) -> Vec<String> {
+fn notes_on_defaults(args: &Args, requested: &Search) -> Vec<String> {
     let OptimizeArgs { search, swings, .. } = &args.optimize;
     let mut notes = vec![];
     if !swings.is_given() {
@@ -142,7 +145,11 @@ fn notes_on_defaults(args: &Args, asked: &Search) -> Vec<String> {
         ));
     }
     if search.vary.is_empty() {
-        let varied: Vec<_> = asked.vary.iter().map(|vary| vary.parameter.name).collect();
+        let varied: Vec<_> = requested
+            .vary
+            .iter()
+            .map(|vary| vary.parameter.name)
+            .collect();
         notes.push(format!(
             "varied by default: {}; for other parameters give `vary NAME=LOW..HIGH`",
             varied.join(", ")

@@ -1,6 +1,6 @@
 use crate::command::args::SetupArgs;
 use crate::command::names::{outcomes, usual, variables};
-use crate::command::output::{Answer, tell_error, warn, with_bar};
+use crate::command::output::{Answer, note_error, warn, with_bar};
 use crate::derivative::{Order, Taylor, evaluate_with};
 use crate::report::GradientReport;
 use crate::{Drive, Error, Result};
@@ -59,7 +59,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let mut is_complete = true;
     for error in each.iter().filter_map(|taylor| taylor.as_ref().err()) {
         is_complete = false;
-        tell_error(error);
+        note_error(error);
     }
 
     let found: Vec<_> = of.into_iter().zip(each).collect();

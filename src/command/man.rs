@@ -1,5 +1,5 @@
 use crate::command::files::OutputRule;
-use crate::command::output::{Answer, tell};
+use crate::command::output::{Answer, note};
 use crate::command::running::running;
 use crate::units::counted;
 use crate::{Error, Result};
@@ -39,7 +39,7 @@ pub fn run(args: &Args) -> Result<Answer> {
             .iter()
             .map(|(name, page)| (name.as_str(), page.as_bytes())),
     )?;
-    tell(&format!(
+    note(&format!(
         "wrote {} into {}",
         counted(written as u64, "page"),
         folder.path.display()

@@ -1,6 +1,6 @@
 //! Lists of names on the command line. A repeated name counts once.
 
-use crate::command::output::{system, tell, tell_left_out};
+use crate::command::output::{note, note_left_out, system};
 use crate::parameters::Parameter;
 use crate::report::known_within;
 use crate::study::Sigma;
@@ -25,14 +25,14 @@ pub fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
         of.extend(named);
     }
     let of = once(of);
-    tell_of_the_run(&of);
+    note_the_run(&of);
     Ok(of)
 }
 
 /// Prints a note on the uncertainty of the roll-out if one of the outcomes depends on the roll-out.
-pub fn tell_of_the_run(of: &[Outcome]) {
+pub fn note_the_run(of: &[Outcome]) {
     if of.iter().any(|of| of.needs_run()) {
-        tell(&known_within().in_units(system()));
+        note(&known_within().in_units(system()));
     }
 }
 
@@ -59,7 +59,7 @@ pub fn variables(
             .into_iter()
             .filter(|row| !all.contains(row));
         let left_out: Vec<_> = left_out.map(|row| row.name).collect();
-        tell_left_out(&format!(
+        note_left_out(&format!(
             "left out, because they have no value in this setup: {}",
             left_out.join(", ")
         ));
@@ -68,7 +68,7 @@ pub fn variables(
             .partition(|row| !runs && row.affects_only_run());
         if !idle.is_empty() {
             let idle: Vec<_> = idle.iter().map(|row| row.name).collect();
-            tell_left_out(&format!(
+            note_left_out(&format!(
                 "left out, because they do not affect the requested outcomes: {}",
                 idle.join(", ")
             ));

@@ -2,7 +2,7 @@ pub use crate::command::args::OptimizeArgs as Args;
 
 use crate::Result;
 use crate::command::files::{Destination, OutputRule};
-use crate::command::output::{Answer, tell, warn};
+use crate::command::output::{Answer, note, warn};
 use crate::command::ranges::{DefaultRanges, held};
 use crate::command::request::Request;
 use crate::command::search::write;
@@ -25,7 +25,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let optima = args.optima(&setup, &search)?;
     let best = &optima.best;
     if let Some(moved) = best.moved_start() {
-        tell(&moved);
+        note(&moved);
     }
     warn(best.warnings(&AtomicBool::new(false)));
     let written = write(output.as_ref(), &request, &optima, None)?;

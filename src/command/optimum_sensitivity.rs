@@ -1,6 +1,6 @@
 use crate::command::args::{OptimizeArgs, SwingsArgs};
 use crate::command::names::variables;
-use crate::command::output::{Answer, spinner, tell, tell_error, warn, with_bar};
+use crate::command::output::{Answer, note, note_error, spinner, warn, with_bar};
 use crate::command::ranges::{DefaultRanges, held};
 use crate::command::search::write;
 use crate::parameters::Parameter;
@@ -51,7 +51,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let own = request.setup_with_starts(&search.vary)?;
     let search = search.search(&request, &own)?;
     let setup = request.for_many(own, &search.vary)?;
-    let asked = AnalysisRequest::new(args, &setup, &search)?;
+    let requested = AnalysisRequest::new(args, &setup, &search)?;
     let output = args.optimize.destination(&request)?;
     let held = held(&args.optimize.search.vary, || {
         DefaultRanges::longest_drive(&request, &setup)
@@ -63,7 +63,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let best = &optima.best;
     let written = write(output.as_ref(), &request, &optima, None)?;
     if let Some(moved) = best.moved_start() {
-        tell(&moved);
+        note(&moved);
     }
     warn(best.warnings(&AtomicBool::new(false)));
     // choose an integration step for each changed setup, as `optimize` does for that setup
@@ -73,9 +73,9 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     let (mut analysis, mut reason) = (None, None);
     if optima.stopped() == 0 {
-        match analyse(best, &asked, &integrated) {
+        match analyse(best, &requested, &integrated) {
             Err(error) if error.is_an_outcome() => {
-                tell_error(&error);
+                note_error(&error);
                 reason = Some(error);
             }
             found => analysis = Some(found?),
@@ -138,10 +138,10 @@ impl AnalysisRequest {
 /// Analyses an optimum; `integrated` chooses the integration step of a changed setup.
 fn analyse(
     best: &Optimum,
-    asked: &AnalysisRequest,
+    requested: &AnalysisRequest,
     integrated: &dyn Fn(Setup<f64>) -> Result<Setup<f64>>,
 ) -> Result<Analysis> {
-    let wrt: Vec<_> = asked
+    let wrt: Vec<_> = requested
         .wrt
         .iter()
         .copied()
@@ -150,12 +150,12 @@ fn analyse(
     let sensitivities = with_bar("parameters", |show| {
         sensitivities(best, &wrt, &mut |done, all| show(done, all))
     });
-    if let (None, Some((_, said))) = (asked.loss, short_drive(best)) {
-        tell(said);
+    if let (None, Some((_, printed))) = (requested.loss, short_drive(best)) {
+        note(printed);
     }
-    let loss = asked.loss.unwrap_or_else(|| usual_loss(best));
+    let loss = requested.loss.unwrap_or_else(|| usual_loss(best));
     let spinner = spinner("computing drives around the optimum");
-    let changes = asked
+    let changes = requested
         .changes
         .iter()
         .map(|stated| change(best, *stated, integrated))

@@ -176,33 +176,33 @@ pub fn command_line(arguments: &[OsString]) -> String {
 }
 
 /// Reports a remark or progress, unless `--quiet` is given.
-pub fn tell(text: &str) {
-    running().tell(text);
+pub fn note(text: &str) {
+    running().note(text);
 }
 
 /// Reports notes about an input, which `input` names.
-pub fn tell_notes<'a>(input: impl Display, notes: impl IntoIterator<Item = &'a Message>) {
-    for note in notes {
-        tell(&format!("note: {input}: {}", note.in_units(system())));
+pub fn note_each<'a>(input: impl Display, notes: impl IntoIterator<Item = &'a Message>) {
+    for message in notes {
+        note(&format!("note: {input}: {}", message.in_units(system())));
     }
 }
 
 /// Adds a text about omitted results to the JSON; with `--verbose`, also reports the text.
-pub fn tell_left_out(text: &str) {
+pub fn note_left_out(text: &str) {
     running().left_out().push(text.into());
-    tell_detail(text);
+    note_detail(text);
 }
 
 /// Reports a detail of the computation, with `--verbose`.
-pub fn tell_detail(text: &str) {
+pub fn note_detail(text: &str) {
     let running = running();
     if running.is_verbose() {
-        running.tell(text);
+        running.note(text);
     }
 }
 
 /// Reports an error after which the command continues.
-pub fn tell_error(error: &Error) {
+pub fn note_error(error: &Error) {
     say_error(&error.in_units(system()));
 }
 
@@ -216,7 +216,7 @@ pub fn say_error(message: &str) {
 /// Reports an error and returns the exit status: 1 for a valid request without an answer, 2 for bad
 /// input. With `--json`, standard output also contains the error.
 pub fn complain(error: &Error, command: &'static str, is_json: bool) -> u8 {
-    tell_error(error);
+    note_error(error);
     // after an output error, no further output
     if is_json && !matches!(error, Error::Output(_)) {
         say(Reply::refused(
@@ -385,12 +385,12 @@ pub fn shown(work: Work<'_>) -> SharedProgress {
 /// A function that returns true at most once a second, first after a second: most searches end
 /// before a line about them could be read.
 pub fn once_a_second() -> impl Fn() -> bool + Send + Sync {
-    let told = Mutex::new(Instant::now());
+    let sentence = Mutex::new(Instant::now());
     move || {
-        let mut told = told.lock().unwrap_or_else(PoisonError::into_inner);
-        let is_due = told.elapsed() >= Duration::from_secs(1);
+        let mut sentence = sentence.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_due = sentence.elapsed() >= Duration::from_secs(1);
         if is_due {
-            *told = Instant::now();
+            *sentence = Instant::now();
         }
         is_due
     }

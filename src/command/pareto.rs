@@ -3,8 +3,8 @@
 use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, whole};
 use crate::command::files::{Destination, OutputRule, ending, refused};
 use crate::command::interrupt;
-use crate::command::names::tell_of_the_run;
-use crate::command::output::{Answer, once_a_second, spinner, stated_system, system, tell, warn};
+use crate::command::names::note_the_run;
+use crate::command::output::{Answer, note, once_a_second, spinner, stated_system, system, warn};
 use crate::command::picture::{PictureArgs, PlotDestination};
 use crate::command::ranges::{DefaultRanges, held, varied};
 use crate::command::request::Request;
@@ -74,7 +74,7 @@ pub struct Args {
     pub setup_args: SetupArgs,
 
     #[command(flatten)]
-    pub asked: GoalArgs,
+    pub goals: GoalArgs,
 
     /// Write the points into this file: .csv for all of them (SI units and radians), .toml for the
     /// setup at one of them, which --at chooses.
@@ -102,7 +102,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         setup,
         found,
         mut warnings,
-    } = followed(&request, &args.asked)?;
+    } = followed(&request, &args.goals)?;
     let written = match &output {
         Some(output) => output.write(&found, &request, &mut warnings)?,
         None => None,
@@ -112,11 +112,11 @@ pub fn run(args: &Args) -> Result<Answer> {
     report.lacks_file = output.is_some() && written.is_none();
     report.file = written;
     let is_whole = report.ending().status == "done";
-    let usual = match args.asked.swings.is_given() {
+    let usual = match args.goals.swings.is_given() {
         true => DefaultRanges::loft,
         false => DefaultRanges::longest_drive,
     };
-    let held = held(&args.asked.vary, || usual(&request, &setup))?;
+    let held = held(&args.goals.vary, || usual(&request, &setup))?;
     let origin = request
         .origin_of_search(&found.search.vary)
         .with_held(&held, &setup);
@@ -125,12 +125,12 @@ pub fn run(args: &Args) -> Result<Answer> {
 }
 
 /// Draws the front, for `plot pareto`.
-pub fn draw(setup_args: &SetupArgs, asked: &GoalArgs, drawing: &PictureArgs) -> Result<Answer> {
+pub fn draw(setup_args: &SetupArgs, args: &GoalArgs, drawing: &PictureArgs) -> Result<Answer> {
     let request = setup_args.request()?;
     let target = PlotDestination::new(&request, drawing)?;
     let FollowedFront {
         found, warnings, ..
-    } = followed(&request, asked)?;
+    } = followed(&request, args)?;
     if found.interrupted {
         let message = "stopped before the whole front was found".into();
         return Err(Error::NotConverged {
@@ -148,19 +148,19 @@ struct FollowedFront {
     warnings: Vec<Message>,
 }
 
-fn followed(request: &Request, asked: &GoalArgs) -> Result<FollowedFront> {
-    asked.swings.refuse_stray()?;
-    let (setup, search) = if asked.swings.is_given() {
-        over_swings(request, asked)?
+fn followed(request: &Request, args: &GoalArgs) -> Result<FollowedFront> {
+    args.swings.refuse_stray()?;
+    let (setup, search) = if args.swings.is_given() {
+        over_swings(request, args)?
     } else {
-        of_one_drive(request, asked)?
+        of_one_drive(request, args)?
     };
     let outcomes: Vec<Outcome> = search
         .goals
         .iter()
         .flat_map(|(goal, _)| goal.outcomes())
         .collect();
-    tell_of_the_run(&outcomes);
+    note_the_run(&outcomes);
     request.note_starts(&setup, &search.vary);
     let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
     let spinner = spinner("following the front");
@@ -170,7 +170,7 @@ fn followed(request: &Request, asked: &GoalArgs) -> Result<FollowedFront> {
             let doing = format!("following the front: {} searches so far", number + 1);
             shown.set_message(doing.clone());
             if running.is_verbose() {
-                shown.suspend(&mut || running.tell(&doing));
+                shown.suspend(&mut || running.note(&doing));
             }
         }
     });
@@ -197,14 +197,14 @@ fn followed(request: &Request, asked: &GoalArgs) -> Result<FollowedFront> {
 }
 
 /// Objectives over many swings.
-fn over_swings(request: &Request, asked: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
-    let (set_up, _, scenarios) = asked.swings.taken(request, false)?;
-    let setup = request.with_starts(set_up, &asked.vary)?;
-    let strokes = asked.swings.strokes()?;
+fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
+    let (set_up, _, scenarios) = args.swings.taken(request, false)?;
+    let setup = request.with_starts(set_up, &args.vary)?;
+    let strokes = args.swings.strokes()?;
     let strokes = strokes.as_ref();
-    let goals = asked.goals(|option, text| goal(option, text, strokes))?;
+    let goals = args.goals(|option, text| goal(option, text, strokes))?;
     let read = |text: &String| limit(&setup, text, strokes);
-    let subject_to = asked
+    let subject_to = args
         .subject_to
         .iter()
         .map(read)
@@ -214,7 +214,7 @@ fn over_swings(request: &Request, asked: &GoalArgs) -> Result<(Setup<f64>, Paret
         .map(|(goal, _)| goal)
         .chain(subject_to.iter().map(|limit| &limit.goal));
     refuse_idle_strokes(strokes, all)?;
-    let vary = varied(&asked.vary, &setup, || {
+    let vary = varied(&args.vary, &setup, || {
         DefaultRanges::loft(request, &setup)?.vary()
     })?;
     let search = ParetoSearch {
@@ -222,23 +222,23 @@ fn over_swings(request: &Request, asked: &GoalArgs) -> Result<(Setup<f64>, Paret
         vary,
         subject_to,
         scenarios,
-        points: asked.points,
-        options: options(asked.max_iterations),
+        points: args.points,
+        options: options(args.max_iterations),
     };
     Ok((set_up, search))
 }
 
 /// Objectives of a single drive with this setup.
-fn of_one_drive(request: &Request, asked: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
-    let setup = request.setup_with_starts(&asked.vary)?;
-    let goals = asked.goals(|option, text| Ok(of_a_drive(option, text)?.into()))?;
-    let (vary, subject_to) = (asked.vary.clone(), asked.subject_to.clone());
+fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
+    let setup = request.setup_with_starts(&args.vary)?;
+    let goals = args.goals(|option, text| Ok(of_a_drive(option, text)?.into()))?;
+    let (vary, subject_to) = (args.vary.clone(), args.subject_to.clone());
     let one = SearchArgs {
         maximize: None,
         minimize: None,
         vary,
         subject_to,
-        max_iterations: asked.max_iterations,
+        max_iterations: args.max_iterations,
     };
     let one = one.search(request, &setup)?;
     let search = ParetoSearch {
@@ -246,7 +246,7 @@ fn of_one_drive(request: &Request, asked: &GoalArgs) -> Result<(Setup<f64>, Pare
         vary: one.vary,
         subject_to: one.subject_to,
         scenarios: one.scenarios,
-        points: asked.points,
+        points: args.points,
         options: one.options,
     };
     Ok((setup, search))
@@ -325,7 +325,7 @@ impl ParetoFile {
             }
         };
         let rule = OutputRule::new(
-            request.inputs().chain(args.asked.swings.inputs()),
+            request.inputs().chain(args.goals.swings.inputs()),
             args.overwrite,
         );
         Ok(Some(Self {
@@ -346,7 +346,7 @@ impl ParetoFile {
             self.destination
                 .write(pareto_csv(found, stated_system().into())?.as_bytes())?;
             let file = self.destination.path.display().to_string();
-            tell(&format!(
+            note(&format!(
                 "wrote {} into {file}",
                 counted(found.points.len() as u64, "point")
             ));
@@ -373,7 +373,7 @@ impl ParetoFile {
         };
         let toml = pareto_toml(found, place, &request.source.content)?;
         let file = request.write_setup(&self.destination, toml)?;
-        tell(&format!(
+        note(&format!(
             "wrote the setup of point {} into {file}",
             place + 1
         ));

@@ -2,7 +2,7 @@
 
 use crate::command::args::{stated, whole};
 use crate::command::files::{Destination, OutputRule, ending};
-use crate::command::output::{Answer, stated_system, system, tell, warn, warnings};
+use crate::command::output::{Answer, note, stated_system, system, warn, warnings};
 use crate::command::request::Request;
 #[cfg(not(feature = "png"))]
 use crate::features::how_to_get;
@@ -147,9 +147,9 @@ impl<'a> PlotDestination<'a> {
         };
         let file = drawing.output.display().to_string();
         self.destination.write(&bytes)?;
-        tell(&format!("{file}: {}", figure.title));
+        note(&format!("{file}: {}", figure.title));
         if !figure.note.is_empty() {
-            tell(&figure.note);
+            note(&figure.note);
         }
         Ok(if is_json {
             let body = PlotFile {

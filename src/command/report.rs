@@ -4,7 +4,7 @@ use crate::command::explore::page::compiled_in;
 use crate::command::files::OutputRule;
 use crate::command::host::SharedProgress;
 use crate::command::names::{sigmas, usual};
-use crate::command::output::{Answer, bar, command_line, system, tell, warn, warnings};
+use crate::command::output::{Answer, bar, command_line, note, system, warn, warnings};
 use crate::command::plot::{counted_points, limits};
 use crate::command::request::Request;
 use crate::command::running::running;
@@ -98,7 +98,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     bar.finish();
     let why_none = findings.why_none.iter();
     warn(findings.remarks.iter().chain(why_none).cloned());
-    tell(&format!(
+    note(&format!(
         "{} ({})",
         args.output.join("index.html").display(),
         counted(files.len() as u64, "file")
@@ -273,12 +273,12 @@ fn why_none(findings: &Findings, reason: Option<&str>) -> Option<Message> {
 fn add_optimum(findings: &mut Findings, remarks: &mut Vec<Message>) -> Result<()> {
     let best = findings.best();
     let short = best.and_then(short_drive);
-    remarks.extend(short.map(|(_, said)| Message::from(said)));
+    remarks.extend(short.map(|(_, printed)| Message::from(printed)));
     let flatness = best
         .map(|best| flatness(best, usual_loss(best)))
         .transpose()?;
     let club_alone = best
-        .map(|best| said(club_alone(best), remarks))
+        .map(|best| or_remark(club_alone(best), remarks))
         .transpose()?;
     let lofts = lofts(
         &findings.setup,
@@ -301,7 +301,7 @@ fn add_map(
     let map = match search.map(|search| &search.vary[..]) {
         Some([across, up, ..]) => {
             let map = map(around, findings.of, *across, *up, Fineness::default());
-            said(map, remarks)?
+            or_remark(map, remarks)?
         }
         _ => None,
     };
@@ -309,7 +309,7 @@ fn add_map(
     let map = map.filter(|_| flat.is_none());
     remarks.extend(flat);
     let limits = search
-        .map(|search| said(limits(around, search), remarks))
+        .map(|search| or_remark(limits(around, search), remarks))
         .transpose()?
         .flatten();
     let region = match (best, &map) {
@@ -338,7 +338,7 @@ fn chart_of(
         return Ok(None);
     }
     let observer = counted_points(bar);
-    let chart = said(chart(setup, search, along, &[], &observer), remarks)?;
+    let chart = or_remark(chart(setup, search, along, &[], &observer), remarks)?;
     remarks.extend(chart.as_ref().map_or_else(Vec::new, Chart::warnings));
     Ok(chart)
 }
@@ -358,13 +358,13 @@ fn add_derivatives(
         vec![of, Outcome::Lateral]
     };
     let moved = |setup: &Setup<f64>, of: &[Outcome]| effects(setup, of, sigmas, &mut |_, _| ());
-    let effects = said(moved(setup, &shown), remarks)?.unwrap_or_default();
+    let effects = or_remark(moved(setup, &shown), remarks)?.unwrap_or_default();
     bar.inc(1);
     let at_best = findings
         .best()
-        .map(|best| said(moved(&best.setup, &[of]), remarks))
+        .map(|best| or_remark(moved(&best.setup, &[of]), remarks))
         .transpose()?;
-    let rows = said(rows(setup, of, search), remarks)?.unwrap_or_default();
+    let rows = or_remark(rows(setup, of, search), remarks)?.unwrap_or_default();
     bar.inc(1);
     findings.loops = while_loop(setup, &rows);
     findings.effects = effects;
@@ -442,14 +442,14 @@ fn add_pictures(
     let is_struck =
         !setup.launch.is_given() && flown.first().is_some_and(|own| own.drive.landed().is_ok());
     let launches = (!drives.is_empty())
-        .then(|| said(Launches::around(&drives), remarks))
+        .then(|| or_remark(Launches::around(&drives), remarks))
         .transpose()?;
     let face = is_struck
-        .then(|| said(Face::of(setup), remarks))
+        .then(|| or_remark(Face::of(setup), remarks))
         .transpose()?;
     let best_face = best
         .filter(|_| is_struck)
-        .map(|best| said(Face::of(&best.setup), remarks))
+        .map(|best| or_remark(Face::of(&best.setup), remarks))
         .transpose()?;
     findings.landings = drives.iter().map(landing).collect::<Result<_>>()?;
     findings.launches = launches.flatten();
@@ -480,7 +480,7 @@ fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<
 }
 
 /// A section of the report. A section without an answer becomes a remark, and the report continues.
-fn said<T>(part: Result<T>, remarks: &mut Vec<Message>) -> Result<Option<T>> {
+fn or_remark<T>(part: Result<T>, remarks: &mut Vec<Message>) -> Result<Option<T>> {
     match part {
         Ok(part) => Ok(Some(part)),
         Err(error) if error.is_an_outcome() => {

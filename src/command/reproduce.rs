@@ -1,6 +1,6 @@
 use crate::Result;
 use crate::command::files::{Folder, OutputRule};
-use crate::command::output::{Answer, stated_system, tell};
+use crate::command::output::{Answer, note, stated_system};
 use crate::report::{Mae494Report, Reply, Report, TextFile, WinfieldTanReport, document_files};
 use crate::reproduce::{Mae494, WinfieldTan, mae494, winfield_tan};
 use crate::units::{System, counted};
@@ -45,7 +45,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .as_ref()
         .map(|folder| rule.folder(folder, &DOCUMENT))
         .transpose()?;
-    let computing = |what: &str| tell(&format!("computing {what}"));
+    let computing = |what: &str| note(&format!("computing {what}"));
     match args.study {
         PublishedStudy::Mae494 => {
             let found = mae494(computing)?;
@@ -99,7 +99,7 @@ pub fn write(folder: &Folder, report: &impl Report, system: System) -> Result<()
             .iter()
             .map(|TextFile { name, text }| (name.as_str(), text.as_bytes())),
     )?;
-    tell(&format!(
+    note(&format!(
         "wrote {} into {}",
         counted(count as u64, "file"),
         folder.path.display()

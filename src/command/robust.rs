@@ -3,8 +3,8 @@
 use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, U32, whole};
 use crate::command::files::OutputRule;
 use crate::command::interrupt;
-use crate::command::names::tell_of_the_run;
-use crate::command::output::{Answer, spinner, tell, tell_detail, warn};
+use crate::command::names::note_the_run;
+use crate::command::output::{Answer, note, note_detail, spinner, warn};
 use crate::command::ranges::{DefaultRanges, held};
 use crate::command::request::Request;
 use crate::command::swings::{searched, swing_ranges};
@@ -70,7 +70,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     for model in &mut models {
         model.setup = request.for_many(model.setup, &ranges)?;
     }
-    tell_models(&models);
+    note_models(&models);
     let spinner = spinner("searching for one design for all models");
     let interrupt = interrupt::stops("stopping with the best design so far");
     let follow = Observers {
@@ -88,7 +88,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         if is_found {
             let toml = robust_toml(&found, within, &request.source.content)?;
             let file = request.write_setup(output, toml)?;
-            tell(&format!(
+            note(&format!(
                 "wrote the setup with the robust design into {file}"
             ));
             written = Some(file);
@@ -111,14 +111,14 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(is_found))
 }
 
-fn tell_models(models: &[Model]) {
+fn note_models(models: &[Model]) {
     for (k, model) in models.iter().enumerate() {
         let reason = if model.reason.is_empty() {
             String::new()
         } else {
             format!(" ({})", model.reason)
         };
-        tell_detail(&format!("model {}: {}{reason}", k + 1, model.name));
+        note_detail(&format!("model {}: {}{reason}", k + 1, model.name));
     }
 }
 
@@ -132,7 +132,7 @@ impl Args {
                 scenarios,
                 ..searched(request, &self.search, &self.swings, &setup)?
             };
-            tell_of_the_run(&search.of.outcomes());
+            note_the_run(&search.of.outcomes());
             return Ok((set_up, search));
         }
         let setup = request.setup_with_starts(&self.search.vary)?;

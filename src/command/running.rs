@@ -104,7 +104,7 @@ impl Running {
     }
 
     /// Reports a remark or progress, unless `--quiet` is given.
-    pub fn tell(&self, text: &str) {
+    pub fn note(&self, text: &str) {
         if !self.options.quiet {
             self.host
                 .say(MessageKind::Note, &self.in_words_of_the_host(text));

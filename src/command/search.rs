@@ -4,8 +4,8 @@ use crate::command::args::{OptimizeArgs, SearchArgs, stated};
 use crate::command::files::Destination;
 use crate::command::host::{SharedProgress, Work};
 use crate::command::interrupt::{self, BEST_SO_FAR};
-use crate::command::names::tell_of_the_run;
-use crate::command::output::{shown, system, tell, warn};
+use crate::command::names::note_the_run;
+use crate::command::output::{note, shown, system, warn};
 use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::running::running;
@@ -52,7 +52,7 @@ impl SearchArgs {
             scenarios: Scenarios::one_drive(),
             options: options(self.max_iterations),
         };
-        tell_of_the_run(&search.outcomes());
+        note_the_run(&search.outcomes());
         Ok(search)
     }
 
@@ -127,7 +127,7 @@ impl OptimizeArgs {
         bar.finish();
         let found = found?;
         if let Some(interrupted) = found.interrupted() {
-            tell(&interrupted);
+            note(&interrupted);
         }
         Ok((found, follow.interrupt))
     }
@@ -160,7 +160,7 @@ impl OptimizeArgs {
         let show = move |value: f64| goal_text(&of, sign * value, system);
         let bar = shown(Work::Searches(u64::from(self.starts)));
         let best: Mutex<Option<f64>> = Mutex::new(None);
-        let told = bar.clone();
+        let message = bar.clone();
         follow.end = Some(Arc::new(move |_, solution| {
             let mut best = best.lock().unwrap_or_else(PoisonError::into_inner);
             let is_feasible = solution.residual.feasibility <= 1e-6;
@@ -168,8 +168,8 @@ impl OptimizeArgs {
                 .into_iter()
                 .flatten()
                 .reduce(f64::min);
-            told.set_message(best.map_or("–".into(), &show));
-            told.inc(1);
+            message.set_message(best.map_or("–".into(), &show));
+            message.inc(1);
         }));
         bar
     }
@@ -201,7 +201,7 @@ pub fn write(
         Some(_) => "with the best design",
         None => "at the optimum",
     };
-    tell(&format!("wrote the setup {place} into {file}"));
+    note(&format!("wrote the setup {place} into {file}"));
     Ok(Some(file))
 }
 
@@ -254,7 +254,7 @@ fn one(search: &Search, follow: &mut Observers) -> SharedProgress {
     let line = move |_, iteration: &Iteration| {
         let line = iteration_line(&followed, iteration, running.system());
         if running.is_verbose() {
-            running.tell(&line);
+            running.note(&line);
         } else {
             last.set_message(line);
         }

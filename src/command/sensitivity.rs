@@ -1,6 +1,6 @@
 use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::{outcomes, sigmas};
-use crate::command::output::{Answer, system, tell, warn, with_bar};
+use crate::command::output::{Answer, note, system, warn, with_bar};
 use crate::command::request::Request;
 use crate::optimize::Observer;
 use crate::parameters::Parameter;
@@ -91,7 +91,7 @@ fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Op
     let setup = request.for_many(*setup, &search.vary)?;
     let found = optimum(&setup, search, Observer::default())?;
     found.check_converged()?;
-    tell(&found.message().in_units(system()));
+    note(&found.message().in_units(system()));
     Ok(Some(found))
 }
 

@@ -2,7 +2,7 @@
 
 use crate::command::args::{OptimizeArgs, SearchArgs, SwingsArgs, stated};
 use crate::command::interrupt;
-use crate::command::names::tell_of_the_run;
+use crate::command::names::note_the_run;
 use crate::command::output::{Answer, warn};
 use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
@@ -178,7 +178,7 @@ pub fn found(
     swings: Swings,
     search: Search,
 ) -> Result<SwingsOptimum> {
-    tell_of_the_run(&search.of.outcomes());
+    note_the_run(&search.of.outcomes());
     let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
     let output = args.destination(request)?;
     let (optima, stop) = args.searched(&setup, &search)?;

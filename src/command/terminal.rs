@@ -47,7 +47,7 @@ struct Interruptible {
     /// The message to show when the work is interrupted.
     stopping: &'static str,
     /// The time of the first Ctrl-C; `None` before it.
-    told: Option<Instant>,
+    sentence: Option<Instant>,
 }
 
 impl Terminal {
@@ -67,19 +67,20 @@ impl Terminal {
                 self.end(command, is_json, &written);
             }
             Some(Interruptible {
-                told: Some(told), ..
+                sentence: Some(sentence),
+                ..
             }) => {
-                if told.elapsed() > ONE_PRESS {
+                if sentence.elapsed() > ONE_PRESS {
                     std::process::exit(AT_ONCE);
                 }
             }
             Some(Interruptible {
                 stop,
                 stopping,
-                told,
+                sentence,
             }) => {
                 stop.store(true, Ordering::Relaxed);
-                *told = Some(Instant::now());
+                *sentence = Some(Instant::now());
                 self.say(
                     MessageKind::Note,
                     &format!("{stopping}; press Ctrl-C again to end at once"),
@@ -159,7 +160,7 @@ impl Host for Terminal {
         self.now().work = Some(Interruptible {
             stop: stop.clone(),
             stopping,
-            told: None,
+            sentence: None,
         });
     }
 

@@ -1,6 +1,6 @@
 use crate::command::args::{SetupArgs, whole};
 use crate::command::names::{outcomes, sigmas};
-use crate::command::output::{Answer, system, tell_detail, warn, with_bar};
+use crate::command::output::{Answer, note_detail, system, warn, with_bar};
 use crate::command::request::Request;
 use crate::report::{UncertaintyReport, parameter_difference_text};
 use crate::study::uncertainty::{SamplePlan, Uncertain, uncertainty};
@@ -113,7 +113,7 @@ fn inputs(
     for sigma in sigmas.iter() {
         if let Some(source) = sigma.source {
             let shown = parameter_difference_text(sigma.parameter, sigma.value, system());
-            tell_detail(&format!(
+            note_detail(&format!(
                 "default uncertainty: {} ± {shown} (one standard deviation); {source}",
                 sigma.parameter.name
             ));

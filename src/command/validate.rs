@@ -1,7 +1,7 @@
 use crate::Result;
 use crate::command::args::OwnLaw;
 use crate::command::files::{OutputRule, ending};
-use crate::command::output::{Answer, system, tell};
+use crate::command::output::{Answer, note, system};
 use crate::command::reproduce::{DOCUMENT, write};
 use crate::report::{SetupOrigin, ValidationReport};
 use crate::study::validation::validation;
@@ -49,7 +49,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     if let (Some(file), Some(path)) = (&file, output) {
         file.write(report.csv()?.as_bytes())?;
-        tell(&format!("wrote {}", path.display()));
+        note(&format!("wrote {}", path.display()));
     }
     if args.csv {
         return Ok(Answer::text(report.csv()?));

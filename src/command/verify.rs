@@ -1,7 +1,7 @@
 use crate::command::args::SetupArgs;
 use crate::command::interrupt;
 use crate::command::names::{outcomes, variables};
-use crate::command::output::{Answer, system, tell, warn, with_bar};
+use crate::command::output::{Answer, note, system, warn, with_bar};
 use crate::report::{CertificateReport, by_reason};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{Certificate, StepError, certify};
@@ -33,13 +33,13 @@ pub struct Args {
 }
 
 /// Reports the excluded outcomes, with the reasons.
-pub fn tell_left_out(certificate: &Certificate) {
+pub fn note_left_out(certificate: &Certificate) {
     let missing = certificate
         .missing
         .iter()
         .map(|missing| (missing.of.name(), missing.reason.in_units(system())));
     for line in by_reason(missing) {
-        tell(&format!("left out: {line}"));
+        note(&format!("left out: {line}"));
     }
 }
 
@@ -65,7 +65,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         |drive| drive.warnings_about(&setup, &of),
     );
     warn([of_drive, of_step].concat());
-    tell_left_out(&certificate);
+    note_left_out(&certificate);
     // do not continue after an interruption
     let loops = if certificate.stopped.is_none() {
         while_loop(&setup, &certificate.rows)

@@ -173,7 +173,7 @@ impl Designed<'_> {
             shown::given(constraint.unit, value, system, 5)
         };
         let goal = &self.best.search.of;
-        let told = match (constraint.by, price, margin) {
+        let text = match (constraint.by, price, margin) {
             (Enforcement::Unknown, ..) => {
                 "not checked, because its value is unknown; a relation can state it".into()
             }
@@ -201,7 +201,7 @@ impl Designed<'_> {
             constraint.name.clone(),
             limits_text(constraint, system),
             value.map_or(shown::NONE.into(), show),
-            told,
+            text,
         ]
     }
 }

@@ -66,8 +66,8 @@ mod tests {
     #[test]
     fn a_reason_is_printed_once_with_all_its_names() {
         let reasons = [("a", "no number"), ("b", "no flight"), ("c", "no number")];
-        let told = by_reason(reasons.map(|(name, reason)| (name, reason.to_owned())));
-        assert_eq!(told, ["a, c: no number", "b: no flight"]);
+        let message = by_reason(reasons.map(|(name, reason)| (name, reason.to_owned())));
+        assert_eq!(message, ["a, c: no number", "b: no flight"]);
     }
 
     #[test]
@@ -83,10 +83,10 @@ mod tests {
             );
             assert_eq!(text.split_whitespace().collect::<Vec<_>>().join(" "), words);
         }
-        let said = remark(words, WIDTH);
+        let output = remark(words, WIDTH);
         assert!(
-            !said.starts_with(' ') && said.lines().skip(1).all(|line| line.starts_with("  ")),
-            "{said}"
+            !output.starts_with(' ') && output.lines().skip(1).all(|line| line.starts_with("  ")),
+            "{output}"
         );
         let file = "/a/folder".repeat(20);
         assert_eq!(

@@ -79,12 +79,12 @@ impl PaperUnits {
     /// A number from the paper in its units, followed by the requested units if they differ:
     /// "248.48 m (271.74 yd)".
     pub fn printed(self, of: DisplayUnit, value: f64) -> String {
-        let [printed, asked] =
+        let [printed, requested] =
             [self.paper, self.system].map(|system| two_decimals(of, value, system));
-        if printed == asked {
+        if printed == requested {
             printed
         } else {
-            format!("{printed} ({asked})")
+            format!("{printed} ({requested})")
         }
     }
 }

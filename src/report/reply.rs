@@ -173,9 +173,9 @@ impl Reply<Empty> {
 }
 
 /// `done`, `partial` or `no-answer`, by the number of requests with an answer.
-pub(super) fn share(found: usize, asked: usize) -> &'static str {
+pub(super) fn share(found: usize, requested: usize) -> &'static str {
     match found {
-        _ if found == asked => "done",
+        _ if found == requested => "done",
         0 => "no-answer",
         _ => "partial",
     }

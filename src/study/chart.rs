@@ -160,8 +160,8 @@ fn with_intervals(warning: Message, intervals: &[[f64; 2]], along: &Vary) -> Mes
     let parameter = along.parameter;
     let begun = warning.words(format!("; {} =", parameter.name));
     let all = intervals.iter().enumerate();
-    all.fold(begun, |told, (i, [low, high])| {
-        let first = parameter.append_value(told.words(if i == 0 { " " } else { ", and " }), *low);
+    all.fold(begun, |text, (i, [low, high])| {
+        let first = parameter.append_value(text.words(if i == 0 { " " } else { ", and " }), *low);
         if low == high {
             first
         } else {

@@ -588,8 +588,8 @@ mod tests {
             {
                 assert!(quantity.size_of(unit).is_some(), "{unit}");
             }
-            let said = quantity.read("1 fox").unwrap_err().to_string();
-            assert!(said.ends_with(units), "{said}");
+            let output = quantity.read("1 fox").unwrap_err().to_string();
+            assert!(output.ends_with(units), "{output}");
         }
     }
 
@@ -618,8 +618,8 @@ mod tests {
             ),
             (Quantity::ANGLE, "10 dg", "'dg'; an angle takes"),
         ] {
-            let said = quantity.read(text).unwrap_err().to_string();
-            assert!(said.contains(meant), "{said}");
+            let output = quantity.read(text).unwrap_err().to_string();
+            assert!(output.contains(meant), "{output}");
         }
     }
 

@@ -565,15 +565,19 @@ fn same_begin_of_a_chart_and_of_the_feasible_range() {
         below.message()
     );
     assert!(chart.ended.is_none());
-    let said = chart.begun.unwrap().to_string();
+    let output = chart.begun.unwrap().to_string();
     assert!(
-        said.contains(
+        output.contains(
             "no optimum was found at 80 mph: infeasible: no point was found that meets \
                        the constraints"
         ),
-        "{said}"
+        "{output}"
     );
-    assert_eq!(said.matches("no optimum was found").count(), 1, "{said}");
+    assert_eq!(
+        output.matches("no optimum was found").count(),
+        1,
+        "{output}"
+    );
 }
 
 #[test]

@@ -66,8 +66,8 @@ fn text_and_help_wrap_to_the_terminal() {
     ];
     for words in answers {
         for (columns, most) in [(Some(60), 60), (Some(80), 80), (Some(120), 120), (None, 80)] {
-            let said = in_columns(columns, words);
-            let text = said.out + &said.err;
+            let printed = in_columns(columns, words);
+            let text = printed.out + &printed.err;
             let wide: Vec<_> = text.lines().filter(|line| widest(line) > most).collect();
             // a table of two columns cannot be narrower, and words are not broken
             let is_table = |line: &str| line.trim().split("  ").count() > 1;
@@ -91,7 +91,7 @@ fn details_of_the_computation_are_for_verbose() {
         "left out, because they have no value",
         "trust region",
     ] {
-        let [plain, verbose] = [&plain, &verbose].map(|said| said.out.clone() + &said.err);
+        let [plain, verbose] = [&plain, &verbose].map(|printed| printed.out.clone() + &printed.err);
         assert!(!plain.contains(detail), "{detail} in {plain}");
         assert!(verbose.contains(detail), "no {detail} in {verbose}");
     }
@@ -100,11 +100,11 @@ fn details_of_the_computation_are_for_verbose() {
     let left_out = answer["left_out"][0].as_str().unwrap();
     assert!(left_out.contains("ball.inertia"), "{left_out}");
     // a search without an optimum keeps its numbers
-    let said = longdrive(&["optimize", "--max-iterations", "1"]);
-    assert_eq!(said.status, 1);
-    assert!(said.out.contains("KKT residual"), "{}", said.out);
-    let said = longdrive(&["optimize", "--verbose", "--quiet"]);
-    assert_eq!(said.status, 2);
+    let printed = longdrive(&["optimize", "--max-iterations", "1"]);
+    assert_eq!(printed.status, 1);
+    assert!(printed.out.contains("KKT residual"), "{}", printed.out);
+    let printed = longdrive(&["optimize", "--verbose", "--quiet"]);
+    assert_eq!(printed.status, 2);
 }
 
 #[test]
@@ -138,9 +138,9 @@ fn every_answer_names_its_setup_and_what_was_changed() {
         &["verify", "--of", "carry", "--wrt", "club.loft"],
         &["parameters"],
     ] {
-        let said = longdrive(&[words, &set[..]].concat());
-        let first = said.out.lines().next().unwrap_or_default();
-        assert_eq!(first, format!("from {title}"), "{words:?}: {}", said.err);
+        let printed = longdrive(&[words, &set[..]].concat());
+        let first = printed.out.lines().next().unwrap_or_default();
+        assert_eq!(first, format!("from {title}"), "{words:?}: {}", printed.err);
         let (_, answer) = json(&[words, &set[..]].concat());
         assert_eq!(answer["from"], title, "{words:?}");
     }
@@ -174,8 +174,8 @@ fn the_loft_of_an_average_comes_with_the_command_for_ones_own() {
         (&["chart", "--along", "swing.speed", "--at", "100mph"], true),
         (&["simulate"], false),
     ] {
-        let said = longdrive(words);
-        let text = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+        let printed = longdrive(words);
+        let text = printed.out.split_whitespace().collect::<Vec<_>>().join(" ");
         assert_eq!(text.contains(advice), has_advice, "{words:?}: {text}");
     }
 }
@@ -231,8 +231,8 @@ fn same_gain_of_the_club_as_a_search_over_the_loft_alone() {
     let best = number(&loft["optimum"]["club.loft"]);
     assert!(close(&club["optimum"]["club.loft"], best), "{club}");
     assert!(loft["club_alone"].is_null());
-    let said = longdrive(&["optimize", "-q"]).out;
-    assert!(said.contains("the club alone, with the swing as set up: "));
+    let printed = longdrive(&["optimize", "-q"]).out;
+    assert!(printed.contains("the club alone, with the swing as set up: "));
 }
 
 /// The Reynolds number of an amateur's ball leaves the range of the law near the landing; this
@@ -251,8 +251,8 @@ fn a_law_outside_its_range_is_a_warning_where_it_changes_the_carry() {
     let warning = drive["warnings"][0].as_str().unwrap();
     let says = "with the law held at the end of its range the carry is ";
     assert!(warning.contains(says), "{warning}");
-    let said = longdrive(&[&["simulate", "-q"], &low_spin[..]].concat());
-    let text = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let printed = longdrive(&[&["simulate", "-q"], &low_spin[..]].concat());
+    let text = printed.out.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(text.contains("of the carry is extrapolated"), "{text}");
 }
 

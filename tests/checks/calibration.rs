@@ -498,18 +498,18 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
         ),
     ] {
         let file = table(text);
-        let said = longdrive(&[&["calibrate", file.path().to_str().unwrap()], fit].concat());
+        let answered = longdrive(&[&["calibrate", file.path().to_str().unwrap()], fit].concat());
         assert_eq!(
-            (said.status, said.out.as_str()),
+            (answered.status, answered.out.as_str()),
             (2, ""),
             "{text}: {}",
-            said.err
+            answered.err
         );
         for word in words {
             assert!(
-                said.err.contains(word),
+                answered.err.contains(word),
                 "{text}: '{word}' is not in {}",
-                said.err
+                answered.err
             );
         }
     }
@@ -564,7 +564,7 @@ fn exports_omit_summaries_and_incomplete_rows_by_name_and_have_angles_in_degrees
             "{angle} {degrees}"
         );
     }
-    for told in [
+    for sentence in [
         "rows left out, since they sum up other rows: row 5 (Average), row 6 (Std. Dev.)",
         "rows left out, since they lack a value that every shot needs: row 2 (Ball Speed), row 4 \
          (nothing is measured)",
@@ -574,8 +574,8 @@ fn exports_omit_summaries_and_incomplete_rows_by_name_and_have_angles_in_degrees
             table
                 .remarks
                 .iter()
-                .any(|remark| remark.to_string().contains(told)),
-            "{told}: {:?}",
+                .any(|remark| remark.to_string().contains(sentence)),
+            "{sentence}: {:?}",
             table.remarks
         );
     }
@@ -661,7 +661,7 @@ fn with_unit(outcome: Outcome) -> String {
 }
 
 /// The program's answer in text and JSON.
-fn asked(text: &str, arguments: &[&str]) -> (i32, String, serde_json::Value) {
+fn text_and_json(text: &str, arguments: &[&str]) -> (i32, String, serde_json::Value) {
     let file = table(text);
     let question = [
         &["calibrate", file.path().to_str().unwrap(), "modern-driver"],
@@ -669,9 +669,13 @@ fn asked(text: &str, arguments: &[&str]) -> (i32, String, serde_json::Value) {
     ]
     .concat();
     let (status, found) = json(&question);
-    let said = longdrive(&question);
-    assert_eq!(said.status, status, "{}", said.err);
-    let out = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let answered = longdrive(&question);
+    assert_eq!(answered.status, status, "{}", answered.err);
+    let out = answered
+        .out
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
     for word in ["NaN", " inf"] {
         assert!(
             !out.contains(word) && !found.to_string().contains(word),
@@ -712,7 +716,7 @@ fn exact_fits_without_residuals_are_converged() {
             None,
         ),
     ] {
-        let (status, text, found) = asked(&flown(speeds, outcomes, sigma), &fit);
+        let (status, text, found) = text_and_json(&flown(speeds, outcomes, sigma), &fit);
         assert_eq!(
             (status, found["status"].as_str()),
             (0, Some("converged")),
@@ -754,7 +758,7 @@ fn confounded_parameters_are_no_answer() {
     let text = flown(&[42.0, 46.0, 50.0, 54.0], &launch, Some(0.3));
     for start in ["0deg", "4deg"] {
         let lean = format!("swing.shaft_lean={start}");
-        let (status, said, found) = asked(
+        let (status, answered, found) = text_and_json(
             &text,
             &[
                 "--fit",
@@ -768,7 +772,7 @@ fn confounded_parameters_are_no_answer() {
         assert_eq!(
             (status, found["status"].as_str()),
             (1, Some("undetermined")),
-            "{said}"
+            "{answered}"
         );
         let message = found["message"].as_str().unwrap();
         assert!(
@@ -786,12 +790,15 @@ fn confounded_parameters_are_no_answer() {
                 "{name} ran off: {estimate}"
             );
         }
-        assert!(said.contains("not determined by the data"), "{said}");
+        assert!(
+            answered.contains("not determined by the data"),
+            "{answered}"
+        );
     }
     // without a Reynolds number in the law, no measured value depends on the viscosity; the fit
     // starts within the range of the viscosity, and at a bound of its range
     for range in ["air.viscosity", "air.viscosity=1e-5Pas..1.837e-5Pas"] {
-        let (status, said, found) = asked(
+        let (status, answered, found) = text_and_json(
             &flown(&[45.0, 50.0], &[Outcome::Carry], None),
             &[
                 "--set",
@@ -805,15 +812,15 @@ fn confounded_parameters_are_no_answer() {
         assert_eq!(
             (status, found["status"].as_str()),
             (1, Some("undetermined")),
-            "{said}"
+            "{answered}"
         );
         assert!(
-            said.contains("the data do not determine air.viscosity"),
-            "{said}"
+            answered.contains("the data do not determine air.viscosity"),
+            "{answered}"
         );
         assert!(
             number(&found["estimates"]["aero.cd"]["standard_uncertainty"]) > 0.0,
-            "{said}"
+            "{answered}"
         );
     }
 }
@@ -821,20 +828,20 @@ fn confounded_parameters_are_no_answer() {
 #[test]
 fn one_datum_and_parameters_all_on_bounds_are_reported() {
     let text = flown(&[50.0], &[Outcome::Carry], None);
-    let (status, said, _) = asked(&text, &["--fit", "aero.cd0"]);
-    assert_eq!(status, 0, "{said}");
+    let (status, answered, _) = text_and_json(&text, &["--fit", "aero.cd0"]);
+    assert_eq!(status, 0, "{answered}");
     // the carry is too short even with the smallest drag of the range
     let long = text.replace("\n50,2", "\n50,4");
     assert_ne!(long, text);
-    let (status, said, found) = asked(&long, &["--fit", "aero.cd0=0.2..0.3"]);
+    let (status, answered, found) = text_and_json(&long, &["--fit", "aero.cd0=0.2..0.3"]);
     // the residual is 85 standard uncertainties
     assert_eq!(
         (status, found["status"].as_str()),
         (1, Some("misfit")),
-        "{said}"
+        "{answered}"
     );
     assert_eq!(found["estimates"]["aero.cd0"]["at_bound"], true);
-    assert!(said.contains("on the bound of its range"), "{said}");
+    assert!(answered.contains("on the bound of its range"), "{answered}");
 }
 
 #[test]
@@ -861,26 +868,37 @@ fn rows_whose_squares_overflow_are_named() {
         ),
     ] {
         let file = table(&text);
-        let said = longdrive(&[&["calibrate", file.path().to_str().unwrap()], &fit[..]].concat());
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{}", said.err);
+        let answered =
+            longdrive(&[&["calibrate", file.path().to_str().unwrap()], &fit[..]].concat());
+        assert_eq!(
+            (answered.status, answered.out.as_str()),
+            (2, ""),
+            "{}",
+            answered.err
+        );
         for word in words {
-            assert!(said.err.contains(word), "'{word}' is not in {}", said.err);
+            assert!(
+                answered.err.contains(word),
+                "'{word}' is not in {}",
+                answered.err
+            );
         }
     }
     // the other values are finite but negligible: with the smallest possible drag, the residual is
     // 1e9 standard uncertainties
-    let (status, said, found) = asked(&row("9e8", "1e-2"), &["--fit", "aero.cd0=0.1..0.4"]);
+    let (status, answered, found) =
+        text_and_json(&row("9e8", "1e-2"), &["--fit", "aero.cd0=0.1..0.4"]);
     assert_eq!(
         (status, found["status"].as_str()),
         (1, Some("outweighed")),
-        "{said}"
+        "{answered}"
     );
     assert!(
         found["message"]
             .as_str()
             .unwrap()
             .contains("row 2: apex_downrange differs by"),
-        "{said}"
+        "{answered}"
     );
 }
 
@@ -975,25 +993,25 @@ fn starts_that_end_at_larger_sums_are_reported() {
         "{}",
         found["starts"]
     );
-    let said = longdrive(&fit)
+    let answered = longdrive(&fit)
         .out
         .split_whitespace()
         .collect::<Vec<_>>()
         .join(" ");
     assert_eq!(others, [("undefined", 5)], "{found}");
-    let told = "1 of 6 starts ended at this sum of squares; 5 could not begin, because in some \
+    let sentence = "1 of 6 starts ended at this sum of squares; 5 could not begin, because in some \
                 rows the ball does not fly with the parameters of the start.";
-    assert!(said.contains(told), "{said}");
+    assert!(answered.contains(sentence), "{answered}");
     assert!(
-        said.contains("with narrower ranges more of the starts reach a minimum"),
-        "{said}"
+        answered.contains("with narrower ranges more of the starts reach a minimum"),
+        "{answered}"
     );
 }
 
 #[test]
 fn iterations_of_several_searches_name_their_search() {
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
-    let told = |starts| {
+    let sentence = |starts| {
         longdrive(&[
             "calibrate",
             shots,
@@ -1004,8 +1022,8 @@ fn iterations_of_several_searches_name_their_search() {
         ])
         .err
     };
-    let first = |said: &str| said.lines().next().unwrap().to_owned();
-    let (one, two) = (told("1"), told("2"));
+    let first = |answered: &str| answered.lines().next().unwrap().to_owned();
+    let (one, two) = (sentence("1"), sentence("2"));
     assert!(first(&one).starts_with("iteration   0  half"), "{one}");
     assert!(
         first(&two).starts_with("search 1  iteration   0  half"),
@@ -1171,7 +1189,7 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
         (carry.outcome, carry.sigma),
         (Outcome::CarryDistance, 3.0 * 0.9144)
     );
-    let told = read(trackman)
+    let sentence = read(trackman)
         .remarks
         .iter()
         .map(ToString::to_string)
@@ -1182,7 +1200,7 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
         "left out: Club Speed, Smash Factor",
         "3 yd is taken for each",
     ] {
-        assert!(told.contains(words), "'{words}' is not in {told}");
+        assert!(sentence.contains(words), "'{words}' is not in {sentence}");
     }
     // without a launch the club columns are inputs
     let club = read(
@@ -1290,9 +1308,9 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
         launches.iter().map(row).collect::<String>()
     };
     let head = "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry [yd],sigma carry [yd]\n";
-    let told = |rows: &str, fit: &str| {
+    let sentence = |rows: &str, fit: &str| {
         let file = table(&format!("{head}{rows}"));
-        let asked = [
+        let requested = [
             "calibrate",
             file.path().to_str().unwrap(),
             "modern-driver",
@@ -1301,8 +1319,8 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
             "--fit",
             fit,
         ];
-        let (_, found) = json(&asked);
-        let in_words = longdrive(&asked)
+        let (_, found) = json(&requested);
+        let in_words = longdrive(&requested)
             .err
             .split_whitespace()
             .collect::<Vec<_>>()
@@ -1321,13 +1339,13 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
         }
         (found, warnings.join("\n"))
     };
-    let (found, warnings) = told(&rows(0.0), "aero.cd0");
+    let (found, warnings) = sentence(&rows(0.0), "aero.cd0");
     assert!(
         warnings.is_empty()
             && (number(&found["estimates"]["aero.cd0"]["value"]) - 0.27).abs() < 1e-6,
         "{warnings}"
     );
-    let (found, warnings) = told(&rows(40.0), "aero.cd0=0.25..0.6");
+    let (found, warnings) = sentence(&rows(40.0), "aero.cd0=0.25..0.6");
     // about 40 standard uncertainties (40 yd at 1 yd), less the effect of the bound; the warning
     // prints √(χ²/ν)
     let off = (number(&found["chi_square"]) / number(&found["degrees_of_freedom"])).sqrt();
@@ -1392,10 +1410,10 @@ fn statistics_of_a_ragged_jacobian_panic_and_of_nan_are_refused() {
         (&[&[1.0, 0.0][..]][..], "[2]"),
         (&[&[1.0, 0.0], &[1.0]], "[2, 1]"),
     ] {
-        let said = panic_of(|| of(&[1.0, 2.0], jacobian));
+        let answered = panic_of(|| of(&[1.0, 2.0], jacobian));
         assert!(
-            said.contains("2 residuals of 2 parameters") && said.contains(rows),
-            "{said}"
+            answered.contains("2 residuals of 2 parameters") && answered.contains(rows),
+            "{answered}"
         );
     }
     let found = of(&[1.0, 2.0], &[&[1.0, 0.0], &[0.0, 1.0]]).unwrap();

@@ -255,7 +255,7 @@ fn the_point_is_read_written_and_compared() {
         SpeedOf::FaceCentre
     );
 
-    for (args, said) in [
+    for (args, output) in [
         (
             &["simulate", "--set", "swing.speed_of=face-center"][..],
             "did you mean 'face-centre'",
@@ -284,10 +284,10 @@ fn the_point_is_read_written_and_compared() {
             "strike and impact are not used",
         ),
     ] {
-        let told = longdrive(args);
-        let words = told.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let message = longdrive(args);
+        let words = message.err.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
-            told.status == 2 && words.contains(said),
+            message.status == 2 && words.contains(output),
             "{args:?}: {words}"
         );
     }

@@ -33,7 +33,7 @@ pub fn wait_until(child: &mut Child, is_time: impl Fn() -> bool) {
 
 /// Output of a command, and the files that it writes into a new folder.
 pub struct Written {
-    pub said: Output,
+    pub output: Output,
     files: BTreeMap<String, String>,
 }
 
@@ -42,7 +42,7 @@ impl Written {
     pub fn file(&self, name: &str) -> &str {
         self.files
             .get(name)
-            .unwrap_or_else(|| panic!("no {name} in {:?}: {}", self.files.keys(), self.said.err))
+            .unwrap_or_else(|| panic!("no {name} in {:?}: {}", self.files.keys(), self.output.err))
     }
 }
 
@@ -50,8 +50,9 @@ impl Written {
 pub fn written(args: &[&str]) -> Written {
     let folder = tempfile::tempdir().unwrap();
     let into = folder.path().join("new");
-    let said = longdrive(&[args, &["-o", into.to_str().unwrap()]].concat());
-    let entries = std::fs::read_dir(&into).unwrap_or_else(|error| panic!("{error}: {}", said.err));
+    let printed = longdrive(&[args, &["-o", into.to_str().unwrap()]].concat());
+    let entries =
+        std::fs::read_dir(&into).unwrap_or_else(|error| panic!("{error}: {}", printed.err));
     let read = |path: PathBuf| {
         (
             path.file_name().unwrap().to_str().unwrap().to_owned(),
@@ -59,7 +60,10 @@ pub fn written(args: &[&str]) -> Written {
         )
     };
     let files = entries.map(|entry| read(entry.unwrap().path())).collect();
-    Written { said, files }
+    Written {
+        output: printed,
+        files,
+    }
 }
 
 pub fn longdrive(args: &[&str]) -> Output {
@@ -74,12 +78,12 @@ pub fn longdrive(args: &[&str]) -> Output {
 
 /// The answer in JSON, checked against its schema in docs/schema.
 pub fn json(args: &[&str]) -> (i32, Value) {
-    let said = longdrive(&[args, &["--json"]].concat());
-    let answer = serde_json::from_str(&said.out)
-        .unwrap_or_else(|e| panic!("{e}: {} {}", said.out, said.err));
+    let printed = longdrive(&[args, &["--json"]].concat());
+    let answer = serde_json::from_str(&printed.out)
+        .unwrap_or_else(|e| panic!("{e}: {} {}", printed.out, printed.err));
     let faults = faults(args[0], &answer);
     assert!(faults.is_empty(), "{args:?}: {faults:#?} in {answer:#}");
-    (said.status, answer)
+    (printed.status, answer)
 }
 
 /// The commands that run without a terminal.
@@ -265,24 +269,24 @@ fn jacobian_and_gradient_by_all_parameters() {
     let rows = answer["outcomes"].as_array().unwrap();
     assert_eq!((rows.len(), rows[1]["of"].as_str()), (2, Some("lateral")));
     assert!(rows[0]["gradient"].as_object().unwrap().len() > 35);
-    let said = longdrive(&["gradient", "--wrt", "all", "--verbose"]);
+    let printed = longdrive(&["gradient", "--wrt", "all", "--verbose"]);
     assert!(
-        said.err.contains("left out, because they have no value")
-            && said.err.contains("ball.inertia"),
+        printed.err.contains("left out, because they have no value")
+            && printed.err.contains("ball.inertia"),
         "{}",
-        said.err
+        printed.err
     );
     assert!(
-        said.out.contains("yd per deg") && said.out.contains("m per rad"),
+        printed.out.contains("yd per deg") && printed.out.contains("m per rad"),
         "{}",
-        said.out
+        printed.out
     );
 }
 
 #[test]
 fn the_default_search_converges_and_reads_like_an_answer() {
-    let said = longdrive(&["optimize", "--verbose"]);
-    assert_eq!(said.status, 0);
+    let printed = longdrive(&["optimize", "--verbose"]);
+    assert_eq!(printed.status, 0);
     for words in [
         "converged: ",
         "KKT residual",
@@ -292,12 +296,16 @@ fn the_default_search_converges_and_reads_like_an_answer() {
         "ball speed 171.1 mph",
         "lateral 0.0 yd",
     ] {
-        assert!(said.out.contains(words), "no '{words}' in {}", said.out);
+        assert!(
+            printed.out.contains(words),
+            "no '{words}' in {}",
+            printed.out
+        );
     }
     assert!(
-        said.err.contains("trust region"),
+        printed.err.contains("trust region"),
         "iterations on standard error: {}",
-        said.err
+        printed.err
     );
 }
 
@@ -334,11 +342,11 @@ fn no_flight_is_an_outcome_with_status_one_and_never_a_carry() {
         (1, Some("no-flight"), &Value::Null)
     );
     assert!(number(&drive["launch"]["ball_speed"]) > 50.0);
-    let said = longdrive(&["simulate", "--set", "swing.attack_angle=-20deg"]);
+    let printed = longdrive(&["simulate", "--set", "swing.attack_angle=-20deg"]);
     assert!(
-        said.status == 1 && said.out.contains("no flight: the ball leaves at -"),
+        printed.status == 1 && printed.out.contains("no flight: the ball leaves at -"),
         "{}",
-        said.out
+        printed.out
     );
     let (status, gradient) = json(&[&["gradient"], set.as_slice()].concat());
     assert_eq!(
@@ -618,14 +626,14 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
         (vec!["presets", "mae44"], vec!["did you mean 'mae494'?"]),
         (vec!["soar"], vec!["unrecognized subcommand"]),
     ] {
-        let said = longdrive(&args);
-        assert_eq!(said.status, 2, "{args:?}: {}", said.err);
-        assert_eq!(said.out, "", "{args:?}");
+        let printed = longdrive(&args);
+        assert_eq!(printed.status, 2, "{args:?}: {}", printed.err);
+        assert_eq!(printed.out, "", "{args:?}");
         for words in says {
             assert!(
-                said.err.contains(words),
+                printed.err.contains(words),
                 "{args:?}: no '{words}' in {}",
-                said.err
+                printed.err
             );
         }
     }
@@ -679,13 +687,13 @@ fn a_setup_file_is_read_and_its_mistakes_are_placed() {
         ("preset = \"nobody\"\n", vec![":1:10:", "unknown preset"]),
     ] {
         let bad = file(text);
-        let said = longdrive(&["simulate", bad.path().to_str().unwrap()]);
-        assert_eq!(said.status, 2, "{text}");
+        let printed = longdrive(&["simulate", bad.path().to_str().unwrap()]);
+        assert_eq!(printed.status, 2, "{text}");
         for words in says {
             assert!(
-                said.err.contains(words),
+                printed.err.contains(words),
                 "{text}: no '{words}' in {}",
-                said.err
+                printed.err
             );
         }
     }
@@ -704,11 +712,11 @@ fn a_tensor_that_breaks_the_triangle_is_flown_with_a_warning() {
         "--set",
         "club.inertia.yy=20000 g cm^2",
     ];
-    let said = longdrive(&set);
+    let printed = longdrive(&set);
     assert!(
-        said.status == 0 && said.err.contains("warning: club.inertia"),
+        printed.status == 0 && printed.err.contains("warning: club.inertia"),
         "{}",
-        said.err
+        printed.err
     );
     assert_eq!(json(&set).1["warnings"].as_array().unwrap().len(), 1);
 }
@@ -849,16 +857,16 @@ fn whole_numbers_of_options_are_refused_with_option_value_range_and_example() {
             "a whole number of 0 or more (at most 4294967295)",
         ),
     ] {
-        let said = longdrive(&[command, &[option, value]].concat());
-        assert_eq!(said.status, 2, "{option} {value}: {}", said.err);
+        let printed = longdrive(&[command, &[option, value]].concat());
+        assert_eq!(printed.status, 2, "{option} {value}: {}", printed.err);
         for word in [option, value, says] {
             assert!(
-                said.err.contains(word),
+                printed.err.contains(word),
                 "{option} {value}: '{word}' is not in {}",
-                said.err
+                printed.err
             );
         }
-        assert!(!said.err.contains("invalid digit"), "{}", said.err);
+        assert!(!printed.err.contains("invalid digit"), "{}", printed.err);
     }
 }
 
@@ -872,16 +880,16 @@ fn a_flight_that_diverges_ends_with_status_one_everywhere() {
         ("ball.mass=0.1g", "ball.mass", "reduce flight.step"),
     ] {
         let set = ["--set", set];
-        let said = longdrive(&[&["simulate"], &set[..]].concat());
+        let printed = longdrive(&[&["simulate"], &set[..]].concat());
         assert!(
-            said.status == 1 && said.err.contains("the flight diverged at t = "),
+            printed.status == 1 && printed.err.contains("the flight diverged at t = "),
             "{set:?}: {}",
-            said.err
+            printed.err
         );
         assert!(
-            said.err.contains(says) && !said.err.contains(says_not),
+            printed.err.contains(says) && !printed.err.contains(says_not),
             "{set:?}: {}",
-            said.err
+            printed.err
         );
         let (status, answer) = json(&[&["simulate"], &set[..]].concat());
         assert_eq!((status, answer["status"].as_str()), (1, Some("diverged")));

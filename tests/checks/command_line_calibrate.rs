@@ -8,11 +8,13 @@ const SHOTS: [&str; 4] = ["calibrate", "examples/shots.csv", "--fit", "aero.cd0"
 #[test]
 fn a_tolerance_is_honoured() {
     let with = |more: &[&str]| longdrive(&[&SHOTS[..], more].concat());
-    let said = with(&["--tolerance=1m"]);
+    let output = with(&["--tolerance=1m"]);
     assert!(
-        said.status == 0 && said.err.contains("method ") && said.err.contains("lengths are within"),
+        output.status == 0
+            && output.err.contains("method ")
+            && output.err.contains("lengths are within"),
         "{}",
-        said.err
+        output.err
     );
     // the default tolerance is a micrometre; a tolerance of a metre shows in the residuals
     let sum = |more: &[&str]| json(&[&SHOTS[..], more].concat()).1["chi_square"].clone();
@@ -21,14 +23,14 @@ fn a_tolerance_is_honoured() {
     let (status, fine) = json(&[&SHOTS[..], &["--tolerance=1um"]].concat());
     let setup = &fine["setup"];
     assert!(status == 0 && setup["flight.method"] == "dp8", "{setup}");
-    let said = with(&["--tolerance=0m"]);
+    let output = with(&["--tolerance=0m"]);
     assert!(
-        said.status == 2
-            && said
+        output.status == 2
+            && output
                 .err
                 .contains("--tolerance: \"0m\" is no tolerance; give a length above 0"),
         "{}",
-        said.err
+        output.err
     );
     // drives at the ends of the fitted range are flown
     assert_eq!(
@@ -37,7 +39,7 @@ fn a_tolerance_is_honoured() {
     );
     let deliveries = "club.loft [deg],swing.speed [mph],carry [yd]\n9,100,240\n11,110,270\n";
     let (_folder, path) = crate::sweep::table("deliveries.csv", deliveries);
-    let said = longdrive(&[
+    let output = longdrive(&[
         "calibrate",
         path.to_str().unwrap(),
         "--fit",
@@ -45,29 +47,30 @@ fn a_tolerance_is_honoured() {
         "--tolerance",
     ]);
     assert!(
-        said.status == 0 && said.err.contains("lengths are within"),
+        output.status == 0 && output.err.contains("lengths are within"),
         "{}",
-        said.err
+        output.err
     );
 }
 
 #[test]
 fn diverging_rows_are_listed_once_with_their_advice() {
-    let said = longdrive(&[&SHOTS[..], &["--set", "flight.step=2s"]].concat());
-    assert_eq!(said.status, 1);
-    assert_eq!(said.err.matches("diverge").count(), 1, "{}", said.err);
+    let output = longdrive(&[&SHOTS[..], &["--set", "flight.step=2s"]].concat());
+    assert_eq!(output.status, 1);
+    assert_eq!(output.err.matches("diverge").count(), 1, "{}", output.err);
     assert!(
-        said.err
+        output
+            .err
             .contains("rows 1 to 12: the flight diverges; the step is long; reduce flight.step"),
         "{}",
-        said.err
+        output.err
     );
     assert!(
-        !said.err.contains("out"),
+        !output.err.contains("out"),
         "the message names a row: {}",
-        said.err
+        output.err
     );
-    let said = longdrive(
+    let output = longdrive(
         &[
             &SHOTS[..],
             &["--own-step", "--set", "air.density=900kg/m^3"],
@@ -75,24 +78,24 @@ fn diverging_rows_are_listed_once_with_their_advice() {
         .concat(),
     );
     assert!(
-        said.err.contains("air.density") && !said.err.contains("flight.step"),
+        output.err.contains("air.density") && !output.err.contains("flight.step"),
         "{}",
-        said.err
+        output.err
     );
 }
 
 #[test]
 fn a_range_of_one_value_is_refused() {
-    let said = longdrive(&[
+    let output = longdrive(&[
         "calibrate",
         "examples/shots.csv",
         "--fit",
         "aero.cd0=0.2..0.2",
     ]);
     assert!(
-        said.status == 2 && said.err.contains("aero.cd0 is the single value 0.2"),
+        output.status == 2 && output.err.contains("aero.cd0 is the single value 0.2"),
         "{}",
-        said.err
+        output.err
     );
 }
 
@@ -108,12 +111,12 @@ fn deliveries(carry: &str) -> (tempfile::TempDir, std::path::PathBuf) {
 #[test]
 fn rows_that_do_not_fly_are_no_answer_and_not_bad_input() {
     let (_folder, path) = deliveries("262");
-    let asked = ["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"];
+    let requested = ["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"];
     for (set, status) in [
         ("flight.step=2s", "diverged"),
         ("swing.attack_angle=-60deg", "no-flight"),
     ] {
-        let (code, answer) = json(&[&asked[..], &["--set", set]].concat());
+        let (code, answer) = json(&[&requested[..], &["--set", set]].concat());
         assert_eq!(
             (code, answer["status"].as_str()),
             (1, Some(status)),
@@ -129,11 +132,11 @@ fn rows_that_do_not_fly_are_no_answer_and_not_bad_input() {
         "one.csv",
         "carry [yd],swing.attack_angle [deg]\n200,2\n10,-60\n",
     );
-    let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
+    let output = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
     assert!(
-        said.status == 1 && said.err.contains("row 2: no flight"),
+        output.status == 1 && output.err.contains("row 2: no flight"),
         "{}",
-        said.err
+        output.err
     );
 }
 
@@ -167,10 +170,10 @@ fn a_search_that_stalls_where_the_data_determine_nothing_ends_undetermined() {
         warning.starts_with("the fit ended as 'undetermined': the data do not determine"),
         "{warning}"
     );
-    let told = answer["message"].as_str().unwrap();
+    let message = answer["message"].as_str().unwrap();
     assert!(
-        told.contains("the data do not determine wind.downrange and ball.radius separately"),
-        "{told}"
+        message.contains("the data do not determine wind.downrange and ball.radius separately"),
+        "{message}"
     );
 }
 
@@ -220,7 +223,7 @@ fn a_row_that_decides_alone_outweighs_the_others() {
 fn options_of_the_cross_validation_are_refused_before_any_fit() {
     let (_folder, path) = deliveries("262");
     let few = ["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"];
-    for (asked, more, told) in [
+    for (requested, more, message) in [
         (
             &SHOTS[..],
             &["--folds", "5", "--compare", "nosuch"][..],
@@ -247,30 +250,36 @@ fn options_of_the_cross_validation_are_refused_before_any_fit() {
             "fewer than the 3 parameters to fit; use more folds",
         ),
     ] {
-        let said = longdrive(&[asked, more].concat());
+        let output = longdrive(&[requested, more].concat());
         assert!(
-            said.status == 2 && said.err.contains(told),
+            output.status == 2 && output.err.contains(message),
             "{more:?}: {}",
-            said.err
+            output.err
         );
-        assert!(!said.err.contains("iteration"), "{more:?}: {}", said.err);
+        assert!(
+            !output.err.contains("iteration"),
+            "{more:?}: {}",
+            output.err
+        );
     }
 }
 
 #[test]
 fn a_parameter_that_every_row_gives_is_not_set() {
     let (_folder, path) = deliveries("262");
-    let asked = ["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"];
-    let said = longdrive(&[&asked[..], &["--set", "swing.speed=80mph"]].concat());
-    let told = "has a value of its own, so this one is not used";
+    let requested = ["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"];
+    let output = longdrive(&[&requested[..], &["--set", "swing.speed=80mph"]].concat());
+    let message = "has a value of its own, so this one is not used";
     assert!(
-        said.status == 2 && said.err.contains("--set swing.speed: ") && said.err.contains(told),
+        output.status == 2
+            && output.err.contains("--set swing.speed: ")
+            && output.err.contains(message),
         "{}",
-        said.err
+        output.err
     );
     // a set value of a fitted parameter is the start of the fit
     assert_eq!(
-        longdrive(&[&asked[..], &["--set", "aero.cd0=0.3"]].concat()).status,
+        longdrive(&[&requested[..], &["--set", "aero.cd0=0.3"]].concat()).status,
         0
     );
 }
@@ -280,20 +289,20 @@ fn the_ends_of_any_interval_print_differently() {
     let head = "ball_speed [m/s],launch_angle [rad],backspin [rad/s],carry [m]";
     let text = format!("{head}\n70,0.17,260,234.2245103735799\n60,0.2,300,191.61067820714257\n");
     let (_folder, path) = crate::sweep::table("exact.csv", text);
-    let said = longdrive(&[
+    let output = longdrive(&[
         "calibrate",
         path.to_str().unwrap(),
         "--fit",
         "air.viscosity",
     ]);
-    let row = said
+    let row = output
         .out
         .lines()
         .find(|line| line.contains("air.viscosity  "))
         .unwrap();
     let (before, after) = row.split_once(" .. ").unwrap();
     let low = before.rsplit("  ").next().unwrap();
-    assert!(said.status == 0 && low.trim() != after.trim(), "{row}");
+    assert!(output.status == 0 && low.trim() != after.trim(), "{row}");
 }
 
 #[test]
@@ -302,8 +311,8 @@ fn rows_that_do_not_fly_are_reported_by_an_example_without_a_missing_club() {
     let text =
         format!("{head}\n160,10,2500,250\n150,11,2500,240\n160,-3,2500,250\n150,-4,2500,240\n");
     let (_folder, path) = crate::sweep::table("down.csv", text);
-    let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
-    let words = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    let output = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
+    let words = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         words.contains("rows 3, 4, for example row 3: no flight"),
         "{words}"
@@ -365,22 +374,22 @@ fn impossible_values_are_refused_with_row_column_value_and_range() {
         ),
     ] {
         let (_folder, path) = launches(head, usual, last);
-        let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
+        let output = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
         assert!(
-            said.status == 2 && said.err.contains(says),
+            output.status == 2 && output.err.contains(says),
             "{says}: {}",
-            said.err
+            output.err
         );
         assert!(
-            said.err.contains("check the value and its unit"),
+            output.err.contains("check the value and its unit"),
             "{}",
-            said.err
+            output.err
         );
     }
     // a spin of 0 may be a measured value, but exports write 0 for missing values
     let (_folder, path) = launches("carry [yd]", "246", "160,20,0,200");
-    let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
-    assert!(said.status == 0, "{}", said.err);
+    let output = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
+    assert!(output.status == 0, "{}", output.err);
 }
 
 #[test]
@@ -391,16 +400,16 @@ fn a_table_without_a_swing_says_which_swing_all_its_rows_are_compared_with() {
     );
     let file = path.to_str().unwrap();
     let (_, found) = json(&["calibrate", file, "--fit", "aero.cd0"]);
-    let told = found["warnings"][0].as_str().unwrap();
+    let message = found["warnings"][0].as_str().unwrap();
     for says in [
         "has neither a whole launch (ball_speed, launch_angle, and spin or backspin) nor a column \
          of swing, club",
         "all 3 rows are compared with one drive, that of the setup: swing.speed 115 mph, \
          swing.attack_angle -0.9 deg, club.loft 8.8 deg",
     ] {
-        assert!(told.contains(says), "{says}: {told}");
+        assert!(message.contains(says), "{says}: {message}");
     }
-    let said = longdrive(&[
+    let output = longdrive(&[
         "calibrate",
         file,
         "--fit",
@@ -409,10 +418,11 @@ fn a_table_without_a_swing_says_which_swing_all_its_rows_are_compared_with() {
         "swing.speed=100mph..120mph",
     ]);
     assert!(
-        said.err
+        output
+            .err
             .contains("swing.speed as it is fitted, swing.attack_angle"),
         "{}",
-        said.err
+        output.err
     );
     // a row without spin has no launch: it is compared with the launch of the setup's swing
     let (_folder, path) = crate::sweep::table(

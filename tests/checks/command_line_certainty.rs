@@ -43,11 +43,11 @@ fn certified_derivatives_as_json() {
         found["landing"].as_array().unwrap().len() == 6
             && !found["continuity"].as_array().unwrap().is_empty()
     );
-    let said = longdrive(&["verify", "mae494", "--wrt", "club.loft"]);
+    let printed = longdrive(&["verify", "mae494", "--wrt", "club.loft"]);
     assert!(
-        said.status == 0 && said.out.contains("passed: 0 fail, 0 corner, 2 pass"),
+        printed.status == 0 && printed.out.contains("passed: 0 fail, 0 corner, 2 pass"),
         "{}",
-        said.out
+        printed.out
     );
 }
 
@@ -104,13 +104,13 @@ fn exact_no_deviation_once_the_only_uncertain_parameter_is_known() {
         "256",
     ];
     let text = longdrive(&[&args[..], &["--all"]].concat()).out;
-    let told = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let message = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
-        told.contains("once it is known exactly, the standard deviation falls to 0.00 yd"),
+        message.contains("once it is known exactly, the standard deviation falls to 0.00 yd"),
         "{text}"
     );
     assert!(
-        told.contains("100.0 % (100.0 to 100.0)") && !told.contains("<="),
+        message.contains("100.0 % (100.0 to 100.0)") && !message.contains("<="),
         "{text}"
     );
     let (_, found) = json(&args);
@@ -140,21 +140,21 @@ fn the_answer_gives_the_reason_for_omitted_drives() {
         (status, &found["outcomes"][0]["effects"][0]["flown"]),
         (0, &serde_json::json!([null, null]))
     );
-    let told = found["warnings"].to_string();
+    let message = found["warnings"].to_string();
     assert!(
-        told.contains("no drive at −σ of swing.speed: swing.speed = ")
-            && told.contains("outside its range"),
-        "{told}"
+        message.contains("no drive at −σ of swing.speed: swing.speed = ")
+            && message.contains("outside its range"),
+        "{message}"
     );
     assert!(
-        told.contains("no drive at +σ of swing.speed: the club does not strike the ball"),
-        "{told}"
+        message.contains("no drive at +σ of swing.speed: the club does not strike the ball"),
+        "{message}"
     );
-    let said = longdrive(&args);
+    let printed = longdrive(&args);
     assert!(
-        said.status == 0 && !said.out.contains("+σ include"),
+        printed.status == 0 && !printed.out.contains("+σ include"),
         "{}",
-        said.out
+        printed.out
     );
     assert!(
         longdrive(&["sensitivity"])
@@ -228,7 +228,7 @@ fn effects_and_the_sensitivity_of_an_optimum_as_json() {
 
 #[test]
 fn same_uncertainty_as_json_for_one_seed() {
-    let asked = [
+    let requested = [
         "uncertainty",
         "--sigma",
         "swing.speed=1mph",
@@ -237,7 +237,7 @@ fn same_uncertainty_as_json_for_one_seed() {
         "--samples",
         "200",
     ];
-    let (status, found) = json(&asked);
+    let (status, found) = json(&requested);
     assert_eq!(
         (
             status,
@@ -262,7 +262,7 @@ fn same_uncertainty_as_json_for_one_seed() {
     assert_eq!(carry["measure_first"]["parameter"], "swing.speed");
     assert_eq!(found["ellipses"].as_array().unwrap().len(), 4);
     let one_thread = program::command()
-        .args(asked)
+        .args(requested)
         .arg("--json")
         .env("RAYON_NUM_THREADS", "1")
         .output();
@@ -271,7 +271,7 @@ fn same_uncertainty_as_json_for_one_seed() {
         found
     );
     assert_ne!(
-        json(&[asked.as_slice(), &["--seed", "1"]].concat()).1["outcomes"],
+        json(&[requested.as_slice(), &["--seed", "1"]].concat()).1["outcomes"],
         found["outcomes"]
     );
 }
@@ -288,13 +288,13 @@ fn drives_that_do_not_fly_are_reported_and_none_at_all_is_no_answer() {
         "--samples",
         "200",
     ];
-    let said = longdrive(&[&partly[..], &["--all"]].concat());
+    let printed = longdrive(&[&partly[..], &["--all"]].concat());
     assert!(
-        said.status == 0
-            && said.out.contains("no-flight")
-            && said.out.contains("these shares leave out"),
+        printed.status == 0
+            && printed.out.contains("no-flight")
+            && printed.out.contains("these shares leave out"),
         "{}",
-        said.out
+        printed.out
     );
     let never = [
         "uncertainty",
@@ -395,14 +395,14 @@ fn mistakes_are_bad_input_and_say_what_to_write() {
             "a whole number from 2 to 1000000",
         ),
     ] {
-        let said = longdrive(&args);
+        let printed = longdrive(&args);
         assert!(
-            said.status == 2 && said.err.contains(says),
+            printed.status == 2 && printed.err.contains(says),
             "{args:?}: {} {}",
-            said.status,
-            said.err
+            printed.status,
+            printed.err
         );
-        assert!(said.out.is_empty(), "{}", said.out);
+        assert!(printed.out.is_empty(), "{}", printed.out);
     }
 }
 
@@ -410,14 +410,14 @@ fn mistakes_are_bad_input_and_say_what_to_write() {
 /// sample with seed 0.
 #[test]
 fn a_distribution_far_beyond_the_range_of_its_parameter_has_a_warning() {
-    let said = |text| {
+    let printed = |text| {
         longdrive(&["uncertainty", "--distribution", text])
             .err
             .replace("\n  ", " ")
     };
     let (wide, cut) = (
-        said("swing.speed=normal(115mph,200mph)"),
-        said("swing.speed=truncated(115mph,200mph,60mph,130mph)"),
+        printed("swing.speed=normal(115mph,200mph)"),
+        printed("swing.speed=truncated(115mph,200mph,60mph,130mph)"),
     );
     assert!(
         wide.contains("warning: 29 % of the drives have a value outside of its allowed range"),
@@ -449,10 +449,10 @@ fn rounding_is_shown_as_0_in_texts_and_kept_in_json() {
         vec!["gradient", "--of", "all", "--wrt", "all"],
         vec!["optimum-sensitivity", "--all"],
     ] {
-        let said = longdrive(&args);
-        assert_eq!(said.status, 0, "{args:?} {}", said.err);
+        let printed = longdrive(&args);
+        assert_eq!(printed.status, 0, "{args:?} {}", printed.err);
         // the KKT residual is rounding, but not a derivative
-        let lines = said
+        let lines = printed
             .out
             .lines()
             .filter(|line| !line.contains("KKT residual"));
@@ -505,9 +505,9 @@ fn a_certificate_that_fails_names_what_failed() {
         "--set",
         "wind.roughness=10000mm",
     ];
-    let said = longdrive(&[&wind[..], &SET_RIGID, &ground].concat());
-    let words = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert_eq!(said.status, 1);
+    let printed = longdrive(&[&wind[..], &SET_RIGID, &ground].concat());
+    let words = printed.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(printed.status, 1);
     assert!(words.contains("fail (second)"), "{words}");
     assert!(
         words.contains("fail: the second derivative of landing_speed by ground.height is "),
@@ -526,7 +526,7 @@ fn a_certificate_that_fails_names_what_failed() {
 
 #[test]
 fn the_order_of_convergence_does_not_depend_on_the_step_of_the_setup() {
-    let asked = [
+    let requested = [
         "verify",
         "--set",
         "aero.law=linear",
@@ -536,7 +536,7 @@ fn the_order_of_convergence_does_not_depend_on_the_step_of_the_setup() {
         "club.loft,swing.speed",
     ];
     for step in ["flight.step=0.5s", "flight.step=10ms"] {
-        let (status, found) = json(&[&asked[..], &["--set", step]].concat());
+        let (status, found) = json(&[&requested[..], &["--set", step]].concat());
         let [value, gradient] =
             [0, 1].map(|which| number(&found["convergence"][0]["orders"][which]));
         assert!(
@@ -556,29 +556,29 @@ fn no_effect_and_a_too_small_uncertainty_have_different_messages() {
         "air.density=1%",
         "--no-defaults",
     ];
-    let said = longdrive(&without);
+    let printed = longdrive(&without);
     assert!(
-        said.status == 0
-            && said
+        printed.status == 0
+            && printed
                 .out
                 .contains("ball_speed does not depend on air.density here"),
         "{}",
-        said.out
+        printed.out
     );
     let small = ["--of", "carry", "--sigma", "swing.speed=1e-13mph"];
-    let said = longdrive(&[&["sensitivity", "--no-defaults"], &small[..]].concat());
+    let printed = longdrive(&[&["sensitivity", "--no-defaults"], &small[..]].concat());
     assert!(
-        said.status == 0 && !said.out.contains("does not depend"),
+        printed.status == 0 && !printed.out.contains("does not depend"),
         "{}",
-        said.out
+        printed.out
     );
-    let said = longdrive(&[&["uncertainty", "--samples", "50"], &small[..]].concat());
+    let printed = longdrive(&[&["uncertainty", "--samples", "50"], &small[..]].concat());
     assert!(
-        said.status == 0 && said.out.contains("it varies by less than rounding"),
+        printed.status == 0 && printed.out.contains("it varies by less than rounding"),
         "{}",
-        said.out
+        printed.out
     );
-    assert!(!said.out.contains("does not depend"), "{}", said.out);
+    assert!(!printed.out.contains("does not depend"), "{}", printed.out);
 }
 
 #[test]
@@ -587,14 +587,14 @@ fn an_unset_parameter_is_named_with_its_meaning() {
         "--launch",
         "ball_speed=160mph,launch_angle=10deg,backspin=2500rpm",
     ];
-    let said = longdrive(&[&["verify", "--wrt", "launch.sidespin"], &launch[..]].concat());
+    let printed = longdrive(&[&["verify", "--wrt", "launch.sidespin"], &launch[..]].concat());
     assert!(
-        said.status == 2
-            && said
+        printed.status == 2
+            && printed
                 .err
                 .contains("unset here, which means: 0; give it a value"),
         "{}",
-        said.err
+        printed.err
     );
 }
 
@@ -602,8 +602,8 @@ fn an_unset_parameter_is_named_with_its_meaning() {
 fn the_while_loop_is_compared_only_where_it_has_a_difference() {
     let launch = ["--launch", "ball_speed=160mph,launch_angle=10deg,spin=0rpm"];
     for wrt in ["launch.spin", "launch.spin,aero.s_cap,launch.ball_speed"] {
-        let said = longdrive(&[&["verify", "--wrt", wrt], &launch[..]].concat());
-        let words = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+        let printed = longdrive(&[&["verify", "--wrt", wrt], &launch[..]].concat());
+        let words = printed.out.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
             !words.contains("– at a step of") && !words.contains("is by aero.s_cap"),
             "{words}"

@@ -76,18 +76,19 @@ fn no_command_replaces_its_own_input_even_with_overwrite() {
         #[cfg(unix)]
         vec!["plot", "trajectory", &mine, "-o", &picture],
     ] {
-        let said = longdrive(&[&args[..], &["--overwrite"]].concat());
+        let printed = longdrive(&[&args[..], &["--overwrite"]].concat());
         assert_eq!(
-            (said.status, said.out.as_str()),
+            (printed.status, printed.out.as_str()),
             (2, ""),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
         assert!(
-            said.err
+            printed
+                .err
                 .contains("it is also an input or another output of this command"),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
         assert_eq!(files(folder.path()), before, "{args:?}");
     }
@@ -119,22 +120,23 @@ fn an_existing_file_is_replaced_only_on_request() {
         ([&calibrate[..], &["--plot", &here]].concat(), "report.md"),
     ] {
         let before = files(folder.path());
-        let said = longdrive(&args);
+        let printed = longdrive(&args);
         assert_eq!(
-            (said.status, said.out.as_str()),
+            (printed.status, printed.out.as_str()),
             (2, ""),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
         assert!(
-            said.err
+            printed
+                .err
                 .contains("it already exists; use --overwrite to replace it"),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
         assert_eq!(files(folder.path()), before, "{args:?}");
-        let said = longdrive(&[&args[..], &["--overwrite"]].concat());
-        assert_ne!(said.status, 2, "{args:?}: {}", said.err);
+        let printed = longdrive(&[&args[..], &["--overwrite"]].concat());
+        assert_ne!(printed.status, 2, "{args:?}: {}", printed.err);
         assert_ne!(files(folder.path())[written], before[written], "{args:?}");
         fs::write(folder.path().join(written), "not ours").unwrap();
     }
@@ -143,13 +145,14 @@ fn an_existing_file_is_replaced_only_on_request() {
         vec!["report", "-o", &here],
         vec!["reproduce", "mae494", "-o", &here],
     ] {
-        let said = longdrive(&args);
-        assert_eq!(said.status, 2, "{args:?}: {}", said.err);
+        let printed = longdrive(&args);
+        assert_eq!(printed.status, 2, "{args:?}: {}", printed.err);
         assert!(
-            said.err
+            printed
+                .err
                 .contains("it already exists; use --overwrite to replace it"),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
         assert_eq!(files(folder.path()), before, "{args:?}");
     }
@@ -174,20 +177,20 @@ fn an_unwritable_path_is_reported_before_the_work() {
             "/nowhere/at/all.csv",
         ],
     ] {
-        let said = longdrive(&args);
+        let printed = longdrive(&args);
         assert_eq!(
-            (said.status, said.out.as_str()),
+            (printed.status, printed.out.as_str()),
             (2, ""),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
         assert!(
-            said.err.contains("it cannot be written"),
+            printed.err.contains("it cannot be written"),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
         // one line: no iteration, so the error came before the work
-        assert_eq!(said.err.lines().count(), 1, "{args:?}: {}", said.err);
+        assert_eq!(printed.err.lines().count(), 1, "{args:?}: {}", printed.err);
     }
 }
 
@@ -215,17 +218,17 @@ fn two_outputs_of_one_command_are_kept_apart() {
         vec!["optimize", "--checkpoint", &kept, "-o", &kept],
     ] {
         let before = files(folder.path());
-        let said = longdrive(&args);
+        let printed = longdrive(&args);
         assert_eq!(
-            (said.status, said.out.as_str()),
+            (printed.status, printed.out.as_str()),
             (2, ""),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
         assert!(
-            said.err.contains("another output of this command"),
+            printed.err.contains("another output of this command"),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
         assert_eq!(files(folder.path()), before, "{args:?}");
     }
@@ -243,12 +246,12 @@ fn foreign_files_beside_a_sweep_are_not_changed() {
                 more,
             ]
             .concat();
-            let said = longdrive(&args);
-            assert_eq!(said.status, 2, "{beside} {more:?}: {}", said.err);
+            let printed = longdrive(&args);
+            assert_eq!(printed.status, 2, "{beside} {more:?}: {}", printed.err);
             assert!(
-                said.err.contains(beside) && said.err.contains("move it away"),
+                printed.err.contains(beside) && printed.err.contains("move it away"),
                 "{beside} {more:?}: {}",
-                said.err
+                printed.err
             );
             assert_eq!(
                 fs::read_to_string(folder.path().join(beside)).unwrap(),
@@ -267,7 +270,7 @@ fn a_whole_file_stays_until_the_one_that_replaces_it_is_whole() {
     // a cell without a number follows some good rows: no row reaches the file
     let bad = format!("{POINTS}ten,100\n");
     fs::write(folder.path().join("bad.csv"), bad).unwrap();
-    let said = longdrive(&[
+    let printed = longdrive(&[
         "sweep",
         "--points",
         &name("bad.csv"),
@@ -275,9 +278,9 @@ fn a_whole_file_stays_until_the_one_that_replaces_it_is_whole() {
         &out,
         "--overwrite",
     ]);
-    assert_eq!(said.status, 2, "{}", said.err);
+    assert_eq!(printed.status, 2, "{}", printed.err);
     assert_eq!(fs::read_to_string(&out).unwrap(), "the old one");
-    let said = longdrive(&[
+    let printed = longdrive(&[
         "sweep",
         "--points",
         &name("points.csv"),
@@ -285,7 +288,7 @@ fn a_whole_file_stays_until_the_one_that_replaces_it_is_whole() {
         &out,
         "--overwrite",
     ]);
-    assert_eq!(said.status, 0, "{}", said.err);
+    assert_eq!(printed.status, 0, "{}", printed.err);
     assert_eq!(fs::read_to_string(&out).unwrap().lines().count(), 3);
     assert_eq!(
         files(folder.path())
@@ -327,10 +330,10 @@ fn a_file_that_is_made_while_a_command_runs_stays() {
     fs::write(&out, "theirs").unwrap();
     drop(input);
     let output = child.wait_with_output().unwrap();
-    let said = String::from_utf8(output.stderr).unwrap();
+    let printed = String::from_utf8(output.stderr).unwrap();
     assert!(
-        output.status.code() == Some(2) && said.contains("made by another program while"),
-        "{said}"
+        output.status.code() == Some(2) && printed.contains("made by another program while"),
+        "{printed}"
     );
     assert_eq!(fs::read_to_string(&out).unwrap(), "theirs");
     assert!(!is_begun());
@@ -358,11 +361,11 @@ fn of_two_searches_at_once_with_one_checkpoint_one_is_refused() {
             .filter(|output| output.status.code() == Some(2))
             .collect();
         assert_eq!(refused.len(), 1, "{outputs:?}");
-        let said = String::from_utf8_lossy(&refused[0].stderr);
+        let printed = String::from_utf8_lossy(&refused[0].stderr);
         assert!(
-            said.contains("another search has just created this file")
-                || said.contains("belongs to another question"),
-            "{said}"
+            printed.contains("another search has just created this file")
+                || printed.contains("belongs to another question"),
+            "{printed}"
         );
     }
 }
@@ -375,8 +378,8 @@ fn a_file_through_a_link_is_replaced_and_keeps_its_permissions() {
     fs::write(&real, "old").unwrap();
     fs::set_permissions(&real, fs::Permissions::from_mode(0o640)).unwrap();
     std::os::unix::fs::symlink(&real, &link).unwrap();
-    let said = longdrive(&["plot", "trajectory", "-o", &link, "--overwrite"]);
-    assert_eq!(said.status, 0, "{}", said.err);
+    let printed = longdrive(&["plot", "trajectory", "-o", &link, "--overwrite"]);
+    assert_eq!(printed.status, 0, "{}", printed.err);
     assert!(folder.path().join("link.svg").is_symlink());
     assert!(fs::read_to_string(&real).unwrap().starts_with("<svg"));
     assert_eq!(
@@ -401,12 +404,12 @@ fn the_folder_that_an_output_is_in_must_exist() {
         vec!["optimize", "-o", &output],
         vec!["sweep", "--over", "club.loft=5deg..15deg:3", "-o", &output],
     ] {
-        let said = longdrive(&args);
-        let told = format!("there is no folder '{}'", name("missing"));
+        let printed = longdrive(&args);
+        let text = format!("there is no folder '{}'", name("missing"));
         assert!(
-            said.status == 2 && said.err.contains(&told),
+            printed.status == 2 && printed.err.contains(&text),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
         assert_eq!(files(folder.path()), before, "{args:?}");
     }
@@ -480,16 +483,16 @@ fn an_unwritable_path_is_reported_in_plain_words() {
         ),
     ] {
         let before = files(folder.path());
-        let said = longdrive(&args);
+        let printed = longdrive(&args);
         assert_eq!(
-            (said.status, said.out.as_str()),
+            (printed.status, printed.out.as_str()),
             (2, ""),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
-        assert!(said.err.contains(words), "{args:?}: {}", said.err);
+        assert!(printed.err.contains(words), "{args:?}: {}", printed.err);
         for foreign in ["os error", "entity not found", "expected value", "at path"] {
-            assert!(!said.err.contains(foreign), "{args:?}: {}", said.err);
+            assert!(!printed.err.contains(foreign), "{args:?}: {}", printed.err);
         }
         assert_eq!(files(folder.path()), before, "{args:?}");
     }

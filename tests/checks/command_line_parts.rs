@@ -178,8 +178,8 @@ fn same_bytes_of_a_part_from_any_process_and_in_any_order() {
 fn same_rows_of_all_parts_and_of_one_file() {
     let folder = tempfile::tempdir().unwrap();
     let whole = folder.path().join("whole.parquet");
-    let said = longdrive(&[&DRIVES[..], &["-o", whole.to_str().unwrap()]].concat());
-    assert_eq!(said.status, 0, "{}", said.err);
+    let printed = longdrive(&[&DRIVES[..], &["-o", whole.to_str().unwrap()]].concat());
+    assert_eq!(printed.status, 0, "{}", printed.err);
     let parts: Vec<_> = NAMES
         .iter()
         .flat_map(|name| rows(&SET.path().join(name)))
@@ -348,15 +348,15 @@ fn independent_sha256sum_of_the_set_by_its_files() {
 fn a_foreign_file_among_all_parts_is_reported() {
     let copy = SET.copy();
     fs::write(copy.path().join("part-00005.parquet"), "notes").unwrap();
-    let said = longdrive(&["sweep", "--check", copy.path().to_str().unwrap()]);
+    let printed = longdrive(&["sweep", "--check", copy.path().to_str().unwrap()]);
     assert!(
-        said.status == 1
-            && said
+        printed.status == 1
+            && printed
                 .out
                 .contains("4 parts are present and valid, but not alone"),
         "{} {}",
-        said.out,
-        said.err
+        printed.out,
+        printed.err
     );
 }
 
@@ -590,10 +590,10 @@ fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
         .args(question())
         .args(part);
     let output = program.output().unwrap();
-    let said = String::from_utf8(output.stderr).unwrap();
+    let printed = String::from_utf8(output.stderr).unwrap();
     assert!(
-        output.status.code() == Some(2) && said.contains("then repeat part 3"),
-        "{said}"
+        output.status.code() == Some(2) && printed.contains("then repeat part 3"),
+        "{printed}"
     );
     assert_eq!(fs::read_dir(copy.path()).unwrap().count(), 3);
 
@@ -632,8 +632,8 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
     let most = Level::here();
     let mut sets: Vec<Vec<Vec<Vec<Option<String>>>>> = vec![];
     for instructions in Level::ALL.into_iter().filter(|known| known.is_here()) {
-        let asked = [&question()[..], &["--instructions", instructions.name()]].concat();
-        let (set, again) = (Set::new(&asked), Set::new(&asked));
+        let requested = [&question()[..], &["--instructions", instructions.name()]].concat();
+        let (set, again) = (Set::new(&requested), Set::new(&requested));
         assert!(bytes(set.path()) == bytes(again.path()), "{instructions}");
         let named = format!("{} {instructions}", std::env::consts::ARCH);
         let (_, answer) = checked(set.path(), &[]);
@@ -690,13 +690,14 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
         }
     }
     for lacking in Level::ALL.into_iter().filter(|known| !known.is_here()) {
-        let said = longdrive(&[&DRIVES[..], &["--instructions", lacking.name()]].concat());
-        assert_eq!(said.status, 2);
+        let printed = longdrive(&[&DRIVES[..], &["--instructions", lacking.name()]].concat());
+        assert_eq!(printed.status, 2);
         assert!(
-            said.err
+            printed
+                .err
                 .contains(&format!("its widest instruction set is {most}")),
             "{}",
-            said.err
+            printed.err
         );
     }
 }
@@ -708,7 +709,7 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
 fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_question_has_the_same_bytes() {
     let folder = tempfile::tempdir().unwrap();
     // angles far beyond 46°, whose sines come from the C library
-    let asked = [
+    let requested = [
         "sweep",
         "--over",
         "club.loft=5deg..70deg:64",
@@ -724,7 +725,7 @@ fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_question_has
     let of = |tunables: &str, part: &str, to: &str| {
         let mut program = program::command();
         program
-            .args(asked)
+            .args(requested)
             .args(["--part", part, "-o"])
             .arg(folder.path().join(to))
             .env("GLIBC_TUNABLES", tunables);
@@ -761,11 +762,11 @@ fn a_sweep_that_cannot_be_divided_is_refused_with_advice() {
     let folder = tempfile::tempdir().unwrap();
     let into = folder.path().join("parts");
     let refused = |more: &[&str], why: &str| {
-        let said = longdrive(&[&DRIVES[..], &["-o", into.to_str().unwrap()], more].concat());
+        let printed = longdrive(&[&DRIVES[..], &["-o", into.to_str().unwrap()], more].concat());
         assert!(
-            said.status == 2 && said.err.contains(why),
+            printed.status == 2 && printed.err.contains(why),
             "{more:?}: {}",
-            said.err
+            printed.err
         );
         assert!(!into.exists());
     };
@@ -799,7 +800,7 @@ fn a_sweep_that_cannot_be_divided_is_refused_with_advice() {
     );
     refused(&["--highest", "carry:3"], "add --part 1/1");
     refused(&["--part", "1/4", "--resume"], "--resume");
-    let said = longdrive(
+    let printed = longdrive(
         &[
             &DRIVES[..],
             &[
@@ -812,9 +813,9 @@ fn a_sweep_that_cannot_be_divided_is_refused_with_advice() {
         .concat(),
     );
     assert!(
-        said.status == 2 && said.err.contains("no/parts"),
+        printed.status == 2 && printed.err.contains("no/parts"),
         "{}",
-        said.err
+        printed.err
     );
     // the file names sort in the order of the parts
     let names: Vec<_> = [9, 10, 99_999]

@@ -70,9 +70,10 @@ fn constraints_and_starts_as_json() {
 #[test]
 fn a_set_value_of_a_variable_is_reported_as_its_start() {
     let notes = |args: &[&str]| -> Vec<String> {
-        let said = longdrive(args);
-        assert!([0, 1].contains(&said.status), "{}", said.err);
-        said.err
+        let printed = longdrive(args);
+        assert!([0, 1].contains(&printed.status), "{}", printed.err);
+        printed
+            .err
             .lines()
             .filter(|line| line.contains("begins at"))
             .map(str::to_owned)
@@ -171,32 +172,35 @@ fn a_wind_is_whole_whose_direction_is_varied() {
         1e-9,
         "direction",
     );
-    let said = longdrive(&["optimize", "--set=wind.speed=10mph"]);
+    let printed = longdrive(&["optimize", "--set=wind.speed=10mph"]);
     assert!(
-        said.status == 2 && said.err.contains("wind.speed is given without wind.from"),
+        printed.status == 2
+            && printed
+                .err
+                .contains("wind.speed is given without wind.from"),
         "{}",
-        said.err
+        printed.err
     );
 }
 
 /// An equation that no variable changes has no multiplier: lateral is 0 for every straight drive.
 #[test]
 fn an_equation_is_reported_with_its_violation_and_never_as_inactive() {
-    let told = |limit: &str| {
+    let sentence = |limit: &str| {
         let out = longdrive(&["optimize", "-q", "--subject-to", limit]).out;
         out.split_whitespace().collect::<Vec<_>>().join(" ")
     };
-    let free = told("lateral == 0 yd");
+    let free = sentence("lateral == 0 yd");
     let words =
         "lateral = 0 yd 0.0 yd equality: off by 0.00 yd, and no varied parameter changes it";
     assert!(free.contains(words), "{free}");
-    let held = told("apex_height == 30 yd");
+    let held = sentence("apex_height == 30 yd");
     assert!(
         held.contains("equality: off by 0.00 yd, +")
             && held.contains("yd for each yard that the value is raised"),
         "{held}"
     );
-    let idle = told("apex_height <= 60 yd");
+    let idle = sentence("apex_height <= 60 yd");
     assert!(
         idle.contains("apex height ≤ 60 yd") && idle.contains("not active"),
         "{idle}"
@@ -265,14 +269,18 @@ fn a_change_says_where_the_parameter_goes() {
         ("-10mph", "swing.speed -10 mph to 105 mph"),
     ] {
         let change = format!("--change=swing.speed={change}");
-        let said = longdrive(&[
+        let printed = longdrive(&[
             "optimum-sensitivity",
             "tour-average",
             "--wrt",
             "gravity",
             &change,
         ]);
-        assert!(said.status == 0 && said.out.contains(title), "{}", said.out);
+        assert!(
+            printed.status == 0 && printed.out.contains(title),
+            "{}",
+            printed.out
+        );
     }
 }
 
@@ -445,7 +453,7 @@ fn same_changed_optimum_and_search_of_the_changed_setup() {
         ("swing.speed=+300mph", "swing.speed=415mph"),
         ("air.density=-20%", "air.density=0.98kg/m^3"),
     ] {
-        let asked = [
+        let requested = [
             "optimum-sensitivity",
             "--set",
             "air.density=1.225kg/m^3",
@@ -454,7 +462,7 @@ fn same_changed_optimum_and_search_of_the_changed_setup() {
             "--change",
             change,
         ];
-        let (_, found) = json(&asked);
+        let (_, found) = json(&requested);
         let resolved = &found["changes"][0]["resolved"];
         let anew = ["optimize", "--set", "air.density=1.225kg/m^3", "--set", set];
         let anew = if set.starts_with("air") {
@@ -481,17 +489,17 @@ fn same_changed_optimum_and_search_of_the_changed_setup() {
 
 #[test]
 fn refusals_of_variables_do_not_contradict_each_other() {
-    let said = longdrive(&[
+    let printed = longdrive(&[
         "optimum-sensitivity",
         "--change",
         "swing.attack_angle=+1deg",
     ]);
-    let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    let sentence = printed.err.split_whitespace().collect::<Vec<_>>().join(" ");
     let words = "the sensitivity of the optimum to swing.attack_angle: swing.attack_angle is a varied \
                  parameter, so the search chooses it; choose another parameter";
     assert!(
-        said.status == 2 && told.contains(words) && !told.contains("cannot be varied"),
-        "{told}"
+        printed.status == 2 && sentence.contains(words) && !sentence.contains("cannot be varied"),
+        "{sentence}"
     );
 }
 
@@ -628,20 +636,20 @@ fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
             "at most 1e8 steps",
         ),
     ] {
-        let said = longdrive(&args);
+        let printed = longdrive(&args);
         assert_eq!(
-            (said.status, said.out.as_str()),
+            (printed.status, printed.out.as_str()),
             (2, ""),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
-        assert!(said.err.contains(says), "{args:?}: {}", said.err);
+        assert!(printed.err.contains(says), "{args:?}: {}", printed.err);
     }
 }
 
 #[test]
 fn each_outcome_of_a_gradient_has_its_own_error() {
-    let asked = [
+    let requested = [
         "gradient",
         "modern-driver",
         "--of",
@@ -649,7 +657,7 @@ fn each_outcome_of_a_gradient_has_its_own_error() {
         "--set",
         "club.loft=-20deg",
     ];
-    let (status, rows) = json(&[&asked[..], &SET_RIGID].concat());
+    let (status, rows) = json(&[&requested[..], &SET_RIGID].concat());
     assert_eq!(status, 1);
     close(
         number(&rows["outcomes"][0]["value"]).to_degrees(),
@@ -745,14 +753,18 @@ fn exact_price_of_the_bound_of_a_minimum() {
         1e-9,
         "price",
     );
-    let said = longdrive(
+    let printed = longdrive(
         &[
             &["optimize", "modern-driver", "--minimize", "ball_speed"],
             &vary[..],
         ]
         .concat(),
     );
-    assert!(said.out.contains("at its upper bound: -"), "{}", said.out);
+    assert!(
+        printed.out.contains("at its upper bound: -"),
+        "{}",
+        printed.out
+    );
     let both = longdrive(&["optimize", "--minimize", "carry", "--maximize", "carry"]);
     assert_eq!(both.status, 2, "{}", both.err);
 }
@@ -760,7 +772,7 @@ fn exact_price_of_the_bound_of_a_minimum() {
 #[test]
 fn differences_of_minima_are_their_sensitivities() {
     // the landing speed has its minimum between a flat and a steep descent
-    let asked = [
+    let requested = [
         "--minimize",
         "landing_speed",
         "--vary",
@@ -775,14 +787,19 @@ fn differences_of_minima_are_their_sensitivities() {
                 "--wrt",
                 "air.density",
             ],
-            &asked[..],
+            &requested[..],
         ]
         .concat(),
     );
     assert_eq!(status, 0, "{found}");
     let best = |density: &str| {
-        let (_, found) =
-            json(&[&["optimize", "modern-driver", "--set", density], &asked[..]].concat());
+        let (_, found) = json(
+            &[
+                &["optimize", "modern-driver", "--set", density],
+                &requested[..],
+            ]
+            .concat(),
+        );
         number(&found["value"])
     };
     let slope = (best("air.density=1.185 kg/m^3") - best("air.density=1.183 kg/m^3")) / 0.002;
@@ -814,7 +831,7 @@ fn differences_of_minima_are_their_sensitivities() {
 fn same_drive_from_the_setup_written_at_an_optimum() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("best.toml").display().to_string();
-    let asked = [
+    let requested = [
         "optimize",
         "modern-driver",
         "--set",
@@ -823,7 +840,7 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
         &file,
         "--overwrite",
     ];
-    let (status, found) = json(&asked);
+    let (status, found) = json(&requested);
     assert_eq!(status, 0);
     let text = std::fs::read_to_string(&file).unwrap();
     for words in [
@@ -844,7 +861,7 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
     close(carry(), number(&found["value"]), 1.0, 1e-6, "carry");
     // a stated method or step is in the file, which gives the same drive to the last digits
     for stated in [&["--own-step"][..], &["--set", "flight.step=0.02s"]] {
-        let (_, found) = json(&[&asked[..], stated].concat());
+        let (_, found) = json(&[&requested[..], stated].concat());
         close(
             carry(),
             number(&found["value"]),
@@ -856,7 +873,7 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
     // a step chosen for a tolerance serves only this search: the file has the setup's own step, or
     // none
     let within = |setup: &str, file: &str| {
-        let asked = [
+        let requested = [
             "optimize",
             setup,
             "--tolerance=1mm",
@@ -864,7 +881,7 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
             file,
             "--overwrite",
         ];
-        assert_eq!(longdrive(&asked).status, 0);
+        assert_eq!(longdrive(&requested).status, 0);
         let text = std::fs::read_to_string(file).unwrap();
         text.lines()
             .filter(|line| line.starts_with("step = "))
@@ -876,11 +893,11 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
         ["step = \"0.02 s\" # as given, instead of 0.01 s"]
     );
     assert!(within("modern-driver", &file).is_empty());
-    let said = longdrive(&["optimize", "-o", &file]);
+    let printed = longdrive(&["optimize", "-o", &file]);
     assert!(
-        said.status == 2 && said.err.contains("--overwrite to replace it"),
+        printed.status == 2 && printed.err.contains("--overwrite to replace it"),
         "{}",
-        said.err
+        printed.err
     );
 }
 
@@ -891,17 +908,17 @@ fn options_of_another_search_are_refused() {
         &["--vary", "club.loft=4deg..20deg"],
         &["--max-iterations", "9"],
     ] {
-        let said = longdrive(&[&["sensitivity"], option].concat());
+        let printed = longdrive(&[&["sensitivity"], option].concat());
         assert_eq!(
-            (said.status, said.out.as_str()),
+            (printed.status, printed.out.as_str()),
             (2, ""),
             "{option:?}: {}",
-            said.err
+            printed.err
         );
         assert!(
-            said.err.contains(option[0]) && said.err.contains("--at-optimum"),
+            printed.err.contains(option[0]) && printed.err.contains("--at-optimum"),
             "{}",
-            said.err
+            printed.err
         );
     }
 }
@@ -935,9 +952,9 @@ fn same_optima_at_chosen_points_as_in_single_searches() {
             speed,
         );
     }
-    let said = longdrive(&["chart", "--along", "swing.speed", "--at", "90"]);
-    assert_eq!(said.status, 2, "{}", said.err);
-    assert!(said.err.contains("has no unit"), "{}", said.err);
+    let printed = longdrive(&["chart", "--along", "swing.speed", "--at", "90"]);
+    assert_eq!(printed.status, 2, "{}", printed.err);
+    assert!(printed.err.contains("has no unit"), "{}", printed.err);
 }
 
 #[test]
@@ -948,20 +965,20 @@ fn unordered_and_duplicate_values_of_a_chart_are_reported() {
         ("100mph,90mph", true),
         ("90mph,90mph,100mph", true),
     ] {
-        let said = longdrive(&["chart", "--along", "swing.speed", "--at", at, "--csv"]);
+        let printed = longdrive(&["chart", "--along", "swing.speed", "--at", at, "--csv"]);
         assert_eq!(
-            (said.status, said.out.lines().count()),
+            (printed.status, printed.out.lines().count()),
             (0, 3),
             "{at}: {}",
-            said.out
+            printed.out
         );
-        assert_eq!(said.err.contains(TOLD), is_told, "{at}: {}", said.err);
+        assert_eq!(printed.err.contains(TOLD), is_told, "{at}: {}", printed.err);
     }
 }
 
 #[test]
 fn progress_of_a_chart_shows_the_given_points() {
-    let said = longdrive(&[
+    let printed = longdrive(&[
         "chart",
         "--along",
         "swing.speed",
@@ -969,12 +986,12 @@ fn progress_of_a_chart_shows_the_given_points() {
         "100mph,120mph",
         "--verbose",
     ]);
-    let shown: Vec<&str> = said
+    let shown: Vec<&str> = printed
         .err
         .lines()
         .filter(|line| line.starts_with("swing.speed "))
         .collect();
-    assert!(said.status == 0 && shown.len() == 2, "{}", said.err);
+    assert!(printed.status == 0 && shown.len() == 2, "{}", printed.err);
     assert!(
         shown[0].starts_with("swing.speed 100 mph: carry")
             && shown[1].starts_with("swing.speed 120 mph: carry"),
@@ -986,7 +1003,7 @@ fn progress_of_a_chart_shows_the_given_points() {
 fn an_unwritten_setup_is_reported_even_with_quiet() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("best.toml");
-    let asked = [
+    let requested = [
         "optimize",
         "-q",
         "--max-iterations",
@@ -994,14 +1011,14 @@ fn an_unwritten_setup_is_reported_even_with_quiet() {
         "-o",
         file.to_str().unwrap(),
     ];
-    let said = longdrive(&asked);
+    let printed = longdrive(&requested);
     let unwritten = "is not written: there is no optimum";
     assert!(
-        said.status == 1 && said.err.contains(unwritten),
+        printed.status == 1 && printed.err.contains(unwritten),
         "{}",
-        said.err
+        printed.err
     );
-    let (_, answer) = json(&asked);
+    let (_, answer) = json(&requested);
     let warnings = answer["warnings"].as_array().unwrap().iter();
     let mut warnings = warnings.map(|warning| warning.as_str().unwrap());
     assert!(
@@ -1042,12 +1059,12 @@ fn a_setting_that_has_no_effect_is_refused() {
             "--distribution gives its values",
         ),
     ] {
-        let said = longdrive(&args);
-        let told = format!("--set swing.speed: {why}, so this one is not used; leave it out");
+        let printed = longdrive(&args);
+        let sentence = format!("--set swing.speed: {why}, so this one is not used; leave it out");
         assert!(
-            said.status == 2 && said.err.contains(&told),
+            printed.status == 2 && printed.err.contains(&sentence),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
     }
     // without the setting this preset has no friction to vary
@@ -1059,7 +1076,7 @@ fn a_setting_that_has_no_effect_is_refused() {
     ];
     assert_eq!(longdrive(&[&["chart"], &friction[..]].concat()).status, 0);
     let start = |loft: &str| {
-        let said = longdrive(&[
+        let printed = longdrive(&[
             "optimize",
             "--verbose",
             "--set",
@@ -1069,7 +1086,8 @@ fn a_setting_that_has_no_effect_is_refused() {
             "--max-iterations",
             "0",
         ]);
-        said.err
+        printed
+            .err
             .lines()
             .find(|line| line.starts_with("  0 "))
             .unwrap()
@@ -1080,7 +1098,7 @@ fn a_setting_that_has_no_effect_is_refused() {
         "{}",
         start("club.loft=8deg")
     );
-    let asked = [
+    let requested = [
         "uncertainty",
         "--set",
         "swing.speed=90mph",
@@ -1089,6 +1107,6 @@ fn a_setting_that_has_no_effect_is_refused() {
         "--samples",
         "16",
     ];
-    let said = longdrive(&[&asked[..], &["--all"]].concat());
-    assert!(said.out.contains("normal: 90 mph ± 1 mph"));
+    let printed = longdrive(&[&requested[..], &["--all"]].concat());
+    assert!(printed.out.contains("normal: 90 mph ± 1 mph"));
 }

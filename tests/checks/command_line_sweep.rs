@@ -99,12 +99,12 @@ impl Uninterrupted {
     fn new(many: &[&str], format: &str) -> Self {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join(format!("whole.{format}"));
-        let (status, said) = finish(start(many, &file, &["--threads", "1"]));
-        assert_eq!(status, Some(0), "{said}");
+        let (status, printed) = finish(start(many, &file, &["--threads", "1"]));
+        assert_eq!(status, Some(0), "{printed}");
         assert!(!sidecar(&file).exists());
         Self {
             bytes: fs::read(file).unwrap(),
-            beyond: beyond(&said).unwrap_or_else(|| panic!("{said}")),
+            beyond: beyond(&printed).unwrap_or_else(|| panic!("{printed}")),
         }
     }
 
@@ -117,8 +117,9 @@ impl Uninterrupted {
     }
 }
 
-fn beyond(said: &str) -> Option<String> {
-    said.lines()
+fn beyond(printed: &str) -> Option<String> {
+    printed
+        .lines()
         .find(|line| line.contains("drives that landed: "))
         .map(str::to_owned)
 }
@@ -149,22 +150,22 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
         append(&sidecar(&part), b"{\"rows\":99");
 
         // refused without --resume, and with other arguments
-        let (status, said) = finish(start(many, &part, &[]));
+        let (status, printed) = finish(start(many, &part, &[]));
         assert_eq!(status, Some(2));
-        assert!(said.contains("--resume continues it"), "{said}");
-        let (status, said) = finish(start(
+        assert!(printed.contains("--resume continues it"), "{printed}");
+        let (status, printed) = finish(start(
             many,
             &part,
             &["--resume", "--set", "swing.speed=100mph"],
         ));
         assert_eq!(status, Some(2));
         assert!(
-            said.contains("another command (the setups differ)"),
-            "{said}"
+            printed.contains("another command (the setups differ)"),
+            "{printed}"
         );
-        let (status, said) = finish(start(many, &part, &["--resume", "--wrt", "air.density"]));
+        let (status, printed) = finish(start(many, &part, &["--resume", "--wrt", "air.density"]));
         assert_eq!(status, Some(2));
-        assert!(said.contains("the derivatives differ"), "{said}");
+        assert!(printed.contains("the derivatives differ"), "{printed}");
 
         // Ctrl-C after more rows are written, unless the sweep has ended
         let before = announced_rows(&part);
@@ -175,15 +176,18 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
                 .args(["-INT", &child.id().to_string()])
                 .status();
         }
-        let (status, said) = finish(child);
-        assert!(status == Some(0) || status == Some(1), "{status:?} {said}");
+        let (status, printed) = finish(child);
+        assert!(
+            status == Some(0) || status == Some(1),
+            "{status:?} {printed}"
+        );
         if status == Some(1) {
             assert!(
-                said.contains("--resume") && said.contains("stopped: "),
-                "{said}"
+                printed.contains("--resume") && printed.contains("stopped: "),
+                "{printed}"
             );
             // the sweep continues after the announced rows
-            announced_row = said
+            announced_row = printed
                 .split("continues after ")
                 .nth(1)
                 .map(|rest| rest.trim().to_owned());
@@ -191,19 +195,19 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
         }
     }
     if sidecar(&part).exists() {
-        let (status, said) = finish(start(many, &part, &["--resume", "--threads", "3"]));
-        assert_eq!(status, Some(0), "{said}");
-        assert!(said.contains("resuming after "), "{said}");
+        let (status, printed) = finish(start(many, &part, &["--resume", "--threads", "3"]));
+        assert_eq!(status, Some(0), "{printed}");
+        assert!(printed.contains("resuming after "), "{printed}");
         assert_eq!(
-            beyond(&said).as_ref(),
+            beyond(&printed).as_ref(),
             Some(&whole.beyond),
             "the count differs from an uninterrupted run"
         );
         if let Some(announced_row) = announced_row {
             let rows = announced_row.split(' ').next().unwrap_or_default();
             assert!(
-                said.contains(&format!("resuming after {rows} ")),
-                "{announced_row}: {said}"
+                printed.contains(&format!("resuming after {rows} ")),
+                "{announced_row}: {printed}"
             );
         }
     }
@@ -212,9 +216,9 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
         fs::read(&part).unwrap() == whole.bytes,
         "the file differs from an uninterrupted run"
     );
-    let (status, said) = finish(start(many, &part, &["--resume"]));
+    let (status, printed) = finish(start(many, &part, &["--resume"]));
     assert_eq!(status, Some(2));
-    assert!(said.contains("nothing to resume"), "{said}");
+    assert!(printed.contains("nothing to resume"), "{printed}");
 }
 
 /// Number of rows of a file, all of them complete.
@@ -307,11 +311,11 @@ fn a_format_that_is_not_compiled_in_names_its_feature() {
             "png",
         ),
     ] {
-        let said = longdrive(&args);
-        let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let printed = longdrive(&args);
+        let sentence = printed.err.split_whitespace().collect::<Vec<_>>().join(" ");
         let says = format!("cargo install --path . --features {feature}");
-        assert_eq!(said.status, 2, "{told}");
-        assert!(told.contains(&says), "{told}");
+        assert_eq!(printed.status, 2, "{sentence}");
+        assert!(sentence.contains(&says), "{sentence}");
     }
 }
 
@@ -369,35 +373,41 @@ fn independent_tables_in_every_format_give_the_same_bytes() {
         "{}",
         none.err
     );
-    let said = sweep("text.arrow");
-    assert_eq!((said.status, said.out.as_str()), (2, ""), "{}", said.err);
-    assert!(
-        said.err.contains("column air.density: its type is Utf8"),
+    let printed = sweep("text.arrow");
+    assert_eq!(
+        (printed.status, printed.out.as_str()),
+        (2, ""),
         "{}",
-        said.err
+        printed.err
+    );
+    assert!(
+        printed.err.contains("column air.density: its type is Utf8"),
+        "{}",
+        printed.err
     );
     // a row without a value does not affect the others
-    let said = longdrive(&[
+    let printed = longdrive(&[
         "sweep",
         "--points",
         &table("null.arrow"),
         "--units",
         "metric",
     ]);
-    assert_eq!(said.status, 0, "{}", said.err);
+    assert_eq!(printed.status, 0, "{}", printed.err);
     assert!(
-        said.err.contains("row 3: air.density is missing"),
+        printed.err.contains("row 3: air.density is missing"),
         "{}",
-        said.err
+        printed.err
     );
     assert_eq!(
-        said.out
+        printed
+            .out
             .lines()
             .filter(|row| row.contains(",out-of-range,"))
             .count(),
         1,
         "{}",
-        said.out
+        printed.out
     );
 }
 
@@ -421,9 +431,9 @@ fn a_full_disk_leaves_complete_rows_that_can_be_resumed() {
             .arg("-o")
             .arg(&part);
         let output = program.output().unwrap();
-        let said = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{said}");
-        let rows: usize = said
+        let printed = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{printed}");
+        let rows: usize = printed
             .split("its first ")
             .nth(1)
             .unwrap()
@@ -433,8 +443,8 @@ fn a_full_disk_leaves_complete_rows_that_can_be_resumed() {
             .parse()
             .unwrap();
         assert!(
-            rows > 10_000 && said.contains("complete rows; make room"),
-            "{said}"
+            rows > 10_000 && printed.contains("complete rows; make room"),
+            "{printed}"
         );
         assert_eq!(readable(&unfinished_file(&part), format), rows);
         assert!(!part.exists());
@@ -445,18 +455,18 @@ fn a_full_disk_leaves_complete_rows_that_can_be_resumed() {
 
 #[test]
 fn diverging_drives_are_reported_with_advice() {
-    let said = longdrive(&[
+    let printed = longdrive(&[
         "sweep",
         "--set",
         "flight.step=2s",
         "--over",
         "club.loft=5deg..15deg:3",
     ]);
-    assert_eq!(said.status, 1, "{}", said.err);
-    let told = said.err.replace("\n  ", " ");
+    assert_eq!(printed.status, 1, "{}", printed.err);
+    let sentence = printed.err.replace("\n  ", " ");
     assert!(
-        told.contains("3 diverged; simulate one of the diverged drives to see what to change"),
-        "{told}"
+        sentence.contains("3 diverged; simulate one of the diverged drives to see what to change"),
+        "{sentence}"
     );
 }
 
@@ -470,13 +480,14 @@ fn a_full_device_and_a_closed_pipe() {
         "club.loft=5deg..15deg:20000",
     ];
     if Path::new("/dev/full").exists() {
-        let said = longdrive(&[&rows[..], &["-o", "/dev/full", "--format", "csv"]].concat());
-        assert_eq!(said.status, 2);
+        let printed = longdrive(&[&rows[..], &["-o", "/dev/full", "--format", "csv"]].concat());
+        assert_eq!(printed.status, 2);
         assert!(
-            said.err
+            printed
+                .err
                 .contains("cannot write the answer: the disk is full; written before: "),
             "{}",
-            said.err
+            printed.err
         );
         assert!(!Path::new("/dev/full.resume").exists());
     }
@@ -518,10 +529,10 @@ fn a_pipe_that_is_closed_before_the_first_row_is_no_failure() {
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
-        let (status, said) = finish(child);
+        let (status, printed) = finish(child);
         assert!(
-            status == Some(0) && !said.contains("error"),
-            "{args:?}: {said}"
+            status == Some(0) && !printed.contains("error"),
+            "{args:?}: {printed}"
         );
     }
 }
@@ -549,7 +560,7 @@ fn of_two_sweeps_at_once_into_one_file_one_is_refused_and_the_other_is_whole() {
             .each_ref()
             .map(|question| start(question, &file, &[]));
         let [first, second] = sweeps.map(finish);
-        let (winner, (_, said)) = if first.0 == Some(0) {
+        let (winner, (_, printed)) = if first.0 == Some(0) {
             (0, second.clone())
         } else {
             (1, first.clone())
@@ -564,8 +575,8 @@ fn of_two_sweeps_at_once_into_one_file_one_is_refused_and_the_other_is_whole() {
         );
         // the second process found the first one, or its file
         assert!(
-            said.contains("another sweep is writing it") || said.contains("already exists"),
-            "{said}"
+            printed.contains("another sweep is writing it") || printed.contains("already exists"),
+            "{printed}"
         );
         assert!(fs::read(&file).unwrap() == wholes[winner]);
         assert!(!unfinished_file(&file).exists() && !sidecar(&file).exists());
@@ -580,25 +591,25 @@ fn a_file_that_is_made_while_a_sweep_runs_stays_and_so_do_the_rows() {
     wait_until(&mut child, || unfinished_file(&file).exists());
     fs::write(&file, "theirs").unwrap();
     // a later sweep reports the running one
-    let (status, said) = finish(start(
+    let (status, printed) = finish(start(
         &["sweep", "--over", "club.loft=5deg..15deg:3"],
         &file,
         &["--overwrite"],
     ));
     assert!(
-        status == Some(2) && said.contains("another sweep is writing it"),
-        "{said}"
+        status == Some(2) && printed.contains("another sweep is writing it"),
+        "{printed}"
     );
-    let (status, said) = finish(child);
-    assert_eq!(status, Some(2), "{said}");
+    let (status, printed) = finish(child);
+    assert_eq!(status, Some(2), "{printed}");
     assert!(
-        said.contains("move the other file away, then repeat the same command with --resume"),
-        "{said}"
+        printed.contains("move the other file away, then repeat the same command with --resume"),
+        "{printed}"
     );
-    let (status, said) = finish(start(&many(), &file, &["--resume"]));
+    let (status, printed) = finish(start(&many(), &file, &["--resume"]));
     assert!(
-        status == Some(2) && said.contains("was begun without --overwrite"),
-        "{said}"
+        status == Some(2) && printed.contains("was begun without --overwrite"),
+        "{printed}"
     );
     assert_eq!(fs::read_to_string(&file).unwrap(), "theirs");
     fs::remove_file(&file).unwrap();
@@ -606,10 +617,10 @@ fn a_file_that_is_made_while_a_sweep_runs_stays_and_so_do_the_rows() {
         .into_iter()
         .map(|word| if word == "all" { "carry" } else { word })
         .collect();
-    let (status, said) = finish(start(&other, &file, &["--resume"]));
+    let (status, printed) = finish(start(&other, &file, &["--resume"]));
     assert!(
-        status == Some(2) && said.contains("the outcomes differ"),
-        "{said}"
+        status == Some(2) && printed.contains("the outcomes differ"),
+        "{printed}"
     );
     assert_eq!(finish(start(&many(), &file, &["--resume"])).0, Some(0));
     assert!(fs::read(&file).unwrap() == Uninterrupted::of_many("csv").bytes);
@@ -626,28 +637,28 @@ fn a_batch_without_room_is_refused_with_its_size() {
         "--over",
         "swing.path=-5deg..5deg:1000001",
     ];
-    let said = longdrive(&[&rows[..], &["-o", file.to_str().unwrap()]].concat());
-    assert_eq!(said.status, 2);
+    let printed = longdrive(&[&rows[..], &["-o", file.to_str().unwrap()]].concat());
+    assert_eq!(printed.status, 2);
     for words in [
         "1000002000001 drives would take ",
         " TB and about ",
         "that are free in",
         "--sample",
     ] {
-        assert!(said.err.contains(words), "{words}: {}", said.err);
+        assert!(printed.err.contains(words), "{words}: {}", printed.err);
     }
-    let said = longdrive(&[
+    let printed = longdrive(&[
         "sweep",
         "--over",
         "club.loft=5deg..15deg:1001",
         "--max-size",
         "10kB",
     ]);
-    assert_eq!(said.status, 2);
+    assert_eq!(printed.status, 2);
     assert!(
-        said.err.contains("more than --max-size 10kB"),
+        printed.err.contains("more than --max-size 10kB"),
         "{}",
-        said.err
+        printed.err
     );
     assert_eq!(
         fs::read_dir(folder.path()).unwrap().count(),
@@ -673,9 +684,9 @@ fn measured_size_of_a_parquet_file_of_a_sample_is_near_the_estimate() {
         "-o",
         file.to_str().unwrap(),
     ];
-    let said = longdrive(&[&sweep[..], &["--max-size=1kB"]].concat());
-    assert_eq!(said.status, 2, "{}", said.err);
-    let message = said.err.replace("\n  ", " ");
+    let printed = longdrive(&[&sweep[..], &["--max-size=1kB"]].concat());
+    assert_eq!(printed.status, 2, "{}", printed.err);
+    let message = printed.err.replace("\n  ", " ");
     let after = message.split("would take ").nth(1).unwrap();
     let estimate: f64 = after.split(" kB").next().unwrap().parse().unwrap();
     assert_eq!(longdrive(&sweep).status, 0);
@@ -738,11 +749,11 @@ fn same_table_and_sample_on_the_command_line() {
     assert!(rows[1]["carry"].is_null() && rows[1]["status"] == "no-flight");
 
     // rows on standard output are counted on standard error
-    let said = longdrive(&["sweep", "--own-step", "--points", &file("points.csv")]);
+    let printed = longdrive(&["sweep", "--own-step", "--points", &file("points.csv")]);
     assert!(
-        said.status == 0 && said.err.ends_with("2 drives: 1 landed, 1 no-flight\n"),
+        printed.status == 0 && printed.err.ends_with("2 drives: 1 landed, 1 no-flight\n"),
         "{}",
-        said.err
+        printed.err
     );
 
     let sample = [
@@ -754,24 +765,29 @@ fn same_table_and_sample_on_the_command_line() {
         "--wrt",
         "air.density",
     ];
-    let said = longdrive(&sample);
+    let printed = longdrive(&sample);
     assert_eq!(
-        (said.status, said.out.lines().count()),
+        (printed.status, printed.out.lines().count()),
         (0, 9),
         "{}",
-        said.err
+        printed.err
     );
-    assert!(!said.err.contains("8 landed"), "all landed: {}", said.err);
     assert!(
-        said.out
+        !printed.err.contains("8 landed"),
+        "all landed: {}",
+        printed.err
+    );
+    assert!(
+        printed
+            .out
             .starts_with("club.loft [rad],status,carry [m],d_carry/d_air.density [m/(kg/m^3)]\n")
     );
     assert_eq!(
-        said.out,
+        printed.out,
         longdrive(&[&sample[..], &["--threads", "1"]].concat()).out
     );
     assert_ne!(
-        said.out,
+        printed.out,
         longdrive(&[&sample[..], &["--seed", "1"]].concat()).out
     );
 }
@@ -836,29 +852,33 @@ fn bad_input_to_a_sweep_is_status_2_and_says_what_to_write() {
             "points.csv: it cannot be read",
         ),
     ] {
-        let said = longdrive(&[&["sweep"], args.as_slice()].concat());
+        let printed = longdrive(&[&["sweep"], args.as_slice()].concat());
         assert_eq!(
-            (said.status, said.out.as_str()),
+            (printed.status, printed.out.as_str()),
             (2, ""),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
-        assert!(said.err.contains(says), "{args:?}: {}", said.err);
+        assert!(printed.err.contains(says), "{args:?}: {}", printed.err);
     }
 }
 
 #[cfg(feature = "full")]
 #[test]
 fn parquet_on_standard_output_is_refused() {
-    let said = longdrive(&[
+    let printed = longdrive(&[
         "sweep",
         "--over",
         "club.loft=5deg..15deg:3",
         "--format",
         "parquet",
     ]);
-    assert_eq!((said.status, said.out.as_str()), (2, ""));
-    assert!(said.err.contains("Parquet needs a file"), "{}", said.err);
+    assert_eq!((printed.status, printed.out.as_str()), (2, ""));
+    assert!(
+        printed.err.contains("Parquet needs a file"),
+        "{}",
+        printed.err
+    );
 }
 
 #[test]
@@ -873,13 +893,13 @@ fn a_sweep_without_any_answer_says_so_with_status_one() {
         file.to_str().unwrap(),
         "--overwrite",
     ];
-    let said = longdrive(&command);
-    let told = "no drive has the requested outcome: 3 drives: 3 no-flight";
+    let printed = longdrive(&command);
+    let sentence = "no drive has the requested outcome: 3 drives: 3 no-flight";
     assert!(
-        said.status == 1 && said.err.contains(told),
+        printed.status == 1 && printed.err.contains(sentence),
         "{} {}",
-        said.status,
-        said.err
+        printed.status,
+        printed.err
     );
     assert_eq!(
         fs::read_to_string(&file).unwrap().lines().count(),
@@ -892,7 +912,7 @@ fn a_sweep_without_any_answer_says_so_with_status_one() {
         (1, &"no-answer".into(), &3.into())
     );
     assert!(
-        answer["message"].as_str().unwrap().contains(told),
+        answer["message"].as_str().unwrap().contains(sentence),
         "{answer}"
     );
     // the ball speed exists though the ball does not fly, and one drive that lands is an answer
@@ -909,22 +929,22 @@ fn a_sweep_without_any_answer_says_so_with_status_one() {
 #[test]
 fn same_rows_of_a_table_in_shorter_steps_within_the_tolerance() {
     let carries = |more: &[&str]| {
-        let asked = [
+        let requested = [
             "sweep",
             "--points",
             "examples/launches.csv",
             "--outcomes",
             "carry",
         ];
-        let said = longdrive(&[&asked[..], more].concat());
-        assert_eq!(said.status, 0, "{}", said.err);
-        let rows: Vec<f64> = said
+        let printed = longdrive(&[&requested[..], more].concat());
+        assert_eq!(printed.status, 0, "{}", printed.err);
+        let rows: Vec<f64> = printed
             .out
             .lines()
             .skip(1)
             .map(|row| row.rsplit(',').next().unwrap().parse().unwrap())
             .collect();
-        (rows, said.err)
+        (rows, printed.err)
     };
     let (exact, _) = carries(&["--set", "flight.method=dp8", "--set", "flight.step=0.02s"]);
     assert!(
@@ -932,15 +952,15 @@ fn same_rows_of_a_table_in_shorter_steps_within_the_tolerance() {
         "{exact:?}"
     );
     for (text, tolerance) in [("1m", 1.0), ("1cm", 1e-2), ("1mm", 1e-3), ("1um", 1e-6)] {
-        let (rows, told) = carries(&[&format!("--tolerance={text}")]);
+        let (rows, sentence) = carries(&[&format!("--tolerance={text}")]);
         assert!(
-            told.contains("in the 81"),
-            "own, 16 corners, 64 within: {told}"
+            sentence.contains("in the 81"),
+            "own, 16 corners, 64 within: {sentence}"
         );
         for (carry, exact) in rows.iter().zip(&exact) {
             assert!(
                 (carry - exact).abs() <= tolerance,
-                "{carry} beside {exact}, within {text}: {told}"
+                "{carry} beside {exact}, within {text}: {sentence}"
             );
         }
     }

@@ -10,18 +10,18 @@ use longdrive::table::open_table;
 #[test]
 fn a_table_of_a_head_alone_is_refused() {
     let (_folder, path) = table("empty.csv", "club.loft [deg]\n");
-    let said = longdrive(&["sweep", "--points", path.to_str().unwrap()]);
-    assert_eq!((said.status, said.out.as_str()), (2, ""));
+    let output = longdrive(&["sweep", "--points", path.to_str().unwrap()]);
+    assert_eq!((output.status, output.out.as_str()), (2, ""));
     assert!(
-        said.err.contains("empty.csv: it has a head and no rows"),
+        output.err.contains("empty.csv: it has a head and no rows"),
         "{}",
-        said.err
+        output.err
     );
-    let said = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
+    let output = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
     assert!(
-        said.status == 2 && said.err.contains("empty.csv"),
+        output.status == 2 && output.err.contains("empty.csv"),
         "{}",
-        said.err
+        output.err
     );
 }
 
@@ -122,17 +122,17 @@ fn written_columns_are_read_again_and_ignored_ones_listed() {
                 longdrive(&[&["sweep", "-o", &first], of, &all].concat()).status,
                 0
             );
-            let said =
+            let output =
                 longdrive(&[&["sweep", "-o", &second, "--points", &first], &all[..]].concat());
-            assert_eq!(said.status, 0, "{name}.{ending}: {}", said.err);
-            let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert_eq!(output.status, 0, "{name}.{ending}: {}", output.err);
+            let sentence = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
             for says in [
                 "columns not read, since they are results",
                 "status",
                 "carry",
                 "d_carry/d_",
             ] {
-                assert!(told.contains(says), "{says}: {told}");
+                assert!(sentence.contains(says), "{says}: {sentence}");
             }
             let csv = std::fs::read(file(&format!("{name}-1.csv"))).unwrap();
             assert!(csv == std::fs::read(&second).unwrap(), "{name}.{ending}");
@@ -144,29 +144,29 @@ fn written_columns_are_read_again_and_ignored_ones_listed() {
             "--fit",
             "aero.cd0",
         ];
-        let said = longdrive(&args);
-        let told = "columns that a sweep computes are not read: status";
+        let output = longdrive(&args);
+        let sentence = "columns that a sweep computes are not read: status";
         assert!(
-            said.status == 0
-                && said
+            output.status == 0
+                && output
                     .out
                     .split_whitespace()
                     .collect::<Vec<_>>()
                     .join(" ")
-                    .contains(told),
+                    .contains(sentence),
             "{}{}",
-            said.out,
-            said.err
+            output.out,
+            output.err
         );
     }
     let (_folder, results) = table("results.csv", "status,carry [m]\nlanded,200\n");
-    let said = longdrive(&["sweep", "--points", results.to_str().unwrap()]);
+    let output = longdrive(&["sweep", "--points", results.to_str().unwrap()]);
     assert!(
-        said.status == 2 && said.err.contains("none of its columns is a parameter"),
+        output.status == 2 && output.err.contains("none of its columns is a parameter"),
         "{}",
-        said.err
+        output.err
     );
-    assert!(said.err.contains("status, carry"), "{}", said.err);
+    assert!(output.err.contains("status, carry"), "{}", output.err);
     let (_folder, both) = table(
         "both.csv",
         "club.loft [deg],swing.speed [mph],ball_speed [mph]\n10,100,150\n",
@@ -203,11 +203,11 @@ fn a_parameter_of_every_drive_is_not_set_beside_them() {
         ],
     ];
     for case in cases {
-        let said = longdrive(&[&["sweep"], case].concat());
+        let output = longdrive(&[&["sweep"], case].concat());
         assert!(
-            said.status == 2 && said.err.contains("of its own, so this one is not used"),
+            output.status == 2 && output.err.contains("of its own, so this one is not used"),
             "{case:?}: {}",
-            said.err
+            output.err
         );
     }
 }
@@ -224,7 +224,7 @@ fn numbers_of_two_meanings_are_refused_with_both_cells() {
             format!("{head}\n{speed};{angle};{spin};{carry}\n158;12;2600;245\n"),
         )
     };
-    for (cells, told) in [
+    for (cells, sentence) in [
         (
             ["160,5", "11", "2.500", "250"],
             Some([
@@ -247,22 +247,22 @@ fn numbers_of_two_meanings_are_refused_with_both_cells() {
     ] {
         let (_folder, path) = table(cells);
         let path = path.to_str().unwrap();
-        for asked in [
+        for requested in [
             vec!["calibrate", path, "--fit", "aero.cd0"],
             vec!["sweep", "--points", path, "--outcomes", "carry"],
         ] {
-            let said = longdrive(&asked);
-            let err = said.err.replace("\n  ", " ");
-            match told {
+            let output = longdrive(&requested);
+            let err = output.err.replace("\n  ", " ");
+            match sentence {
                 Some(words) => {
                     assert!(
-                        said.status == 2 && words.iter().all(|word| err.contains(word)),
+                        output.status == 2 && words.iter().all(|word| err.contains(word)),
                         "{cells:?}: {err}"
                     );
                     assert!(err.contains("may separate decimals or thousands"), "{err}");
                 }
                 None => assert!(
-                    !err.contains("thousands") && said.status != 2,
+                    !err.contains("thousands") && output.status != 2,
                     "{cells:?}: {err}"
                 ),
             }
@@ -275,19 +275,19 @@ fn ignored_columns_of_a_sweep_are_in_json_too() {
     let (folder, path) =
         crate::sweep::table("points.csv", "club.loft [deg],carry [yd],note\n10,240,x\n");
     let rows = folder.path().join("rows.csv");
-    let asked = [
+    let requested = [
         "sweep",
         "--points",
         path.to_str().unwrap(),
         "-o",
         rows.to_str().unwrap(),
     ];
-    let (status, answer) = json(&asked);
-    let told = "columns not read, since they are results or remarks and not parameters of the \
+    let (status, answer) = json(&requested);
+    let sentence = "columns not read, since they are results or remarks and not parameters of the \
                 club: carry, note";
     assert_eq!(
         (status, &answer["remarks"]),
-        (0, &serde_json::json!([told]))
+        (0, &serde_json::json!([sentence]))
     );
     let (_, answer) = json(&[
         "sweep",

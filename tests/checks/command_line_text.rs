@@ -189,13 +189,14 @@ fn no_line_of_an_answer_is_wider_than_a_terminal() {
         vec!["parameters"],
     ] {
         for units in ["us", "metric"] {
-            let said = longdrive(&[args.as_slice(), set.as_slice(), &["--units", units]].concat());
+            let printed =
+                longdrive(&[args.as_slice(), set.as_slice(), &["--units", units]].concat());
             assert!(
-                said.status < 2 && !said.out.is_empty(),
+                printed.status < 2 && !printed.out.is_empty(),
                 "{args:?}: {}",
-                said.err
+                printed.err
             );
-            for line in said.out.lines() {
+            for line in printed.out.lines() {
                 assert!(
                     line.chars().count() <= 100,
                     "{args:?}: {} columns: {line}",
@@ -385,15 +386,15 @@ fn messages_have_plain_numbers_chosen_units_and_suggestions() {
     /// Exit status and all output, with single spaces.
     fn answer(args: &[&str]) -> (i32, String) {
         let own: Output;
-        let said = if args == ["reproduce", "mae494"] {
-            &REPORT.said
+        let printed = if args == ["reproduce", "mae494"] {
+            &REPORT.output
         } else {
             own = longdrive(args);
             &own
         };
-        let text = format!("{}{}", said.out, said.err);
+        let text = format!("{}{}", printed.out, printed.err);
         let words: Vec<&str> = text.split_whitespace().collect();
-        (said.status, words.join(" "))
+        (printed.status, words.join(" "))
     }
     let still = ["--set", "launch.spin=0 rpm"];
     let no_spin = [
@@ -576,13 +577,13 @@ fn broken_files_have_plain_messages() {
         } else {
             vec!["sweep", "--points", file]
         };
-        let said = longdrive(&args);
+        let printed = longdrive(&args);
         let text = String::from_utf8_lossy(bytes);
         assert!(
-            said.status == 2 && said.err.contains(says),
+            printed.status == 2 && printed.err.contains(says),
             "{text}: no '{says}' in {}",
-            said.err
+            printed.err
         );
-        assert!(said.err.contains(name), "{text}: {}", said.err);
+        assert!(printed.err.contains(name), "{text}: {}", printed.err);
     }
 }

@@ -100,8 +100,12 @@ fn published_numbers_of_winfield_and_tan_keep_their_units_and_computed_ones_have
 fn a_study_has_its_own_units_by_default() {
     let [metric, us] =
         System::ALL.map(|system| WinfieldTanReport::new(&PAPER).document(system).text(&WHOLE));
-    let said = &PAPER_WRITTEN.said;
-    assert!(us.contains("250.09 yd") && said.out == us, "{}", said.out);
+    let output = &PAPER_WRITTEN.output;
+    assert!(
+        us.contains("250.09 yd") && output.out == us,
+        "{}",
+        output.out
+    );
     assert!(metric.contains("250.09 yd (228.68 m)"), "{metric}");
     let help = longdrive(&["reproduce", "--help"]).out;
     assert!(
@@ -144,8 +148,8 @@ fn heights_in_messages_have_the_chosen_units() {
         ),
     ] {
         for (units, shown) in [("us", in_us), ("metric", in_metric)] {
-            let said = longdrive(&[&args[..], &["--units", units]].concat());
-            let text = on_one_line(&(said.out + &said.err));
+            let output = longdrive(&[&args[..], &["--units", units]].concat());
+            let text = on_one_line(&(output.out + &output.err));
             assert!(text.contains(shown), "{args:?} {units}: {text}");
             let others: &[&str] = if units == "us" { &["m"] } else { &["yd"] };
             assert_eq!(alone(&text, others), [""; 0], "{args:?} {units}: {text}");
@@ -198,8 +202,8 @@ fn speeds_and_limits_in_messages_have_the_chosen_units() {
         ),
     ] {
         for (units, shown, other) in [("us", in_us, in_metric), ("metric", in_metric, in_us)] {
-            let said = longdrive(&[args, &["--units", units]].concat());
-            let text = on_one_line(&(said.out + &said.err));
+            let output = longdrive(&[args, &["--units", units]].concat());
+            let text = on_one_line(&(output.out + &output.err));
             assert!(text.contains(shown), "{args:?} {units}: {text}");
             assert!(!text.contains(other), "{args:?} {units}: {text}");
         }
@@ -228,7 +232,7 @@ fn notes_of_plots_are_in_the_chosen_system() {
         (&along, " mph apex", "1: at 41."),
     ] {
         for (units, first) in [("us", us), ("metric", metric)] {
-            let said = longdrive(
+            let output = longdrive(
                 &[
                     &["plot"],
                     plot,
@@ -237,9 +241,9 @@ fn notes_of_plots_are_in_the_chosen_system() {
                 .concat(),
             );
             assert!(
-                said.status == 0 && on_one_line(&said.err).contains(first),
+                output.status == 0 && on_one_line(&output.err).contains(first),
                 "{plot:?} {units}: {}",
-                said.err
+                output.err
             );
             let other = if units == "us" {
                 [" m ", " m.", " m/s"]
@@ -247,13 +251,13 @@ fn notes_of_plots_are_in_the_chosen_system() {
                 [" yd ", " yd.", " mph"]
             };
             // a limit is printed as it was typed
-            let told = on_one_line(&said.err).replace("apex_height <= 30 yd", "");
+            let message = on_one_line(&output.err).replace("apex_height <= 30 yd", "");
             assert!(
-                !other.iter().any(|unit| told.contains(unit)),
+                !other.iter().any(|unit| message.contains(unit)),
                 "{plot:?} {units}: {}",
-                said.err
+                output.err
             );
-            assert!(widest(&said.err) <= 100, "{}", said.err);
+            assert!(widest(&output.err) <= 100, "{}", output.err);
             if plot[0] == "tornado" {
                 let picture = std::fs::read_to_string(&file).unwrap();
                 // 0.5 mph = 0.224 m/s
@@ -294,19 +298,19 @@ fn remarks_and_warnings_fit_a_terminal() {
             "warning: the law ",
         ),
     ] {
-        let said = longdrive(args);
-        let lines: Vec<&str> = said.err.lines().collect();
+        let output = longdrive(args);
+        let lines: Vec<&str> = output.err.lines().collect();
         assert!(
-            said.status == 0 && widest(&said.err) <= 100,
+            output.status == 0 && widest(&output.err) <= 100,
             "{args:?}: {}",
-            said.err
+            output.err
         );
         let at = lines
             .iter()
             .position(|line| line.starts_with(begin))
-            .unwrap_or_else(|| panic!("{}", said.err));
+            .unwrap_or_else(|| panic!("{}", output.err));
         // the rest of a long line is on an indented line
-        assert!(lines[at + 1].starts_with("  "), "{args:?}: {}", said.err);
+        assert!(lines[at + 1].starts_with("  "), "{args:?}: {}", output.err);
     }
 }
 
@@ -395,8 +399,8 @@ fn remarks_of_a_calibration_have_the_chosen_units() {
                  [yd],smash_factor\n\
                  9,240,160,1,30,1.47\n11,250,160,1,33,1.46\n";
     let (_folder, path) = crate::sweep::table("shots.csv", table);
-    let said = |units: &str| {
-        let said = longdrive(&[
+    let output = |units: &str| {
+        let output = longdrive(&[
             "calibrate",
             path.to_str().unwrap(),
             "--fit",
@@ -404,9 +408,9 @@ fn remarks_of_a_calibration_have_the_chosen_units() {
             "--units",
             units,
         ]);
-        said.out.split_whitespace().collect::<Vec<_>>().join(" ")
+        output.out.split_whitespace().collect::<Vec<_>>().join(" ")
     };
-    let (metric, us) = (said("metric"), said("us"));
+    let (metric, us) = (output("metric"), output("us"));
     let remarks = |text: &str| text.split("Estimates").next().unwrap().to_owned();
     for unit in [" yd", " mph", "yard"] {
         assert!(!remarks(&metric).contains(unit), "{unit}: {metric}");
@@ -424,17 +428,17 @@ fn remarks_of_a_calibration_have_the_chosen_units() {
 
 #[test]
 fn a_wrong_unit_is_refused_with_a_list_of_units() {
-    for (value, told) in [
+    for (value, message) in [
         ("1kg", "a length takes"),
         ("1", "a length takes"),
         ("1fox", "a length takes"),
     ] {
-        let said = longdrive(&["simulate", "--set", &format!("strike.high={value}")]);
+        let output = longdrive(&["simulate", "--set", &format!("strike.high={value}")]);
         let units = "m, mm, yd, in, um, cm, km, ft, mi";
         assert!(
-            said.status == 2 && said.err.contains(&format!("{told} {units}")),
+            output.status == 2 && output.err.contains(&format!("{message} {units}")),
             "{}",
-            said.err
+            output.err
         );
     }
     for unit in ["m", "mm", "yd", "in", "um", "cm", "km", "ft", "mi"] {

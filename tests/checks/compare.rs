@@ -70,9 +70,9 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
             for split in [there, &back] {
                 let laws = [0, 1].map(|i| pair[i].law.name());
                 // the remainder is below this bound, and below the printed error
-                let told = split.error.min(bar * most);
+                let message = split.error.min(bar * most);
                 assert!(
-                    split.remainder.abs() < told,
+                    split.remainder.abs() < message,
                     "{} of {most}, told {}, {laws:?}: {:?}",
                     split.remainder,
                     split.error,
@@ -148,9 +148,13 @@ fn exact_shares_of_a_law_in_pieces_add_up_in_large_steps() {
         "--set",
         "aero.law=nathan",
     ];
-    let said = longdrive(&[&["compare", "modern-driver"], &args[..], &large].concat());
-    assert_eq!(said.status, 0, "{}", said.err);
-    assert!(!said.out.contains("corner of the model"), "{}", said.out);
+    let output = longdrive(&[&["compare", "modern-driver"], &args[..], &large].concat());
+    assert_eq!(output.status, 0, "{}", output.err);
+    assert!(
+        !output.out.contains("corner of the model"),
+        "{}",
+        output.out
+    );
 }
 
 /// An outcome that is undefined between the drives does not suppress or change the others.
@@ -427,9 +431,9 @@ fn two_drives_as_text_and_json() {
     )
     .unwrap();
     let file = file.to_str().unwrap();
-    let said = longdrive(&["compare", "modern-driver", file]);
-    assert_eq!(said.status, 0, "{}", said.err);
-    let lines: Vec<String> = said
+    let output = longdrive(&["compare", "modern-driver", file]);
+    assert_eq!(output.status, 0, "{}", output.err);
+    let lines: Vec<String> = output
         .out
         .lines()
         .map(|line| line.split_whitespace().collect::<Vec<_>>().join(" "))
@@ -438,7 +442,7 @@ fn two_drives_as_text_and_json() {
         lines
             .iter()
             .find(|line| line.starts_with(start))
-            .unwrap_or_else(|| panic!("no {start}: {}", said.out))
+            .unwrap_or_else(|| panic!("no {start}: {}", output.out))
     };
     assert!(
         line("swing.speed 110 mph 112 mph +").ends_with(" yd")
@@ -447,7 +451,7 @@ fn two_drives_as_text_and_json() {
     assert!(
         line("launch.ball_speed ").contains(" mph +") && line("launch.spin ").contains(" rpm "),
         "{}",
-        said.out
+        output.out
     );
     assert!(line("carry: +").contains(", from 253.6 yd to "));
 
@@ -505,14 +509,14 @@ fn two_drives_as_text_and_json() {
 
 #[test]
 fn no_difference_is_said_and_bad_input_names_the_drive() {
-    let said = longdrive(&["compare", "modern-driver", "modern-driver"]);
+    let output = longdrive(&["compare", "modern-driver", "modern-driver"]);
     assert!(
-        said.status == 0
-            && said
+        output.status == 0
+            && output
                 .out
                 .contains("nothing differs: a and b are the same drive"),
         "{}",
-        said.out
+        output.out
     );
     let (status, found) = json(&["compare", "modern-driver", "--set-b", "club.loft=9.8deg"]);
     assert_eq!(
@@ -614,12 +618,12 @@ fn no_difference_is_said_and_bad_input_names_the_drive() {
             "drive a: spin_axis is not defined for this drive",
         ),
     ] {
-        let said = longdrive(&[&["compare"], &args[..]].concat());
-        let text = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let output = longdrive(&[&["compare"], &args[..]].concat());
+        let text = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
-            said.status == status && text.contains(says),
+            output.status == status && text.contains(says),
             "{args:?}: {} {text}",
-            said.status
+            output.status
         );
     }
 }
@@ -711,17 +715,17 @@ fn air_and_wind_given_by_different_parameters_are_one_cause_each() {
                 }
             }
         }
-        let said = longdrive(&[&["compare"], &args[..]].concat());
+        let output = longdrive(&[&["compare"], &args[..]].concat());
         let (row, line) = (format!("  {cause} "), format!("all of it {cause}, "));
         let names = |text: &str| text.starts_with(&row) || text.contains(&line);
         assert!(
-            said.status == 0 && said.out.lines().any(names),
+            output.status == 0 && output.out.lines().any(names),
             "{}",
-            said.out
+            output.out
         );
         let folder = tempfile::tempdir().unwrap();
         let picture = folder.path().join("difference.csv");
-        let said = longdrive(
+        let output = longdrive(
             &[
                 &["plot", "compare"],
                 &args[..],
@@ -729,7 +733,7 @@ fn air_and_wind_given_by_different_parameters_are_one_cause_each() {
             ]
             .concat(),
         );
-        assert_eq!(said.status, 0, "{}", said.err);
+        assert_eq!(output.status, 0, "{}", output.err);
         assert!(
             std::fs::read_to_string(picture)
                 .unwrap()
@@ -737,8 +741,8 @@ fn air_and_wind_given_by_different_parameters_are_one_cause_each() {
             "{args:?}"
         );
     }
-    let said = longdrive(&[&["compare", "--units", "us"], &components[..], &wind].concat());
-    let text = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let output = longdrive(&[&["compare", "--units", "us"], &components[..], &wind].concat());
+    let text = output.out.split_whitespace().collect::<Vec<_>>().join(" ");
     let line = "all of it wind, right 6.7108 mph, downrange 0 mph → speed 10 mph, from 45°";
     assert!(text.contains(line), "{text}");
 }

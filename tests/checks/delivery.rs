@@ -83,12 +83,12 @@ fn exact_delivery_recovered_from_its_own_prior() {
         "{found:?}"
     );
     // five numbers identify at most five parameters
-    let told: f64 = found
+    let message: f64 = found
         .posteriors
         .iter()
         .filter_map(|known| known.variance_removed)
         .sum();
-    assert!((4.0..5.0).contains(&told), "{told}");
+    assert!((4.0..5.0).contains(&message), "{message}");
 }
 
 #[test]
@@ -436,8 +436,8 @@ fn same_comments_of_unchanged_values_in_a_file_written_from_a_file() {
     let path = |name: &str| folder.path().join(name).display().to_string();
     let (golfer, best, point) = (path("golfer.toml"), path("best.toml"), path("point.toml"));
     let answered = |words: &[&str]| {
-        let said = longdrive(words);
-        assert_eq!(said.status, 0, "{words:?}: {}", said.err);
+        let output = longdrive(words);
+        assert_eq!(output.status, 0, "{words:?}: {}", output.err);
     };
     let launch = "ball_speed=150mph,launch_angle=12deg,spin=2600rpm";
     answered(&["delivery", "--launch", launch, "-o", &golfer]);

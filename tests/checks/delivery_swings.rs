@@ -220,15 +220,15 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
         // the median over the shots is the value for all shots
         let rows = answer["rows"].as_array().unwrap();
         let known = rows.iter().flat_map(|row| row["known"].as_array().unwrap());
-        let mut told: Vec<f64> = known
+        let mut message: Vec<f64> = known
             .filter(|one| one["parameter"] == *name)
             .map(|one| number(&one["told"]))
             .collect();
-        told.sort_by(f64::total_cmp);
+        message.sort_by(f64::total_cmp);
         assert!(
-            (told[30] - number(&spread["told"])).abs() < 0.1,
+            (message[30] - number(&spread["told"])).abs() < 0.1,
             "{name}: {} {spread}",
-            told[30]
+            message[30]
         );
     }
     // the launches do not identify path, face and strike towards the toe together, nor attack
@@ -379,8 +379,9 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
     );
     // the next command has the setup of the swings
     let follows = |ran: &crate::command_line::Output| {
-        let told = words(&ran.err);
-        told.split("the best design over these swings: longdrive ")
+        let message = words(&ran.err);
+        message
+            .split("the best design over these swings: longdrive ")
             .nth(1)
             .map(|rest| rest.split(" --swings ").next().unwrap().to_owned())
     };
@@ -393,20 +394,20 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
         "--overwrite",
     ];
     let (table, golfer) = (at("others.csv"), at("golfer.toml"));
-    let asked = [
+    let requested = [
         &["delivery", "--shots", &file, "--swings", &table],
         &UNKNOWNS[..],
         &set,
     ]
     .concat();
-    let others = longdrive(&asked);
+    let others = longdrive(&requested);
     assert_eq!(
         follows(&others).as_deref(),
         Some("optimize tour-average --set club.loft=9.5deg"),
         "{}",
         others.err
     );
-    let written = [&asked[..], &["-o", &golfer]].concat();
+    let written = [&requested[..], &["-o", &golfer]].concat();
     assert_eq!(
         follows(&longdrive(&written)),
         Some(format!("optimize {golfer}"))

@@ -420,7 +420,7 @@ fn derivatives_do_not_depend_on_other_requested_outcomes() {
     assert!(
         seen.iter()
             .enumerate()
-            .all(|(done, told)| *told == (done + 1, passes)),
+            .all(|(done, message)| *message == (done + 1, passes)),
         "{seen:?}"
     );
 }
@@ -501,22 +501,28 @@ fn reports_of_fewer_or_more_derivatives_than_parameters_panic_with_both_numbers(
             .document(System::Us)
             .text(&WHOLE)
     };
-    let said = panic_of(|| text(&wrt[..1], &carry));
-    assert!(said.contains("1 parameters, and 2 derivatives"), "{said}");
+    let output = panic_of(|| text(&wrt[..1], &carry));
+    assert!(
+        output.contains("1 parameters, and 2 derivatives"),
+        "{output}"
+    );
     let short = Taylor {
         gradient: carry.gradient[..1].to_vec(),
         ..carry.clone()
     };
-    let said = panic_of(|| text(&wrt, &short));
-    assert!(said.contains("2 parameters, and 1 derivatives"), "{said}");
+    let output = panic_of(|| text(&wrt, &short));
+    assert!(
+        output.contains("2 parameters, and 1 derivatives"),
+        "{output}"
+    );
     let narrow = Taylor {
         hessian: vec![vec![0.0; 1]; 2],
         ..carry.clone()
     };
-    let said = panic_of(|| text(&wrt, &narrow));
+    let output = panic_of(|| text(&wrt, &narrow));
     assert!(
-        said.contains("second derivatives in rows of [1, 1]"),
-        "{said}"
+        output.contains("second derivatives in rows of [1, 1]"),
+        "{output}"
     );
     assert!(text(&wrt, &carry).contains("swing.speed"));
 }

@@ -148,11 +148,11 @@ fn varied_inertia_stays_that_of_a_rigid_body() {
         .map(|name| format!("{name}={} kg m^2", number(&found["setup"][*name])))
         .collect();
     let args: Vec<&str> = setup.iter().flat_map(|set| ["--set", set]).collect();
-    let said = longdrive(&[&["simulate", "modern-driver"], &args[..]].concat());
+    let output = longdrive(&[&["simulate", "modern-driver"], &args[..]].concat());
     assert!(
-        said.status == 0 && !said.err.contains("no rigid body"),
+        output.status == 0 && !output.err.contains("no rigid body"),
         "{}",
-        said.err
+        output.err
     );
 }
 
@@ -252,7 +252,7 @@ fn a_relation_is_read_or_refused_with_its_position() {
         (0.4, 0.4, 3)
     );
     close(limit.goal.terms[1].0, -0.5, 1.0, 1e-15, "coefficient");
-    for (text, said, pointed) in [
+    for (text, output, pointed) in [
         (
             "volume: 120 cm^3 + 80 cm*club.cg_depth <= 460 cm^3",
             "an area",
@@ -306,7 +306,7 @@ fn a_relation_is_read_or_refused_with_its_position() {
         else {
             panic!("{text}")
         };
-        assert!(reason.contains(said), "{text}: {reason}");
+        assert!(reason.contains(output), "{text}: {reason}");
         let at: String = expression.chars().skip(column).collect();
         assert!(
             at.starts_with(pointed) || pointed == "<=",
@@ -379,11 +379,11 @@ fn designs_outside_the_rules_or_the_face_are_refused_by_name() {
         ),
     ];
     for (args, all) in cases {
-        let said = longdrive(&[&["design"], &GOLFER[..], args].concat());
-        let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(said.status, 2, "{args:?}: {told}");
+        let output = longdrive(&[&["design"], &GOLFER[..], args].concat());
+        let message = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(output.status, 2, "{args:?}: {message}");
         for part in all {
-            assert!(told.contains(part), "{args:?}: {part}: {told}");
+            assert!(message.contains(part), "{args:?}: {part}: {message}");
         }
     }
     let far = [
@@ -391,14 +391,14 @@ fn designs_outside_the_rules_or_the_face_are_refused_by_name() {
         "modern-driver",
         "--distribution=strike.toe=uniform(0mm,80mm)",
     ];
-    let said = longdrive(&far);
+    let output = longdrive(&far);
     assert!(
-        said.status == 2
-            && said
+        output.status == 2
+            && output
                 .err
                 .contains("beside the face of any head that conforms"),
         "{}",
-        said.err
+        output.err
     );
     // limits that no weight can meet are named
     let (status, found) = json(
@@ -443,9 +443,9 @@ fn same_bits_of_a_resumed_design() {
 /// The answer names assumed defaults and the known error of rigid bodies.
 #[test]
 fn assumptions_of_a_design_are_printed() {
-    let said = longdrive(&["design", "--scenarios", "64"]);
-    let text = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert_eq!(said.status, 0, "{}", said.err);
+    let output = longdrive(&["design", "--scenarios", "64"]);
+    let text = output.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(output.status, 0, "{}", output.err);
     for part in [
         "Bliss & Langdown 2026",
         "default goal: the largest mean(carry) - 0.5*rms(lateral)",
@@ -474,10 +474,10 @@ fn a_file_that_names_no_preset_is_refused() {
     let path = folder.path().join("mine.toml");
     std::fs::write(&path, "[swing]\nspeed = \"95 mph\"\n").unwrap();
     let file = path.display().to_string();
-    let said = longdrive(&["design", &file]);
-    assert_eq!(said.status, 2, "{}", said.out);
-    assert!(said.err.contains("it names no preset"), "{}", said.err);
-    let said = longdrive(&["simulate", &file]);
-    let title = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let output = longdrive(&["design", &file]);
+    assert_eq!(output.status, 2, "{}", output.out);
+    assert!(output.err.contains("it names no preset"), "{}", output.err);
+    let output = longdrive(&["simulate", &file]);
+    let title = output.out.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(title.contains("mine.toml (tour-average)"), "{title}");
 }

@@ -35,14 +35,14 @@ fn other_swings_without_a_flight_do_not_suppress_a_design() {
     let low = (up - 0.001 * 5.0) / 0.999;
     let distribution = format!("--distribution=swing.attack_angle=uniform({low}deg, 5deg)");
     for command in ["design", "optimize"] {
-        let asked = [
+        let requested = [
             command,
             "modern-driver",
             &distribution,
             "--vary=club.loft=7deg..8deg",
             "--maximize=mean(carry)",
         ];
-        let (status, found) = json(&asked);
+        let (status, found) = json(&requested);
         assert_eq!(
             (status, found["status"].as_str()),
             (0, Some("converged")),
@@ -60,11 +60,12 @@ fn other_swings_without_a_flight_do_not_suppress_a_design() {
             ),
             "{unknown}"
         );
-        let said = longdrive(&asked);
+        let output = longdrive(&requested);
         assert!(
-            said.status == 0 && on_one_line(&said.out).contains("one of the golfer's other swings"),
+            output.status == 0
+                && on_one_line(&output.out).contains("one of the golfer's other swings"),
             "{}",
-            said.out
+            output.out
         );
     }
 }
@@ -97,26 +98,26 @@ fn as_set_up_is_the_setup_without_what_is_unset() {
         TWO[3],
         "--vary=club.weight_1.mass=0g..20g",
     ];
-    let said = json(&optimize).1;
+    let output = json(&optimize).1;
     assert_eq!(
-        number(&said["swings"]["as_set_up"]["mean(carry)"]),
+        number(&output["swings"]["as_set_up"]["mean(carry)"]),
         mean(&base)
     );
 }
 
 #[test]
 fn a_relation_is_shown_in_the_unit_of_its_limit() {
-    let asked = [
+    let requested = [
         "--vary=club.cg_depth=21mm..50mm",
         "--subject-to=x: club.cg_depth <= 25 mm",
         "--minimize=mean(carry)",
     ];
-    let said = longdrive(&[&TWO[..], &asked].concat());
-    let row = said
+    let output = longdrive(&[&TWO[..], &requested].concat());
+    let row = output
         .out
         .lines()
         .find(|line| line.starts_with("  x "))
-        .unwrap_or_else(|| panic!("{}", said.out));
+        .unwrap_or_else(|| panic!("{}", output.out));
     assert!(
         row.contains("mm") && !row.contains("yd  ") && !row.contains("1 m "),
         "{row}"
@@ -165,20 +166,20 @@ fn a_variable_without_an_effect_is_named() {
         "--vary=club.loft=7deg..16deg",
         "--vary=club.bulge_radius=200mm..600mm",
     ];
-    let said = longdrive(&[&swings[..], &both].concat());
+    let output = longdrive(&[&swings[..], &both].concat());
     assert!(
-        said.status == 0 && on_one_line(&said.out).contains("negligible effect"),
+        output.status == 0 && on_one_line(&output.out).contains("negligible effect"),
         "{} {}",
-        said.out,
-        said.err
+        output.out,
+        output.err
     );
-    let told = "club.bulge_radius has a negligible effect: within its range it changes \
+    let text = "club.bulge_radius has a negligible effect: within its range it changes \
                 mean(carry) by less than 1 mm";
-    assert!(on_one_line(&said.out).contains(told), "{}", said.out);
+    assert!(on_one_line(&output.out).contains(text), "{}", output.out);
     assert!(
-        !on_one_line(&said.out).contains("club.loft has a negligible effect"),
+        !on_one_line(&output.out).contains("club.loft has a negligible effect"),
         "{}",
-        said.out
+        output.out
     );
 }
 
@@ -224,22 +225,23 @@ fn impossible_designs_are_refused_in_plain_words() {
         ),
     ];
     for (args, part) in cases {
-        let said = longdrive(&[&FEW[..2], args].concat());
-        assert_eq!(said.status, 2, "{args:?}: {} {}", said.err, said.out);
+        let output = longdrive(&[&FEW[..2], args].concat());
+        assert_eq!(output.status, 2, "{args:?}: {} {}", output.err, output.out);
         assert!(
-            on_one_line(&said.err).contains(part),
+            on_one_line(&output.err).contains(part),
             "{args:?}: {part}: {}",
-            said.err
+            output.err
         );
     }
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("nothing.toml").display().to_string();
     std::fs::write(&file, "").unwrap();
-    let said = longdrive(&["design", "--swings", &file]);
+    let output = longdrive(&["design", "--swings", &file]);
     assert!(
-        said.status == 2 && on_one_line(&said.err).contains("nothing.toml: it has no distribution"),
+        output.status == 2
+            && on_one_line(&output.err).contains("nothing.toml: it has no distribution"),
         "{}",
-        said.err
+        output.err
     );
     let free = longdrive(&[&TWO[..], &["--rules=none", "--vary=club.loft=10deg..11deg"]].concat());
     assert!(
@@ -253,26 +255,28 @@ fn impossible_designs_are_refused_in_plain_words() {
 #[test]
 fn unchecked_rules_and_missing_effects_are_reported() {
     let swings = "--distribution=club.inertia.xx=normal(5700 g cm^2,10 g cm^2)";
-    let said = longdrive(&[
+    let output = longdrive(&[
         "design",
         "modern-driver",
         swings,
         "--vary=club.loft=10deg..12deg",
     ]);
-    let told = "the rule on the moment of inertia is checked at 32 swings only, since the \
+    let text = "the rule on the moment of inertia is checked at 32 swings only, since the \
                 distribution of club.inertia.xx has no ends";
-    assert!(said.status == 0 && on_one_line(&(said.out + &said.err)).contains(told));
+    assert!(output.status == 0 && on_one_line(&(output.out + &output.err)).contains(text));
     let bounded = swings.replace(
         "normal(5700 g cm^2,10 g cm^2)",
         "uniform(5600 g cm^2,5999 g cm^2)",
     );
-    let said = longdrive(&[
+    let output = longdrive(&[
         "design",
         "modern-driver",
         &bounded,
         "--vary=club.loft=10deg..12deg",
     ]);
-    assert!(said.status == 0 && !on_one_line(&(said.out + &said.err)).contains("is checked at"));
+    assert!(
+        output.status == 0 && !on_one_line(&(output.out + &output.err)).contains("is checked at")
+    );
 
     let placed = [
         "--set=club.weight_1.depth=40mm",
@@ -283,20 +287,20 @@ fn unchecked_rules_and_missing_effects_are_reported() {
         ("0g", "the mass of the weight is 0 g; raise"),
     ] {
         let mass = format!("--set=club.weight_1.mass={mass}");
-        let said = longdrive(&[&["simulate", "modern-driver", &mass][..], &placed].concat());
-        let told = format!(
+        let output = longdrive(&[&["simulate", "modern-driver", &mass][..], &placed].concat());
+        let text = format!(
             "club.weight_1.depth, club.weight_1.toe change nothing: {why} club.weight_1.mass"
         );
-        assert!(on_one_line(&said.err).contains(&told), "{}", said.err);
+        assert!(on_one_line(&output.err).contains(&text), "{}", output.err);
     }
-    let said = longdrive(
+    let output = longdrive(
         &[
             &["simulate", "modern-driver", "--set=club.weight_1.mass=5g"][..],
             &placed,
         ]
         .concat(),
     );
-    assert!(!said.err.contains("nothing"), "{}", said.err);
+    assert!(!output.err.contains("nothing"), "{}", output.err);
 }
 
 #[test]

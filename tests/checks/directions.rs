@@ -17,7 +17,7 @@ const LAUNCH: [&str; 2] = [
 
 #[test]
 fn derivatives_of_a_direction_are_verified_across_the_half_turn() {
-    for asked in [
+    for requested in [
         [
             &["verify"],
             &TOPPED[..],
@@ -31,11 +31,11 @@ fn derivatives_of_a_direction_are_verified_across_the_half_turn() {
         ]
         .concat(),
     ] {
-        let (status, found) = json(&asked);
+        let (status, found) = json(&requested);
         assert_eq!(
             (status, found["passed"].as_bool()),
             (0, Some(true)),
-            "{asked:?}: {found}"
+            "{requested:?}: {found}"
         );
         assert!(number(&found["rows"][0]["exact"]).abs() > 1e-3, "{found}");
     }
@@ -43,14 +43,14 @@ fn derivatives_of_a_direction_are_verified_across_the_half_turn() {
 
 #[test]
 fn changes_of_a_direction_are_the_smaller_angle() {
-    let asked = [
+    let requested = [
         "--of",
         "spin_axis",
         "--sigma",
         "launch.sidespin=100rpm",
         "--no-defaults",
     ];
-    let (status, found) = json(&[&["sensitivity"], &LAUNCH[..], &asked].concat());
+    let (status, found) = json(&[&["sensitivity"], &LAUNCH[..], &requested].concat());
     let effect = &found["outcomes"][0]["effects"][0];
     let [below, above] = [0, 1].map(|side| number(&effect["flown"][side]).to_degrees());
     assert_eq!(status, 0);
@@ -64,7 +64,7 @@ fn changes_of_a_direction_are_the_smaller_angle() {
 
 #[test]
 fn a_mean_of_a_direction_is_about_its_value_at_the_means() {
-    let asked = [
+    let requested = [
         "--of",
         "spin_axis",
         "--sigma",
@@ -72,7 +72,8 @@ fn a_mean_of_a_direction_is_about_its_value_at_the_means() {
         "--samples",
         "400",
     ];
-    let (status, found) = json(&[&["uncertainty", "modern-driver"], &TOPPED[..], &asked].concat());
+    let (status, found) =
+        json(&[&["uncertainty", "modern-driver"], &TOPPED[..], &requested].concat());
     let outcome = &found["outcomes"][0];
     let sampled = |what: &str| number(&outcome["monte_carlo"][what]["value"]).to_degrees();
     let by_gradient = number(&outcome["delta"]["standard_uncertainty"]).to_degrees();

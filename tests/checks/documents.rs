@@ -47,12 +47,12 @@ fn first_number(text: &str) -> f64 {
 #[test]
 fn the_answer_in_the_readme_is_the_programs() {
     let readme = document("README.md");
-    let said = longdrive(&["optimize"]);
-    assert_eq!(said.status, 0);
+    let output = longdrive(&["optimize"]);
+    assert_eq!(output.status, 0);
     assert!(
-        readme.contains(&format!("```text\n{}```", said.out)),
+        readme.contains(&format!("```text\n{}```", output.out)),
         "README.md should have:\n{}",
-        said.out
+        output.out
     );
 }
 
@@ -72,8 +72,8 @@ fn the_outputs_in_the_tutorial_are_the_programs() {
                 _ => vec![part],
             })
             .collect();
-        let said = longdrive(&words);
-        assert_eq!(said.status, 0, "{command}\n{}", said.err);
+        let output = longdrive(&words);
+        assert_eq!(output.status, 0, "{command}\n{}", output.err);
         let digits = |line: &str| match line.contains(",landed,") {
             true => line
                 .split(',')
@@ -81,12 +81,12 @@ fn the_outputs_in_the_tutorial_are_the_programs() {
                 .collect::<Vec<String>>(),
             false => vec![line.to_owned()],
         };
-        let printed: Vec<_> = said.out.lines().map(digits).collect();
+        let printed: Vec<_> = output.out.lines().map(digits).collect();
         for line in pair[1].split("```").next().unwrap().lines() {
             assert!(
                 line.is_empty() || printed.contains(&digits(line)),
                 "docs/tutorial.md should not have '{line}' below {command}:\n{}",
-                said.out
+                output.out
             );
         }
     }
@@ -213,7 +213,7 @@ fn the_costs_at_the_head_of_performance_md_are_those_of_its_tables() {
     };
     let value = time(&tasks, "T1", 1);
     let in_space = time(&alone, "gradient, all 47", 1) / time(&alone, "value, 3-D drive", 1);
-    for said in [
+    for output in [
         format!(
             "a gradient by two parameters {:.1}",
             time(&tasks, "T2", 1) / value
@@ -232,8 +232,8 @@ fn the_costs_at_the_head_of_performance_md_are_those_of_its_tables() {
         ),
     ] {
         assert!(
-            head.contains(&said),
-            "docs/performance.md should say: {said}"
+            head.contains(&output),
+            "docs/performance.md should say: {output}"
         );
     }
     let sweeps = table(&performance, "| A drive of a sweep by two parameters |");
@@ -307,8 +307,8 @@ fn commands_on_the_samples_run_as_they_are_written() {
                 _ => word.to_owned(),
             })
             .collect();
-        let said = longdrive(&words.iter().map(String::as_str).collect::<Vec<_>>());
-        assert_eq!(said.status, 0, "{line}\n{}", said.err);
+        let output = longdrive(&words.iter().map(String::as_str).collect::<Vec<_>>());
+        assert_eq!(output.status, 0, "{line}\n{}", output.err);
         run += 1;
     }
     assert!(run >= 5, "{run}");
@@ -318,7 +318,7 @@ fn commands_on_the_samples_run_as_they_are_written() {
 fn the_sample_of_launches_is_what_the_program_makes_of_the_deliveries() {
     let of = |sample: &str| format!("{}/../examples/{sample}", env!("CARGO_MANIFEST_DIR"));
     let outcomes = "ball_speed,launch_angle,launch_direction,backspin,sidespin";
-    let said = longdrive(&[
+    let output = longdrive(&[
         "sweep",
         "modern-driver",
         "--points",
@@ -329,7 +329,7 @@ fn the_sample_of_launches_is_what_the_program_makes_of_the_deliveries() {
     let launches = document("examples/launches.csv");
     let (degree, rpm) = (1.0_f64.to_radians(), std::f64::consts::TAU / 60.0);
     let sizes = [0.44704, degree, degree, rpm, rpm];
-    let lines: Vec<_> = said
+    let lines: Vec<_> = output
         .out
         .lines()
         .skip(1)
@@ -370,10 +370,10 @@ fn rules_and_numbers_of_design_md_are_the_programs() {
     }
     let yards = |value: f64| value / 0.9144;
     let near = |cell: &str, value: f64, by: f64| {
-        let said = first_number(cell);
+        let output = first_number(cell);
         assert!(
-            (said - value).abs() <= by,
-            "docs/design.md says {said}, the program {value}"
+            (output - value).abs() <= by,
+            "docs/design.md says {output}, the program {value}"
         );
     };
     let design = |more: &[&str]| {
@@ -434,8 +434,8 @@ fn rules_and_numbers_of_design_md_are_the_programs() {
             .iter()
             .find(|held| !held["price"].is_null());
         if let Some(price) = price {
-            let said = text.split("at a price of ").nth(1).unwrap();
-            near(said, yards(number(&price["price"]) * 100e-7), 0.00051);
+            let output = text.split("at a price of ").nth(1).unwrap();
+            near(output, yards(number(&price["price"]) * 100e-7), 0.00051);
         }
     }
 }
@@ -454,10 +454,10 @@ fn numbers_of_the_robust_example_of_swings_md_are_the_programs() {
     assert_eq!((status, &found["holds_for_all"]), (0, &false.into()));
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
     let near = |cell: &str, value: f64, by: f64| {
-        let said = first_number(cell);
+        let output = first_number(cell);
         assert!(
-            (said - value).abs() <= by,
-            "docs/swings.md says {said}, the program {value}"
+            (output - value).abs() <= by,
+            "docs/swings.md says {output}, the program {value}"
         );
     };
     let head = "| gear effect | best bulge | rms(lateral) there | more with 440.8 mm | more with \

@@ -267,15 +267,15 @@ fn an_equation_that_holds_everywhere_does_not_change_the_region() {
         (region.equation, rings(&with.2, false).len()),
         (None, rings(&without.2, false).len())
     );
-    let said = longdrive(&["optimize", "--subject-to", "lateral == 0 m"])
+    let output = longdrive(&["optimize", "--subject-to", "lateral == 0 m"])
         .out
         .split_whitespace()
         .collect::<Vec<_>>()
         .join(" ");
     assert!(
-        said.contains("no varied parameter changes it")
-            && !said.contains("that the value is raised"),
-        "{said}"
+        output.contains("no varied parameter changes it")
+            && !output.contains("that the value is raised"),
+        "{output}"
     );
 }
 
@@ -368,7 +368,7 @@ fn a_chart_marks_the_drive_and_names_active_bounds() {
     }
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.svg").display().to_string();
-    let said = longdrive(&[
+    let output = longdrive(&[
         "plot",
         "chart",
         "-o",
@@ -379,9 +379,9 @@ fn a_chart_marks_the_drive_and_names_active_bounds() {
         "swing.attack_angle",
     ]);
     assert!(
-        said.status == 2 && said.err.contains("upper bound, in every optimum"),
+        output.status == 2 && output.err.contains("upper bound, in every optimum"),
         "{}",
-        said.err
+        output.err
     );
 }
 
@@ -536,11 +536,11 @@ fn a_map_of_what_does_not_change_is_not_drawn() {
     );
     let straight = folder.path().join("straight");
     // a straight drive lands on the target line for every loft, to rounding
-    let said = longdrive(&["plot", "contour", "-o", &file, "--minimize", "lateral"]);
+    let output = longdrive(&["plot", "contour", "-o", &file, "--minimize", "lateral"]);
     assert!(
-        said.status == 2 && said.err.contains("lateral is constant over the map"),
+        output.status == 2 && output.err.contains("lateral is constant over the map"),
         "{}",
-        said.err
+        output.err
     );
     assert!(!std::path::Path::new(&file).exists());
     // air and wind do not change the ball speed
@@ -550,7 +550,7 @@ fn a_map_of_what_does_not_change_is_not_drawn() {
         "--vary",
         "wind.downrange=-5..5 m/s",
     ];
-    let said = longdrive(
+    let output = longdrive(
         &[
             &[
                 "report",
@@ -567,10 +567,10 @@ fn a_map_of_what_does_not_change_is_not_drawn() {
     assert!(
         page.contains("ball_speed is constant over the map") && !page.contains("map-ball"),
         "{}",
-        said.err
+        output.err
     );
     // derivatives that are 0 in every drive have no curve, and the page is complete
-    let said = longdrive(&[
+    let output = longdrive(&[
         "report",
         "-o",
         &straight.display().to_string(),
@@ -578,9 +578,9 @@ fn a_map_of_what_does_not_change_is_not_drawn() {
         "lateral",
     ]);
     assert!(
-        said.status == 0 && straight.join("index.html").exists(),
+        output.status == 0 && straight.join("index.html").exists(),
         "{}",
-        said.err
+        output.err
     );
 }
 
@@ -594,11 +594,11 @@ fn a_straight_drive_has_no_view_from_above() {
     );
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.svg").display().to_string();
-    let said = longdrive(&["plot", "trajectory", "-o", &file, "--view", "top"]);
+    let output = longdrive(&["plot", "trajectory", "-o", &file, "--view", "top"]);
     assert!(
-        said.status == 2 && said.err.contains("--view side"),
+        output.status == 2 && output.err.contains("--view side"),
         "{}",
-        said.err
+        output.err
     );
     assert!(!std::path::Path::new(&file).exists());
     let page = folder.path().join("page");
@@ -934,22 +934,23 @@ fn pictures_are_drawn_at_every_width_and_name_omitted_parts() {
     ];
     for kind in ["fairway", "launch", "face", "strike"] {
         for width in ["240", "340", "480", "1200"] {
-            let said = longdrive(&["plot", kind, "-o", &file, "--overwrite", "--width", width]);
-            assert_eq!(said.status, 0, "{kind} {width}: {}", said.err);
+            let output = longdrive(&["plot", kind, "-o", &file, "--overwrite", "--width", width]);
+            assert_eq!(output.status, 0, "{kind} {width}: {}", output.err);
             whole(&std::fs::read_to_string(&file).unwrap());
         }
-        let said = longdrive(&[&["plot", kind, "-o", &file, "--overwrite"], &launch[..]].concat());
+        let output =
+            longdrive(&[&["plot", kind, "-o", &file, "--overwrite"], &launch[..]].concat());
         if ["face", "strike"].contains(&kind) {
             assert!(
-                said.status == 2 && said.err.contains("no club"),
+                output.status == 2 && output.err.contains("no club"),
                 "{}",
-                said.err
+                output.err
             );
         } else {
             assert!(
-                said.status == 0 && said.err.contains("no optimum is drawn"),
+                output.status == 0 && output.err.contains("no optimum is drawn"),
                 "{kind}: {}",
-                said.err
+                output.err
             );
         }
         let down = longdrive(&[
@@ -968,7 +969,7 @@ fn pictures_are_drawn_at_every_width_and_name_omitted_parts() {
             down.err
         );
     }
-    let said = longdrive(&[
+    let output = longdrive(&[
         "plot",
         "fairway",
         "-o",
@@ -978,8 +979,8 @@ fn pictures_are_drawn_at_every_width_and_name_omitted_parts() {
         "descent_angle >= 80 deg",
     ]);
     assert!(
-        said.status == 0 && said.err.contains("no optimum is drawn: infeasible"),
+        output.status == 0 && output.err.contains("no optimum is drawn: infeasible"),
         "{}",
-        said.err
+        output.err
     );
 }

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex};
 /// A host without a terminal.
 #[derive(Default)]
 struct NoTerminal {
-    said: Mutex<String>,
+    output: Mutex<String>,
 }
 
 impl Host for NoTerminal {
@@ -16,7 +16,7 @@ impl Host for NoTerminal {
     }
 
     fn say(&self, _: MessageKind, text: &str) {
-        self.said.lock().unwrap().push_str(text);
+        self.output.lock().unwrap().push_str(text);
     }
 }
 
@@ -25,18 +25,18 @@ fn a_host_without_a_terminal_serves_nothing() {
     let host = Arc::new(NoTerminal::default());
     let words = ["longdrive", "explore", "mae494"];
     assert_eq!(run(words.map(Into::into).to_vec(), host.clone()), 2);
-    let said = host.said.lock().unwrap();
+    let output = host.output.lock().unwrap();
     let expected = "explore: it serves a page until Ctrl-C, for which there is no terminal here; \
                     type it in a terminal: longdrive explore";
-    assert_eq!(*said, expected);
+    assert_eq!(*output, expected);
 }
 
 #[cfg(not(feature = "explore"))]
 #[test]
 fn without_its_feature_the_command_names_what_to_type() {
-    let said = crate::command_line::longdrive(&["explore"]);
-    let err = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert_eq!(said.status, 2, "{err}");
+    let output = crate::command_line::longdrive(&["explore"]);
+    let err = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(output.status, 2, "{err}");
     let advice = "web/build, then cargo run --release --features explore -- explore";
     assert!(err.ends_with(advice), "{err}");
     // the error of the setup comes first
@@ -51,8 +51,8 @@ fn without_its_feature_the_command_names_what_to_type() {
 /// A report of a drive, in a folder.
 fn report(folder: &std::path::Path, args: &[&str]) -> String {
     let words = [&["report", "-o", folder.to_str().unwrap()], args].concat();
-    let said = crate::command_line::longdrive(&words);
-    assert_eq!(said.status, 0, "{}", said.err);
+    let output = crate::command_line::longdrive(&words);
+    assert_eq!(output.status, 0, "{}", output.err);
     std::fs::read_to_string(folder.join("index.html")).unwrap()
 }
 

@@ -126,10 +126,10 @@ fn same_page_at_its_address_as_in_the_file() {
     assert_eq!(got.header("Content-Length"), Some(&*page.len().to_string()));
     let output = server.ended();
     assert_eq!(output.status.code(), Some(0));
-    let said = String::from_utf8(output.stderr).unwrap();
+    let answered = String::from_utf8(output.stderr).unwrap();
     assert!(
-        said.contains("Ctrl-C ends") && said.contains("ending; press Ctrl-C again"),
-        "{said}"
+        answered.contains("Ctrl-C ends") && answered.contains("ending; press Ctrl-C again"),
+        "{answered}"
     );
 }
 
@@ -309,10 +309,10 @@ fn bad_input_is_refused_before_anything_is_served() {
     ] {
         let mut explore = program::command();
         let output = explore.arg("explore").args(&args).output().unwrap();
-        let said = String::from_utf8(output.stderr).unwrap();
-        let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(output.status.code(), Some(2), "{args:?}: {said}");
-        assert!(said.contains(says), "{args:?}: {said}");
+        let answered = String::from_utf8(output.stderr).unwrap();
+        let answered = answered.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(output.status.code(), Some(2), "{args:?}: {answered}");
+        assert!(answered.contains(says), "{args:?}: {answered}");
         let printed = String::from_utf8(output.stdout).unwrap();
         assert!(!printed.contains("http:"), "{args:?}: {printed}");
     }

@@ -502,15 +502,16 @@ fn every_step_size_that_can_be_set_is_flown() {
     setup.validate().unwrap();
     // a longer time limit needs more steps
     setup.set("flight.time_limit", "601 s").unwrap();
-    let [said, flown] = [
+    let [output, flown] = [
         setup.validate().unwrap_err(),
         Drive::new(&setup).map(|_| ()).unwrap_err(),
     ];
-    assert_eq!(said.to_string(), flown.to_string());
+    assert_eq!(output.to_string(), flown.to_string());
     assert!(
-        said.to_string()
+        output
+            .to_string()
             .contains("at most 1e8 steps up to flight.time_limit = 601 s"),
-        "{said}"
+        "{output}"
     );
 }
 
@@ -525,7 +526,7 @@ fn unusual_values_of_a_diverging_flight_are_named_and_the_step_only_if_long() {
         spin: Vector::new(0.0, spin, 0.0),
     };
     let fast = launch(1e5, -280.0);
-    let told = |change: &dyn Fn(&mut Setup<f64>), launch: &Launch<f64>| {
+    let message = |change: &dyn Fn(&mut Setup<f64>), launch: &Launch<f64>| {
         let mut setup = usual();
         // a step that is not yet long: the message does not advise a shorter step
         setup.flight.step = 0.04;
@@ -539,24 +540,28 @@ fn unusual_values_of_a_diverging_flight_are_named_and_the_step_only_if_long() {
     let far_too_large = |setup: &mut Setup<f64>| setup.law = steep();
     for (advice, says, is_long) in [
         (
-            told(&far_too_large, &ordinary),
+            message(&far_too_large, &ordinary),
             "check the coefficients of the law linear",
             false,
         ),
         (
-            told(&|setup| setup.flight.step = 3.0, &ordinary),
+            message(&|setup| setup.flight.step = 3.0, &ordinary),
             "reduce flight.step",
             true,
         ),
-        (told(&|_| (), &fast), "the ball leaves at 102000 m/s", false),
-        (told(&|_| (), &launch(70.0, -1e6)), "its spin is", false),
         (
-            told(&|setup| setup.air.density = 1000.0, &ordinary),
+            message(&|_| (), &fast),
+            "the ball leaves at 102000 m/s",
+            false,
+        ),
+        (message(&|_| (), &launch(70.0, -1e6)), "its spin is", false),
+        (
+            message(&|setup| setup.air.density = 1000.0, &ordinary),
             "per m (0.018 for a golf ball in air)",
             false,
         ),
         (
-            told(&|setup| setup.wind.downrange = 1e4, &ordinary),
+            message(&|setup| setup.wind.downrange = 1e4, &ordinary),
             "the wind is 10000 m/s",
             false,
         ),

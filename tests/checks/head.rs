@@ -252,11 +252,11 @@ fn outcomes_of_the_head_are_available_by_name() {
 #[test]
 fn a_weight_without_a_mass_is_reported() {
     let setup = with(&[("club.weight_2.depth", "20 mm")]);
-    let told = setup.warnings()[0].in_units(longdrive::units::System::default());
+    let message = setup.warnings()[0].in_units(longdrive::units::System::default());
     assert!(
-        told.contains("club.weight_2.depth changes nothing")
-            && told.contains("set club.weight_2.mass"),
-        "{told}"
+        message.contains("club.weight_2.depth changes nothing")
+            && message.contains("set club.weight_2.mass"),
+        "{message}"
     );
     assert!(with(&WEIGHT).warnings().is_empty());
     let mut heavy = Setup::default();

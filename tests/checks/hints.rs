@@ -23,17 +23,17 @@ fn an_option_of_other_commands_is_not_taken_for_one_that_begins_alike() {
             "a similar argument exists: '--temperature'",
         ),
     ] {
-        let said = longdrive(words);
-        assert_eq!(said.status, 2);
+        let printed = longdrive(words);
+        assert_eq!(printed.status, 2);
         assert!(
-            on_one_line(&said.err).contains(says),
+            on_one_line(&printed.err).contains(says),
             "{words:?}: {}",
-            said.err
+            printed.err
         );
         assert!(
-            !said.err.contains("--overwrite") && !said.err.contains("--seed"),
+            !printed.err.contains("--overwrite") && !printed.err.contains("--seed"),
             "{}",
-            said.err
+            printed.err
         );
     }
 }
@@ -41,11 +41,11 @@ fn an_option_of_other_commands_is_not_taken_for_one_that_begins_alike() {
 /// A word in place of a number is answered with the meaning of the parameter.
 #[test]
 fn a_word_for_a_number_gets_the_meaning_of_the_parameter() {
-    let said = longdrive(&["simulate", "--wind", "10mph", "--set", "wind.from=headwind"]);
-    assert_eq!(said.status, 2);
+    let printed = longdrive(&["simulate", "--wind", "10mph", "--set", "wind.from=headwind"]);
+    assert_eq!(printed.status, 2);
     let says = "Direction that the wind comes from, clockwise from the target line: 0° is a head \
                 wind, 90° from the right, 180° a tail wind";
-    assert!(on_one_line(&said.err).contains(says), "{}", said.err);
+    assert!(on_one_line(&printed.err).contains(says), "{}", printed.err);
 }
 
 /// A shell reads an unquoted `>` as a redirection to a file.
@@ -56,25 +56,25 @@ fn pieces_of_a_constraint_without_quotes_get_the_advice_on_quotes() {
         &["optimize", "--subject-to", "lateral", "==", "0m"],
         &["optimize", "--subject-to", "descent_angle", "="],
     ] {
-        let said = longdrive(words);
-        assert_eq!(said.status, 2);
+        let printed = longdrive(words);
+        assert_eq!(printed.status, 2);
         let says = "put a constraint in quotes, as in --subject-to \"descent_angle >= 38 deg\"";
         assert!(
-            on_one_line(&said.err).contains(says),
+            on_one_line(&printed.err).contains(says),
             "{words:?}: {}",
-            said.err
+            printed.err
         );
     }
     for words in [
         &["simulate", "--speed", "95", "mph"][..],
         &["simulate", "--attack", "-2", "deg"],
     ] {
-        let said = longdrive(words);
+        let printed = longdrive(words);
         let says = format!("{} \"{} {}\"", words[1], words[2], words[3]);
         assert!(
-            on_one_line(&said.err).contains(&says),
+            on_one_line(&printed.err).contains(&says),
             "{words:?}: {}",
-            said.err
+            printed.err
         );
     }
 }

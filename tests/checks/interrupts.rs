@@ -139,16 +139,16 @@ fn interrupted_json(args: &[&str]) -> Value {
 fn interrupted_json_once(args: &[&str], is_time: impl Fn(&AtWork) -> bool) -> Value {
     let mut program = AtWork::new(&[args, &["--json"]].concat());
     program.wait_until(is_time);
-    let said = program.interrupted();
-    let answer: Value = serde_json::from_str(&said.out)
-        .unwrap_or_else(|e| panic!("{e}: {} {}", said.out, said.err));
+    let output = program.interrupted();
+    let answer: Value = serde_json::from_str(&output.out)
+        .unwrap_or_else(|e| panic!("{e}: {} {}", output.out, output.err));
     let faults = faults(args[0], &answer);
     assert!(faults.is_empty(), "{args:?}: {faults:#?} in {answer:#}");
     assert_eq!(
-        (said.status, answer["status"].as_str()),
+        (output.status, answer["status"].as_str()),
         (1, Some("interrupted")),
         "{args:?}: {answer:#} {}",
-        said.err
+        output.err
     );
     answer
 }
@@ -186,13 +186,18 @@ fn work_without_a_part_of_an_answer_ends_with_nothing_printed_or_written() {
         let left = std::fs::read_dir(folder.path()).unwrap().count();
         assert_eq!(left, 0, "{args:?} left something behind");
     }
-    let said = interrupted(&["uncertainty", "-q", "--samples", "1000000"]);
-    assert!(said.status == 1 && said.out.is_empty(), "{}", said.out);
+    let output = interrupted(&["uncertainty", "-q", "--samples", "1000000"]);
     assert!(
-        said.err
+        output.status == 1 && output.out.is_empty(),
+        "{}",
+        output.out
+    );
+    assert!(
+        output
+            .err
             .contains("error: interrupted before there was an answer"),
         "{}",
-        said.err
+        output.err
     );
 }
 
@@ -282,14 +287,19 @@ fn stopped_work_writes_no_fit_lists_no_optimum_and_names_its_file() {
     let found = interrupted_json_once(&sweep, |_| so_far.exists());
     assert_eq!(found["file"].as_str(), so_far.to_str());
     assert!(so_far.exists());
-    let said = interrupted(&["optimize", "--starts", "5000", slow[0], slow[1]]);
+    let output = interrupted(&["optimize", "--starts", "5000", slow[0], slow[1]]);
     assert!(
-        said.out
+        output
+            .out
             .contains("\nnot listed: 5000 of 5000 searches stopped before the end\n"),
         "{}",
-        said.out
+        output.out
     );
-    assert!(!said.out.contains(" of 5000  interrupted"), "{}", said.out);
+    assert!(
+        !output.out.contains(" of 5000  interrupted"),
+        "{}",
+        output.out
+    );
 }
 
 /// The best of the searches that ended may have converged: stopped searches are reported beside it.
@@ -457,7 +467,7 @@ fn same_answer_over_swings_after_repeated_ctrl_c() {
     ];
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let (alone, stopped) = (path("alone.json"), path("stopped.json"));
-    let asked = |checkpoint| {
+    let requested = |checkpoint| {
         [
             &["optimize", "--json"],
             &swings[..],
@@ -467,14 +477,14 @@ fn same_answer_over_swings_after_repeated_ctrl_c() {
         ]
         .concat()
     };
-    let alone = crate::command_line::longdrive(&asked(&alone));
+    let alone = crate::command_line::longdrive(&requested(&alone));
     assert_eq!(alone.status, 0, "{}", alone.err);
     // interrupts before the first saved iteration, and then within the iteration after the next
     // saved one
     for round in 0..4 {
         let kept = || std::fs::read(&stopped).ok();
         let before = kept();
-        let mut program = AtWork::new(&asked(&stopped));
+        let mut program = AtWork::new(&requested(&stopped));
         program.wait_until(|_| {
             if round == 0 {
                 kept().is_some()
@@ -482,15 +492,15 @@ fn same_answer_over_swings_after_repeated_ctrl_c() {
                 kept() != before
             }
         });
-        let said = program.interrupted();
+        let output = program.interrupted();
         assert!(
-            said.status == 0 || said.status == 1,
+            output.status == 0 || output.status == 1,
             "round {round}: {}",
-            said.err
+            output.err
         );
     }
     assert_eq!(
-        crate::command_line::longdrive(&asked(&stopped)).out,
+        crate::command_line::longdrive(&requested(&stopped)).out,
         alone.out
     );
 }

@@ -332,18 +332,18 @@ fn bad_input_is_an_object_with_the_message_of_standard_error_and_status_2() {
             (2, &"error".into(), &command.into()),
             "{args:?}"
         );
-        let said = longdrive(&[&args[..], &["--json"]].concat());
+        let messages = longdrive(&[&args[..], &["--json"]].concat());
         let message = answer["message"].as_str().unwrap();
         assert!(
-            said.err.contains(message) && !message.starts_with("error"),
+            messages.err.contains(message) && !message.starts_with("error"),
             "{args:?}: {message} in {}",
-            said.err
+            messages.err
         );
         assert_eq!(answer.as_object().unwrap().len(), 4);
     }
-    let said = longdrive(&["soar", "--json"]);
-    let answer: Value = serde_json::from_str(&said.out).unwrap();
-    assert_eq!((said.status, &answer["command"]), (2, &Value::Null));
+    let messages = longdrive(&["soar", "--json"]);
+    let answer: Value = serde_json::from_str(&messages.out).unwrap();
+    assert_eq!((messages.status, &answer["command"]), (2, &Value::Null));
     assert!(
         answer["message"]
             .as_str()

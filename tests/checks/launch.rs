@@ -180,11 +180,11 @@ fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
             "launch.backspin"
         ]
     );
-    let said = longdrive(&["uncertainty", "--launch", launch, "--samples", "20"]);
+    let printed = longdrive(&["uncertainty", "--launch", launch, "--samples", "20"]);
     assert!(
-        said.out.contains("launch.ball_speed") && !said.out.contains("swing.speed"),
+        printed.out.contains("launch.ball_speed") && !printed.out.contains("swing.speed"),
         "{}",
-        said.out
+        printed.out
     );
     let vary = [
         "--vary",
@@ -194,11 +194,11 @@ fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
     ];
     let (status, best) = json(&[&["optimize", "--launch", launch], &vary[..]].concat());
     assert_eq!((status, best["status"].as_str()), (0, Some("converged")));
-    let said = longdrive(&["simulate", "--launch", launch]);
+    let printed = longdrive(&["simulate", "--launch", launch]);
     assert!(
-        said.status == 0 && !said.out.contains("club"),
+        printed.status == 0 && !printed.out.contains("club"),
         "{}",
-        said.out
+        printed.out
     );
 
     let text = "ball_speed [mph],launch_angle [deg],spin [rpm],spin_axis \
@@ -296,9 +296,9 @@ fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
             "from columns of the table",
         ),
     ] {
-        let said = longdrive(&args);
-        assert_eq!(said.status, 2, "{args:?} {}", said.err);
-        assert!(said.err.contains(says), "{args:?}: {}", said.err);
+        let printed = longdrive(&args);
+        assert_eq!(printed.status, 2, "{args:?} {}", printed.err);
+        assert!(printed.err.contains(says), "{args:?}: {}", printed.err);
     }
 }
 
@@ -344,28 +344,28 @@ fn a_club_beside_a_launch_is_refused_by_name() {
             "strike.toe=5mm",
             "impact.restitution=0.8",
         ] {
-            let said = longdrive(&[&command[..], given, &["--set", name]].concat());
+            let printed = longdrive(&[&command[..], given, &["--set", name]].concat());
             let parameter = name.split('=').next().unwrap();
-            let told = format!("--set {parameter}: ");
+            let message = format!("--set {parameter}: ");
             let is_partial = command.contains(&"launch.launch_angle=9deg");
             assert!(
-                said.status == 2 && (is_partial || said.err.contains(&told)),
+                printed.status == 2 && (is_partial || printed.err.contains(&message)),
                 "{command:?} {name}: {}",
-                said.err
+                printed.err
             );
             assert!(
                 is_partial
-                    || said
+                    || printed
                         .err
                         .contains("swing, club, strike and impact are not used"),
                 "{}",
-                said.err
+                printed.err
             );
         }
         if !command.contains(&"launch.launch_angle=9deg") {
-            let said =
+            let printed =
                 longdrive(&[&command[..], given, &["--set", "air.density=1.1 kg/m^3"]].concat());
-            assert_eq!(said.status, 0, "{command:?}: {}", said.err);
+            assert_eq!(printed.status, 0, "{command:?}: {}", printed.err);
         }
     }
     // swept or fitted club parameters are refused too; club settings of a setup file are reported
@@ -373,7 +373,7 @@ fn a_club_beside_a_launch_is_refused_by_name() {
         "ball_speed [mph],launch_angle [deg],backspin [rpm],launch.spin [rpm]\n167,10.9,2686,1\n";
     std::fs::write(&points, both).unwrap();
     assert_eq!(longdrive(&["sweep", "--points", &points]).status, 2);
-    let said = longdrive(&[
+    let printed = longdrive(&[
         "sweep",
         "--points",
         "examples/deliveries.csv",
@@ -381,34 +381,35 @@ fn a_club_beside_a_launch_is_refused_by_name() {
         launch,
     ]);
     assert!(
-        said.status == 2 && said.err.contains("no club strikes the ball"),
+        printed.status == 2 && printed.err.contains("no club strikes the ball"),
         "{}",
-        said.err
+        printed.err
     );
-    let said = longdrive(&["calibrate", "examples/shots.csv", "--fit", "club.loft"]);
+    let printed = longdrive(&["calibrate", "examples/shots.csv", "--fit", "club.loft"]);
     assert!(
-        said.status == 2 && said.err.contains("club.loft cannot be fitted"),
+        printed.status == 2 && printed.err.contains("club.loft cannot be fitted"),
         "{}",
-        said.err
+        printed.err
     );
     assert!(
-        said.err
+        printed
+            .err
             .replace("\n  ", " ")
             .contains("fit parameters of the flight"),
         "{}",
-        said.err
+        printed.err
     );
     std::fs::write(
         &mine,
         "[club]\nloft = '9 deg'\n[air]\ndensity = '1.1 kg/m^3'\n",
     )
     .unwrap();
-    let said = longdrive(&["simulate", &mine, "--launch", launch]);
-    let told = "not used, since the drive is given by its launch: club.loft";
+    let printed = longdrive(&["simulate", &mine, "--launch", launch]);
+    let message = "not used, since the drive is given by its launch: club.loft";
     assert!(
-        said.status == 0 && said.err.replace("\n  ", " ").contains(told),
+        printed.status == 0 && printed.err.replace("\n  ", " ").contains(message),
         "{}",
-        said.err
+        printed.err
     );
     assert!(!longdrive(&["simulate", &mine]).err.contains("not used"));
 }
@@ -420,15 +421,15 @@ fn a_report_of_a_launch_names_omitted_parts() {
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let launch = "ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm";
     let report = |output: &str, more: &[&str]| {
-        let said = json(&[&["report", "--launch", launch, "-o", output], more].concat());
-        let files: Vec<_> = said.1["files"]
+        let printed = json(&[&["report", "--launch", launch, "-o", output], more].concat());
+        let files: Vec<_> = printed.1["files"]
             .as_array()
             .into_iter()
             .flatten()
             .cloned()
             .collect();
         let text = std::fs::read_to_string(format!("{output}/index.html")).unwrap_or_default();
-        (said.0, files, said.1["warnings"].to_string(), text)
+        (printed.0, files, printed.1["warnings"].to_string(), text)
     };
     let (status, files, warnings, page) = report(&file("alone"), &[]);
     assert_eq!(status, 0, "{warnings}");
@@ -440,8 +441,12 @@ fn a_report_of_a_launch_names_omitted_parts() {
     ] {
         assert!(files.contains(&name.into()), "{name}: {files:?}");
     }
-    let told = "the optimum, its map and its chart are left out: the drive is given by its launch";
-    assert!(warnings.contains(told) && page.contains(told), "{warnings}");
+    let message =
+        "the optimum, its map and its chart are left out: the drive is given by its launch";
+    assert!(
+        warnings.contains(message) && page.contains(message),
+        "{warnings}"
+    );
     assert!(page.contains("d carry/d launch.backspin") && !page.contains("swing.speed"));
 
     let vary = [
@@ -460,12 +465,14 @@ fn a_report_of_a_launch_names_omitted_parts() {
     );
 
     for more in [&["--subject-to", "apex_height <= 30 yd"][..], &along] {
-        let said =
+        let printed =
             longdrive(&[&["report", "--launch", launch, "-o", &file("none")], more].concat());
         assert!(
-            said.status == 2 && said.err.contains(more[0]) && said.err.contains("give --vary"),
+            printed.status == 2
+                && printed.err.contains(more[0])
+                && printed.err.contains("give --vary"),
             "{}",
-            said.err
+            printed.err
         );
     }
 }
@@ -483,18 +490,18 @@ fn values_replaced_by_another_form_of_the_spin_are_reported() {
     let launch =
         "ball_speed = '160 mph'\nlaunch_angle = '11 deg'\nspin = '2600 rpm'\nspin_axis = '5 deg'\n";
     std::fs::write(&file, format!("[launch]\n{launch}")).unwrap();
-    let told = |more: &[&str]| {
-        let said = longdrive(&[&["simulate", &file], more].concat());
-        assert_eq!(said.status, 0, "{}", said.err);
-        said.err.split_whitespace().collect::<Vec<_>>().join(" ")
+    let message = |more: &[&str]| {
+        let printed = longdrive(&[&["simulate", &file], more].concat());
+        assert_eq!(printed.status, 0, "{}", printed.err);
+        printed.err.split_whitespace().collect::<Vec<_>>().join(" ")
     };
-    let err = told(&["--launch", "backspin=2400rpm"]);
+    let err = message(&["--launch", "backspin=2400rpm"]);
     assert!(
         err.contains("ax.toml are replaced by --launch backspin=2400rpm")
             && err.contains("spin and spin_axis of ")
     );
-    assert!(!told(&["--launch", "spin=2400rpm"]).contains("replaced"));
-    assert!(!told(&[]).contains("replaced"));
+    assert!(!message(&["--launch", "spin=2400rpm"]).contains("replaced"));
+    assert!(!message(&[]).contains("replaced"));
     // derivatives by every given condition, also by the tilt of the spin axis
     let by = json(&["gradient", &file]).1.to_string();
     for name in ["ball_speed", "launch_angle", "spin", "spin_axis"] {
@@ -507,8 +514,8 @@ fn without_a_club_the_defaults_are_launch_conditions_or_the_message_suggests_var
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).display().to_string();
     let (curves, map, chart) = (file("v.csv"), file("map.svg"), file("chart.svg"));
-    let said = longdrive(&[&["plot", "vcurve", "-o", &curves], &CONDITIONS[..]].concat());
-    assert_eq!(said.status, 0, "{}", said.err);
+    let printed = longdrive(&[&["plot", "vcurve", "-o", &curves], &CONDITIONS[..]].concat());
+    assert_eq!(printed.status, 0, "{}", printed.err);
     let curves = std::fs::read_to_string(&curves).unwrap();
     assert!(
         curves.contains("launch.launch_angle") && curves.contains("launch.backspin"),
@@ -523,9 +530,13 @@ fn without_a_club_the_defaults_are_launch_conditions_or_the_message_suggests_var
         vec!["plot", "contour", "-o", &map],
         vec!["plot", "chart", along[0], along[1], "-o", &chart],
     ] {
-        let said = longdrive(&[&args[..], &CONDITIONS[..]].concat());
-        let err = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{args:?}: {err}");
+        let printed = longdrive(&[&args[..], &CONDITIONS[..]].concat());
+        let err = printed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(
+            (printed.status, printed.out.as_str()),
+            (2, ""),
+            "{args:?}: {err}"
+        );
         for words in [
             "the drive is given by its launch",
             "--vary launch.launch_angle=5deg..20deg",
@@ -535,7 +546,7 @@ fn without_a_club_the_defaults_are_launch_conditions_or_the_message_suggests_var
         assert!(!err.contains("club.loft"), "{args:?}: {err}");
     }
     // calibrate reads launches from the table
-    let said = longdrive(
+    let printed = longdrive(
         &[
             &["calibrate", "shots.csv", "--fit", "aero.cd0"],
             &CONDITIONS[..],
@@ -547,12 +558,16 @@ fn without_a_club_the_defaults_are_launch_conditions_or_the_message_suggests_var
         "add the columns to shots.csv",
         "ball_speed, launch_angle",
     ] {
-        assert!(said.status == 2 && said.err.contains(words), "{}", said.err);
+        assert!(
+            printed.status == 2 && printed.err.contains(words),
+            "{}",
+            printed.err
+        );
     }
     // and the page does not describe the club of the preset
     let page = file("page");
-    let said = longdrive(&[&["report", "-o", &page], &CONDITIONS[..]].concat());
-    assert_eq!(said.status, 0, "{}", said.err);
+    let printed = longdrive(&[&["report", "-o", &page], &CONDITIONS[..]].concat());
+    assert_eq!(printed.status, 0, "{}", printed.err);
     let page = std::fs::read_to_string(folder.path().join("page/index.html")).unwrap();
     assert!(
         page.contains("The ball leaves as its launch says, without a club")
@@ -566,11 +581,16 @@ fn a_parameter_that_is_set_twice_is_refused() {
         ["club.loft=10deg", "club.loft=11deg"],
         ["aero.law=linear", "aero.law = robinson"],
     ] {
-        let said = longdrive(&["simulate", "--set", first, "--set", second]);
-        assert_eq!((said.status, said.out.as_str()), (2, ""), "{}", said.err);
+        let printed = longdrive(&["simulate", "--set", first, "--set", second]);
+        assert_eq!(
+            (printed.status, printed.out.as_str()),
+            (2, ""),
+            "{}",
+            printed.err
+        );
         assert!(
-            said.err.contains(&format!("--set {first} gives "))
-                && said.err.contains("keep one of the two")
+            printed.err.contains(&format!("--set {first} gives "))
+                && printed.err.contains("keep one of the two")
         );
     }
 }
@@ -590,9 +610,10 @@ fn same_drives_of_a_swept_launch_condition_and_alone() {
         "--own-step",
     ];
     let carries = |points: &[&str]| -> Vec<f64> {
-        let said = longdrive(&[&["sweep"], points, &launch].concat());
-        assert_eq!(said.status, 0, "{points:?}: {}", said.err);
-        said.out
+        let printed = longdrive(&[&["sweep"], points, &launch].concat());
+        assert_eq!(printed.status, 0, "{points:?}: {}", printed.err);
+        printed
+            .out
             .lines()
             .skip(1)
             .map(|row| row.rsplit(',').next().unwrap().parse().unwrap())
@@ -623,11 +644,11 @@ fn same_drives_of_a_swept_launch_condition_and_alone() {
             "a value of its own",
         ),
     ] {
-        let said = longdrive(&[&["sweep"], &args[..], &launch].concat());
+        let printed = longdrive(&[&["sweep"], &args[..], &launch].concat());
         assert!(
-            said.status == 2 && said.err.contains(says),
+            printed.status == 2 && printed.err.contains(says),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
     }
 }

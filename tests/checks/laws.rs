@@ -460,9 +460,9 @@ fn each_law_is_listed_with_authors_ball_range_and_source() {
 fn a_range_without_an_upper_end_prints_as_at_least() {
     let fitted = Law::named("naruo-mizota").unwrap().properties().fitted;
     let [.., (name, unit, range), _] = fitted.ranges();
-    let said = range_in_words(Message::default(), unit, range.unwrap());
+    let output = range_in_words(Message::default(), unit, range.unwrap());
     assert_eq!(
-        (name, said.to_string().as_str()),
+        (name, output.to_string().as_str()),
         ("Reynolds number", "at least 71000")
     );
 }
@@ -692,19 +692,19 @@ fn a_plot_of_laws_draws_all_of_them_and_refuses_what_it_cannot_use() {
     ] {
         assert!(rows.iter().any(|row| row.1 == name), "{name}");
     }
-    let said = longdrive(&["plot", "laws", "--show", "cl", "-o", &file("laws.svg")]);
+    let output = longdrive(&["plot", "laws", "--show", "cl", "-o", &file("laws.svg")]);
     let svg = std::fs::read_to_string(file("laws.svg")).unwrap();
     // the drawn text, without hover texts
-    let told = |part: &str| {
+    let message = |part: &str| {
         part.split_once("</title>")
             .map_or(part, |(_, rest)| rest)
             .to_owned()
     };
-    let svg: String = svg.split("<title>").map(told).collect();
+    let svg: String = svg.split("<title>").map(message).collect();
     assert!(
-        said.status == 0 && svg.contains("naruo-mizota") && !svg.contains("(extrapolated)"),
+        output.status == 0 && svg.contains("naruo-mizota") && !svg.contains("(extrapolated)"),
         "{}",
-        said.err
+        output.err
     );
     for (more, words) in [
         (&["--laws", "fergusen"][..], "did you mean 'ferguson'?"),
@@ -719,11 +719,11 @@ fn a_plot_of_laws_draws_all_of_them_and_refuses_what_it_cannot_use() {
         (&["--reynolds", "much"], "--reynolds"),
         (&["--set", "air.density=0 kg/m^3"], "there is no air"),
     ] {
-        let said = longdrive(&[&["plot", "laws", "-o", &file("no.svg")], more].concat());
+        let output = longdrive(&[&["plot", "laws", "-o", &file("no.svg")], more].concat());
         assert!(
-            said.status == 2 && said.err.contains(words),
+            output.status == 2 && output.err.contains(words),
             "{more:?}: {}",
-            said.err
+            output.err
         );
     }
     assert!(!folder.path().join("no.svg").exists());

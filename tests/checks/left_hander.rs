@@ -216,7 +216,7 @@ fn the_hand_is_read_written_and_compared() {
         Golfer::Left
     );
 
-    for (args, said) in [
+    for (args, output) in [
         (
             &["simulate", "--set", "golfer=lefty"][..],
             "did you mean 'left'",
@@ -237,10 +237,10 @@ fn the_hand_is_read_written_and_compared() {
             "strike and impact are not used",
         ),
     ] {
-        let told = longdrive(args);
-        let words = told.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let message = longdrive(args);
+        let words = message.err.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
-            told.status == 2 && words.contains(said),
+            message.status == 2 && words.contains(output),
             "{args:?}: {words}"
         );
     }

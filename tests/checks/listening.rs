@@ -175,18 +175,18 @@ fn three_hundred_shots_of_one_connection_are_each_answered() {
 #[test]
 fn a_used_port_is_reported_with_advice() {
     let (child, port) = listening(&[]);
-    let said = crate::command_line::longdrive(&["fly", "--listen", &port.to_string()]);
+    let printed = crate::command_line::longdrive(&["fly", "--listen", &port.to_string()]);
     assert!(
-        said.status == 2 && said.err.contains("another program listens there"),
+        printed.status == 2 && printed.err.contains("another program listens there"),
         "{}",
-        said.err
+        printed.err
     );
-    let said =
+    let printed =
         crate::command_line::longdrive(&["fly", "--listen", "0", "--address", "203.0.113.1"]);
     assert!(
-        said.status == 2 && said.err.contains("is not an address of this machine"),
+        printed.status == 2 && printed.err.contains("is not an address of this machine"),
         "{}",
-        said.err
+        printed.err
     );
     assert_eq!(ended(child).0, Some(0));
 }

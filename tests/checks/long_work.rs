@@ -438,7 +438,7 @@ fn a_chart_is_interrupted_in_its_first_search() {
     ] {
         // a flight of ten minutes in steps of 1 ms takes a third of a second; the search for a
         // start would fly 63 more
-        let asked = [
+        let requested = [
             "modern-driver",
             "--set",
             "gravity=1e-6m/s^2",
@@ -449,7 +449,7 @@ fn a_chart_is_interrupted_in_its_first_search() {
             "--verbose",
         ];
         let Output { status, out, err } =
-            crate::interrupts::interrupted(&[command, &asked].concat());
+            crate::interrupts::interrupted(&[command, &requested].concat());
         assert_eq!(status, 1, "{out} {err}");
         assert!(out.contains("\"interrupted\""), "{out} {err}");
         assert!(

@@ -5,11 +5,11 @@ use longdrive::{Error, Setup};
 use std::fs;
 
 /// Both output streams of the program, in one line.
-fn said(args: &[&str]) -> (i32, String) {
-    let said = longdrive(args);
+fn both_streams(args: &[&str]) -> (i32, String) {
+    let output = longdrive(args);
     (
-        said.status,
-        format!("{}{}", said.out, said.err)
+        output.status,
+        format!("{}{}", output.out, output.err)
             .split_whitespace()
             .collect::<Vec<_>>()
             .join(" "),
@@ -69,7 +69,7 @@ fn one_thing_is_in_the_singular() {
             "warning: the only drive that landed: at launch outside",
         ),
     ] {
-        let (ended, text) = said(args);
+        let (ended, text) = both_streams(args);
         assert_eq!(ended, status, "{args:?}: {text}");
         assert!(text.contains(says), "{args:?}: no '{says}': {text}");
         // " 1 rows" and the like, in all output
@@ -142,7 +142,7 @@ fn a_text_that_is_no_number_is_refused_as_such() {
         ),
         (&["simulate", "--tolerance=nan"], "\"nan\" is not a number"),
     ] {
-        let (status, text) = said(args);
+        let (status, text) = both_streams(args);
         assert!(
             status == 2 && text.contains(says) && !text.contains("outside its range"),
             "{args:?}: no '{says}': {text}"
@@ -178,14 +178,14 @@ fn a_standard_uncertainty_must_be_above_zero() {
         ),
     ] {
         for command in ["sensitivity", "uncertainty"] {
-            let (status, text) = said(&[command, "--sigma", sigma]);
+            let (status, text) = both_streams(&[command, "--sigma", sigma]);
             assert!(
                 status == 2 && text.contains(says),
                 "{sigma}: no '{says}': {text}"
             );
         }
     }
-    let (status, text) = said(&[
+    let (status, text) = both_streams(&[
         "sensitivity",
         "--sigma",
         "swing.speed=1mph",
@@ -218,7 +218,7 @@ fn a_drive_without_a_landing_says_what_ended_it() {
         ),
     ] {
         for command in ["simulate", "gradient"] {
-            let (status, text) = said(&[command, "modern-driver", "--set", set]);
+            let (status, text) = both_streams(&[command, "modern-driver", "--set", set]);
             assert!(
                 status == 1 && text.contains(says),
                 "{command} {set}: no '{says}': {text}"
@@ -277,7 +277,7 @@ fn a_launch_on_the_command_line_replaces_that_of_the_setup_file() {
             "the launch in",
         ),
     ] {
-        let (status, text) = said(args);
+        let (status, text) = both_streams(args);
         assert!(
             status == 2 && text.contains(says),
             "{args:?}: no '{says}': {text}"
@@ -301,7 +301,8 @@ fn a_unit_for_a_plain_number_is_refused() {
             "unknown unit 'foo'; a plain number takes no unit, or %",
         ),
     ] {
-        let (status, text) = said(&["simulate", "--set", &format!("impact.restitution={value}")]);
+        let (status, text) =
+            both_streams(&["simulate", "--set", &format!("impact.restitution={value}")]);
         assert!(
             status == 2 && text.contains(says),
             "{value}: no '{says}': {text}"
@@ -326,7 +327,7 @@ fn a_reason_is_given_once_with_the_parameters_that_it_holds_for() {
         ][..],
         &["sensitivity", "--at-optimum"],
     ] {
-        let (_, text) = said(&[command, &ridge].concat());
+        let (_, text) = both_streams(&[command, &ridge].concat());
         assert_eq!(
             text.matches("the optimum is not isolated").count(),
             1,
@@ -342,7 +343,7 @@ fn a_reason_is_given_once_with_the_parameters_that_it_holds_for() {
         "{warnings}"
     );
     // sources of default uncertainties are given once, too
-    let (_, text) = said(&["sensitivity", "--all"]);
+    let (_, text) = both_streams(&["sensitivity", "--all"]);
     assert!(
         text.contains("default of wind.downrange, wind.right: assumed"),
         "{text}"
@@ -360,7 +361,7 @@ fn a_plot_names_a_launch_condition_without_saying_launch_twice() {
         "--vary",
         "launch.ball_speed=150mph..160mph",
     ];
-    let (_, text) = said(
+    let (_, text) = both_streams(
         &[
             &["plot", "contour", "-o", &path, "--launch", launch],
             &vary[..],
@@ -391,7 +392,7 @@ fn an_ellipse_that_reaches_to_infinity_is_not_shown() {
         "--max-iterations",
         "15",
     ];
-    let (_, text) = said(&[&["optimum-sensitivity"], &vary[..], &more].concat());
+    let (_, text) = both_streams(&[&["optimum-sensitivity"], &vary[..], &more].concat());
     assert!(
         text.contains("within 1.0936e300 yd of the best") && !text.contains("inf "),
         "{text}"

@@ -349,15 +349,15 @@ fn bad_tables_are_refused_with_file_line_and_advice() {
         ),
     ] {
         let (_folder, name) = written(text);
-        let said = longdrive(&["simulate", "--set", &format!("{TABLE}={name}")]);
+        let output = longdrive(&["simulate", "--set", &format!("{TABLE}={name}")]);
         assert_eq!(
-            (said.status, said.out.as_str()),
+            (output.status, output.out.as_str()),
             (2, ""),
             "{text}: {}",
-            said.err
+            output.err
         );
         for word in words.iter().chain(&["mine.csv"]) {
-            assert!(said.err.contains(word), "{text}: {word}: {}", said.err);
+            assert!(output.err.contains(word), "{text}: {word}: {}", output.err);
         }
     }
     for (args, words) in [
@@ -376,12 +376,12 @@ fn bad_tables_are_refused_with_file_line_and_advice() {
         ),
         (&["--set", "aero.law=tabel"], &["did you mean 'table'?"]),
     ] {
-        let said = longdrive(&[&["simulate"], args].concat());
-        assert_eq!(said.status, 2, "{args:?}: {}", said.err);
+        let output = longdrive(&[&["simulate"], args].concat());
+        assert_eq!(output.status, 2, "{args:?}: {}", output.err);
         assert!(
-            words.iter().all(|word| said.err.contains(word)),
+            words.iter().all(|word| output.err.contains(word)),
             "{args:?}: {}",
-            said.err
+            output.err
         );
     }
     let vary = longdrive(&["gradient", "--wrt", "aero.table"]);
@@ -425,18 +425,20 @@ fn a_setup_with_a_table_is_written_and_read_again() {
     );
     let both = file("both.toml");
     std::fs::write(&both, "[aero]\ntable = 'mine.csv'\nlaw = 'ferguson'\n").unwrap();
-    let said = longdrive(&["simulate", &both]);
+    let output = longdrive(&["simulate", &both]);
     assert!(
-        said.status == 2 && said.err.contains("both.toml:3:7") && said.err.contains("keep one"),
+        output.status == 2
+            && output.err.contains("both.toml:3:7")
+            && output.err.contains("keep one"),
         "{}",
-        said.err
+        output.err
     );
     std::fs::write(&both, "[aero]\ntable = 'no.csv'\n").unwrap();
-    let said = longdrive(&["simulate", &both]);
+    let output = longdrive(&["simulate", &both]);
     assert!(
-        said.status == 2 && said.err.contains("both.toml:2:9") && said.err.contains("no.csv"),
+        output.status == 2 && output.err.contains("both.toml:2:9") && output.err.contains("no.csv"),
         "{}",
-        said.err
+        output.err
     );
 }
 
@@ -449,20 +451,23 @@ fn a_table_that_has_changed_is_another_question() {
     let (set, kept) = (format!("{TABLE}={name}"), file("kept.json"));
     let search = || longdrive(&["optimize", "--set", &set, "--checkpoint", &kept]);
     // sweeps, too, distinguish setups by their debug form
-    let told = || {
+    let message = || {
         let mut setup = Setup::default();
         setup.set(TABLE, &name).unwrap();
         format!("{setup:?}")
     };
     assert_eq!((search().status, search().status), (0, 0));
-    let before = [told(), told()];
+    let before = [message(), message()];
     std::fs::write(&name, table(0.26)).unwrap();
-    assert!(before[0] == before[1] && told() != before[0], "{before:?}");
-    let said = search();
     assert!(
-        said.status == 2 && said.err.contains("it belongs to another question"),
+        before[0] == before[1] && message() != before[0],
+        "{before:?}"
+    );
+    let output = search();
+    assert!(
+        output.status == 2 && output.err.contains("it belongs to another question"),
         "{}",
-        said.err
+        output.err
     );
     // two tables are two laws, also with one name
     std::fs::write(file("other.csv"), table(0.25)).unwrap();
@@ -493,10 +498,10 @@ fn drag_of_a_table_is_not_checked_below_zero_spin() {
     }
     let (_folder, name) =
         written("s,cd,cl\n0.1,0.02,0.1\n0.15,0.3,0.1\n0.2,0.32,0.2\n0.3,0.33,0.3\n");
-    let told = LawTable::open(Path::new(&name)).unwrap_err().to_string();
+    let message = LawTable::open(Path::new(&name)).unwrap_err().to_string();
     assert!(
-        told.contains("negative drag") && told.contains("at spin_ratio 0.0875"),
-        "{told}"
+        message.contains("negative drag") && message.contains("at spin_ratio 0.0875"),
+        "{message}"
     );
 }
 
@@ -508,14 +513,14 @@ fn a_drive_beyond_its_table_has_a_warning() {
          [rpm],cd,cl\n50,2000,0.25,0.15\n80,2000,0.25,0.15\n50,3000,0.25,0.2\n80,3000,0.25,0.2\n",
     );
     let (_, answer) = json(&["simulate", "--set", &format!("{TABLE}={name}")]);
-    let told = answer["warnings"].to_string();
+    let message = answer["warnings"].to_string();
     assert!(
-        told.contains("speed through the air of 50 m/s to 80 m/s (the table mine.csv)"),
-        "{told}"
+        message.contains("speed through the air of 50 m/s to 80 m/s (the table mine.csv)"),
+        "{message}"
     );
     assert!(
-        told.contains("where the law is held\"") && !told.contains("extrapolated"),
-        "{told}"
+        message.contains("where the law is held\"") && !message.contains("extrapolated"),
+        "{message}"
     );
     let range = &answer["law_range"];
     assert!(
@@ -536,11 +541,11 @@ fn a_drive_beyond_its_table_has_a_warning() {
 
 #[test]
 fn a_factor_of_your_own_table_asks_for_the_table() {
-    let said = longdrive(&["laws", "--set", "aero.cd_factor=1.05"]);
-    assert_eq!((said.status, said.out.as_str()), (2, ""));
+    let output = longdrive(&["laws", "--set", "aero.cd_factor=1.05"]);
+    assert_eq!((output.status, output.out.as_str()), (2, ""));
     assert!(
-        said.err.contains("--set aero.table=mine.csv") && !said.err.contains("aero.law"),
+        output.err.contains("--set aero.table=mine.csv") && !output.err.contains("aero.law"),
         "{}",
-        said.err
+        output.err
     );
 }

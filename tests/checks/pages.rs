@@ -14,11 +14,11 @@ fn page(folder: &tempfile::TempDir, args: &[&str]) -> (i32, String) {
     } else {
         "-o"
     };
-    let said = longdrive(&[args, &[option, &into, "--overwrite"]].concat());
+    let printed = longdrive(&[args, &[option, &into, "--overwrite"]].concat());
     let file = Path::new(&into).join("index.html");
     (
-        said.status,
-        std::fs::read_to_string(&file).unwrap_or_else(|error| panic!("{error}: {}", said.err)),
+        printed.status,
+        std::fs::read_to_string(&file).unwrap_or_else(|error| panic!("{error}: {}", printed.err)),
     )
 }
 
@@ -71,20 +71,20 @@ fn the_answer_is_the_first_thing_on_the_page() {
         [&yours["flight"]["carry"], &best["value"]].map(|value| number(value) / yard);
     // the printed line adds up
     let [yours, best_carry] = [yours, best_carry].map(|value| (10.0 * value).round() / 10.0);
-    let said = words(answer(&page), "us");
+    let printed = words(answer(&page), "us");
     assert!(
-        said.starts_with(&format!(
+        printed.starts_with(&format!(
             "Carry {yours:.1} → {best_carry:.1} yd: +{:.1} yd",
             best_carry - yours
         )),
-        "{said}"
+        "{printed}"
     );
     let gain = number(&best["multipliers"]["swing.attack_angle"]["upper"]).to_radians() / yard;
     assert!(
-        said.contains(&format!(
+        printed.contains(&format!(
             "your limit: each further degree adds {gain:.2} yd"
         )),
-        "{said}"
+        "{printed}"
     );
     assert_eq!(
         answer(&page).matches("±").count(),
@@ -259,15 +259,15 @@ fn the_title_states_the_arguments() {
         head.contains("modern-driver") && head.contains("3 changes"),
         "{head}"
     );
-    let asked = words(part(&page, "What was asked", "</section>"), "us");
-    for said in [
+    let requested = words(part(&page, "What was asked", "</section>"), "us");
+    for printed in [
         "club speed 60 mph",
         "club speed 110 → 60 mph",
         "wind speed 5 mph, wind from 0",
         "4 to 20",
         "modern-driver",
     ] {
-        assert!(asked.contains(said), "no '{said}' in {asked}");
+        assert!(requested.contains(printed), "no '{printed}' in {requested}");
     }
     let (_, page) = report(&["modern-driver", "--set", "swing.speed=60mph"]);
     assert!(
@@ -314,21 +314,21 @@ fn the_page_of_a_launch_is_about_its_launch_and_no_club() {
         title,
         "Drive: ball speed 150 mph, launch angle 11°, backspin 2900 rpm"
     );
-    let asked = words(part(&page, "What was asked", "</section>"), "us");
+    let requested = words(part(&page, "What was asked", "</section>"), "us");
     assert!(
-        asked.contains("those of the preset tour-average") && !asked.contains("as it is"),
-        "{asked}"
+        requested.contains("those of the preset tour-average") && !requested.contains("as it is"),
+        "{requested}"
     );
     let setup = words(part(&page, "All numbers of the setup", "</table>"), "us");
     assert!(
         setup.contains("launch.spinnonenot needed: backspin is given"),
         "{setup}"
     );
-    let said = longdrive(&["plot", "face", "--launch", launch, "-o", "face.svg"]);
+    let printed = longdrive(&["plot", "face", "--launch", launch, "-o", "face.svg"]);
     assert!(
-        said.status != 0 && said.err.contains("no face to draw"),
+        printed.status != 0 && printed.err.contains("no face to draw"),
         "{}",
-        said.err
+        printed.err
     );
 }
 
@@ -341,10 +341,10 @@ fn the_reason_of_no_flight_is_printed_once_and_first() {
         "club.loft=2deg",
     ]);
     assert_eq!(page.matches("which is not above the horizontal").count(), 1);
-    let said = words(answer(&page), "us");
+    let printed = words(answer(&page), "us");
     assert!(
-        said.contains("As set up: no flight: the ball leaves at −14.3°"),
-        "{said}"
+        printed.contains("As set up: no flight: the ball leaves at −14.3°"),
+        "{printed}"
     );
 }
 
@@ -417,7 +417,7 @@ fn the_setup_file_of_a_report_flies_its_best_drive() {
         "--launch",
         "ball_speed=150mph,launch_angle=12deg,backspin=2600rpm",
     ];
-    for asked in [
+    for requested in [
         vec!["mae494"],
         vec![
             "--set",
@@ -432,12 +432,12 @@ fn the_setup_file_of_a_report_flies_its_best_drive() {
         ]
         .concat(),
     ] {
-        let (status, page) = page(&folder, &[&["report"], &asked[..]].concat());
+        let (status, page) = page(&folder, &[&["report"], &requested[..]].concat());
         assert!(
             status == 0 && page.contains("href=\"setup.toml\""),
-            "{asked:?}"
+            "{requested:?}"
         );
-        let (_, best) = json(&[&["optimize"], &asked[..]].concat());
+        let (_, best) = json(&[&["optimize"], &requested[..]].concat());
         let file = folder.path().join("page/setup.toml").display().to_string();
         let (_, drive) = json(&["simulate", &file]);
         // each command chooses its own step; the two carries differ by less than a micrometre
@@ -462,13 +462,13 @@ fn the_setup_file_of_a_report_flies_its_best_drive() {
     );
     assert!(status == 1 && page.contains("the drive as set up"));
     let file = folder.path().join("page/setup.toml").display().to_string();
-    let [(_, drive), (_, asked)] = [
+    let [(_, drive), (_, requested)] = [
         json(&["simulate", &file]),
         json(&["simulate", "--set", "swing.speed=70mph"]),
     ];
     crate::common::close(
         number(&drive["flight"]["carry"]),
-        number(&asked["flight"]["carry"]),
+        number(&requested["flight"]["carry"]),
         100.0,
         1e-7,
         "carry",
@@ -480,7 +480,7 @@ fn the_footer_has_the_command_of_the_page() {
     let folder = tempfile::tempdir().unwrap();
     let made = |date: &str| {
         let mut command = program::command();
-        let asked = [
+        let requested = [
             "report",
             "--set",
             "club.loft=10.5 deg",
@@ -491,7 +491,7 @@ fn the_footer_has_the_command_of_the_page() {
         let output = command
             .current_dir(folder.path())
             .env("SOURCE_DATE_EPOCH", date)
-            .args(asked)
+            .args(requested)
             .output()
             .unwrap();
         (
@@ -501,13 +501,13 @@ fn the_footer_has_the_command_of_the_page() {
     };
     let (_, first) = made("951782400");
     let footer = words(part(&first, "<footer>", "</footer>"), "us");
-    for said in [
+    for printed in [
         "The search: converged",
         "2000-02-29",
         env!("CARGO_PKG_VERSION"),
         "longdrive report --set 'club.loft=10.5 deg' -o page --overwrite",
     ] {
-        assert!(footer.contains(said), "no '{said}' in {footer}");
+        assert!(footer.contains(printed), "no '{printed}' in {footer}");
     }
     assert_eq!(made("951782400").1, first, "to the last letter");
     assert!(
@@ -519,32 +519,35 @@ fn the_footer_has_the_command_of_the_page() {
 #[test]
 fn a_missing_answer_is_reported_first() {
     let (status, page) = report(&["--subject-to", "descent_angle >= 80 deg"]);
-    let said = words(answer(&page), "us");
+    let printed = words(answer(&page), "us");
     assert!(
         status == 1
-            && said.contains("no best drive was found")
-            && said.contains("no optimum: infeasible"),
-        "{said}"
+            && printed.contains("no best drive was found")
+            && printed.contains("no optimum: infeasible"),
+        "{printed}"
     );
-    assert!(said.contains("286.0 yd"), "the drive of the setup: {said}");
+    assert!(
+        printed.contains("286.0 yd"),
+        "the drive of the setup: {printed}"
+    );
     let (status, page) = report(&["--set", "swing.attack_angle=-15deg"]);
-    let said = words(answer(&page), "us");
+    let printed = words(answer(&page), "us");
     assert!(
         status == 1
-            && said.contains("at best; as set up there is no carry")
-            && said.contains("As set up: "),
-        "{said}"
+            && printed.contains("at best; as set up there is no carry")
+            && printed.contains("As set up: "),
+        "{printed}"
     );
     let (status, page) = report(&[
         "--launch",
         "ball_speed=150mph,launch_angle=12deg,backspin=2600rpm",
     ]);
-    let said = words(answer(&page), "us");
+    let printed = words(answer(&page), "us");
     assert!(
         status == 0
-            && said.starts_with("Carry 2")
-            && said.contains("for example --vary launch.launch_angle"),
-        "{said}"
+            && printed.starts_with("Carry 2")
+            && printed.contains("for example --vary launch.launch_angle"),
+        "{printed}"
     );
     let down = [
         "--set",
@@ -553,12 +556,12 @@ fn a_missing_answer_is_reported_first() {
         "swing.attack_angle=-40deg..-30deg",
     ];
     let (status, page) = report(&down);
-    let said = words(answer(&page), "us");
+    let printed = words(answer(&page), "us");
     assert!(
         status == 1
-            && said.contains("the ball does not fly")
-            && said.contains("no optimum: no-flight"),
-        "{said}"
+            && printed.contains("the ball does not fly")
+            && printed.contains("no optimum: no-flight"),
+        "{printed}"
     );
 }
 
@@ -567,21 +570,22 @@ fn all_pages_have_one_frame() {
     let folder = tempfile::tempdir().unwrap();
     let shots = format!("{}/../examples/shots.csv", env!("CARGO_MANIFEST_DIR"));
     let fit = ["--fit", "aero.cd0", "--fit", "aero.cl_max=0.2..1"];
-    for asked in [
+    for requested in [
         vec!["report"],
         vec!["reproduce", "mae494"],
         vec!["reproduce", "winfield-tan"],
         vec!["validate", "--units", "metric"],
         [&["calibrate", &shots, "modern-driver"], &fit[..]].concat(),
     ] {
-        let once = |written: &Written| (written.said.status, written.file("index.html").to_owned());
-        let (status, page) = match asked[..] {
+        let once =
+            |written: &Written| (written.output.status, written.file("index.html").to_owned());
+        let (status, page) = match requested[..] {
             ["reproduce", "mae494"] => once(&REPORT),
             ["reproduce", "winfield-tan"] => once(&PAPER_WRITTEN),
             ["validate", "--units", "metric"] => once(&VALIDATED),
-            _ => page(&folder, &asked),
+            _ => page(&folder, &requested),
         };
-        assert_eq!(status, 0, "{asked:?}");
+        assert_eq!(status, 0, "{requested:?}");
         for once in [
             "<main>",
             "<h1>",
@@ -589,7 +593,7 @@ fn all_pages_have_one_frame() {
             "id=\"units-us\" type=\"radio\"",
             "name=\"viewport\"",
         ] {
-            assert_eq!(page.matches(once).count(), 1, "{asked:?}: {once}");
+            assert_eq!(page.matches(once).count(), 1, "{requested:?}: {once}");
         }
         // a table may be wider than a phone: keys scroll it, and it has a name
         let tables = page.matches("<table").count();
@@ -607,19 +611,19 @@ fn all_pages_have_one_frame() {
         let tables = tables - page.matches("<table class=\"steps\"").count();
         assert!(
             tables > 0 && names.len() == tables && !names.contains(&""),
-            "{asked:?}: {names:?}"
+            "{requested:?}: {names:?}"
         );
         // the picture and the data of every figure
         for end in ["-us.svg\"", ".csv\""] {
             assert_eq!(
                 page.matches(end).count(),
                 page.matches("<figure").count(),
-                "{asked:?}: {end}"
+                "{requested:?}: {end}"
             );
         }
         assert!(
             !page.contains("<th></th>") && !page.contains("NaN"),
-            "{asked:?}"
+            "{requested:?}"
         );
     }
 }
@@ -669,13 +673,13 @@ fn a_page_of_a_calibration_plots_measured_over_computed_values() {
     )
     .unwrap();
     let shots = shots.display().to_string();
-    let asked = ["calibrate", &shots, "modern-driver", "--fit", "aero.cd0"];
-    let (_, page) = page(&folder, &asked);
+    let requested = ["calibrate", &shots, "modern-driver", "--fit", "aero.cd0"];
+    let (_, page) = page(&folder, &requested);
     assert!(
         part(&page, "<h1>", "</h1>") == "Calibration to shots.csv",
         "the file name without its folder"
     );
-    let (_, found) = json(&asked);
+    let (_, found) = json(&requested);
     let csv =
         std::fs::read_to_string(folder.path().join("page/measured-carry-distance.csv")).unwrap();
     let rows = |name: &str| -> Vec<Vec<f64>> {

@@ -148,7 +148,7 @@ fn same_front_of_carry_and_dispersion_by_single_searches() {
         };
         alone(&setup, 0, vec![limit])
     };
-    let mut told = 0;
+    let mut message = 0;
     for point in &points[1..last] {
         let [carry, spread] = point.goals;
         let best = held(spread);
@@ -156,7 +156,7 @@ fn same_front_of_carry_and_dispersion_by_single_searches() {
         let price = best.solution.constraints[0].multiplier;
         // where one bound becomes active as another becomes inactive, there is no single slope
         let Some(slope) = point.slope else { continue };
-        told += 1;
+        message += 1;
         close(slope, price, 1.0, 1e-5, "multiplier");
         let h = 1e-3;
         let [more, less] = [spread + h, spread - h].map(|spread| held(spread).value().unwrap());
@@ -168,7 +168,7 @@ fn same_front_of_carry_and_dispersion_by_single_searches() {
             "difference of optima",
         );
     }
-    assert!(told >= 4, "{told} slopes");
+    assert!(message >= 4, "{message} slopes");
     for pair in points.windows(2) {
         assert!(
             pair[1].goals[0] < pair[0].goals[0] && pair[1].goals[1] < pair[0].goals[1],
@@ -218,14 +218,14 @@ fn a_front_of_two_parts_names_points_that_are_dominated() {
         "{answer:#}"
     );
     let points = answer["points"].as_array().unwrap();
-    let said = points
+    let output = points
         .iter()
         .filter_map(|point| point["event"].as_str())
         .collect::<Vec<_>>()
         .join("; ");
     assert!(
-        said.contains("another branch of designs is better"),
-        "{said}"
+        output.contains("another branch of designs is better"),
+        "{output}"
     );
     for pair in points.windows(2) {
         let is_lower = |k: usize| number(&pair[1]["values"][k]) < number(&pair[0]["values"][k]);
@@ -254,8 +254,8 @@ fn same_front_in_text_json_csv_and_setups() {
         ("knee.toml", &[][..], knee),
         ("second.toml", &["--at", "2"][..], 1),
     ] {
-        let said = longdrive(&[&ask[..], &["-o", &file(name)], more].concat());
-        assert_eq!(said.status, 0, "{}", said.err);
+        let output = longdrive(&[&ask[..], &["-o", &file(name)], more].concat());
+        assert_eq!(output.status, 0, "{}", output.err);
         let drive = Drive::new(
             &Setup::from_toml(&std::fs::read_to_string(file(name)).unwrap(), name).unwrap(),
         )
@@ -273,17 +273,17 @@ fn same_front_in_text_json_csv_and_setups() {
             );
         }
     }
-    let said = longdrive(&[&ask[..], &["-o", &file("none.toml"), "--at", "99"]].concat());
+    let output = longdrive(&[&ask[..], &["-o", &file("none.toml"), "--at", "99"]].concat());
     let words = format!(
         "there is no point 99; choose one with --at, from 1 to {}",
         points.len()
     );
-    let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(said.status == 1 && told.contains(&words), "{told}");
+    let message = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(output.status == 1 && message.contains(&words), "{message}");
     let (status, answer) = json(&[&ask[..], &["-o", &file("none.toml"), "--at", "99"]].concat());
     assert_eq!((status, &answer["status"]), (1, &"partial".into()));
-    let said = longdrive(&[&ask[..], &["-o", &file("front.csv")]].concat());
-    assert_eq!(said.status, 0, "{}", said.err);
+    let output = longdrive(&[&ask[..], &["-o", &file("front.csv")]].concat());
+    assert_eq!(output.status, 0, "{}", output.err);
     let table = std::fs::read_to_string(file("front.csv")).unwrap();
     let head = "carry [m],apex_height [m],club.loft [rad],swing.attack_angle \
                 [rad],slope,role,active,event\n";
@@ -301,7 +301,7 @@ fn same_front_in_text_json_csv_and_setups() {
         .collect();
     assert_eq!(first[0], number(&points[0]["values"][0]));
     assert_eq!(first[4], number(&points[0]["slope"]));
-    for said in [
+    for output in [
         "knee",
         "largest carry",
         "smallest apex_height",
@@ -309,7 +309,7 @@ fn same_front_in_text_json_csv_and_setups() {
         "[yd per yd]",
     ] {
         let text = longdrive(&ask).out;
-        assert!(text.contains(said), "{said}: {text}");
+        assert!(text.contains(output), "{output}: {text}");
     }
     let picture = file("front.svg");
     assert_eq!(
@@ -317,8 +317,8 @@ fn same_front_in_text_json_csv_and_setups() {
         0
     );
     let svg = std::fs::read_to_string(&picture).unwrap();
-    for said in ["knee", "as set up", "largest carry", "slope at the knee"] {
-        assert!(svg.contains(said), "{said}");
+    for output in ["knee", "as set up", "largest carry", "slope at the knee"] {
+        assert!(svg.contains(output), "{output}");
     }
 }
 
@@ -326,7 +326,7 @@ fn same_front_in_text_json_csv_and_setups() {
 fn a_design_that_is_best_for_both_goals_is_written_without_a_choice() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("best.toml").display().to_string();
-    let said = longdrive(&[
+    let output = longdrive(&[
         "pareto",
         "mae494",
         "--maximize=ball_speed",
@@ -335,11 +335,11 @@ fn a_design_that_is_best_for_both_goals_is_written_without_a_choice() {
         "-o",
         &file,
     ]);
-    assert_eq!(said.status, 0, "{}", said.err);
+    assert_eq!(output.status, 0, "{}", output.err);
     assert!(
-        said.out.contains("one design is best for both"),
+        output.out.contains("one design is best for both"),
         "{}",
-        said.out
+        output.out
     );
     let best = Setup::from_toml(&std::fs::read_to_string(&file).unwrap(), &file).unwrap();
     assert_eq!(best.swing.path, 0.0);
@@ -349,19 +349,19 @@ fn a_design_that_is_best_for_both_goals_is_written_without_a_choice() {
 fn the_front_in_pareto_md_is_the_programs() {
     let text =
         std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/pareto.md")).unwrap();
-    let asked = text
+    let requested = text
         .split("```sh\nlongdrive ")
         .nth(2)
         .unwrap()
         .lines()
         .next()
         .unwrap();
-    let said = longdrive(&asked.split(' ').collect::<Vec<_>>());
-    assert_eq!(said.status, 0, "{}", said.err);
+    let output = longdrive(&requested.split(' ').collect::<Vec<_>>());
+    assert_eq!(output.status, 0, "{}", output.err);
     assert!(
-        text.contains(&format!("```text\n{}```", said.out)),
+        text.contains(&format!("```text\n{}```", output.out)),
         "docs/pareto.md should have:\n{}",
-        said.out
+        output.out
     );
 }
 
@@ -415,12 +415,12 @@ fn bad_goals_of_a_front_say_what_is_wrong() {
             "the number of a point in the table, from 1",
         ),
     ];
-    for (args, said) in cases {
+    for (args, output) in cases {
         let failed = longdrive(&[&["pareto"], &args[..]].concat());
-        let told = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let message = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
-            failed.status == 2 && told.contains(said),
-            "{args:?}: {told}"
+            failed.status == 2 && message.contains(output),
+            "{args:?}: {message}"
         );
     }
     // `optimize` names the limits that cannot be met, and by how much
@@ -431,20 +431,20 @@ fn bad_goals_of_a_front_say_what_is_wrong() {
         "carry >= 400 yd",
     ];
     let failed = longdrive(&[&["pareto"][..], &both, &limits].concat());
-    let told = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert_eq!(failed.status, 1, "{told}");
+    let message = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(failed.status, 1, "{message}");
     for (expression, limit) in [
         ("descent_angle >= 80 deg", 80.0),
         ("carry >= 400 yd", 400.0),
     ] {
         // the value, and its distance from the range
-        let said = told
+        let output = message
             .split(&format!("{expression} (it is "))
             .nth(1)
-            .unwrap_or_else(|| panic!("{told}"));
+            .unwrap_or_else(|| panic!("{message}"));
         let [found, outside] = ["", "outside by "].map(|before| {
-            let at = said.find(before).unwrap_or_else(|| panic!("{said}")) + before.len();
-            said[at..]
+            let at = output.find(before).unwrap_or_else(|| panic!("{output}")) + before.len();
+            output[at..]
                 .split(' ')
                 .next()
                 .unwrap()

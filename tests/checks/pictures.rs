@@ -139,8 +139,8 @@ fn words(svg: &str) -> Vec<Words> {
 fn drawn(kind: &[&str], file: &str, width: u32) -> String {
     let width = width.to_string();
     let options = ["-o", file, "--overwrite", "--quiet", "--width", &width];
-    let said = longdrive(&[&["plot"], kind, options.as_slice()].concat());
-    assert_eq!(said.status, 0, "{kind:?} {width}: {}", said.err);
+    let output = longdrive(&[&["plot"], kind, options.as_slice()].concat());
+    assert_eq!(output.status, 0, "{kind:?} {width}: {}", output.err);
     std::fs::read_to_string(file).unwrap()
 }
 
@@ -399,11 +399,13 @@ fn controlled_and_model_parameters_have_separate_pictures() {
             "club speed",
         ),
     ] {
-        let said = longdrive(&["plot", "tornado", "-o", &csv, "--overwrite", "--show", show]);
+        let output = longdrive(&["plot", "tornado", "-o", &csv, "--overwrite", "--show", show]);
         assert!(
-            said.status == 0 && said.err.contains("as set up") && !said.err.contains("linear"),
+            output.status == 0
+                && output.err.contains("as set up")
+                && !output.err.contains("linear"),
             "{}",
-            said.err
+            output.err
         );
         let found = bars(&std::fs::read_to_string(&csv).unwrap());
         assert!(
@@ -578,8 +580,8 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
         "--subject-to",
         "lateral <= 40 yd",
     ];
-    let said = longdrive(&[args.as_slice(), &vary, &speed].concat());
-    assert_eq!(said.status, 0, "{}", said.err);
+    let output = longdrive(&[args.as_slice(), &vary, &speed].concat());
+    assert_eq!(output.status, 0, "{}", output.err);
     let mut read = vec![];
     for entry in std::fs::read_dir(&directory).unwrap() {
         let file = entry.unwrap().path();
@@ -643,11 +645,11 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
         assert!(page.contains(words), "no '{words}'");
     }
     // a terminal has the same text, with hyphens that can be copied; a file has the typed text
-    let said = longdrive(&["simulate", "--set", "swing.path=-2deg"]);
+    let output = longdrive(&["simulate", "--set", "swing.path=-2deg"]);
     assert!(
-        said.out.contains('°') && !said.out.contains(" deg") && !said.out.contains('−'),
+        output.out.contains('°') && !output.out.contains(" deg") && !output.out.contains('−'),
         "{}",
-        said.out
+        output.out
     );
     let json = longdrive(&[
         "optimize",
@@ -696,9 +698,9 @@ fn rounding_is_shown_as_no_value() {
             "all",
         ],
     ] {
-        let said = longdrive(&args);
-        assert_eq!(said.status, 0, "{args:?}: {}", said.err);
-        let all = said.out + &said.err;
+        let output = longdrive(&args);
+        assert_eq!(output.status, 0, "{args:?}: {}", output.err);
+        let all = output.out + &output.err;
         for power in 12..20 {
             assert!(!all.contains(&format!("e-{power}")), "{args:?}: {all}");
         }

@@ -212,13 +212,13 @@ fn points_and_blocks_of_wrong_lengths_panic_with_both_lengths() {
     let [loft, speed] = loft_and_speed(&setup);
     let batch = Batch::new(&setup, &[loft, speed], &[Outcome::Carry], &[loft]).unwrap();
     for points in [vec![0.2], vec![0.2, 45.0, 0.1]] {
-        let said = panic_of(|| batch.evaluate(0, points.clone()));
+        let output = panic_of(|| batch.evaluate(0, points.clone()));
         assert!(
-            said.contains(&format!(
+            output.contains(&format!(
                 "a multiple of 2 values; there are {}",
                 points.len()
             )),
-            "{said}"
+            "{output}"
         );
     }
     let block = batch.evaluate(0, vec![0.2, 45.0]);
@@ -238,10 +238,11 @@ fn points_and_blocks_of_wrong_lengths_panic_with_both_lengths() {
         },
     ];
     for write in written {
-        let said = panic_of(write);
+        let output = panic_of(write);
         assert!(
-            said.contains("the table is of [1, 1, 0]") && said.contains("the block of [2, 1, 1]"),
-            "{said}"
+            output.contains("the table is of [1, 1, 0]")
+                && output.contains("the block of [2, 1, 1]"),
+            "{output}"
         );
     }
     assert!(

@@ -6,10 +6,10 @@ use crate::common::close;
 use serde_json::Value;
 
 /// The words of an answer, with single spaces.
-fn told(args: &[&str]) -> String {
-    let said = longdrive(args);
-    assert_eq!(said.status, 0, "{args:?}: {} {}", said.out, said.err);
-    said.out.split_whitespace().collect::<Vec<_>>().join(" ")
+fn text_of(args: &[&str]) -> String {
+    let output = longdrive(args);
+    assert_eq!(output.status, 0, "{args:?}: {} {}", output.out, output.err);
+    output.out.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// The number between these words.
@@ -37,7 +37,7 @@ fn over_swings(limit: &str) -> Vec<&str> {
 
 #[test]
 fn differences_of_optima_are_the_price_of_a_limit_over_swings() {
-    let text = told(&over_swings("std(carry) <= 4.5yd"));
+    let text = text_of(&over_swings("std(carry) <= 4.5yd"));
     let price = between(
         &text,
         "std(carry) <= 4.5yd active: +",
@@ -67,7 +67,7 @@ fn differences_of_optima_are_the_price_of_a_limit_over_swings() {
 
 #[test]
 fn a_design_that_violates_a_relation_is_marked() {
-    let text = told(&over_swings("loft: club.loft >= 10 deg"));
+    let text = text_of(&over_swings("loft: club.loft >= 10 deg"));
     assert!(
         text.contains("8.8° (broken)") || text.contains("8.80° (broken)"),
         "{text}"
@@ -76,7 +76,7 @@ fn a_design_that_violates_a_relation_is_marked() {
         text.contains("the design as set up violates a limit"),
         "{text}"
     );
-    let kept = told(&over_swings("loft: club.loft >= 4.5 deg"));
+    let kept = text_of(&over_swings("loft: club.loft >= 4.5 deg"));
     assert!(
         !kept.contains("break") && !kept.contains("(broken)") && kept.contains("not active"),
         "{kept}"
@@ -104,7 +104,7 @@ fn differences_of_optima_are_the_price_of_the_active_side() {
         ),
     ] {
         let price = between(
-            &told(&["optimize", "-q", "--subject-to", limit]),
+            &text_of(&["optimize", "-q", "--subject-to", limit]),
             words[0],
             words[1],
         );
@@ -157,7 +157,7 @@ fn differences_of_the_greatest_loss_are_the_prices_of_the_active_limits_of_a_rob
         2e-2,
         "fall of the greatest loss for a metre of apex",
     );
-    let text = told(&as_text(&[args, vec!["-q".into()]].concat()));
+    let text = text_of(&as_text(&[args, vec!["-q".into()]].concat()));
     assert!(
         text.contains("apex_height <= 30 yd 1 ") && text.contains("that the limit is relaxed"),
         "{text}"
@@ -200,20 +200,24 @@ fn a_search_without_an_optimum_does_not_call_its_end_one() {
             "last point",
         ),
     ] {
-        for asked in [&["optimize", "-q"][..], &SWINGS[..]] {
-            let more: Vec<&str> = match asked.len() {
+        for requested in [&["optimize", "-q"][..], &SWINGS[..]] {
+            let more: Vec<&str> = match requested.len() {
                 4 if more[0] == "--subject-to" => {
                     vec!["--subject-to", "mean(apex_height) >= 300 yd"]
                 }
                 _ => more.to_vec(),
             };
-            let said = longdrive(&[asked, &more[..]].concat());
-            assert_eq!(said.status, 1, "{}", said.out);
+            let output = longdrive(&[requested, &more[..]].concat());
+            assert_eq!(output.status, 1, "{}", output.out);
             // the setup comes first, with advice if its loft is varied
-            let blocks = said.out.split("\n\n").next().unwrap();
-            assert!(blocks.contains(&format!("\n{status}: ")), "{}", said.out);
-            assert!(said.out.starts_with("from tour-average\n"), "{}", said.out);
-            let line = said
+            let blocks = output.out.split("\n\n").next().unwrap();
+            assert!(blocks.contains(&format!("\n{status}: ")), "{}", output.out);
+            assert!(
+                output.out.starts_with("from tour-average\n"),
+                "{}",
+                output.out
+            );
+            let line = output
                 .out
                 .lines()
                 .find(|line| line.trim_start().starts_with("vary "))
@@ -236,9 +240,9 @@ fn the_nearest_point_names_a_bound_that_it_has_reached() {
     let vary = |range: &str| format!("club.loft={range}");
     let row = |range: &str| {
         let limit = ["--subject-to", "spin <= 1000rpm", "--vary", &vary(range)];
-        let said = longdrive(&[&["optimize", "-q", "--attack=-2deg"], &limit[..]].concat());
-        assert!(said.out.contains("\ninfeasible: "), "{}", said.out);
-        let row = said
+        let output = longdrive(&[&["optimize", "-q", "--attack=-2deg"], &limit[..]].concat());
+        assert!(output.out.contains("\ninfeasible: "), "{}", output.out);
+        let row = output
             .out
             .lines()
             .find(|line| line.starts_with("  club.loft "));
@@ -259,6 +263,6 @@ fn a_range_of_several_values_does_not_print_as_one() {
         "--vary",
         "swing.attack_angle=-5deg..5deg",
     ];
-    let text = told(&narrow);
+    let text = text_of(&narrow);
     assert!(text.contains("10° .. 10.0000001°"), "{text}");
 }

@@ -161,13 +161,13 @@ fn documents_count_the_problems_that_are_solved() {
     let document = |name: &str| {
         std::fs::read_to_string(format!("{}/../{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
     };
-    let said = format!(
+    let output = format!(
         "Of {tried} published problems of nonlinear programming the optimizer solves {solved} to a \
          KKT residual of 1e-8"
     );
     assert!(
-        document("README.md").contains(&said),
-        "README.md should have: {said}"
+        document("README.md").contains(&output),
+        "README.md should have: {output}"
     );
     let page = document("docs/optimizer.md");
     let table = document("tests/problems/README.md");

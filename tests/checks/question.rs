@@ -30,10 +30,10 @@ fn a_stated_attack_angle_is_held_and_the_answer_says_so() {
     let attack = number(&found["setup"]["swing.attack_angle"]);
     assert!((attack.to_degrees() + 2.0).abs() < 1e-12, "{attack}");
 
-    let said = longdrive(&[&["optimize"], &GOLFER[..]].concat());
-    assert_eq!(said.status, 0);
+    let output = longdrive(&[&["optimize"], &GOLFER[..]].concat());
+    assert_eq!(output.status, 0);
     let head = format!("from {title}\nheld, as stated: swing.attack_angle -2°\n");
-    assert!(said.out.starts_with(&head), "{}", said.out);
+    assert!(output.out.starts_with(&head), "{}", output.out);
 }
 
 /// With a held attack angle, the best loft equals the best loft of a search over the loft only.
@@ -68,9 +68,9 @@ fn a_stated_value_is_held_in_every_search() {
     let (_, front) = json(&pareto);
     assert_eq!(names(&front["points"][0]["design"]), ["club.loft"]);
     assert_eq!(front["held"], is_held);
-    let said = longdrive(&pareto).out;
+    let output = longdrive(&pareto).out;
     let line = "\nheld, as stated: swing.attack_angle -2°\n";
-    assert!(said.contains(line), "{said}");
+    assert!(output.contains(line), "{output}");
     let robust = ["robust", "--model", "impact.friction=0.3"];
     let (_, robust) = json(&[&robust, &attack[..]].concat());
     assert_eq!(names(&robust["optimum"]), ["club.loft"]);
@@ -126,8 +126,8 @@ fn a_report_of_a_stated_drive_leaves_the_optimum_out() {
     let folder = tempfile::tempdir().unwrap();
     let page = folder.path().join("page").display().to_string();
     let loft = ["--set", "club.loft=10deg"];
-    let said = longdrive(&[&["report", "-o", &page], &GOLFER[..], &loft].concat());
-    assert_eq!(said.status, 0, "{}", said.err);
+    let output = longdrive(&[&["report", "-o", &page], &GOLFER[..], &loft].concat());
+    assert_eq!(output.status, 0, "{}", output.err);
     let html = std::fs::read_to_string(folder.path().join("page/index.html")).unwrap();
     assert!(html.contains("its map and its chart are left out"));
 }
@@ -135,21 +135,21 @@ fn a_report_of_a_stated_drive_leaves_the_optimum_out() {
 #[test]
 fn nothing_left_to_vary_is_refused_with_what_to_write() {
     let loft = ["--set", "club.loft=10deg"];
-    let said = longdrive(&[&["optimize"], &GOLFER[..], &loft].concat());
-    assert_eq!(said.status, 2);
+    let output = longdrive(&[&["optimize"], &GOLFER[..], &loft].concat());
+    assert_eq!(output.status, 2);
     let message = "nothing is left to vary: club.loft and swing.attack_angle are stated";
     assert!(
-        said.err.replace("\n  ", " ").contains(message),
+        output.err.replace("\n  ", " ").contains(message),
         "{}",
-        said.err
+        output.err
     );
     let goals = ["pareto", "--maximize", "carry", "--minimize", "apex_height"];
-    let said = longdrive(&[&goals[..], &GOLFER, &loft].concat());
-    assert_eq!(said.status, 2);
+    let output = longdrive(&[&goals[..], &GOLFER, &loft].concat());
+    assert_eq!(output.status, 2);
     assert!(
-        said.err.contains("--vary club.loft=4deg..20deg"),
+        output.err.contains("--vary club.loft=4deg..20deg"),
         "{}",
-        said.err
+        output.err
     );
 }
 
@@ -187,13 +187,13 @@ fn a_number_without_a_unit_in_a_file_is_refused_with_its_place() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("mine.toml");
     std::fs::write(&file, "preset = \"tour-average\"\n[swing]\nspeed = 95\n").unwrap();
-    let said = longdrive(&["simulate", "-q", file.to_str().unwrap()]);
-    assert_eq!(said.status, 2);
+    let output = longdrive(&["simulate", "-q", file.to_str().unwrap()]);
+    assert_eq!(output.status, 2);
     let place = "mine.toml:3:9: swing.speed: \"95\" has no unit; a speed takes mph";
     assert!(
-        said.err.replace("\n  ", " ").contains(place),
+        output.err.replace("\n  ", " ").contains(place),
         "{}",
-        said.err
+        output.err
     );
 }
 
@@ -202,14 +202,14 @@ fn a_number_without_a_unit_in_a_file_is_refused_with_its_place() {
 fn carry_and_total_stand_side_by_side_with_the_drive_as_set_up() {
     let (_, before) = json(&["simulate"]);
     let (_, after) = json(&["optimize"]);
-    let said = longdrive(&["optimize", "-q"]).out;
+    let output = longdrive(&["optimize", "-q"]).out;
     for of in ["carry", "total"] {
         let [before, after] = [&before, &after].map(|drive| number(&drive["flight"][of]) / 0.9144);
         let text = format!(
             "{of} {before:.1} yd → {after:.1} yd: {:+.1} yd",
             after - before
         );
-        assert!(said.contains(&text), "no '{text}' in {said}");
+        assert!(output.contains(&text), "no '{text}' in {output}");
     }
 }
 
@@ -251,9 +251,13 @@ fn two_answers_to_one_question_are_refused_with_what_to_write() {
             "pareto",
         ),
     ] {
-        let said = longdrive(&words);
-        assert_eq!(said.status, 2, "{words:?}");
-        assert!(said.err.replace("\n  ", " ").contains(says), "{}", said.err);
+        let output = longdrive(&words);
+        assert_eq!(output.status, 2, "{words:?}");
+        assert!(
+            output.err.replace("\n  ", " ").contains(says),
+            "{}",
+            output.err
+        );
     }
 }
 
@@ -268,6 +272,6 @@ fn units_are_read_as_people_write_them() {
     assert!((of("ground.height=-3Yards", "ground.height") + 2.7432).abs() < 1e-12);
     assert!((of("air.temperature=50F", "air.temperature") - 283.15).abs() < 1e-9);
     assert!((of("air.temperature=10 C", "air.temperature") - 283.15).abs() < 1e-9);
-    let said = longdrive(&["simulate", "--set", "ground.height=3Mm"]);
-    assert_eq!(said.status, 2);
+    let output = longdrive(&["simulate", "--set", "ground.height=3Mm"]);
+    assert_eq!(output.status, 2);
 }

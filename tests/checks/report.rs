@@ -379,7 +379,7 @@ fn impossible_plots_are_refused() {
 fn limits_on_a_map_are_where_the_outcome_reaches_them() {
     let folder = tempfile::tempdir().unwrap();
     let file = path(&folder, "x.csv");
-    let said = longdrive(&[
+    let output = longdrive(&[
         "plot",
         "contour",
         "-o",
@@ -387,7 +387,7 @@ fn limits_on_a_map_are_where_the_outcome_reaches_them() {
         "--subject-to",
         "descent_angle >= 38 deg",
     ]);
-    assert_eq!(said.status, 0, "{}", said.err);
+    assert_eq!(output.status, 0, "{}", output.err);
     let csv = std::fs::read_to_string(&file).unwrap();
     let line: Vec<&str> = csv
         .lines()
@@ -559,7 +559,7 @@ fn the_ending_of_the_file_chooses_the_format_of_a_plot() {
         ("vcurve", vec!["--wrt", "swing.speed"]),
     ] {
         for file in [&svg, &csv] {
-            let said = longdrive(
+            let output = longdrive(
                 &[
                     &["plot", kind, "-o", file, "--overwrite", "--units", "metric"],
                     extra.as_slice(),
@@ -567,9 +567,9 @@ fn the_ending_of_the_file_chooses_the_format_of_a_plot() {
                 .concat(),
             );
             assert!(
-                said.status == 0 && said.out.is_empty() && said.err.contains(file.as_str()),
+                output.status == 0 && output.out.is_empty() && output.err.contains(file.as_str()),
                 "{kind}: {}",
-                said.err
+                output.err
             );
         }
         let text = std::fs::read_to_string(&svg).unwrap();
@@ -742,15 +742,15 @@ fn a_report_without_an_optimum_gives_the_reason_and_status_one() {
     let folder = tempfile::tempdir().unwrap();
     let directory = folder.path().join("new").display().to_string();
     let limits = ["--subject-to", "descent_angle >= 80 deg"];
-    let said = longdrive(&[&["report", "-o", &directory], limits.as_slice()].concat());
-    assert_eq!(said.status, 1, "{}", said.err);
+    let output = longdrive(&[&["report", "-o", &directory], limits.as_slice()].concat());
+    assert_eq!(output.status, 1, "{}", output.err);
     let page = std::fs::read_to_string(Path::new(&directory).join("index.html")).unwrap();
     assert!(
         page.contains("no optimum: infeasible") && page.contains("The map"),
         "{}",
-        said.err
+        output.err
     );
-    let said = longdrive(&[
+    let output = longdrive(&[
         "report",
         "-o",
         &directory,
@@ -761,9 +761,9 @@ fn a_report_without_an_optimum_gives_the_reason_and_status_one() {
         "swing.attack_angle=-40deg..-30deg",
     ]);
     assert!(
-        said.status == 1 && said.err.contains("no flight"),
+        output.status == 1 && output.err.contains("no flight"),
         "{}",
-        said.err
+        output.err
     );
 }
 
@@ -859,13 +859,13 @@ fn bad_plots_and_folders_get_messages_that_help() {
         ),
         (vec!["report"], 2, vec!["--output"]),
     ] {
-        let said = longdrive(&args);
-        assert_eq!(said.status, status, "{args:?}: {}", said.err);
+        let output = longdrive(&args);
+        assert_eq!(output.status, status, "{args:?}: {}", output.err);
         for words in says {
             assert!(
-                said.err.contains(words),
+                output.err.contains(words),
                 "{args:?}: no '{words}' in {}",
-                said.err
+                output.err
             );
         }
         assert!(

@@ -353,8 +353,8 @@ fn published_and_computed_numbers_in_json_and_text() {
     );
     assert_eq!(rows(&found["noise"]["slopes"]), 15);
 
-    let said = &REPORT.said;
-    assert_eq!(said.status, 0);
+    let output = &REPORT.output;
+    assert_eq!(output.status, 0);
     for words in [
         "14.6829°",
         "4.4166°",
@@ -365,13 +365,13 @@ fn published_and_computed_numbers_in_json_and_text() {
         "-65.4 m/rad",
         "+336.8 m/rad",
     ] {
-        assert!(said.out.contains(words), "{words}: {}", said.out);
+        assert!(output.out.contains(words), "{words}: {}", output.out);
     }
 }
 
 #[test]
 fn a_folder_gets_the_report_with_its_figures_and_their_data() {
-    assert_eq!(REPORT.said.status, 0, "{}", REPORT.said.err);
+    assert_eq!(REPORT.output.status, 0, "{}", REPORT.output.err);
     let read = |name: &str| REPORT.file(name);
     let (markdown, page) = (read("report.md"), read("index.html"));
     for name in ["table-1", "teeth", "slopes", "ends"] {

@@ -139,13 +139,13 @@ fn the_answer_judges_whether_one_design_suits_all_models() {
     let written = Setup::from_toml(&std::fs::read_to_string(&file).unwrap(), "best.toml").unwrap();
     assert_eq!(written.club.loft, number(&answer["optimum"]["club.loft"]));
     let text = longdrive(&[&ask[..], &models, &["--within", "0 yd"]].concat()).out;
-    for said in [
+    for output in [
         "no design is within",
         "best for 2",
         "aero.law=ferguson",
         "losses of carry",
     ] {
-        assert!(text.contains(said), "{said}: {text}");
+        assert!(text.contains(output), "{output}: {text}");
     }
     let swings = [
         "--distribution=swing.face_angle=normal(0deg,2deg)",
@@ -198,12 +198,12 @@ fn bad_models_are_refused_with_the_reason() {
         ),
         (&["--within", "-1 yd"], "0 or more"),
     ];
-    for (args, said) in cases {
+    for (args, output) in cases {
         let failed = longdrive(&[&["robust"], args].concat());
-        let told = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let sentence = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
-            failed.status == 2 && told.contains(said),
-            "{args:?}: {told}"
+            failed.status == 2 && sentence.contains(output),
+            "{args:?}: {sentence}"
         );
     }
     let mut setup = Setup::default();
@@ -299,9 +299,10 @@ fn a_stopped_search_reports_its_progress() {
         found.searches
     );
     assert_eq!(found.interrupted().unwrap(), says);
-    let told = RobustReport::new(&found, Some(0.9144)).ending();
+    let sentence = RobustReport::new(&found, Some(0.9144)).ending();
     assert!(
-        told.message
+        sentence
+            .message
             .unwrap()
             .to_string()
             .starts_with(&format!("{says}; so far "))
@@ -319,7 +320,7 @@ fn a_stopped_search_reports_its_progress() {
 /// best design of each model moves, too.
 #[test]
 fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
-    let asked = |attack: f64, limit: &str| {
+    let requested = |attack: f64, limit: &str| {
         let vary = format!("--vary=swing.attack_angle=-5deg..{attack}deg");
         let models = ["--model=ball.mass=44 g", "--model=swing.speed=108 mph"];
         let args = [
@@ -334,9 +335,9 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
         assert_eq!(status, 0, "{found}");
         found
     };
-    let greatest = |attack: f64, limit: &str| number(&asked(attack, limit)["greatest_loss"]);
+    let greatest = |attack: f64, limit: &str| number(&requested(attack, limit)["greatest_loss"]);
     let (limit, by) = ("apex_height <= 33 m", 0.02);
-    let price = number(&asked(3.0, limit)["multipliers"]["swing.attack_angle"]["upper"]);
+    let price = number(&requested(3.0, limit)["multipliers"]["swing.attack_angle"]["upper"]);
     let falls = (greatest(3.0 - by, limit) - greatest(3.0 + by, limit)) / (2.0 * by).to_radians();
     close(price, falls, falls.abs(), 1e-5, "bound");
     // each model's own best design gains more from a wider bound: the largest loss increases
@@ -352,7 +353,7 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
                 at.parse::<f64>().unwrap() + relaxed * by
             )
         };
-        let found = asked(3.0, &moved(0.0));
+        let found = requested(3.0, &moved(0.0));
         let of_models = found["models"].as_array().unwrap().iter();
         let price: f64 = of_models
             .map(|model| number(&model["constraints"][0]["multiplier"]))
@@ -373,7 +374,7 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
                 "--vary=club.loft=4deg..20deg",
                 "--vary=swing.attack_angle=-5deg..3deg",
             ];
-            let said = longdrive(
+            let output = longdrive(
                 &[
                     &args[..],
                     &[
@@ -386,11 +387,11 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
                 ]
                 .concat(),
             );
-            let told = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+            let sentence = output.out.split_whitespace().collect::<Vec<_>>().join(" ");
             assert!(
-                told.contains("not active; +0.67 yd for each degree that the limit is relaxed"),
+                sentence.contains("not active; +0.67 yd for each degree that the limit is relaxed"),
                 "{}",
-                said.out
+                output.out
             );
         }
         let size = if unit == "deg" { by.to_radians() } else { by };

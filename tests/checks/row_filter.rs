@@ -36,11 +36,11 @@ fn several_clubs_are_a_warning_with_their_counts() {
     for words in [&calibrate[..], &delivery] {
         let (_, found) = json(words);
         assert!(warnings(&found).contains(counts), "{}", warnings(&found));
-        let said = longdrive(&[words, &["-q"]].concat());
+        let output = longdrive(&[words, &["-q"]].concat());
         assert!(
-            on_one_line(&said.err).contains("--only Club=Driver"),
+            on_one_line(&output.err).contains("--only Club=Driver"),
             "{}",
-            said.err
+            output.err
         );
         let (_, found) = json(&[words, &["--only", "club=driver"]].concat());
         assert!(!warnings(&found).contains("clubs"), "{}", warnings(&found));
@@ -145,9 +145,9 @@ fn a_column_or_a_value_that_is_not_there_is_refused_with_those_that_are() {
                 "--only Driver: write COLUMN=VALUE, for example Club=Driver",
             ),
         ] {
-            let said = longdrive(&[command, &["--only", only]].concat());
-            assert_eq!(said.status, 2, "{command:?} {only}");
-            assert!(on_one_line(&said.err).contains(says), "{}", said.err);
+            let output = longdrive(&[command, &["--only", only]].concat());
+            assert_eq!(output.status, 2, "{command:?} {only}");
+            assert!(on_one_line(&output.err).contains(says), "{}", output.err);
         }
     }
 }
@@ -178,9 +178,9 @@ fn a_stated_club_value_of_a_delivery_has_the_uncertainty_of_an_instrument() {
         assert!((before(&found, "swing.speed") - 1.5 * mph).abs() < 1e-12);
         assert!((before(&found, "swing.attack_angle").to_degrees() - 1.0).abs() < 1e-12);
         assert!((before(&found, "swing.path").to_degrees() - 4.0).abs() < 1e-12);
-        let said = longdrive(&[&launch[..], &stated, &["-q"]].concat()).out;
+        let output = longdrive(&[&launch[..], &stated, &["-q"]].concat()).out;
         let says = "assumed errors of the given club values: swing.speed ± 1.50 mph; use --sigma to state other errors";
-        assert!(on_one_line(&said).contains(says), "{said}");
+        assert!(on_one_line(&output).contains(says), "{output}");
     }
     let own = ["--speed", "103mph", "--sigma", "swing.speed=3mph"];
     let (_, found) = json(&[&launch[..], &own].concat());

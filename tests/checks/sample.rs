@@ -187,7 +187,7 @@ fn sampled_points_are_rarely_better_than_optima() {
 /// ends where none is met.
 #[test]
 fn a_small_feasible_region_is_found() {
-    let asked = [
+    let requested = [
         "optimize",
         "modern-driver",
         "--set",
@@ -205,8 +205,8 @@ fn a_small_feasible_region_is_found() {
         "--subject-to",
         "apex_height <= 14.362690438633521 m",
     ];
-    let asked = [&asked[..], &SET_RIGID].concat();
-    let (status, found) = json(&asked);
+    let requested = [&requested[..], &SET_RIGID].concat();
+    let (status, found) = json(&requested);
     assert_eq!(
         (status, found["status"].as_str()),
         (0, Some("converged")),
@@ -217,32 +217,33 @@ fn a_small_feasible_region_is_found() {
     assert!(number(&found["value"]) > 181.36, "{}", found["value"]);
     assert_eq!(found["sample"]["improved"], true);
     assert_eq!(found["optima"].as_array().unwrap().len(), 2);
-    let said = longdrive(&asked);
+    let output = longdrive(&requested);
     assert!(
-        said.out
+        output
+            .out
             .contains("found from a point of a sample of the ranges"),
         "{}",
-        said.out
+        output.out
     );
 }
 
 /// `infeasible` gives the number of tried points and claims no more.
 #[test]
 fn infeasible_reports_the_number_of_points() {
-    let asked = [
+    let requested = [
         "optimize",
         "--subject-to",
         "apex_height <= 30 m",
         "--subject-to",
         "apex_height >= 31 m",
     ];
-    let (status, found) = json(&asked);
+    let (status, found) = json(&requested);
     assert_eq!((status, found["status"].as_str()), (1, Some("infeasible")));
     let message = found["message"].as_str().unwrap();
     let points = &found["sample"]["points"];
-    let told = format!(
+    let text = format!(
         "no point was found that meets the constraints (the search and {points} other points"
     );
-    assert!(message.starts_with(&told), "{message}");
+    assert!(message.starts_with(&text), "{message}");
     assert_eq!(found["sample"]["feasible"], 0);
 }

@@ -72,9 +72,9 @@ fn a_short_name_is_refused_without_a_unit_and_beside_a_setting() {
             "--loft: the drive is given by its launch",
         ),
     ] {
-        let said = longdrive(&[&["simulate"], words.as_slice()].concat());
-        assert_eq!(said.status, 2, "{words:?}");
-        assert!(on_one_line(&said.err).contains(says), "{}", said.err);
+        let output = longdrive(&[&["simulate"], words.as_slice()].concat());
+        assert_eq!(output.status, 2, "{words:?}");
+        assert!(on_one_line(&output.err).contains(says), "{}", output.err);
     }
 }
 
@@ -130,13 +130,13 @@ fn a_word_of_no_parameter_is_refused_with_the_nearest() {
         ("lofft", "loft"),
         ("modern-drver", "modern-driver"),
     ] {
-        let said = longdrive(&["parameters", word]);
-        assert_eq!(said.status, 2);
+        let output = longdrive(&["parameters", word]);
+        assert_eq!(output.status, 2);
         let says = format!("'{word}'");
         assert!(
-            said.err.contains(&says) && said.err.contains(&format!("'{near}'")),
+            output.err.contains(&says) && output.err.contains(&format!("'{near}'")),
             "{}",
-            said.err
+            output.err
         );
     }
 }

@@ -113,10 +113,12 @@ fn same_launches_with_units_in_cells() {
     });
     same_within("foresight-units-in-cells-cp1252.csv", &launches, 2e-4);
     let (shots, ..) = case("foresight-units-in-cells-cp1252.csv");
-    let told: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
+    let message: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
     assert!(
-        told.iter().any(|told| told.contains("Windows-1252")),
-        "{told:?}"
+        message
+            .iter()
+            .any(|message| message.contains("Windows-1252")),
+        "{message:?}"
     );
     // a cell without a unit among cells with units, and a cell that contradicts its head
     for (text, says) in [
@@ -260,11 +262,12 @@ fn published_signs_of_garmin_are_turned() {
     let (shots, found, _) = case("garmin-sidespin-sign.csv");
     let sides: Vec<f64> = landed(&found).iter().map(|landed| landed[1]).collect();
     assert!(sides[0] > 0.0 && sides[1] < 0.0, "{sides:?}");
-    let told: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
+    let message: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
     assert!(
-        told.iter()
-            .any(|told| told.contains("Sidespin is read with + to the left")),
-        "{told:?}"
+        message
+            .iter()
+            .any(|message| message.contains("Sidespin is read with + to the left")),
+        "{message:?}"
     );
     // an axis of the other sign is accepted, because no other value contradicts it
     let text = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
@@ -283,11 +286,12 @@ fn published_signs_of_garmin_are_turned() {
                  Distance [yd],Carry Deviation Distance [yd]\n";
     let (shots, found, _) = flown(Cursor::new(format!("{heads}{row}{row}")));
     assert!(landed(&found).iter().all(|landed| landed[1] < 0.0));
-    let told: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
+    let message: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
     assert!(
-        told.iter()
-            .any(|told| told.contains("Spin Axis and Sidespin are read with + to the left")),
-        "{told:?}"
+        message
+            .iter()
+            .any(|message| message.contains("Spin Axis and Sidespin are read with + to the left")),
+        "{message:?}"
     );
 }
 
@@ -365,9 +369,9 @@ fn every_shot_is_explained_by_its_stated_values() {
         RowFilter::default(),
     )
     .unwrap();
-    let told: Vec<String> = table.remarks.iter().map(ToString::to_string).collect();
+    let message: Vec<String> = table.remarks.iter().map(ToString::to_string).collect();
     let says = "Club Path: not stated; the prior is used in its place: row 2, row 3, row 4";
-    assert!(told.iter().any(|told| told == says), "{told:?}");
+    assert!(message.iter().any(|message| message == says), "{message:?}");
 }
 
 /// Twelve launches with heads, units, sides and decimal marks of many kinds.
@@ -488,8 +492,8 @@ fn implausible_units_are_warned_of() {
     };
     let warned = |text: String| {
         let (shots, _, tally) = flown(Cursor::new(text));
-        let told = tally.unit_warnings(&shots);
-        told.iter().map(ToString::to_string).collect::<Vec<_>>()
+        let message = tally.unit_warnings(&shots);
+        message.iter().map(ToString::to_string).collect::<Vec<_>>()
     };
     let yards = 1.0 / 0.9144;
     assert!(
@@ -500,7 +504,7 @@ fn implausible_units_are_warned_of() {
     // the measured values exceed the predicted ones by the ratio of metres to yards, but the column
     // is read in yards: no warning
     assert!(warned(text(1.0, yards / 0.9144, 7.0)).is_empty());
-    for (told, words) in [
+    for (message, words) in [
         (
             warned(text(1.0, 1.0, 7.0)),
             "Carry: predicted values are 1.09 times the measured ones in the median, as if these \
@@ -520,8 +524,8 @@ fn implausible_units_are_warned_of() {
         ),
     ] {
         assert!(
-            told.len() == 1 && told[0].contains(words),
-            "{words}: {told:?}"
+            message.len() == 1 && message[0].contains(words),
+            "{words}: {message:?}"
         );
     }
 }
@@ -590,12 +594,12 @@ fn a_launch_that_is_set_beside_shots_is_refused() {
         "launch.spin_axis=3deg",
         "launch.ball_speed=150mph",
     ] {
-        let said = longdrive(&["fly", &file, "--set", set]);
+        let output = longdrive(&["fly", &file, "--set", set]);
         assert!(
-            said.status == 2 && said.err.contains("leave"),
+            output.status == 2 && output.err.contains("leave"),
             "{set}: {} {}",
-            said.status,
-            said.err
+            output.status,
+            output.err
         );
     }
 }

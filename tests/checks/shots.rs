@@ -172,16 +172,18 @@ fn marks_measured_estimated_and_normalized_of_an_export_are_kept() {
             .count(),
         1
     );
-    let told = shots
+    let message = shots
         .remarks()
         .iter()
         .map(ToString::to_string)
         .collect::<String>();
     assert!(
-        told.contains("Carry (Sim)") && told.contains("TMD No") && !told.contains("did you mean"),
-        "{told}"
+        message.contains("Carry (Sim)")
+            && message.contains("TMD No")
+            && !message.contains("did you mean"),
+        "{message}"
     );
-    let told = file("rapsodo.csv")
+    let message = file("rapsodo.csv")
         .0
         .remarks()
         .iter()
@@ -193,7 +195,7 @@ fn marks_measured_estimated_and_normalized_of_an_export_are_kept() {
         "Apex in ft",
         "angles without a unit are read in degrees",
     ] {
-        assert!(told.contains(says), "no '{says}' in {told}");
+        assert!(message.contains(says), "no '{says}' in {message}");
     }
 }
 
@@ -504,9 +506,9 @@ fn tables_without_a_launch_name_the_nearest_head() {
     let text =
         "Ball Speed [mph],Ball Speed [m/s],Launch Angle [deg],Spin Rate [rpm]\n165,73.8,11,2500\n";
     let (shots, ..) = flown(text.as_bytes());
-    let told: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
+    let message: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
     assert_eq!(
-        told,
+        message,
         [
             "columns given twice; only the first is used: 'Ball Speed [m/s]' repeats \
           'Ball Speed [mph]'"
@@ -711,17 +713,17 @@ fn the_command_writes_rows_and_their_prediction_errors() {
         "Bliss & Langdown",
     );
     for (name, lines) in [("a.csv", 4), ("a.jsonl", 2), ("a.json", 2)] {
-        let said = longdrive(&["fly", &shots, "-o", &to(name)]);
-        assert_eq!(said.status, 0, "{}", said.err);
-        let out = said.out.split_whitespace().collect::<Vec<_>>().join(" ");
+        let output = longdrive(&["fly", &shots, "-o", &to(name)]);
+        assert_eq!(output.status, 0, "{}", output.err);
+        let out = output.out.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
             out.contains("predicted − measured") && out.contains("Bliss & Langdown 2026"),
             "{out}"
         );
         assert!(
-            said.out.lines().all(|line| line.chars().count() <= 100),
+            output.out.lines().all(|line| line.chars().count() <= 100),
             "{}",
-            said.out
+            output.out
         );
         assert_eq!(
             fs::read_to_string(to(name)).unwrap().lines().count(),
@@ -770,14 +772,14 @@ fn the_command_writes_rows_and_their_prediction_errors() {
          [kg/m^3]\n160,12,2500,1.0\n160,12,2500,1.2\n",
     )
     .unwrap();
-    let said = longdrive(&["fly", &only, "-q", "--of", "carry"]);
-    let carries: Vec<f64> = said
+    let output = longdrive(&["fly", &only, "-q", "--of", "carry"]);
+    let carries: Vec<f64> = output
         .out
         .lines()
         .skip(1)
         .map(|line| line.split(',').nth(8).unwrap().parse().unwrap())
         .collect();
-    assert!(carries[0] > carries[1] + 5.0, "{}", said.out);
+    assert!(carries[0] > carries[1] + 5.0, "{}", output.out);
     let none = to("none.csv");
     fs::write(&none, format!("{HEAD},12,2500,3,262\n")).unwrap();
     let (status, answer) = json(&["fly", &none]);
@@ -852,10 +854,10 @@ fn the_command_writes_rows_and_their_prediction_errors() {
             "it must be a whole number from 0 to 65535",
         ),
     ] {
-        let said = longdrive(&args);
-        let err = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let output = longdrive(&args);
+        let err = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
-            said.status == 2 && err.contains(says),
+            output.status == 2 && err.contains(says),
             "{args:?}: no '{says}' in {err}"
         );
     }

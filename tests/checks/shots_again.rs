@@ -37,8 +37,8 @@ fn same_json_lines_after_reading_and_writing() {
             place(&format!("{name}.2.jsonl")),
         );
         for (from, to) in [(&shots(name), &first), (&first, &second)] {
-            let said = longdrive(&["fly", from, "-o", to]);
-            assert_eq!(said.status, 0, "{name}: {}", said.err);
+            let output = longdrive(&["fly", from, "-o", to]);
+            assert_eq!(output.status, 0, "{name}: {}", output.err);
         }
         let (first, second) = (lines(&first), lines(&second));
         assert!(!first.is_empty() && first.len() == second.len(), "{name}");
@@ -99,8 +99,8 @@ fn same_flights_of_json_lines_with_their_own_parameters() {
         lines(&place("shots.jsonl"))[0]["parameters"]["air.density"],
         1.1
     );
-    let said = longdrive(&["fly", &place("shots.jsonl"), "-o", &place("again.jsonl")]);
-    assert_eq!(said.status, 0, "{}", said.err);
+    let output = longdrive(&["fly", &place("shots.jsonl"), "-o", &place("again.jsonl")]);
+    assert_eq!(output.status, 0, "{}", output.err);
     assert_eq!(
         lines(&place("shots.jsonl"))[0]["predicted"],
         lines(&place("again.jsonl"))[0]["predicted"]
@@ -108,29 +108,30 @@ fn same_flights_of_json_lines_with_their_own_parameters() {
     // in a table every row has values of the same parameters
     let first = fs::read_to_string(place("shots.jsonl")).unwrap();
     let other = first.replace("air.density", "ball.mass");
-    let said = longdrive(&[
+    let output = longdrive(&[
         "fly",
         &file_with(folder.path(), "mixed.jsonl", &format!("{first}{other}")),
         "--json",
     ]);
     assert!(
-        said.out
+        output
+            .out
             .contains("the line has a value of ball.mass, but the first line has none"),
         "{}",
-        said.out
+        output.out
     );
 }
 
 #[test]
 fn totals_are_compared_only_on_a_named_ground() {
     let file = shots("trackman.csv");
-    let (_, told) = json(&["fly", &file, "--of", "total"]);
-    let remarks = told["remarks"].to_string();
+    let (_, sentence) = json(&["fly", &file, "--of", "total"]);
+    let remarks = sentence["remarks"].to_string();
     assert!(
         remarks.contains("the measured totals are not compared") && !remarks.contains("Est. Total"),
         "{remarks}"
     );
-    let (_, told) = json(&[
+    let (_, sentence) = json(&[
         "fly",
         &file,
         "--of",
@@ -138,7 +139,10 @@ fn totals_are_compared_only_on_a_named_ground() {
         "--set",
         "ground.turf=average",
     ]);
-    assert!(!told["remarks"].to_string().contains("totals"), "{told}");
+    assert!(
+        !sentence["remarks"].to_string().contains("totals"),
+        "{sentence}"
+    );
     let folder = tempfile::tempdir().unwrap();
     let place = folder.path().join("flown.jsonl").display().to_string();
     assert_eq!(
@@ -231,9 +235,13 @@ fn same_rows_of_a_table_flown_again() {
             longdrive(&["fly", &table, "--format", format, "-o", &first]).status,
             0
         );
-        let said = longdrive(&["fly", &first, "-o", &second]);
-        assert_eq!(said.status, 0, "{}", said.err);
-        assert!(said.err.contains("an earlier 'fly' added"), "{}", said.err);
+        let output = longdrive(&["fly", &first, "-o", &second]);
+        assert_eq!(output.status, 0, "{}", output.err);
+        assert!(
+            output.err.contains("an earlier 'fly' added"),
+            "{}",
+            output.err
+        );
         assert_eq!(
             fs::read_to_string(&first).unwrap(),
             fs::read_to_string(&second).unwrap()
@@ -243,8 +251,8 @@ fn same_rows_of_a_table_flown_again() {
     let mended = fs::read_to_string(place("1.csv.csv"))
         .unwrap()
         .replace("150,abc", "150,11");
-    let (_, told) = json(&["fly", &file_with(folder.path(), "mended.csv", &mended)]);
-    assert_eq!(told["flown"], 2, "{told}");
+    let (_, sentence) = json(&["fly", &file_with(folder.path(), "mended.csv", &mended)]);
+    assert_eq!(sentence["flown"], 2, "{sentence}");
     // the user's columns Notes and Line are not columns that this program has written
     let own =
         "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Notes,Line\n150,12,2700,windy,3\n";
@@ -328,8 +336,8 @@ fn a_bad_cell_of_an_export_affects_its_row_alone() {
     let (status, found) = json(&["calibrate", &table, "modern-driver", "--fit", "aero.cd0"]);
     assert_eq!(status, 0, "{found}");
     let remarks = found["data"]["remarks"].to_string();
-    for told in ["row 2 (Launch Angle: 'abc' is not a number", "row 4 ("] {
-        assert!(remarks.contains(told), "{remarks}");
+    for sentence in ["row 2 (Launch Angle: 'abc' is not a number", "row 4 ("] {
+        assert!(remarks.contains(sentence), "{remarks}");
     }
 }
 
@@ -338,17 +346,17 @@ fn impossible_rows_of_points_are_reported_with_their_value() {
     let folder = tempfile::tempdir().unwrap();
     let text = "club.loft [deg],swing.speed [mph]\n9,100\n,101\n95,100\n9,-3\n";
     let table = file_with(folder.path(), "points.csv", text);
-    let said = longdrive(&["sweep", "--points", &table]);
-    assert_eq!(said.status, 0, "{}", said.err);
-    let told = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    let output = longdrive(&["sweep", "--points", &table]);
+    assert_eq!(output.status, 0, "{}", output.err);
+    let sentence = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
     for wrong in [
         "row 2: club.loft is missing",
         "row 3: club.loft = 95 deg is outside",
         "row 4: swing.speed = -3 mph is outside",
     ] {
-        assert!(told.contains(wrong), "{told}");
+        assert!(sentence.contains(wrong), "{sentence}");
     }
-    let rows: Vec<&str> = said.out.lines().collect();
+    let rows: Vec<&str> = output.out.lines().collect();
     assert!(
         rows.len() == 5 && rows[2].starts_with(',') && rows[2].contains(",out-of-range,"),
         "{rows:?}"
@@ -358,14 +366,14 @@ fn impossible_rows_of_points_are_reported_with_their_value() {
 #[test]
 fn flat_landings_are_counted_if_the_run_is_requested() {
     let flat = "at less than 25 deg";
-    let told = |args: &[&str]| {
+    let sentence = |args: &[&str]| {
         let (_, found) = json(args);
         found["warnings"].to_string()
     };
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
     let over = ["sweep", "--over", "club.loft=1deg..12deg:12"];
-    let total = told(
+    let total = sentence(
         &[
             &over[..],
             &["--outcomes", "total", "-o", &place("total.csv")],
@@ -376,7 +384,7 @@ fn flat_landings_are_counted_if_the_run_is_requested() {
         total.contains(flat) && total.contains(" of 12 drives that landed: "),
         "{total}"
     );
-    let carry = told(
+    let carry = sentence(
         &[
             &over[..],
             &["--outcomes", "carry", "-o", &place("carry.csv")],
@@ -386,7 +394,7 @@ fn flat_landings_are_counted_if_the_run_is_requested() {
     assert!(!carry.contains(flat), "{carry}");
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n160,4,1500\n160,12,2700\n";
     let table = file_with(folder.path(), "shots.csv", text);
-    let flown = told(&["fly", &table, "--of", "total"]);
+    let flown = sentence(&["fly", &table, "--of", "total"]);
     assert!(
         flown.contains("1 of 2 shots that landed: the ball lands at less than 25 deg"),
         "{flown}"
@@ -399,7 +407,7 @@ fn flat_landings_are_counted_if_the_run_is_requested() {
         "swing.attack_angle",
         "--at=-5deg,5deg",
     ];
-    let chart = told(&[&along[..], &["--vary", "club.loft=4deg..5deg"]].concat());
+    let chart = sentence(&[&along[..], &["--vary", "club.loft=4deg..5deg"]].concat());
     assert!(
         chart.contains("1 of 2 optima: the ball lands at less than 25 deg"),
         "{chart}"
@@ -424,7 +432,7 @@ fn parameters_without_a_value_are_varied_as_they_are_swept() {
         "swing.shaft_bend=0deg..3deg",
     ]);
     assert_eq!(swept["value"], set["value"]);
-    let said = longdrive(&[
+    let output = longdrive(&[
         "chart",
         "modern-driver",
         "--along",
@@ -433,12 +441,12 @@ fn parameters_without_a_value_are_varied_as_they_are_swept() {
         "0deg,1deg",
     ]);
     assert!(
-        said.status == 0
-            && said
+        output.status == 0
+            && output
                 .err
                 .contains("swing.shaft_bend has no value in modern-driver"),
         "{}",
-        said.err
+        output.err
     );
 }
 
@@ -446,13 +454,14 @@ fn parameters_without_a_value_are_varied_as_they_are_swept() {
 fn weather_without_a_value_is_uncertain_about_the_mean_of_its_distribution() {
     let given = ["--distribution", "air.humidity=uniform(0.2,0.8)"];
     for command in ["uncertainty", "optimize"] {
-        let said = longdrive(&[command, given[0], given[1]]);
-        assert_eq!(said.status, 0, "{command}: {}", said.err);
+        let output = longdrive(&[command, given[0], given[1]]);
+        assert_eq!(output.status, 0, "{command}: {}", output.err);
         assert!(
-            said.err
+            output
+                .err
                 .contains("air.humidity has no value in tour-average; it varies about 0.5"),
             "{}",
-            said.err
+            output.err
         );
     }
     let (_, alone) = json(&["uncertainty", given[0], given[1]]);
@@ -468,14 +477,14 @@ fn weather_without_a_value_is_uncertain_about_the_mean_of_its_distribution() {
 
 #[test]
 fn text_shows_the_run_beside_a_total_and_the_air_that_the_weather_gives() {
-    let said = longdrive(&["optimize", "--maximize", "total"]);
-    let rows: Vec<&str> = said.out.lines().map(str::trim).collect();
+    let output = longdrive(&["optimize", "--maximize", "total"]);
+    let rows: Vec<&str> = output.out.lines().map(str::trim).collect();
     assert!(
         rows.iter().any(|row| row.starts_with("run "))
             && rows.iter().any(|row| row.starts_with("carry ")),
         "{rows:?}"
     );
-    let said = longdrive(&[
+    let output = longdrive(&[
         "simulate",
         "--set",
         "air.temperature=10degC",
@@ -486,9 +495,9 @@ fn text_shows_the_run_beside_a_total_and_the_air_that_the_weather_gives() {
     ]);
     // CIPM-2007: dry air of 10 °C at 101 325 Pa
     assert!(
-        said.out.contains("the weather gives a density of 1.247"),
+        output.out.contains("the weather gives a density of 1.247"),
         "{}",
-        said.out
+        output.out
     );
     assert!(!longdrive(&["simulate"]).out.contains("weather"));
 }
@@ -517,8 +526,8 @@ fn same_shots_in_parquet_and_in_json_lines() {
         &(head.to_owned() + &(0..33_000).map(row).collect::<String>()),
     );
     for name in ["a.jsonl", "a.parquet"] {
-        let said = longdrive(&["fly", &table, "--of", "carry_distance", "-o", &place(name)]);
-        assert_eq!(said.status, 0, "{}", said.err);
+        let output = longdrive(&["fly", &table, "--of", "carry_distance", "-o", &place(name)]);
+        assert_eq!(output.status, 0, "{}", output.err);
     }
     let file = SerializedFileReader::new(fs::File::open(place("a.parquet")).unwrap()).unwrap();
     assert_eq!(
@@ -565,11 +574,11 @@ fn same_shots_in_parquet_and_in_json_lines() {
             )
         );
     }
-    let said = longdrive(&["fly", &table, "--format", "parquet"]);
+    let output = longdrive(&["fly", &table, "--format", "parquet"]);
     assert!(
-        said.status == 2 && said.err.contains("Parquet needs a file"),
+        output.status == 2 && output.err.contains("Parquet needs a file"),
         "{}",
-        said.err
+        output.err
     );
 }
 

@@ -55,15 +55,16 @@ fn same_flight_in_the_air_of_an_export_and_in_that_air_set() {
             &format!("row {row}"),
         );
     }
-    let told = shots
+    let message = shots
         .remarks()
         .iter()
         .map(ToString::to_string)
         .collect::<Vec<_>>()
         .join("\n");
     assert!(
-        told.contains("each shot flies in the air that the export states for its row: Air Density"),
-        "{told}"
+        message
+            .contains("each shot flies in the air that the export states for its row: Air Density"),
+        "{message}"
     );
     let notes = |row: usize| all[0].shots[row].notes.join("\n");
     assert_eq!((notes(0), notes(3)), (String::new(), String::new()));
@@ -108,7 +109,7 @@ fn same_air_of_each_row_in_calibrate_and_fly() {
             .find(|(row, _)| row.name == "air.density")
             .map(|(_, value)| *value)
     };
-    let told = |table: &ShotTable| {
+    let message = |table: &ShotTable| {
         table
             .remarks
             .iter()
@@ -122,18 +123,18 @@ fn same_air_of_each_row_in_calibrate_and_fly() {
         "row 2: the air of the setup is assumed",
     ] {
         assert!(
-            told(&table).contains(says),
+            message(&table).contains(says),
             "no '{says}' in {}",
-            told(&table)
+            message(&table)
         );
     }
     table.in_given_air();
     assert!(
         air(&table, 0).is_none()
-            && told(&table)
+            && message(&table)
                 .contains("the given air replaces the air that the export states for each row"),
         "{}",
-        told(&table)
+        message(&table)
     );
 }
 
@@ -145,30 +146,31 @@ fn given_air_overrides_that_of_the_export() {
     fs::write(&file, garmin(&["0.997,77,85.3,50"])).unwrap();
     let fly = |args: &[&str]| {
         let output = place("flown.jsonl");
-        let said = longdrive(&[&["fly", &file, "-o", &output, "--overwrite"], args].concat());
-        assert_eq!(said.status, 0, "{}", said.err);
+        let printed = longdrive(&[&["fly", &file, "-o", &output, "--overwrite"], args].concat());
+        assert_eq!(printed.status, 0, "{}", printed.err);
         let line: Value =
             serde_json::from_str(fs::read_to_string(&output).unwrap().trim()).unwrap();
-        (number(&line["predicted"]["carry_distance"]), said.err)
+        (number(&line["predicted"]["carry_distance"]), printed.err)
     };
-    let (own, told) = fly(&[]);
+    let (own, message) = fly(&[]);
     close(own, carry(0.997), 250.0, 1e-5, "the row's");
-    assert!(told.contains("each shot flies in the air"), "{told}");
-    let (given, told) = fly(&["--set", "air.density=1.3kg/m^3"]);
+    assert!(message.contains("each shot flies in the air"), "{message}");
+    let (given, message) = fly(&["--set", "air.density=1.3kg/m^3"]);
     close(given, carry(1.3), 250.0, 1e-5, "given");
     assert!(
-        told.split_whitespace()
+        message
+            .split_whitespace()
             .collect::<Vec<_>>()
             .join(" ")
             .contains("the given air replaces the air that the export states for each row"),
-        "{told}"
+        "{message}"
     );
-    let (cold, told) = fly(&["--set", "air.temperature=0degC"]);
+    let (cold, message) = fly(&["--set", "air.temperature=0degC"]);
     let says = "the given air replaces the air that the export states for each row: Air Density";
-    let words = told.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = message.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         cold < own - 10.0 && words.matches("Air Density").count() == 1 && words.contains(says),
-        "{cold} {told}"
+        "{cold} {message}"
     );
     let weather = [
         "calibrate",
@@ -178,8 +180,8 @@ fn given_air_overrides_that_of_the_export() {
         "--set",
         "air.temperature=0degC",
     ];
-    let said = longdrive(&weather);
-    let words = (said.out + &said.err)
+    let printed = longdrive(&weather);
+    let words = (printed.out + &printed.err)
         .split_whitespace()
         .collect::<Vec<_>>()
         .join(" ");

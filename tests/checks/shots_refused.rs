@@ -110,10 +110,10 @@ fn delivery_omits_the_incomplete_launches_that_fly_refuses() {
             ShotTable::open_launches(&Setup::default(), Path::new(&file), RowFilter::default())
                 .unwrap();
         assert_eq!(rows(&table), flies, "{name}");
-        let told = "rows left out, since they lack a value that every shot needs: row 2 (Ball \
+        let sentence = "rows left out, since they lack a value that every shot needs: row 2 (Ball \
                     Speed), row 4 (Launch Angle), row 6 (Total Spin)";
         assert!(
-            remarks(&table).contains(told),
+            remarks(&table).contains(sentence),
             "{name}: {}",
             remarks(&table)
         );
@@ -143,13 +143,13 @@ fn an_impossible_measured_value_is_not_compared() {
             .collect();
         assert_eq!(of, [Outcome::Lateral], "row {}", shot.row);
     }
-    for told in [
+    for sentence in [
         "row 2: not compared: Carry: ",
         "row 3: not compared: Carry: 9999 yd is outside of what a drive has",
     ] {
         assert!(
-            remarks(&table).contains(told),
-            "no '{told}' in {}",
+            remarks(&table).contains(sentence),
+            "no '{sentence}' in {}",
             remarks(&table)
         );
     }
@@ -253,9 +253,9 @@ fn exports_without_units_are_read_as_in_fly() {
     );
     assert_eq!(table.shots[0].measured, with_units.shots[0].measured);
     assert_eq!(table.shots[0].inputs, with_units.shots[0].inputs);
-    let told = "heads without a unit are read as Ball Speed in mph, Spin Rate in rpm, Apex in ft, \
+    let sentence = "heads without a unit are read as Ball Speed in mph, Spin Rate in rpm, Apex in ft, \
                 Carry Distance in yd, Side Carry in yd";
-    assert!(remarks(&table).contains(told), "{}", remarks(&table));
+    assert!(remarks(&table).contains(sentence), "{}", remarks(&table));
     let (status, found) = json(&["delivery", "--shots", file]);
     assert!(
         status == 0 && found["rows"].as_array().unwrap().len() == 1,

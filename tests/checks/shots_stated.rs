@@ -109,17 +109,17 @@ fn contradictory_spins_are_reported_with_the_used_one() {
                 [rpm],Carry [yd]\n\
                 150,12,2500,5,1000,240\n150,12,2500,5,2490,240\n";
     let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
-    let told: Vec<String> = table
+    let sentence: Vec<String> = table
         .remarks
         .iter()
         .map(ToString::to_string)
-        .filter(|told| told.contains("contradict"))
+        .filter(|sentence| sentence.contains("contradict"))
         .collect();
     assert!(
-        told.len() == 1
-            && told[0].starts_with("row 1: ")
-            && told[0].contains("not Backspin (1000 rpm)"),
-        "{told:?}"
+        sentence.len() == 1
+            && sentence[0].starts_with("row 1: ")
+            && sentence[0].contains("not Backspin (1000 rpm)"),
+        "{sentence:?}"
     );
 }
 
@@ -184,15 +184,16 @@ fn lateral_is_not_fitted_where_the_direction_or_the_tilt_is_not_measured() {
         (measured(1), measured(2)),
         (vec![Outcome::CarryDistance], vec![Outcome::CarryDistance])
     );
-    let told = table
+    let sentence = table
         .remarks
         .iter()
         .map(ToString::to_string)
         .collect::<Vec<_>>()
         .join("\n");
     assert!(
-        told.contains("lateral is not compared in rows without") && told.contains(": row 2, row 3"),
-        "{told}"
+        sentence.contains("lateral is not compared in rows without")
+            && sentence.contains(": row 2, row 3"),
+        "{sentence}"
     );
     // a table without the columns of direction and axis does not compare lateral, either; an unused
     // uncertainty is not mentioned
@@ -201,15 +202,15 @@ fn lateral_is_not_fitted_where_the_direction_or_the_tilt_is_not_measured() {
               [yd]\n150,12,2500,240,5\n",
     )
     .unwrap();
-    let told = table
+    let sentence = table
         .remarks
         .iter()
         .map(ToString::to_string)
         .collect::<Vec<_>>()
         .join("\n");
     assert!(
-        told.contains("lateral is not compared") && !told.contains("sigma lateral"),
-        "{told}"
+        sentence.contains("lateral is not compared") && !sentence.contains("sigma lateral"),
+        "{sentence}"
     );
     let error =
         read("ball_speed [mph],launch_angle [deg],spin [rpm],lateral [yd]\n150,12,2500,5\n")
@@ -256,14 +257,14 @@ fn the_condition_of_a_shot_is_written_and_known_heads_get_no_suggestion() {
         "{head}Driver,d,1,2,160,12,2500,\"Normalized, 25 C\"\nDriver,d,1,2,160,12,2500,Actual\n"
     );
     let (shots, all, tally) = flown(Cursor::new(text));
-    let told = shots
+    let sentence = shots
         .remarks()
         .iter()
         .map(ToString::to_string)
         .collect::<String>();
     assert!(
-        told.contains("Club Name") && !told.contains("did you mean"),
-        "{told}"
+        sentence.contains("Club Name") && !sentence.contains("did you mean"),
+        "{sentence}"
     );
     let writer = ShotWriter::launch_monitor(&[Outcome::CarryDistance], System::Us);
     let written = String::from_utf8([writer.head(), writer.rows(&all[0])].concat()).unwrap();

@@ -246,7 +246,7 @@ fn two_designs_are_side_by_side_on_the_face() {
         "preset = 'tour-average'\n[club]\nbulge_radius = '400 mm'\n",
     )
     .unwrap();
-    let said = longdrive(&[
+    let output = longdrive(&[
         "plot",
         "strike",
         "tour-average",
@@ -255,18 +255,18 @@ fn two_designs_are_side_by_side_on_the_face() {
         "-o",
         &data,
     ]);
-    assert_eq!(said.status, 0, "{}", said.err);
+    assert_eq!(output.status, 0, "{}", output.err);
     let text = std::fs::read_to_string(&data).unwrap();
     assert!(
         text.contains("lateral, before")
             && text.contains("lateral, after")
-            && said.err.contains("Effect of a strike 1 mm from"),
+            && output.err.contains("Effect of a strike 1 mm from"),
         "{}",
-        said.err
+        output.err
     );
     let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     let more = "differ in more than the club";
-    assert!(!words(&said.err).contains(more), "{}", said.err);
+    assert!(!words(&output.err).contains(more), "{}", output.err);
     let faster = [
         "plot",
         "strike",
@@ -278,11 +278,11 @@ fn two_designs_are_side_by_side_on_the_face() {
         "--set",
         "swing.speed=100mph",
     ];
-    let said = longdrive(&faster);
+    let output = longdrive(&faster);
     assert!(
-        words(&said.err).contains(&format!("{more}: swing.speed;")),
+        words(&output.err).contains(&format!("{more}: swing.speed;")),
         "{}",
-        said.err
+        output.err
     );
     for (args, why) in [
         (
@@ -295,11 +295,11 @@ fn two_designs_are_side_by_side_on_the_face() {
         ),
         (vec!["--after", "no-such.toml"], "no-such.toml"),
     ] {
-        let said = longdrive(&[&["plot", "strike", "-o", &at("b.svg")][..], &args].concat());
+        let output = longdrive(&[&["plot", "strike", "-o", &at("b.svg")][..], &args].concat());
         assert!(
-            said.status == 2 && words(&said.err).contains(why),
+            output.status == 2 && words(&output.err).contains(why),
             "{}",
-            said.err
+            output.err
         );
     }
     assert_eq!(

@@ -339,13 +339,13 @@ fn the_best_loft_over_swings_has_its_price_and_its_diagnostics() {
     ]
     .concat();
     let text = longdrive(&args).out;
-    for said in [
+    for output in [
         "best for mean swing",
         "std(lateral) <= 60yd",
         "by Gauss's rules",
         "as set up",
     ] {
-        assert!(text.contains(said), "{said}: {text}");
+        assert!(text.contains(output), "{output}: {text}");
     }
     let (_, answer) = json(&args);
     let swings = &answer["swings"];
@@ -400,7 +400,7 @@ fn same_bits_of_a_resumed_search_over_swings() {
 /// finds only the nearer end. In a mirrored range, the optimum is the mirror image.
 #[test]
 fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
-    let asked = |set: &str, vary: &str, starts: &str| {
+    let requested = |set: &str, vary: &str, starts: &str| {
         let vary = format!("swing.face_angle={vary}");
         let args = [
             "optimize",
@@ -429,10 +429,10 @@ fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
     };
     let face =
         |found: &serde_json::Value| number(&found["optimum"]["swing.face_angle"]).to_degrees();
-    let one = asked("1deg", "-5deg..3deg", "1");
+    let one = requested("1deg", "-5deg..3deg", "1");
     close(face(&one), 3.0, 1.0, 1e-12, "the nearer end");
     assert!(one["optima"].is_null());
-    let many = asked("1deg", "-5deg..3deg", "8");
+    let many = requested("1deg", "-5deg..3deg", "8");
     close(face(&many), -5.0, 1.0, 1e-12, "the better end");
     let optima = many["optima"].as_array().unwrap();
     assert_eq!(optima.len(), 2, "{optima:?}");
@@ -447,7 +447,7 @@ fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
         (&optima[0]["value"], &optima[1]["value"]),
         (&many["value"], &one["value"])
     );
-    let turned = asked("-1deg", "-3deg..5deg", "8");
+    let turned = requested("-1deg", "-3deg..5deg", "8");
     close(
         face(&turned),
         5.0,
@@ -689,12 +689,12 @@ fn bad_swings_and_goals_are_refused_with_the_reason() {
             "--maximize: 'median' is no measure",
         ),
     ];
-    for (args, said) in cases {
+    for (args, output) in cases {
         let failed = longdrive(&[&["optimize"], args].concat());
-        let told = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let message = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
-            failed.status == 2 && told.contains(said),
-            "{args:?}: {told}"
+            failed.status == 2 && message.contains(output),
+            "{args:?}: {message}"
         );
     }
     let failed = longdrive(&["optimum-sensitivity", one]);
@@ -808,17 +808,17 @@ fn parameters_without_swings_are_reported() {
         file.display().to_string()
     };
     let alike = written("alike.csv", "swing.path [deg]\n1\n1\n");
-    let said = longdrive(&["optimize", "--swings", &alike]);
+    let output = longdrive(&["optimize", "--swings", &alike]);
     assert!(
-        said.status == 0
-            && said
+        output.status == 0
+            && output
                 .out
                 .split_whitespace()
                 .collect::<Vec<_>>()
                 .join(" ")
                 .contains("best design: the swings are equal"),
         "{}",
-        said.out
+        output.out
     );
     let table = written("strokes.csv", "distance [yd],strokes\n10,2.2\n60,3\n");
     let speed = ["--distribution", "swing.speed=normal(100mph,2mph)"];
@@ -829,12 +829,13 @@ fn parameters_without_swings_are_reported() {
         "--strokes",
         &table,
     ];
-    let said = longdrive(&[&strokes[..], &speed].concat());
+    let output = longdrive(&[&strokes[..], &speed].concat());
     assert!(
-        said.err
+        output
+            .err
             .contains("100.0 % of the swings end outside of the table"),
         "{}",
-        said.err
+        output.err
     );
     let stray = longdrive(&[&["optimize", "--strokes", &table][..], &speed].concat());
     assert!(
@@ -861,14 +862,14 @@ fn parameters_without_swings_are_reported() {
         "--maximize",
         "mean(carry)",
     ];
-    let said = longdrive(&beside)
+    let output = longdrive(&beside)
         .out
         .split_whitespace()
         .collect::<Vec<_>>()
         .join(" ");
     assert!(
-        said.contains("gear effect of strikes off the centre is known to about 30 %"),
-        "{said}"
+        output.contains("gear effect of strikes off the centre is known to about 30 %"),
+        "{output}"
     );
     // a setup file names its goal
     let best = folder.path().join("best.toml").display().to_string();
@@ -903,9 +904,9 @@ fn documents_say_the_best_lofts_of_a_beginner_and_of_a_professional() {
     ] {
         let mut command = vec!["optimize", preset];
         command.extend(swings.iter().flat_map(|text| ["--distribution", text]));
-        let said = longdrive(&command);
+        let output = longdrive(&command);
         let row = |name: &str| {
-            let line = said
+            let line = output
                 .out
                 .lines()
                 .find(|line| line.trim_start().starts_with(name))
@@ -915,13 +916,13 @@ fn documents_say_the_best_lofts_of_a_beginner_and_of_a_professional() {
                 .collect::<Vec<_>>()
         };
         let (loft, carry) = (row("club.loft"), row("mean(carry)"));
-        let told = format!(
+        let message = format!(
             "| {golfer} | `{preset}` | {} | {} | {} yd | {} yd |",
             loft[1], loft[2], carry[1], carry[5]
         );
         assert!(
-            document.contains(&told),
-            "docs/swings.md has no row '{told}'"
+            document.contains(&message),
+            "docs/swings.md has no row '{message}'"
         );
     }
 }

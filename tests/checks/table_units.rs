@@ -41,21 +41,21 @@ fn temperatures_and_altitudes_are_in_degrees_and_feet() {
 /// An uncertainty of 1.5 K is 2.7 °F.
 #[test]
 fn exact_uncertainties_of_temperatures_are_differences() {
-    let said = longdrive(&["sensitivity", "--temperature", "50F"]);
+    let output = longdrive(&["sensitivity", "--temperature", "50F"]);
     assert!(
-        said.out.contains("2.7") && said.out.contains("°F"),
+        output.out.contains("2.7") && output.out.contains("°F"),
         "{}",
-        said.out
+        output.out
     );
-    assert!(!said.out.contains(" K "), "{}", said.out);
+    assert!(!output.out.contains(" K "), "{}", output.out);
 }
 
 #[test]
 fn an_altitude_without_a_temperature_is_told_with_the_standard_one() {
     let says = "air.altitude is given without air.temperature, which is then 77 °F; the standard \
                 atmosphere has 41 °F there, and so air that is 7 % denser";
-    let said = longdrive(&["simulate", "-q", "--altitude", "5000ft"]);
-    assert!(on_one_line(&said.err).contains(says), "{}", said.err);
+    let output = longdrive(&["simulate", "-q", "--altitude", "5000ft"]);
+    assert!(on_one_line(&output.err).contains(says), "{}", output.err);
     let (_, found) = json(&["simulate", "--altitude", "5000ft"]);
     assert!(
         found["warnings"]
@@ -125,8 +125,8 @@ fn same_points_from_a_sweep_in_the_stated_units() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("us.csv").display().to_string();
     let over = ["sweep", "--over", "club.loft=10deg..12deg:3"];
-    let said = longdrive(&[&over[..], &["--units", "us", "-o", &file]].concat());
-    assert_eq!(said.status, 0, "{}", said.err);
+    let output = longdrive(&[&over[..], &["--units", "us", "-o", &file]].concat());
+    assert_eq!(output.status, 0, "{}", output.err);
     let (_, again) = csv(&longdrive(&["sweep", "--points", &file, "-q"]).out);
     let (_, first) = csv(&longdrive(&[&over[..], &["-q"]].concat()).out);
     assert!((again[2] - first[2]).abs() < 1e-6, "{again:?} {first:?}");
@@ -138,8 +138,8 @@ fn plots_charts_and_fronts_have_the_stated_units_in_csv() {
     let at = |name: &str| folder.path().join(name).display().to_string();
     let us = ["--units", "us", "-q"];
     let file = at("path.csv");
-    let said = longdrive(&[&["plot", "trajectory", "-o", &file][..], &us].concat());
-    assert_eq!(said.status, 0, "{}", said.err);
+    let output = longdrive(&[&["plot", "trajectory", "-o", &file][..], &us].concat());
+    assert_eq!(output.status, 0, "{}", output.err);
     let (head, _) = csv(&std::fs::read_to_string(&file).unwrap());
     assert!(head.iter().all(|head| !head.contains("[m]")), "{head:?}");
     assert!(head.iter().any(|head| head.contains("[yd]")), "{head:?}");

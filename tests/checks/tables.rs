@@ -170,8 +170,8 @@ fn rows_with_a_nan_value_have_no_drive() {
         .map(|row| row.iter().any(|value| value.is_nan()))
         .collect();
     assert_eq!(missing, [false, true, true, true, true, false]);
-    let said = crate::command_line::longdrive(&["sweep", "--points", path.to_str().unwrap()]);
-    let ended: Vec<_> = said
+    let output = crate::command_line::longdrive(&["sweep", "--points", path.to_str().unwrap()]);
+    let ended: Vec<_> = output
         .out
         .lines()
         .skip(1)
@@ -182,9 +182,9 @@ fn rows_with_a_nan_value_have_no_drive() {
         ended,
         ["landed", without, without, without, without, "landed"],
         "{}",
-        said.err
+        output.err
     );
-    assert!(!said.out.to_lowercase().contains("nan"), "{}", said.out);
+    assert!(!output.out.to_lowercase().contains("nan"), "{}", output.out);
     let values = all(open(&file("nan.arrow")).unwrap().as_mut());
     assert_eq!(
         values.iter().filter(|value| value.is_nan()).count(),

@@ -438,11 +438,11 @@ fn same_derivatives_in_shorter_steps_within_the_documented_error() {
         ("air.density", 0.3),
     ];
     let drives = [[0.18, 0.0, 50.0], [0.14, 0.07, 55.0], [0.23, -0.05, 38.0]];
-    let asked = Law::NAMES
+    let requested = Law::NAMES
         .iter()
         .flat_map(|law| drives.map(|drive| (*law, drive)))
         .collect::<Vec<_>>();
-    asked
+    requested
         .into_par_iter()
         .for_each(|(law, [loft, attack_angle, speed])| {
             let mut setup = Setup::default();

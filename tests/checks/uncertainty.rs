@@ -1091,11 +1091,12 @@ fn statistics_of_other_lengths_panic_with_both_and_leave_no_nan() {
         vec![vec![Some(1.0); 3]; 2],
         vec![vec![Some(1.0); 3], vec![], vec![], vec![]],
     ] {
-        let said = panic_of(|| design.statistics(&values));
+        let output = panic_of(|| design.statistics(&values));
         let lengths: Vec<usize> = values.iter().map(Vec::len).collect();
         assert!(
-            said.contains("[3, 3, 3, 3] points") && said.contains(&format!("{lengths:?} values")),
-            "{said}"
+            output.contains("[3, 3, 3, 3] points")
+                && output.contains(&format!("{lengths:?} values")),
+            "{output}"
         );
     }
     assert!(
@@ -1118,27 +1119,27 @@ fn statistics_of_other_lengths_panic_with_both_and_leave_no_nan() {
         hessian: vec![],
     };
     for n in [1, 3] {
-        let said = panic_of(|| delta_method(&taylor(n), &inputs));
+        let output = panic_of(|| delta_method(&taylor(n), &inputs));
         assert!(
-            said.contains(&format!("2 distributions, and {n} derivatives")),
-            "{said}"
+            output.contains(&format!("2 distributions, and {n} derivatives")),
+            "{output}"
         );
-        let said = panic_of(|| derivative::Taylor::sum([(&taylor(2), 1.0), (&taylor(n), 1.0)]));
+        let output = panic_of(|| derivative::Taylor::sum([(&taylor(2), 1.0), (&taylor(n), 1.0)]));
         assert!(
-            said.contains(&format!(
+            output.contains(&format!(
                 "2 derivatives of the first term, and {n} derivatives"
             )),
-            "{said}"
+            "{output}"
         );
     }
     let with_hessian = derivative::Taylor {
         hessian: vec![vec![0.0; 2]; 2],
         ..taylor(2)
     };
-    let said = panic_of(|| derivative::Taylor::sum([(&taylor(2), 1.0), (&with_hessian, 1.0)]));
+    let output = panic_of(|| derivative::Taylor::sum([(&taylor(2), 1.0), (&with_hessian, 1.0)]));
     assert!(
-        said.contains("0 rows of second derivatives of the first term, and 2"),
-        "{said}"
+        output.contains("0 rows of second derivatives of the first term, and 2"),
+        "{output}"
     );
     assert!(panic_of(|| inputs[0].quantile(2.0)).contains("it is 2"));
 }

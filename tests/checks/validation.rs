@@ -192,7 +192,7 @@ fn same_mean_of_scattered_drives_and_of_uncertainty() {
     for (speed, angle, spin) in launches {
         let launch =
             format!("ball_speed={speed}mph,launch_angle={angle}deg,spin={spin}rpm,spin_axis=0deg");
-        let mut asked = vec![
+        let mut requested = vec![
             "uncertainty",
             "modern-driver",
             "--samples",
@@ -200,9 +200,9 @@ fn same_mean_of_scattered_drives_and_of_uncertainty() {
             "--of",
             "carry_distance",
         ];
-        asked.extend(["--launch", &launch]);
-        asked.extend(sigmas.iter().flat_map(|sigma| ["--sigma", sigma]));
-        let (status, found) = json(&asked);
+        requested.extend(["--launch", &launch]);
+        requested.extend(sigmas.iter().flat_map(|sigma| ["--sigma", sigma]));
+        let (status, found) = json(&requested);
         assert_eq!(status, 0, "{found}");
         let mean = |way: &str| number(&found["outcomes"][0][way]["mean"]);
         less += (mean("second_order") - mean("delta")) / 3.0;
@@ -329,11 +329,11 @@ fn what_validation_md_shows_is_that_of_the_program() {
 
 #[test]
 fn a_folder_gets_a_page_and_markdown_and_two_formats_are_refused() {
-    let said = &VALIDATED.said;
+    let output = &VALIDATED.output;
     assert!(
-        said.status == 0 && said.out.contains("MAE [m] of carry"),
+        output.status == 0 && output.out.contains("MAE [m] of carry"),
         "{}",
-        said.err
+        output.err
     );
     // 30 optima of each law
     let data = VALIDATED.file("validation-spin.csv");
@@ -357,9 +357,9 @@ fn a_folder_gets_a_page_and_markdown_and_two_formats_are_refused() {
         longdrive(&["validate", "-o", folder.path().to_str().unwrap()]).status,
         2
     );
-    let said = longdrive(&["validate", "--csv", "--json"]);
-    assert_eq!(said.status, 2, "{}", said.out);
-    let answer: Value = serde_json::from_str(&said.out).unwrap();
+    let output = longdrive(&["validate", "--csv", "--json"]);
+    assert_eq!(output.status, 2, "{}", output.out);
+    let answer: Value = serde_json::from_str(&output.out).unwrap();
     assert_eq!(answer["command"], "validate");
 }
 
@@ -367,17 +367,17 @@ fn a_folder_gets_a_page_and_markdown_and_two_formats_are_refused() {
 fn a_name_that_ends_in_csv_gets_the_rows_and_other_files_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
-    let said = longdrive(&["validate", "-o", &place("v.csv")]);
-    assert_eq!(said.status, 0, "{}", said.err);
+    let output = longdrive(&["validate", "-o", &place("v.csv")]);
+    assert_eq!(output.status, 0, "{}", output.err);
     let rows = std::fs::read_to_string(place("v.csv")).unwrap();
     assert_eq!(rows, ROWS.out);
     assert_eq!(longdrive(&["validate", "-o", &place("v.csv")]).status, 2);
     for command in [&["validate"][..], &["reproduce", "winfield-tan"]] {
-        let said = longdrive(&[command, &["-o", &place("page.html")]].concat());
+        let output = longdrive(&[command, &["-o", &place("page.html")]].concat());
         assert!(
-            said.status == 2 && said.err.contains(".html is the extension of a file"),
+            output.status == 2 && output.err.contains(".html is the extension of a file"),
             "{}",
-            said.err
+            output.err
         );
     }
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
@@ -423,11 +423,11 @@ fn a_users_table_is_compared_and_listed_with_the_laws() {
     );
     for command in ["laws", "validate"] {
         for refused in ["aero.law=lyu", "club.loft=9deg", "aero.spin_decay=0.1/s"] {
-            let said = longdrive(&[command, "--set", refused]);
+            let output = longdrive(&[command, "--set", refused]);
             assert!(
-                said.status == 2 && said.err.contains("aero.table=mine.csv"),
+                output.status == 2 && output.err.contains("aero.table=mine.csv"),
                 "{refused}: {}",
-                said.err
+                output.err
             );
         }
     }

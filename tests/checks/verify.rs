@@ -273,13 +273,13 @@ fn differences_certify_random_derivatives_by_one_parameter() {
         let caught = certificate.planted.map(|planted| planted.caught);
         Some((wrong, caught))
     };
-    let asked: Vec<_> = questions
+    let requested: Vec<_> = questions
         .par_iter()
         .enumerate()
         .skip(first)
         .filter_map(wrong)
         .collect();
-    let failed: Vec<_> = asked
+    let failed: Vec<_> = requested
         .iter()
         .filter_map(|(wrong, _)| wrong.as_deref())
         .collect();
@@ -287,14 +287,21 @@ fn differences_certify_random_derivatives_by_one_parameter() {
         failed.is_empty(),
         "{} of {}:\n{}",
         failed.len(),
-        asked.len(),
+        requested.len(),
         failed.join("\n")
     );
     // errors were planted in the derivatives of most questions, and found
-    assert!(asked.len() > count / 2);
-    let caught = |which: usize| asked.iter().filter(|(_, caught)| caught[which] > 0).count();
+    assert!(requested.len() > count / 2);
+    let caught = |which: usize| {
+        requested
+            .iter()
+            .filter(|(_, caught)| caught[which] > 0)
+            .count()
+    };
     assert!(
-        caught(0) > asked.len() / 2 && caught(1) > asked.len() / 2 && caught(2) > asked.len() / 4
+        caught(0) > requested.len() / 2
+            && caught(1) > requested.len() / 2
+            && caught(2) > requested.len() / 4
     );
 }
 

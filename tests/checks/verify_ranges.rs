@@ -91,10 +91,10 @@ fn differences_certify_derivatives_at_both_ends_of_every_range() {
         rows.into_iter()
             .flat_map(move |row| [row.range.low, row.range.high].map(|end| (*law, row, end)))
     });
-    let asked: Vec<_> = all
+    let requested: Vec<_> = all
         .filter(|(_, row, end)| end.is_finite() && row.range.contains(*end))
         .collect();
-    let judged = asked.par_iter().filter_map(|(law, row, end)| {
+    let judged = requested.par_iter().filter_map(|(law, row, end)| {
         let certificate = certificate(&at_the_end(law, row, *end)?, &OF, row.name);
         let corners = certificate
             .rows
@@ -270,11 +270,11 @@ fn no_order_is_required_where_the_spin_decays_within_a_step() {
             "{damping}: {}",
             faults(&found)
         );
-        let told = found
+        let text = found
             .not_examined
             .iter()
             .any(|it| it.check.contains("convergence") && it.reason.contains("decay of its spin"));
-        assert_eq!(told, !is_measured, "{damping}: {:?}", found.not_examined);
+        assert_eq!(text, !is_measured, "{damping}: {:?}", found.not_examined);
     }
 }
 
@@ -283,13 +283,13 @@ fn a_drive_without_a_requested_outcome_gives_the_reason() {
     let mut setup = Setup::default();
     setup.set("club.loft", "-1.73663 deg").unwrap();
     let wind = [setup.variable("wind.downrange").unwrap()];
-    let asked = |of: &[Outcome]| certify(&setup, of, &wind, &|_, _| true);
+    let requested = |of: &[Outcome]| certify(&setup, of, &wind, &|_, _| true);
     assert!(matches!(
-        asked(&[Outcome::Carry, Outcome::Lateral]),
+        requested(&[Outcome::Carry, Outcome::Lateral]),
         Err(Error::NoFlight { .. })
     ));
     // the remaining derivatives are certified
-    let found = asked(&[Outcome::Carry, Outcome::BallSpeed]).unwrap();
+    let found = requested(&[Outcome::Carry, Outcome::BallSpeed]).unwrap();
     assert!(
         found.passed() && found.missing.len() == 1,
         "{:?}",

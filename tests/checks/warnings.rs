@@ -23,14 +23,14 @@ fn warnings(preset: &str, settings: &[(&str, &str)]) -> Vec<String> {
 
 #[test]
 fn a_wind_profile_without_effect_has_a_warning() {
-    let said = |set: &[&str]| {
+    let printed = |set: &[&str]| {
         let args: Vec<&str> = set.iter().flat_map(|text| ["--set", text]).collect();
         longdrive(&[&["simulate"], &args[..]].concat())
             .err
             .replace("\n  ", " ")
     };
     let blows = "wind.downrange=5m/s";
-    for (set, told) in [
+    for (set, message) in [
         (
             &["wind.roughness=30mm"][..],
             "wind.roughness has no effect without a wind",
@@ -44,9 +44,9 @@ fn a_wind_profile_without_effect_has_a_warning() {
             "is not above wind.roughness",
         ),
     ] {
-        assert!(said(set).contains(told), "{set:?}: {}", said(set));
+        assert!(printed(set).contains(message), "{set:?}: {}", printed(set));
     }
-    let sound = said(&["wind.roughness=30mm", blows]);
+    let sound = printed(&["wind.roughness=30mm", blows]);
     assert!(!sound.contains("wind."), "{sound}");
     // with wind or a varied profile, both have an effect
     let (rough, high) = ("wind.roughness=30mm", "wind.reference_height=3m");
@@ -94,11 +94,11 @@ fn a_wind_profile_without_effect_has_a_warning() {
         ],
         &["compare", "--set", rough, "--set-b", blows],
     ] {
-        let said = longdrive(args);
+        let printed = longdrive(args);
         assert!(
-            said.status == 0 && !said.err.contains("has no effect"),
+            printed.status == 0 && !printed.err.contains("has no effect"),
             "{args:?}: {}",
-            said.err
+            printed.err
         );
     }
 }
@@ -112,8 +112,8 @@ fn a_step_that_changes_the_landing_has_a_warning_with_the_shift() {
         Outcome::Carry.of(&Drive::new(&setup).unwrap()).unwrap()
     };
     let shift = 1e3 * (carry("1s") - carry("0.5s")).abs();
-    let told = &warnings("modern-driver", &[("flight.step", "1s")])[0];
-    let said: f64 = told
+    let message = &warnings("modern-driver", &[("flight.step", "1s")])[0];
+    let printed: f64 = message
         .split("the landing shifts by ")
         .nth(1)
         .and_then(|rest| rest.split(" mm").next())
@@ -121,12 +121,12 @@ fn a_step_that_changes_the_landing_has_a_warning_with_the_shift() {
         .parse()
         .unwrap();
     assert!(
-        told.contains("flight.step = 1 s is long for the method rk4"),
-        "{told}"
+        message.contains("flight.step = 1 s is long for the method rk4"),
+        "{message}"
     );
     assert!(
-        (said - shift).abs() <= 0.05 * shift && shift > 1.5,
-        "{told}: {shift}"
+        (printed - shift).abs() <= 0.05 * shift && shift > 1.5,
+        "{message}: {shift}"
     );
     for settings in [
         &[("flight.step", "0.2s")][..],
@@ -153,13 +153,13 @@ fn presets_and_their_longest_drives_have_no_warning() {
             .iter()
             .map(ToString::to_string)
             .collect();
-        for said in [warnings(preset.name, &[]), at_best] {
+        for printed in [warnings(preset.name, &[]), at_best] {
             // an amateur's ball is slower than the fitted range of the law
             let of_the_law =
-                said.len() == 1 && said[0].contains("fitted to a Reynolds number of 70000");
+                printed.len() == 1 && printed[0].contains("fitted to a Reynolds number of 70000");
             assert!(
-                said.is_empty() || preset.name == "amateur-average" && of_the_law,
-                "{}: {said:?}",
+                printed.is_empty() || preset.name == "amateur-average" && of_the_law,
+                "{}: {printed:?}",
                 preset.name
             );
         }
@@ -264,8 +264,12 @@ fn a_strike_beside_the_face_has_a_warning_on_standard_error_and_in_json() {
     );
     let command = ["simulate", "modern-driver", "--set", "strike.toe=70mm"];
     let text = longdrive(&command);
-    let told = "strike.toe = 70 mm and strike.high = 0 mm lie outside the face";
-    assert!(text.status == 0 && text.err.contains(told), "{}", text.err);
+    let message = "strike.toe = 70 mm and strike.high = 0 mm lie outside the face";
+    assert!(
+        text.status == 0 && text.err.contains(message),
+        "{}",
+        text.err
+    );
     for command in [
         command.to_vec(),
         vec![
@@ -284,7 +288,7 @@ fn a_strike_beside_the_face_has_a_warning_on_standard_error_and_in_json() {
         assert!(
             warnings
                 .iter()
-                .any(|it| it.as_str().unwrap().contains(told)),
+                .any(|it| it.as_str().unwrap().contains(message)),
             "{answer}"
         );
     }
@@ -309,7 +313,7 @@ fn same_count_of_a_sweep_for_any_threads() {
         format!("ball_speed [m/s],launch_angle [deg],backspin [rpm]\n{rows}"),
     )
     .unwrap();
-    let told = format!(
+    let message = format!(
         "{outside} of 5000 drives that landed: at launch outside of what the law launch-monitor"
     );
     for threads in ["1", "2"] {
@@ -328,8 +332,8 @@ fn same_count_of_a_sweep_for_any_threads() {
         let warnings = answer["warnings"].as_array().unwrap();
         assert!(status == 0 && warnings.len() == 1, "{answer}");
         assert!(
-            warnings[0].as_str().unwrap().contains(&told),
-            "{told}: {answer}"
+            warnings[0].as_str().unwrap().contains(&message),
+            "{message}: {answer}"
         );
     }
 }
@@ -426,13 +430,13 @@ fn charts_and_calibrations_count_drives_beyond_the_law() {
         "swing.speed=140mph..145mph",
     ]);
     let points = chart["points"].as_array().unwrap().len();
-    let told = format!(
+    let message = format!(
         "{points} of {points} optima: with more than 0.3 yd of carry outside of what the law \
          smits-smith"
     );
     assert!(
-        status == 0 && chart["warnings"][0].as_str().unwrap().starts_with(&told),
-        "{told}: {chart}"
+        status == 0 && chart["warnings"][0].as_str().unwrap().starts_with(&message),
+        "{message}: {chart}"
     );
     let (_, usual) = json(&["chart", "--along", "swing.speed", "--at", "105mph,110mph"]);
     assert_eq!(usual["warnings"].as_array().unwrap().len(), 0, "{usual}");
@@ -472,18 +476,18 @@ fn drives_without_a_landing_have_a_warning_if_the_flight_is_requested() {
     ];
     let says = "% of the drives do not land";
     for (of, is_told) in [("carry", true), ("ball_speed", false)] {
-        let said = longdrive(&[&spread[..], &[of]].concat());
+        let printed = longdrive(&[&spread[..], &[of]].concat());
         assert_eq!(
-            (said.status, said.err.contains(says)),
+            (printed.status, printed.err.contains(says)),
             (0, is_told),
             "{of}: {}",
-            said.err
+            printed.err
         );
         assert_eq!(
-            said.out.contains("of the drives that land lie between"),
+            printed.out.contains("of the drives that land lie between"),
             is_told,
             "{of}: {}",
-            said.out
+            printed.out
         );
     }
 }
@@ -491,7 +495,7 @@ fn drives_without_a_landing_have_a_warning_if_the_flight_is_requested() {
 /// Slow and fast drives leave the law, and those between do not.
 #[test]
 fn a_warning_of_a_chart_names_each_part() {
-    let said = longdrive(&[
+    let printed = longdrive(&[
         "chart",
         "--set",
         "aero.law=winfield-tan",
@@ -500,7 +504,7 @@ fn a_warning_of_a_chart_names_each_part() {
         "--at",
         "50mph,90mph,100mph,140mph",
     ]);
-    let err = said.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    let err = printed.err.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(err.contains("; swing.speed = 50 mph, and 140 mph"), "{err}");
 }
 
@@ -627,7 +631,7 @@ fn share_outside_the_range_of_a_law_is_in_the_answer() {
 /// Without air a ball lands at its launch angle; ground that rises by 4° adds 4°.
 #[test]
 fn exact_angle_of_a_landing_flatter_than_measured_bounces() {
-    let told = |settings: &[&str], of: &str| {
+    let message = |settings: &[&str], of: &str| {
         let mut command = vec!["gradient", "--of", of, "--wrt", "launch.ball_speed"];
         command.extend([
             "--set",
@@ -650,13 +654,13 @@ fn exact_angle_of_a_landing_flatter_than_measured_bounces() {
             .collect()
     };
     for of in ["total", "run", "lateral_total", "carry,total"] {
-        let found: Vec<String> = told(&[], of);
+        let found: Vec<String> = message(&[], of);
         assert!(
             found.len() == 1 && found[0].contains("lands at 23 deg to the ground, below 25 deg"),
             "{of}: {found:?}"
         );
     }
-    let found: Vec<String> = told(&["ground.slope=1deg"], "total");
+    let found: Vec<String> = message(&["ground.slope=1deg"], "total");
     assert!(
         found.len() == 1 && found[0].contains("lands at 24 deg"),
         "{found:?}"
@@ -667,7 +671,7 @@ fn exact_angle_of_a_landing_flatter_than_measured_bounces() {
         // the ball embeds: there is no run
         (&["ground.restitution=none"], "total"),
     ] {
-        let found: Vec<String> = told(settings, of);
+        let found: Vec<String> = message(settings, of);
         assert!(found.is_empty(), "{settings:?} {of}: {found:?}");
     }
 }
@@ -715,7 +719,7 @@ fn a_flat_landing_has_a_warning_with_the_total_and_at_an_optimum() {
 #[test]
 fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
     let swings = "swing.speed=truncated(100mph,10mph,85mph,130mph)";
-    let asked = [
+    let requested = [
         "--distribution",
         swings,
         "--vary",
@@ -725,13 +729,13 @@ fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
         "--set",
         "aero.law=winfield-tan",
     ];
-    let (status, found) = json(&[&["optimize"], &asked[..], &SET_RIGID_TOUR].concat());
+    let (status, found) = json(&[&["optimize"], &requested[..], &SET_RIGID_TOUR].concat());
     assert_eq!(status, 0, "{found}");
-    let told = warning_of(
+    let message = warning_of(
         &found,
         " % of the swings: with more than 0.3 yd of carry outside of what the law winfield-tan",
     );
-    let share: f64 = told.split(' ').next().unwrap().parse().unwrap();
+    let share: f64 = message.split(' ').next().unwrap().parse().unwrap();
     let mut setup = Setup::preset("tour-average").unwrap();
     setup.set_all(RIGID).unwrap();
     setup
@@ -788,9 +792,9 @@ fn warning_of(found: &serde_json::Value, says: &str) -> String {
         .unwrap()
         .iter()
         .map(|it| it.as_str().unwrap());
-    let told: Vec<_> = all.filter(|it| it.contains(says)).collect();
-    assert_eq!(told.len(), 1, "{says}: {found}");
-    told[0].to_owned()
+    let message: Vec<_> = all.filter(|it| it.contains(says)).collect();
+    assert_eq!(message.len(), 1, "{says}: {found}");
+    message[0].to_owned()
 }
 
 #[test]
@@ -824,11 +828,11 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
     ];
     let low = ["--vary", "club.loft=2deg..20deg"];
     let (_, found) = json(&[&models[..3], &low, &fast].concat());
-    let told = warning_of(
+    let message = warning_of(
         &found,
         "with the model 'as set up': the law launch-monitor was fitted to",
     );
-    assert!(told.contains("of the time outside"), "{found}");
+    assert!(message.contains("of the time outside"), "{found}");
     let front = [
         "pareto",
         "--maximize",
@@ -841,12 +845,12 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
     let law = ["--set", "aero.law=smits-smith"];
     let (_, found) = json(&[&front, &fast[..], &law].concat());
     let points = found["points"].as_array().unwrap().len();
-    let told = warning_of(&found, says);
+    let message = warning_of(&found, says);
     assert!(
-        told.starts_with(&format!(
+        message.starts_with(&format!(
             "{points} of {points} points of the front: with more than 0.3 yd"
         )),
-        "{told}"
+        "{message}"
     );
     let swings = [
         "--distribution",
@@ -864,12 +868,12 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
         "4",
     ];
     let (_, found) = json(&[&goals[..], &swings, &fast, &law, &SET_RIGID_TOUR].concat());
-    let told = warning_of(&found, says);
+    let message = warning_of(&found, says);
     assert!(
-        told.contains(
+        message.contains(
             " points of the front, for at least 1 % of their swings: with more than 0.3 yd"
         ),
-        "{told}"
+        "{message}"
     );
     // at usual speeds there is no warning
     let usual = json(&[&front[..], &["--vary", "club.loft=8deg..11deg"]].concat()).1;

@@ -587,12 +587,12 @@ fn contradictory_weather_settings_are_refused() {
             "air.pressure = 2990 Pa (29.9 hPa) is outside its range 220 hPa",
         ),
     ] {
-        let said = longdrive(args);
-        let text = format!("{}{}", said.out, said.err);
+        let output = longdrive(args);
+        let text = format!("{}{}", output.out, output.err);
         assert!(
-            said.status == 2 && text.contains(says),
+            output.status == 2 && text.contains(says),
             "{args:?}: {}: no '{says}': {text}",
-            said.status
+            output.status
         );
     }
     // each remedy names the existing setting, and is accepted
@@ -637,28 +637,28 @@ fn contradictory_weather_settings_are_refused() {
     ] {
         let set = set.iter().flat_map(|text| ["--set", text]);
         let args: Vec<&str> = ["simulate", setup].into_iter().chain(set).collect();
-        let said = longdrive(&args);
+        let output = longdrive(&args);
         assert!(
-            said.status == 2
-                && said
+            output.status == 2
+                && output
                     .err
                     .trim_end()
                     .ends_with(&format!("setup's value with {remedy}")),
             "{}",
-            said.err
+            output.err
         );
         let back = remedy.split(" or ").last().unwrap().split(' ');
         let followed = longdrive(&args.iter().copied().chain(back).collect::<Vec<_>>());
         assert_eq!(followed.status, 0, "{args:?}: {}", followed.err);
         // after the remedy, the drive has only the air and wind of the options
         if *setup == printed {
-            let asked: Vec<&str> = ["simulate"]
+            let requested: Vec<&str> = ["simulate"]
                 .into_iter()
                 .chain(args[2..].iter().copied())
                 .collect();
             // the first lines name the setup
             let drive = |out: &str| out.split_once("\n\n").unwrap().1.to_owned();
-            assert_eq!(drive(&followed.out), drive(&longdrive(&asked).out));
+            assert_eq!(drive(&followed.out), drive(&longdrive(&requested).out));
         }
     }
     let none = presets
@@ -686,9 +686,13 @@ fn contradictory_weather_settings_are_refused() {
         drive(longdrive(&["simulate", &none]).out),
         drive(longdrive(&[&["simulate"][..], &set].concat()).out)
     );
-    let said = longdrive(&["simulate", &printed, "--set", "air.density=none"]);
+    let output = longdrive(&["simulate", &printed, "--set", "air.density=none"]);
     let says = "air.density: it cannot be unset; give it a value, or also give the parameters that determine it: density and viscosity follow from";
-    assert!(said.status == 2 && said.err.contains(says), "{}", said.err);
+    assert!(
+        output.status == 2 && output.err.contains(says),
+        "{}",
+        output.err
+    );
     // each drive of a sweep has the weather
     let over = [
         "sweep",
@@ -755,8 +759,8 @@ fn contradictory_weather_settings_are_refused() {
             "wind.up=1mph",
         ],
     ] {
-        let said = longdrive(args);
-        assert_eq!(said.status, 0, "{args:?}: {}", said.err);
+        let output = longdrive(args);
+        assert_eq!(output.status, 0, "{args:?}: {}", output.err);
     }
     let mut setup = Setup::default();
     setup.set("air.temperature", "20 degC").unwrap();
@@ -768,7 +772,7 @@ fn contradictory_weather_settings_are_refused() {
 
 #[test]
 fn weather_beyond_the_equation_of_the_density_has_a_warning() {
-    let told = |settings: &[(&str, &str)]| {
+    let message = |settings: &[(&str, &str)]| {
         with(settings)
             .warnings()
             .iter()
@@ -780,9 +784,9 @@ fn weather_beyond_the_equation_of_the_density_has_a_warning() {
         &[("air.temperature", "-5 degC"), ("air.humidity", "90 %")],
         &[("air.pressure", "600 hPa")],
     ] {
-        assert_eq!(told(usual), [""; 0], "{usual:?}");
+        assert_eq!(message(usual), [""; 0], "{usual:?}");
     }
-    let steam = told(&[
+    let steam = message(&[
         ("air.temperature", "60 degC"),
         ("air.humidity", "1"),
         ("air.pressure", "220 hPa"),
@@ -797,6 +801,7 @@ fn weather_beyond_the_equation_of_the_density_has_a_warning() {
         "{steam:?}"
     );
     assert!(
-        told(&[("air.altitude", "5 km")])[0].contains("air.altitude = 16404 ft is above 13780 ft")
+        message(&[("air.altitude", "5 km")])[0]
+            .contains("air.altitude = 16404 ft is above 13780 ft")
     );
 }

@@ -134,15 +134,15 @@ fn json(question: &Question, out: &str, status: ExitStatus) -> Vec<String> {
         Err(error) => return vec![format!("not one JSON object: {error}: {out}")],
     };
     let mut wrong = faults(question.command(), &answer);
-    let said = answer["status"].as_str().unwrap_or_default();
-    let expected = if said == "error" {
+    let printed = answer["status"].as_str().unwrap_or_default();
+    let expected = if printed == "error" {
         2
     } else {
-        i32::from(!FOUND.contains(&said))
+        i32::from(!FOUND.contains(&printed))
     };
     if status.code() != Some(expected) {
         wrong.push(format!(
-            "the answer says '{said}', and yet the exit status is {status}"
+            "the answer says '{printed}', and yet the exit status is {status}"
         ));
     }
     wrong

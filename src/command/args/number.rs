@@ -69,16 +69,16 @@ mod tests {
             "4294967296",
             "99999999999999999999",
         ] {
-            let told = starts(wrong).unwrap_err();
+            let message = starts(wrong).unwrap_err();
             assert_eq!(
-                told,
+                message,
                 "it must be a whole number of 1 or more (at most 4294967295); write for example \
                  `starts 8`"
             );
         }
-        let told = whole::<u32>(240..=4000, "`width 800`")("100").unwrap_err();
+        let message = whole::<u32>(240..=4000, "`width 800`")("100").unwrap_err();
         assert_eq!(
-            told,
+            message,
             "it must be a whole number from 240 to 4000; write for example `width 800`"
         );
         assert_eq!(

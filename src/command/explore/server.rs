@@ -2,7 +2,7 @@ use super::http::{HttpResponse, MOST_BYTES, Site, TOO_MANY, incomplete};
 use super::page::{PAGE, policy, refused};
 use crate::command::interrupt;
 use crate::command::listener::Listener;
-use crate::command::output::tell;
+use crate::command::output::note;
 use crate::command::running::running;
 use crate::{Error, Result};
 use std::io::{self, ErrorKind, Read, Write};
@@ -40,7 +40,7 @@ pub fn serve(state: &str) -> Result<()> {
         .host
         .write(address.as_bytes())
         .map_err(Error::Output)?;
-    tell("open this address in a browser; Ctrl-C ends");
+    note("open this address in a browser; Ctrl-C ends");
     listener.serve(&stop, TOO_MANY, |stream| answer(stream, &site, &stop));
     Ok(())
 }

@@ -1,12 +1,12 @@
 //! Flies shots that arrive over the network.
 
 use super::args::Args;
-use super::request::{asked, followed, setup};
+use super::request::{followed, requested_outcomes, setup};
 use crate::batch::Status;
 use crate::command::args::SETUP;
 use crate::command::interrupt;
 use crate::command::listener::Listener;
-use crate::command::output::{Answer, tell, warn, warnings};
+use crate::command::output::{Answer, note, warn, warnings};
 use crate::command::request::Request;
 use crate::report::{Reply, open_connect_answer};
 use crate::shots::{Flying, Objects};
@@ -56,7 +56,7 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
     let request = request(args)?;
     let setup = setup(&request, "the messages")?;
     request.refuse_replaced(&setup, &[])?;
-    let of = asked(args)?;
+    let of = requested_outcomes(args)?;
     let flying = followed(&request, &setup, &of, |setup| {
         Flying::of_messages(setup, &of)
     })?;
@@ -64,7 +64,7 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
     let wanted = SocketAddr::new(args.address, port);
     let listener = Listener::bind(wanted).map_err(|error| refused(wanted, &error))?;
     let stop = interrupt::stops("ending after the messages under way");
-    tell(&format!(
+    note(&format!(
         "listening on {} for messages of GSPro Open Connect; Ctrl-C ends",
         listener.address
     ));

@@ -11,7 +11,7 @@ use crate::batch::Run;
 use crate::command::args::refuse_threads;
 use crate::command::files::{Destination, DestinationKind, OutputStream};
 use crate::command::interrupt;
-use crate::command::output::{Answer, system, tell, tell_notes, text_of, warn};
+use crate::command::output::{Answer, note, note_each, system, text_of, warn};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::input_file;
@@ -24,7 +24,7 @@ use crate::table::{ASSUMED_UNITS, CONDITIONS, RowFilter};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use args::FlyFormat;
-use request::{asked, followed, setup};
+use request::{followed, requested_outcomes, setup};
 use std::path::Path;
 use target::{destination, format_of};
 
@@ -48,13 +48,13 @@ fn fly(args: &Args) -> Result<Answer> {
     let stop = interrupt::stops("stopping after the rows under way");
     let filter = RowFilter::read(&args.only)?;
     let mut shots = read_shots(file, filter, &request, &setup)?;
-    // `asked` prints notes about the outcomes: call it after all checks of the input
-    let of = asked(args)?;
+    // `requested_outcomes` prints notes about the outcomes: call it after all checks of the input
+    let of = requested_outcomes(args)?;
     let flying = flying(&request, &setup, &shots, &of)?;
     warn(setup.warnings());
     let mut remarks = shots.remarks().to_vec();
     remarks.extend(not_compared(&shots, &of, request.gives_ground()));
-    tell_notes(file.display(), &remarks);
+    note_each(file.display(), &remarks);
     let run = Run {
         threads: args.threads,
         stop: Some(&stop),
@@ -63,7 +63,7 @@ fn fly(args: &Args) -> Result<Answer> {
     let maker = shots.maker();
     let (tally, output) = written(&destination, format, &flying, &mut shots, &run)?;
     let final_remarks = shots.final_remarks();
-    tell_notes(file.display(), &final_remarks);
+    note_each(file.display(), &final_remarks);
     remarks.extend(final_remarks);
     let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
     if !is_stopped {
@@ -78,7 +78,7 @@ fn fly(args: &Args) -> Result<Answer> {
     let suspicions = tally.unit_warnings(&shots);
     if suspicions.is_empty() {
         let of_lofted = of_lofted(&tally, &setup.law).map(Message::from);
-        tell_notes(file.display(), &of_lofted);
+        note_each(file.display(), &of_lofted);
         remarks.extend(of_lofted);
     }
     warn(suspicions);
@@ -292,7 +292,7 @@ fn answer(
         Some(file) if is_answered => Answer::text(format!("{text}wrote {}\n", file.display())),
         // standard output already has the rows
         None if destination.kind != DestinationKind::Nowhere => {
-            tell(&text);
+            note(&text);
             Answer::text(String::new())
         }
         _ => Answer::text(text),

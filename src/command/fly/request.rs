@@ -8,7 +8,7 @@ use crate::shots::Flying;
 use crate::{Outcome, Result, Setup};
 
 /// The outcomes to compute; "all" means all outcomes of the flight.
-pub fn asked(args: &Args) -> Result<Vec<Outcome>> {
+pub fn requested_outcomes(args: &Args) -> Result<Vec<Outcome>> {
     let is_all = args.of.iter().any(|name| name.trim() == "all");
     let of = outcomes(&args.of)?;
     Ok(if is_all {

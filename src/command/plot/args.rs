@@ -27,7 +27,7 @@ pub enum PlotKind {
         setup_args: SetupArgs,
 
         #[command(flatten)]
-        asked: GoalArgs,
+        requested: GoalArgs,
 
         #[command(flatten)]
         drawing: PictureArgs,

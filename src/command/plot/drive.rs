@@ -3,7 +3,7 @@
 use super::args::{PlotFairway, PlotSearch, PlotStrike};
 use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::sigmas;
-use crate::command::output::{Answer, spinner, system, tell};
+use crate::command::output::{Answer, note, spinner, system};
 use crate::command::picture::{PictureArgs, PlotDestination};
 use crate::command::request::{Request, Source};
 use crate::optimize::{Observer, Status};
@@ -188,7 +188,7 @@ fn searched(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, Optio
     let setup = request.setup()?;
     let reason = search.nothing_to_vary(request, &setup)?;
     if let Some(reason) = reason.filter(|_| search.given().next().is_none()) {
-        tell(&format!("no optimum is drawn: {reason}"));
+        note(&format!("no optimum is drawn: {reason}"));
         return Ok((request.for_many(setup, &[])?, None));
     }
     let search = search.search(request, &setup)?;
@@ -205,7 +205,7 @@ pub fn drawn_optimum(setup: &Setup<f64>, search: Search) -> Result<Option<Optimu
     if best.solution.status == Status::Converged {
         return Ok(Some(best));
     }
-    tell(&format!(
+    note(&format!(
         "no optimum is drawn: {}: {}",
         best.status(),
         best.message().in_units(system())

@@ -9,11 +9,11 @@ use crate::atmosphere::AirState;
 use crate::command::compare::warnings;
 use crate::command::host::SharedProgress;
 use crate::command::names::{outcomes, sigmas, usual, variables};
-use crate::command::output::{Answer, bar, spinner, system, tell, with_bar};
+use crate::command::output::{Answer, bar, note, spinner, system, with_bar};
 use crate::command::pareto;
 use crate::command::picture::PlotDestination;
 use crate::command::request::Request;
-use crate::command::verify::tell_left_out;
+use crate::command::verify::note_left_out;
 use crate::optimize::{Observer, Status};
 use crate::parameters::{Law, Parameter};
 use crate::repeated::first_repeated;
@@ -43,9 +43,9 @@ pub fn run(args: &Args) -> Result<Answer> {
         PlotKind::Chart(args) => along(args),
         PlotKind::Pareto {
             setup_args,
-            asked,
+            requested,
             drawing,
-        } => pareto::draw(setup_args, asked, drawing),
+        } => pareto::draw(setup_args, requested, drawing),
         PlotKind::Tornado(args) => tornado(args),
         PlotKind::Compare(args) => difference(args),
         PlotKind::Vcurve(args) => vcurve(args),
@@ -90,8 +90,8 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
     let of_best = best.map_or(vec![], at_optimum);
-    if let Some((_, said)) = best.and_then(short_drive) {
-        tell(said);
+    if let Some((_, printed)) = best.and_then(short_drive) {
+        note(printed);
     }
     let region = best
         .map(|best| Region::around(best, map.plane.across, map.plane.up, usual_loss(best)))
@@ -99,7 +99,7 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
         .flatten();
     spinner.finish();
     if best.is_some() && region.is_none() {
-        tell(
+        note(
             "no region around the optimum is drawn: no other drive of the map loses little and \
              meets every constraint",
         );
@@ -162,8 +162,8 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let chart = chart(&setup, &search, along, &[], &counted_points(&bar));
     bar.finish();
     let chart = chart?;
-    for note in chart.begun.iter().chain(&chart.ended) {
-        tell(&note.in_units(system()));
+    for message in chart.begun.iter().chain(&chart.ended) {
+        note(&message.in_units(system()));
     }
     let own = optimum(&setup, search.clone(), Observer::default())?;
     let own = Some(&own).filter(|own| own.solution.status == Status::Converged);
@@ -283,9 +283,9 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
             true
         })
     })?;
-    tell_left_out(&certificate);
+    note_left_out(&certificate);
     // draw the requested derivatives in their order, without the other rows of the certificate
-    let asked = of
+    let requested = of
         .iter()
         .flat_map(|of| wrt.iter().map(move |parameter| (*of, *parameter)));
     let row = |(of, parameter)| {
@@ -298,7 +298,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
         &request,
         &setup,
         &vcurve_figure(
-            asked.filter_map(row),
+            requested.filter_map(row),
             &while_loop(&setup, &certificate.rows),
         ),
         vec![],
@@ -322,16 +322,16 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
         let mut other = setup;
         other.set_law(name).map(|()| other.law)
     };
-    let asked: Vec<&str> = args.laws.iter().map(|name| name.trim()).collect();
-    if let Some([_, again]) = first_repeated(&asked, |a, b| a == b) {
-        let (name, number) = (asked[again], again + 1);
+    let requested: Vec<&str> = args.laws.iter().map(|name| name.trim()).collect();
+    if let Some([_, again]) = first_repeated(&requested, |a, b| a == b) {
+        let (name, number) = (requested[again], again + 1);
         let source = format!("'{name}' (law {number}) is named twice; keep one");
         return Err(Error::unreadable("`laws`", source));
     }
-    let laws = if asked.is_empty() {
+    let laws = if requested.is_empty() {
         all().map(named).collect::<Result<Vec<_>>>()
     } else {
-        asked.into_iter().map(named).collect()
+        requested.into_iter().map(named).collect()
     }?;
     target.put(
         request.is_json,

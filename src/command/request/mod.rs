@@ -11,7 +11,7 @@ pub use setting::{CommandSetting, refuse_duplicates};
 pub use source::Source;
 
 use crate::command::args::{DriveArgs, OwnLaw, SetupArgs};
-use crate::command::output::{system, tell};
+use crate::command::output::{note, system};
 use crate::command::running::running;
 use crate::integration::StepChoice;
 use crate::parameters::{GOLFER, Law, Parameter, SPEED_OF, TABLE, Vary, follows_from};
@@ -205,7 +205,7 @@ impl Request {
             setup.set_value(parameter, Some(value))?;
             added.push(parameter);
             let shown = parameter_text(parameter, value, system());
-            tell(&format!(
+            note(&format!(
                 "note: {} has no value in {}; it {how} {shown}",
                 parameter.name,
                 self.source.name()
@@ -463,7 +463,7 @@ impl Request {
             } else {
                 ", the end of its range"
             };
-            tell(&format!(
+            note(&format!(
                 "note: {name} is varied; the search from the setup begins at {start_text}{moved}"
             ));
         }
@@ -487,7 +487,7 @@ impl Request {
             return;
         }
         let are = if gone.len() == 1 { "is" } else { "are" };
-        tell(&format!(
+        note(&format!(
             "note: {} of {} {are} replaced by {by}",
             gone.join(" and "),
             self.source.name()
@@ -504,7 +504,7 @@ impl Request {
             .map(|parameter| parameter.name)
             .collect();
         if !names.is_empty() {
-            tell(&format!(
+            note(&format!(
                 "note: {}: not used, since the drive is given by its launch: {}",
                 self.source.name(),
                 names.join(", ")

@@ -3,7 +3,7 @@
 use super::Request;
 use crate::command::args::SetupArgs;
 use crate::command::files::Destination;
-use crate::command::output::{tell, warn_early};
+use crate::command::output::{note, warn_early};
 use crate::integration::{Integration, StepChoice, of_the_flight};
 use crate::parameters::{Vary, is_of_step};
 use crate::report::{setup_toml, with_step_of};
@@ -77,7 +77,7 @@ impl Request {
             warn_early(warning.clone());
         }
         if let Some(found) = found.accuracy.filter(|_| is_within) {
-            tell(&format!(
+            note(&format!(
                 "method {} with a step of {:.4} s: lengths are within {:.1e} m of their exact \
                  values in the {} checked",
                 found.method.name(),

@@ -16,7 +16,7 @@ use crate::batch::{Batch, Points, Run, Status, StatusCounts};
 use crate::command::args::{refuse_threads, stated};
 use crate::command::files::DestinationKind;
 use crate::command::interrupt;
-use crate::command::output::{Answer, bar, say_error, tell, warn, warnings};
+use crate::command::output::{Answer, bar, note, say_error, warn, warnings};
 use crate::drive::CheckScope;
 use crate::report::Reply;
 use crate::units::{Message, counted};
@@ -82,7 +82,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         CheckScope::Launch,
     ));
     if !is_complete {
-        tell(&stopped(&summary, part.as_deref(), &output));
+        note(&stopped(&summary, part.as_deref(), &output));
     }
     let nothing = (is_complete && !counts.has_any(batch.outcomes()))
         .then(|| no_outcome(&summary, counts, batch.outcomes()));
@@ -94,7 +94,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     // rows on standard output leave no place there for the counts of drives that did not land
     let all_landed = counts.count(Status::Landed) == counts.total();
     if is_answered && !all_landed && is_standard_output {
-        tell(&summary.text(None));
+        note(&summary.text(None));
     }
     let answer = if request.is_json {
         let reply = Reply::done("sweep", warnings(), &summary);

@@ -5,7 +5,7 @@ use super::request::SweepRequest;
 use crate::batch::Run;
 use crate::command::files::{refused, unwritable};
 use crate::command::interrupt;
-use crate::command::output::{Answer, bar, system, tell, text_of, warn, warnings};
+use crate::command::output::{Answer, bar, note, system, text_of, warn, warnings};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::input_file::is_in_memory;
@@ -110,12 +110,12 @@ fn written_text(part: PartOf, folder: &Path, manifest: &Manifest, there: Option<
 
 /// The answer for an interrupted part.
 fn stopped(PartOf { part, parts }: PartOf, request: &Request) -> Answer {
-    let note = format!(
+    let message = format!(
         "stopped: nothing of part {part} of {parts} is kept; the same command begins it again"
     );
-    tell(&note);
+    note(&message);
     let answer = if request.is_json {
-        Answer::none(Reply::refused(Some("sweep"), "interrupted", note))
+        Answer::none(Reply::refused(Some("sweep"), "interrupted", message))
     } else {
         Answer::text(String::new())
     };
@@ -173,7 +173,7 @@ pub fn check(args: &Args, folder: &Path) -> Result<Answer> {
         );
         return Err(refused(folder, reason));
     }
-    let (is_complete, said) = (checked.is_complete(), said(&checked));
+    let (is_complete, printed) = (checked.is_complete(), sentences(&checked));
     if args.setup_args.json {
         let reply = Reply::done(
             "sweep",
@@ -186,11 +186,12 @@ pub fn check(args: &Args, folder: &Path) -> Result<Answer> {
         let reply = if is_complete {
             reply
         } else {
-            reply.ended("partial", Some(said.join("; ")))
+            reply.ended("partial", Some(printed.join("; ")))
         };
         return Ok(Answer::json(&reply).found(is_complete));
     }
-    let text = said.join("\n") + "\n\n" + &text_of(&summary_document(&checked.summary, system()));
+    let text =
+        printed.join("\n") + "\n\n" + &text_of(&summary_document(&checked.summary, system()));
     Ok(Answer::text(text).found(is_complete))
 }
 
@@ -218,7 +219,7 @@ fn wanted(args: &Args) -> Result<Option<SweepDefinition>> {
 }
 
 /// The present and missing parts, as sentences.
-fn said(checked: &Checked) -> Vec<String> {
+fn sentences(checked: &Checked) -> Vec<String> {
     let Checked {
         question,
         present,
@@ -230,7 +231,7 @@ fn said(checked: &Checked) -> Vec<String> {
         sha256,
         ..
     } = checked;
-    let mut said = vec![match checked.is_complete() {
+    let mut printed = vec![match checked.is_complete() {
         true => format!(
             "complete: {} of {} with the instructions {}, {bytes} bytes",
             counted(*present, "part"),
@@ -248,25 +249,25 @@ fn said(checked: &Checked) -> Vec<String> {
         ),
     }];
     if !missing.is_empty() {
-        said.push(format!("missing: {}", ranges(missing)));
+        printed.push(format!("missing: {}", ranges(missing)));
     }
-    said.extend(
+    printed.extend(
         faults
             .iter()
             .map(|fault| format!("{}: {}", fault.file, fault.reason)),
     );
     if !unfinished.is_empty() {
-        said.push(format!(
+        printed.push(format!(
             "{} of writers that are running or were killed; delete them if no writer is running",
             counted(unfinished.len() as u64, "file")
         ));
     }
-    said.extend(
+    printed.extend(
         sha256
             .as_ref()
             .map(|hash| format!("SHA-256 of the set: {hash}")),
     );
-    said
+    printed
 }
 
 /// Numbers in the syntax of job arrays: `3,17-20`.

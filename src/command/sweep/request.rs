@@ -1,7 +1,7 @@
 use super::args::Args;
 use crate::batch::{Batch, Points};
 use crate::command::names::{outcomes, variables};
-use crate::command::output::tell_notes;
+use crate::command::output::note_each;
 use crate::command::request::Request;
 use crate::integration::Integration;
 use crate::table::sweep_points;
@@ -25,7 +25,7 @@ impl SweepRequest {
         let table = args.points.as_deref();
         let points = sweep_points(&setup, table, &args.over, args.sample, args.seed)?;
         let notes = points.notes();
-        tell_notes(described(args), &notes);
+        note_each(described(args), &notes);
         if let (Some(table), 0) = (&args.points, points.rows()) {
             let reason = "it has a head and no rows; give a row for each drive".into();
             return Err(Error::Table {

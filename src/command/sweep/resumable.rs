@@ -5,7 +5,7 @@ use crate::atomic_file::persist;
 use crate::batch::Block;
 use crate::batch::StatusCounts;
 use crate::command::files::{exists, refused, unwritable};
-use crate::command::output::tell;
+use crate::command::output::note;
 use crate::external_errors::write_error_text;
 #[cfg(feature = "parquet")]
 use crate::report::{ParquetGroup, PlacedGroup, SweepParquet};
@@ -193,7 +193,7 @@ impl<'a> ResumableFile<'a> {
             kept.restore_groups(table, &entries)?;
         }
         kept.cut().map_err(unusable)?;
-        tell(&format!("resuming after {}", counted(kept.safe, "row")));
+        note(&format!("resuming after {}", counted(kept.safe, "row")));
         if kept.safe == 0 {
             kept.append(&kept.formatter.head())?;
         }

@@ -70,8 +70,8 @@ impl<'a> ChartDrawing<'a> {
         let measure = NamedQuantity::outcome(of);
         let title = format!("Best {} against {}", measure.label, self.along.label);
         let figure = self.figure(of.name(), title, measure);
-        let told = |value: f64| shown::outcome(of, value, self.system);
-        self.with_optima(figure, Optimum::value, told)
+        let text = |value: f64| shown::outcome(of, value, self.system);
+        self.with_optima(figure, Optimum::value, text)
     }
 
     /// The plot of the optimal value of the varied parameter `i`, with the bounds of its range.
@@ -87,8 +87,8 @@ impl<'a> ChartDrawing<'a> {
             .figure(&name, title, measure)
             .with(self.bound_line("bounds", vary.low))
             .with(self.bound_line("", vary.high));
-        let told = |value: f64| shown::parameter(vary.parameter, value, self.system);
-        self.with_optima(figure, |best| best.solution.x.get(i).copied(), told)
+        let text = |value: f64| shown::parameter(vary.parameter, value, self.system);
+        self.with_optima(figure, |best| best.solution.x.get(i).copied(), text)
     }
 
     fn figure(&self, of: &str, title: String, measure: NamedQuantity) -> Figure {
@@ -121,7 +121,7 @@ impl<'a> ChartDrawing<'a> {
         &self,
         figure: Figure,
         value: impl Fn(&Optimum) -> Option<f64>,
-        told: impl Fn(f64) -> String,
+        text: impl Fn(f64) -> String,
     ) -> Figure {
         let (chart, system) = (self.chart, self.system);
         let along = chart.along.parameter;
@@ -134,7 +134,7 @@ impl<'a> ChartDrawing<'a> {
         });
         let own = self.own.and_then(|(at, best)| Some([at, value(best)?]));
         figure.layers.extend(own.map(|at| Layer::Mark {
-            name: format!("{}: {}", shown::stated(along, at[0], system), told(at[1])),
+            name: format!("{}: {}", shown::stated(along, at[0], system), text(at[1])),
             hue: Hue::SET_UP,
             at,
         }));

@@ -77,12 +77,12 @@ fn note(map: &Launches, system: System) -> String {
 /// The launch and the carry of a drive, with the ball speed of the drive if it differs from the
 /// ball speed of the map.
 fn note_of(one: &NamedLaunch, has_own_speed: bool, system: System) -> String {
-    let told = |of: Outcome, value: f64| shown::outcome(of, value, system);
+    let text = |of: Outcome, value: f64| shown::outcome(of, value, system);
     let carry = one.carry.map_or("no flight".into(), |carry| {
-        format!("carry {}", told(Outcome::Carry, carry))
+        format!("carry {}", text(Outcome::Carry, carry))
     });
     let speed = if has_own_speed {
-        let speed = told(Outcome::BallSpeed, one.ball_speed);
+        let speed = text(Outcome::BallSpeed, one.ball_speed);
         format!(", its own ball speed {speed}")
     } else {
         String::new()
@@ -94,7 +94,7 @@ fn note_of(one: &NamedLaunch, has_own_speed: bool, system: System) -> String {
     format!(
         "{}: launch {}, backspin {}, {carry}{speed}.",
         capital(name),
-        told(Outcome::LaunchAngle, one.launch_angle),
-        told(Outcome::Backspin, one.backspin),
+        text(Outcome::LaunchAngle, one.launch_angle),
+        text(Outcome::Backspin, one.backspin),
     )
 }

@@ -96,7 +96,7 @@ fn over_face(face: &Face, of: usize, outcome: Outcome) -> Field {
 fn note(designs: &[(&str, &Face)], system: System) -> String {
     /// Distance between the strikes whose effect the note states and the reference strike, m.
     const STEP: f64 = 1e-3;
-    let told = |(name, face): &(&str, &Face)| {
+    let text = |(name, face): &(&str, &Face)| {
         let by_toe = face.by_toe?;
         let change = |i: usize| shown::change(Face::OUTCOMES[i], STEP * by_toe[i], system);
         Some(format!(
@@ -106,15 +106,15 @@ fn note(designs: &[(&str, &Face)], system: System) -> String {
             change(0)
         ))
     };
-    let told: Vec<String> = designs.iter().filter_map(told).collect();
+    let text: Vec<String> = designs.iter().filter_map(text).collect();
     let mut references: Vec<_> = designs.iter().map(|(_, face)| reference(face)).collect();
     references.dedup();
     let from = references.join(" or ");
-    let slopes = match told.is_empty() {
+    let slopes = match text.is_empty() {
         true => String::new(),
         false => format!(
             "Effect of a strike 1 mm from {from} towards the toe: {}. ",
-            told.join("; ")
+            text.join("; ")
         ),
     };
     format!(

@@ -249,7 +249,7 @@ fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) 
 fn marks(flown: &NamedDrive, i: usize, view: View, system: System) -> Vec<Layer> {
     let (hue, _) = style(&flown.name, i);
     let value = |of: Outcome| of.value(&flown.drive);
-    let told = |of: Outcome, word: &str| {
+    let text = |of: Outcome, word: &str| {
         value(of).map(|found| format!("{word} {}", shown::outcome(of, found, system)))
     };
     let mut marks = vec![];
@@ -269,11 +269,11 @@ fn marks(flown: &NamedDrive, i: usize, view: View, system: System) -> Vec<Layer>
                 value(Outcome::ApexDownrange)
                     .zip(value(Outcome::ApexHeight))
                     .map(<[f64; 2]>::from),
-                told(Outcome::ApexHeight, "apex"),
+                text(Outcome::ApexHeight, "apex"),
             );
             mark(
                 value(Outcome::Carry).map(|carry| [carry, up]),
-                told(Outcome::Carry, "carry"),
+                text(Outcome::Carry, "carry"),
             );
         }
         View::Top => {
@@ -284,7 +284,7 @@ fn marks(flown: &NamedDrive, i: usize, view: View, system: System) -> Vec<Layer>
                 value(Outcome::Lateral).map(|side| shown::outcome(Outcome::Lateral, side, system));
             mark(
                 at,
-                told(Outcome::Carry, "carry")
+                text(Outcome::Carry, "carry")
                     .map(|carry| format!("{carry}, {}", side.unwrap_or_default())),
             );
         }

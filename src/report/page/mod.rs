@@ -2,11 +2,11 @@
 //! of its plots and their data.
 
 mod answer;
-mod asked;
 mod findings;
 mod gain;
 mod lofts;
 mod numbers;
+mod request;
 mod sections;
 
 pub use findings::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE};
@@ -206,11 +206,11 @@ impl Plots {
 }
 
 fn page(findings: &Findings, plots: &Plots) -> Result<String> {
-    let [metric, us] = System::ALL.map(|system| asked::title(findings, system));
+    let [metric, us] = System::ALL.map(|system| request::title(findings, system));
     let (metric, us) = (metric?, us?);
     let header = html! {
         h1 { "Drive: " (chosen(&metric, &us)) }
-        p.faint { (asked::subtitle(findings)?) }
+        p.faint { (request::subtitle(findings)?) }
     };
     let title = if findings.system == System::Us {
         us
@@ -236,7 +236,7 @@ fn main(findings: &Findings, plots: &Plots) -> Result<Markup> {
     };
     Ok(html! {
         (answer::answer(findings))
-        section { h2 { "What was asked" } (asked::asked(findings)?) }
+        section { h2 { "What was asked" } (request::request(findings)?) }
         @for remark in findings.remarks.iter().filter(|remark| !is_told(remark)) { p.warning { (both(|system| shown::spoken(&remark.in_units(system)))) } }
         section {
             h2 { "The drive" }

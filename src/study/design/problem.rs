@@ -58,7 +58,7 @@ impl Design {
             is_under_rules,
             notes: vec![],
         };
-        let asked = design.search.subject_to.len();
+        let requested = design.search.subject_to.len();
         if is_under_rules {
             for rule in &RULES {
                 design.add(setup, scenarios, rule)?;
@@ -75,13 +75,13 @@ impl Design {
             }
         }
         design.budget(setup);
-        let is_said =
+        let is_listed =
             |constraint: &DesignConstraint, k: usize| constraint.by == Enforcement::Limit(k);
-        for k in 0..asked {
+        for k in 0..requested {
             if !design
                 .constraints
                 .iter()
-                .any(|constraint| is_said(constraint, k))
+                .any(|constraint| is_listed(constraint, k))
             {
                 let limit = &design.search.subject_to[k];
                 let (name, goal) = (limit.goal.expression.clone(), &limit.goal);

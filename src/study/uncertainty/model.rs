@@ -136,13 +136,13 @@ impl SaltelliDesign {
     /// If the number of values differs from the number of points in a set.
     pub fn statistics(&self, values: &[Vec<Option<f64>>]) -> Option<Statistics> {
         let lengths = |sets: &mut dyn Iterator<Item = usize>| sets.collect::<Vec<_>>();
-        let [asked, given] = [
+        let [requested, given] = [
             lengths(&mut self.points.iter().map(Vec::len)),
             lengths(&mut values.iter().map(Vec::len)),
         ];
         assert!(
-            asked == given,
-            "the sets of the design have {asked:?} points, and there are {given:?} values"
+            requested == given,
+            "the sets of the design have {requested:?} points, and there are {given:?} values"
         );
         // A and B are independent: use all their values for the moments
         let mut all: Vec<f64> = values[..2]

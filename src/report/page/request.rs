@@ -86,7 +86,7 @@ fn changed(findings: &Findings, system: System) -> Result<Vec<ChangedSetting>> {
 
 /// The summary of the request: golfer, club and wind, varied and constant parameters, and the
 /// differences from the preset.
-pub(super) fn asked(findings: &Findings) -> Result<Markup> {
+pub(super) fn request(findings: &Findings) -> Result<Markup> {
     const GOLFER: [&str; 4] = [
         "swing.speed",
         "swing.attack_angle",
