@@ -128,7 +128,7 @@ pub enum Error {
     Nothing {
         /// The operation: "vary", "differentiate by".
         doing: &'static str,
-        /// The kind of name that is missing: "parameter", "outcome".
+        /// The kind of name that does not exist: "parameter", "outcome".
         what: &'static str,
     },
     /// A setup file that cannot be opened or read.

@@ -25,7 +25,7 @@ pub fn mention(mention: Mention<'_>) -> String {
         Mention::Argument {
             name: "json" | "csv" | "listen" | "address",
             ..
-        } => mention.in_words_of_the_program(),
+        } => mention.in_command_line_syntax(),
         Mention::Argument {
             name,
             takes_value: false,

@@ -1,5 +1,4 @@
-use crate::command::args::SetupArgs;
-use crate::command::names::{outcomes, usual, variables};
+use crate::command::args::{DerivativeArgs, SetupArgs};
 use crate::command::output::{Answer, note_error, warn, with_bar};
 use crate::derivative::{Order, Taylor, evaluate_with};
 use crate::report::GradientReport;
@@ -10,19 +9,8 @@ pub struct Args {
     #[command(flatten)]
     pub setup_args: SetupArgs,
 
-    /// The outcomes, separated by commas.
-    #[arg(
-        long,
-        value_name = "OUTCOME,…",
-        value_delimiter = ',',
-        default_value = "carry"
-    )]
-    pub of: Vec<String>,
-
-    /// The parameters, separated by commas; "all" for every one that has a value in this setup.
-    /// Without: loft and attack angle, or the launch conditions if they are given.
-    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
-    pub wrt: Vec<String>,
+    #[command(flatten)]
+    pub derivatives: DerivativeArgs,
 
     /// Compute the second derivatives (the Hessian) too.
     #[arg(long)]
@@ -32,12 +20,8 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let setup = request.within_tolerance(request.setup()?)?;
-    let of = outcomes(&args.of)?;
-    let wrt = if args.wrt.is_empty() {
-        usual(&setup)?
-    } else {
-        variables(&setup, &args.wrt, &of)?
-    };
+    let of = args.derivatives.outcomes()?;
+    let wrt = args.derivatives.variables(&setup, &of)?;
     let drive = Drive::new(&setup)?;
     warn(drive.warnings_about(&setup, &of));
 

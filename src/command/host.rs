@@ -63,7 +63,7 @@ pub trait Host: Send + Sync {
     /// Formats an argument or a command in a message. The default is the syntax of the command
     /// line.
     fn mention(&self, mention: Mention<'_>) -> String {
-        mention.in_words_of_the_program()
+        mention.in_command_line_syntax()
     }
 
     /// Announces the start of a command.

@@ -25,7 +25,7 @@ pub enum Mention<'a> {
 
 impl Mention<'_> {
     /// The syntax of the command line: `--vary club.loft=4deg..20deg`.
-    pub fn in_words_of_the_program(self) -> String {
+    pub fn in_command_line_syntax(self) -> String {
         let (name, value) = match self {
             Mention::Command(name) => return format!("'longdrive {name}'"),
             Mention::Argument { name, value, .. } => (name, value),
@@ -148,7 +148,7 @@ mod tests {
     use crate::command::with_mentions;
 
     fn in_program(message: &str) -> String {
-        with_mentions(message, |mention| mention.in_words_of_the_program())
+        with_mentions(message, |mention| mention.in_command_line_syntax())
     }
 
     #[test]

@@ -348,7 +348,7 @@ fn program() -> &'static clap::Command {
 /// ```
 /// use longdrive::command::{Mention, with_mentions};
 /// let message = "give a range, as in `vary club.loft=4deg..20deg`";
-/// let program = with_mentions(message, |mention| mention.in_words_of_the_program());
+/// let program = with_mentions(message, |mention| mention.in_command_line_syntax());
 /// assert_eq!(program, "give a range, as in --vary club.loft=4deg..20deg");
 /// ```
 pub fn with_mentions(message: &str, write: impl Fn(Mention<'_>) -> String) -> String {

@@ -2,7 +2,7 @@ use super::host::MessageKind;
 use super::host::{SharedProgress, Work};
 use super::mention::commands_with;
 use super::running::running;
-use super::wording::{advice_on, in_words_of_the_host, name_in_words_of_the_host};
+use super::wording::{advice_on, in_host_syntax, name_in_host_syntax};
 use crate::report::{Document, Empty, Reply, Report, SetupOrigin};
 use crate::units::{Message, System};
 use crate::{Error, Result};
@@ -45,7 +45,7 @@ fn say_warning(warning: &Message) {
     let text = warning.in_units(running.system());
     running
         .host
-        .say(MessageKind::Warning, &in_words_of_the_host(&text));
+        .say(MessageKind::Warning, &in_host_syntax(&text));
 }
 
 /// All warnings of the answer.
@@ -67,7 +67,7 @@ pub struct Answer {
 impl Answer {
     pub fn text(text: String) -> Self {
         Self {
-            text: in_words_of_the_host(&text),
+            text: in_host_syntax(&text),
             found: true,
         }
     }
@@ -82,7 +82,7 @@ impl Answer {
     }
 
     fn of_value(mut value: Value) -> Self {
-        put_in_words_of_the_host(&mut value);
+        put_in_host_syntax(&mut value);
         Self::text(serde_json::to_string_pretty(&value).unwrap_or_default() + "\n")
     }
 
@@ -139,7 +139,7 @@ impl Answer {
 
 /// A document as text, with the width and the detail of this command.
 pub fn text_of(document: &Document) -> String {
-    let document = document.clone().map_texts(in_words_of_the_host);
+    let document = document.clone().map_texts(in_host_syntax);
     document.text(&running().text_options())
 }
 
@@ -150,11 +150,11 @@ fn value_of(answer: &impl Serialize) -> Value {
 
 /// Writes the arguments that the texts of a JSON value mention as its user types them: as options
 /// in a shell, as keyword arguments in Python.
-fn put_in_words_of_the_host(value: &mut Value) {
+fn put_in_host_syntax(value: &mut Value) {
     match value {
-        Value::String(text) if text.contains('`') => *text = in_words_of_the_host(text),
-        Value::Array(values) => values.iter_mut().for_each(put_in_words_of_the_host),
-        Value::Object(fields) => fields.values_mut().for_each(put_in_words_of_the_host),
+        Value::String(text) if text.contains('`') => *text = in_host_syntax(text),
+        Value::Array(values) => values.iter_mut().for_each(put_in_host_syntax),
+        Value::Object(fields) => fields.values_mut().for_each(put_in_host_syntax),
         _ => {}
     }
 }
@@ -210,7 +210,7 @@ pub fn note_error(error: &Error) {
 pub fn say_error(message: &str) {
     running()
         .host
-        .say(MessageKind::Error, &in_words_of_the_host(message));
+        .say(MessageKind::Error, &in_host_syntax(message));
 }
 
 /// Reports an error and returns the exit status: 1 for a valid request without an answer, 2 for bad
@@ -235,7 +235,7 @@ pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: b
     }
     in_own_words(&mut error);
     let rendered = error.render();
-    let shown = in_words_of_the_host(&rendered.ansi().to_string());
+    let shown = in_host_syntax(&rendered.ansi().to_string());
     if !error.use_stderr() {
         return match running().host.print(&shown) {
             Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
@@ -281,7 +281,7 @@ fn with_named_arguments(message: &str, error: &clap::Error) -> String {
             _ => &[],
         };
         for name in names {
-            if let Some(words) = name_in_words_of_the_host(name) {
+            if let Some(words) = name_in_host_syntax(name) {
                 message = message.replace(name, &words);
             }
         }

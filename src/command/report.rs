@@ -8,7 +8,7 @@ use crate::command::output::{Answer, bar, command_line, note, system, warn, warn
 use crate::command::plot::{counted_points, limits};
 use crate::command::request::Request;
 use crate::command::running::running;
-use crate::command::wording::in_words_of_the_host;
+use crate::command::wording::in_host_syntax;
 use crate::flight::Flight;
 use crate::optimize::Observer;
 use crate::report::page::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE, report_documents};
@@ -189,7 +189,7 @@ fn add_sections(
         findings.chart = chart_of(&findings.setup, search, *along, bar, &mut remarks)?;
     }
     add_derivatives(findings, search, &inputs.sigmas, bar, &mut remarks)?;
-    let in_words = |message: Message| message.map_words(in_words_of_the_host);
+    let in_words = |message: Message| message.map_words(in_host_syntax);
     findings.remarks = remarks.into_iter().map(in_words).collect();
     findings.why_none = why_none.map(in_words);
     Ok(())

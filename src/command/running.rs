@@ -99,15 +99,14 @@ impl Running {
     }
 
     /// A message in the syntax of the host.
-    pub fn in_words_of_the_host(&self, message: &str) -> String {
+    pub fn in_host_syntax(&self, message: &str) -> String {
         with_mentions_of(self.program, message, |mention| self.host.mention(mention))
     }
 
     /// Reports a remark or progress, unless `--quiet` is given.
     pub fn note(&self, text: &str) {
         if !self.options.quiet {
-            self.host
-                .say(MessageKind::Note, &self.in_words_of_the_host(text));
+            self.host.say(MessageKind::Note, &self.in_host_syntax(text));
         }
     }
 

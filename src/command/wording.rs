@@ -9,14 +9,14 @@ use crate::units::Quantity;
 use std::path::Path;
 
 /// A message in the syntax of this command's host.
-pub fn in_words_of_the_host(message: &str) -> String {
-    running().in_words_of_the_host(message)
+pub fn in_host_syntax(message: &str) -> String {
+    running().in_host_syntax(message)
 }
 
 /// The name of an argument in the syntax of this command's host; `shown` is its name in the
 /// parser's message (`--width <PIXELS>`, `<STUDY>`). `None` in a terminal, and for an unknown
 /// argument.
-pub fn name_in_words_of_the_host(shown: &str) -> Option<String> {
+pub fn name_in_host_syntax(shown: &str) -> Option<String> {
     let name = match shown.strip_prefix("--") {
         Some(option) => option.split([' ', '=']).next()?.replace('-', "_"),
         None => shown.trim_matches(['<', '>', '[', ']', '.']).to_lowercase(),
@@ -26,8 +26,7 @@ pub fn name_in_words_of_the_host(shown: &str) -> Option<String> {
         value: None,
         takes_value: true,
     };
-    Some(running().host.mention(mention))
-        .filter(|words| *words != mention.in_words_of_the_program())
+    Some(running().host.mention(mention)).filter(|words| *words != mention.in_command_line_syntax())
 }
 
 /// Adds to an error the argument that would solve it.

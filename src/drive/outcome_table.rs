@@ -54,8 +54,7 @@ const TENTHS: &str = "assumed: three times the resolution of exports, 0.1°";
 /// Uncertainty of spin: no source was found.
 const OF_SPIN: &str = "assumed: 4 % of a driver's 2500 rpm";
 /// Uncertainty of distances: the difference between launch monitors for the same launch.
-const APART: &str =
-    "launch monitors predict the same launch within about {3 yd} of each other (docs/sources.md)";
+const APART: &str = "for the same launch, launch monitors predict carries within about {3 yd} of each other (docs/sources.md)";
 /// Uncertainty of totals: the differences between two monitors on the same shots (Bliss & Langdown
 /// 2026). Their ground models differ.
 const RUNS: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one standard \
@@ -545,7 +544,7 @@ outcomes! {
         sign: Sign::Right,
         instrument: Some(Instrument {
             sigma: "2 deg",
-            source: "assumed: 100 rpm across a spin of 2700 rpm turn the axis by 2.1 deg",
+            source: "assumed: 100 rpm of sidespin turn the axis of a spin of 2700 rpm by 2.1 deg",
             plausible: within(-180.0, 180.0),
             heads: &["spin axis", "spin tilt axis", "tilt angle", "axis tilt", "drehachse"],
         }),

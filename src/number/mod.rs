@@ -34,7 +34,7 @@
 //!   just stored in smaller pieces. The processor cannot forward such stores to the load: copies
 //!   take 16 to 24 % of a drive with rk4.
 //! - Long functions that are called rarely, or at several places, are compiled once for each number
-//!   type ([`Numbers::not_inlined`]). A loop over two evaluations has one call site instead of two.
+//!   type ([`Numbers::not_inlined`]). Two evaluations are a loop, so that their code is inlined once.
 
 mod compiled;
 mod dual;

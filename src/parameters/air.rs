@@ -48,7 +48,7 @@ static WAYS: [Ways; 2] = [
 ];
 
 impl Ways {
-    /// True if a parameter is in one of the two sets.
+    /// True if a parameter is in `by` or in `replaced`.
     pub(crate) fn has(&self, parameter: &Parameter) -> bool {
         [self.by, self.replaced]
             .iter()

@@ -25,7 +25,7 @@ pub struct Part {
     pub first_row: u64,
     /// Number of rows.
     pub rows: u64,
-    /// SHA-256 of the definition of the sweep, which the file contains under the key `longdrive`.
+    /// SHA-256 of the definition of the sweep. The file has the definition under the key `longdrive`.
     pub question: String,
     /// Architecture and instruction set of the processor: `x86_64 avx2`.
     pub instructions: String,

@@ -41,7 +41,7 @@ mod tests {
     use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
     #[test]
-    fn no_item_is_begun_after_cancellation_and_running_ones_end() {
+    fn no_item_starts_after_cancellation_and_running_items_end() {
         let items: Vec<usize> = (0..100_000).collect();
         for threads in [1, 2, 4] {
             let pool = ThreadPoolBuilder::new()

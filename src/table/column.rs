@@ -51,7 +51,7 @@ pub(crate) struct Column {
     is_unit_assumed: bool,
     /// True if positive values are to the left.
     pub is_turned: bool,
-    /// True if cells describe the weather in words, from which the air density is computed.
+    /// True if cells describe the weather by a text; the air density is computed from it.
     pub is_weather: bool,
 }
 

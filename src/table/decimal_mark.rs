@@ -108,7 +108,8 @@ impl DecimalMarkCheck {
     /// Checks a cell against all cells so far.
     ///
     /// # Errors
-    /// A message, if this cell or an earlier cell is ambiguous.
+    /// A message if the mark of this cell, or that of an earlier cell beside it, may be a decimal mark
+    /// or a separator of thousands.
     pub fn check(&mut self, row: u64, column: &Column, text: &str) -> Result<(), String> {
         if !(column.format.has_decimal_comma && column.is_a_number()) {
             return Ok(());

@@ -47,7 +47,7 @@ pub(crate) fn assume_units(
     }
     (!assumed.is_empty()).then(|| {
         format!(
-            "{ASSUMED_UNITS} {}; write other units into the heads",
+            "{ASSUMED_UNITS} {}; write other units into the column heads",
             assumed.join(", ")
         )
     })

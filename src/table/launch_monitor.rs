@@ -258,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn exports_are_told_from_other_tables() {
+    fn exports_are_distinguished_from_other_tables() {
         assert!(is_export(
             ["Ball Speed", "Launch Angle", "Player"].into_iter()
         ));

@@ -581,7 +581,7 @@ fn same_begin_of_a_chart_and_of_the_feasible_range() {
 }
 
 #[test]
-fn a_saddle_is_left_for_a_maximum() {
+fn a_search_leaves_a_saddle_for_a_maximum() {
     // by symmetry the landing speed has its minimum at zero cross wind
     let setup = Setup::default();
     let search = Search {

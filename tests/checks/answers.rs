@@ -108,7 +108,7 @@ fn details_of_the_computation_are_for_verbose() {
 }
 
 #[test]
-fn every_answer_names_its_setup_and_what_was_changed() {
+fn every_answer_names_its_setup_and_its_settings() {
     let set = ["--set", "swing.speed=95mph"];
     let title = "tour-average, swing.speed=95mph";
     for words in [
@@ -162,7 +162,7 @@ fn every_answer_names_its_setup_and_what_was_changed() {
 
 /// The best loft depends on shaft and strike, which follow from a measured launch.
 #[test]
-fn the_loft_of_an_average_comes_with_the_command_for_ones_own() {
+fn the_answer_for_an_average_names_the_command_for_an_own_loft() {
     let advice = "starts from your own launch";
     for (words, has_advice) in [
         (&["optimize"][..], true),

@@ -1039,7 +1039,7 @@ fn iterations_of_several_searches_name_their_search() {
 /// A search that reached a minimum keeps its status when other searches are stopped, and stopped
 /// searches do not count as ended.
 #[test]
-fn an_interrupted_calibration_from_many_starts_says_what_its_best_is() {
+fn an_interrupted_calibration_from_many_starts_names_its_best_fit() {
     let setup = elsewhere();
     let text = shots(&mut Noise(11), 1.0);
     let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();

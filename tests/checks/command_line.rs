@@ -776,7 +776,7 @@ fn presets_print_as_setup_files_with_sources() {
 }
 
 #[test]
-fn limits_of_what_is_possible_are_flown() {
+fn drives_at_the_limits_of_the_ranges_fly() {
     for set in [
         ["--set", "air.density=0kg/m^3"],
         ["--set", "club.bulge_radius=inf"],

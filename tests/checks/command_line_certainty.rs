@@ -317,7 +317,7 @@ fn drives_that_do_not_fly_are_reported_and_none_at_all_is_no_answer() {
 }
 
 #[test]
-fn mistakes_are_bad_input_and_say_what_to_write() {
+fn mistakes_are_bad_input_with_advice() {
     for (args, says) in [
         (vec!["verify", "--of", "cary"], "did you mean 'carry'?"),
         (

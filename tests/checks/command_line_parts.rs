@@ -706,7 +706,7 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
 /// different functions compute different rows, even at the same level.
 #[cfg(all(target_os = "linux", target_arch = "x86_64", target_env = "gnu"))]
 #[test]
-fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_question_has_the_same_bytes() {
+fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_sweep_has_the_same_bytes() {
     let folder = tempfile::tempdir().unwrap();
     // angles far beyond 46°, whose sines come from the C library
     let requested = [

@@ -156,7 +156,7 @@ fn a_set_value_of_a_variable_is_reported_as_its_start() {
 
 /// One of two parameters that belong together may be varied.
 #[test]
-fn a_wind_is_whole_whose_direction_is_varied() {
+fn a_varied_wind_direction_keeps_the_wind_speed() {
     let range = "--vary=wind.from=0deg..180deg";
     let (status, found) = json(&["optimize", range, "--set=wind.speed=10mph"]);
     // a tail wind carries farthest
@@ -504,7 +504,7 @@ fn refusals_of_variables_do_not_contradict_each_other() {
 }
 
 #[test]
-fn bad_input_to_a_search_is_status_2_and_says_what_to_write() {
+fn bad_input_to_a_search_is_status_2_with_advice() {
     for (args, says) in [
         (
             vec!["optimize", "--subject-to", "descent_angel >= 38 deg"],

@@ -793,7 +793,7 @@ fn same_table_and_sample_on_the_command_line() {
 }
 
 #[test]
-fn bad_input_to_a_sweep_is_status_2_and_says_what_to_write() {
+fn bad_input_to_a_sweep_is_status_2_with_advice() {
     let over = ["--over", "club.loft=5deg..15deg:3"];
     let with = |more: &[&'static str]| [&over[..], more].concat();
     for (args, says) in [

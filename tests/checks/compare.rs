@@ -508,7 +508,7 @@ fn two_drives_as_text_and_json() {
 }
 
 #[test]
-fn no_difference_is_said_and_bad_input_names_the_drive() {
+fn equal_drives_have_a_message_and_bad_input_names_the_drive() {
     let output = longdrive(&["compare", "modern-driver", "modern-driver"]);
     assert!(
         output.status == 0

@@ -478,7 +478,7 @@ fn an_undefined_derivative_is_an_error_and_not_nan() {
 }
 
 #[test]
-fn zero_spin_is_reported_as_a_corner_of_the_laws_whose_drag_grows_with_spin() {
+fn zero_spin_is_a_corner_of_laws_with_drag_that_grows_with_spin() {
     let mut setup = Setup::preset("mae494").unwrap();
     setup
         .set_all([("club.loft", "0 deg"), ("swing.attack_angle", "20 deg")])

@@ -73,7 +73,7 @@ fn other_swings_without_a_flight_do_not_suppress_a_design() {
 /// An unset parameter has the meaning that `parameters` prints: no weight, not the middle of its
 /// range.
 #[test]
-fn as_set_up_is_the_setup_without_what_is_unset() {
+fn the_setup_as_set_up_omits_unset_parameters() {
     let base = json(&[&TWO[..], &["--vary=club.loft=10deg..11deg"]].concat()).1;
     let mean = |found: &serde_json::Value| number(&found["design"]["parts"][0]["as_set_up"]);
     for most in ["20g", "40g"] {

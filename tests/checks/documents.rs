@@ -315,7 +315,7 @@ fn commands_on_the_samples_run_as_they_are_written() {
 }
 
 #[test]
-fn the_sample_of_launches_is_what_the_program_makes_of_the_deliveries() {
+fn same_sample_of_launches_from_the_deliveries() {
     let of = |sample: &str| format!("{}/../examples/{sample}", env!("CARGO_MANIFEST_DIR"));
     let outcomes = "ball_speed,launch_angle,launch_direction,backspin,sidespin";
     let output = longdrive(&[

@@ -528,7 +528,7 @@ fn a_side_view_has_its_numbers_at_the_points_and_a_stretched_view_below() {
 }
 
 #[test]
-fn a_map_of_what_does_not_change_is_not_drawn() {
+fn a_constant_map_is_not_drawn() {
     let folder = tempfile::tempdir().unwrap();
     let (file, page) = (
         folder.path().join("a.svg").display().to_string(),

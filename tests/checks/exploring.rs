@@ -33,7 +33,7 @@ fn a_host_without_a_terminal_serves_nothing() {
 
 #[cfg(not(feature = "explore"))]
 #[test]
-fn without_its_feature_the_command_names_what_to_type() {
+fn without_its_feature_the_command_names_the_build_command() {
     let output = crate::command_line::longdrive(&["explore"]);
     let err = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(output.status, 2, "{err}");

@@ -75,7 +75,7 @@ impl AtWork {
     }
 
     /// True if standard error has this text.
-    fn has_said(&self, text: &str) -> bool {
+    fn has_printed(&self, text: &str) -> bool {
         self.read("err").contains(text)
     }
 
@@ -170,7 +170,7 @@ fn work_without_a_part_of_an_answer_ends_with_nothing_printed_or_written() {
         let is_told = args[0] == "reproduce";
         let is_time = |program: &AtWork| {
             if is_told {
-                program.has_said("computing")
+                program.has_printed("computing")
             } else {
                 program.has_computed()
             }
@@ -270,7 +270,7 @@ fn stopped_work_writes_no_fit_lists_no_optimum_and_names_its_file() {
         "--set",
         step,
     ];
-    let found = interrupted_json_once(&fit, |program| program.has_said("iteration"));
+    let found = interrupted_json_once(&fit, |program| program.has_printed("iteration"));
     assert!(
         found["file"].is_null() && found["warnings"].to_string().contains("is not written"),
         "{found:#}"

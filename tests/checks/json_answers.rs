@@ -422,7 +422,7 @@ fn a_schema_refuses_an_answer_with_another_key_word_or_type() {
 }
 
 #[test]
-fn every_example_of_the_documentation_is_what_the_program_prints() {
+fn the_program_prints_every_example_of_the_documentation() {
     let file = format!("{}/../docs/json.md", env!("CARGO_MANIFEST_DIR"));
     let text = fs::read_to_string(file).unwrap();
     let mut shown = 0;

@@ -660,7 +660,7 @@ fn a_plot_of_laws_shows_the_law_in_use_among_the_others() {
 /// All published laws and a user's table, also as a picture; unused and unknown options are
 /// refused.
 #[test]
-fn a_plot_of_laws_draws_all_of_them_and_refuses_what_it_cannot_use() {
+fn a_plot_of_laws_draws_all_of_them_and_refuses_other_options() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     std::fs::write(

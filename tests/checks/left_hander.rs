@@ -270,7 +270,7 @@ fn the_hand_is_read_written_and_compared() {
 /// The monitor has path and face + to the right for every golfer; the recovered delivery is in the
 /// golfer's own terms.
 #[test]
-fn the_delivery_of_a_left_hander_is_in_the_golfers_own_terms() {
+fn the_delivery_of_a_left_hander_is_in_left_handed_terms() {
     let folder = tempfile::tempdir().unwrap();
     let written = |name: &str, text: &str| {
         let file = folder.path().join(name);

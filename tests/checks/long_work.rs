@@ -134,7 +134,7 @@ impl Problem for InBlocks {
 }
 
 #[test]
-fn no_block_is_begun_after_cancellation_and_the_search_ends_with_a_complete_point() {
+fn no_block_starts_after_cancellation_and_the_search_ends_with_a_complete_point() {
     let whole = whole();
     let evaluations = usize::try_from(whole.evaluations).unwrap();
     for raised_in in (1..10 * evaluations).step_by(3) {
@@ -208,7 +208,7 @@ fn no_block_is_begun_after_cancellation_and_the_search_ends_with_a_complete_poin
 }
 
 #[test]
-fn no_block_of_a_fit_is_begun_after_cancellation() {
+fn no_block_of_a_fit_starts_after_cancellation() {
     // Misra's curve through three of its points: 1 − e^(−b x), fitted in a few evaluations
     let rows = |b: &[f64]| {
         let at = |x: &f64| {
@@ -367,7 +367,7 @@ fn same_answer_of_the_program_after_repeated_kills() {
 /// Searches that had not begun are one entry, here nearly all of ten thousand: as single entries they would
 /// be compared with all others.
 #[test]
-fn searches_that_had_not_begun_are_one_entry_with_all_their_starts() {
+fn searches_that_did_not_start_are_one_entry_with_all_their_starts() {
     let (domain, options) = (disc(), Options::default());
     let starts = starts(&domain, &START, 10_000).unwrap();
     let observers = Observers::default();

@@ -199,7 +199,7 @@ fn a_standard_uncertainty_must_be_above_zero() {
 }
 
 #[test]
-fn a_drive_without_a_landing_says_what_ended_it() {
+fn a_drive_without_a_landing_names_its_end() {
     for (set, says) in [
         (
             "flight.time_limit=1s",

@@ -444,7 +444,7 @@ fn a_setup_with_a_table_is_written_and_read_again() {
 
 /// Saved work is not resumed after a change of its table.
 #[test]
-fn a_table_that_has_changed_is_another_question() {
+fn a_changed_table_is_another_sweep() {
     let table = |drag: f64| format!("s,cd,cl\n0,0.2,0\n0.1,{drag},0.15\n0.5,0.3,0.3\n");
     let (folder, name) = written(&table(0.25));
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();

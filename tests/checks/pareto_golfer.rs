@@ -366,7 +366,7 @@ fn the_front_in_pareto_md_is_the_programs() {
 }
 
 #[test]
-fn bad_goals_of_a_front_say_what_is_wrong() {
+fn bad_goals_of_a_front_have_a_message() {
     let folder = tempfile::tempdir().unwrap();
     let text = folder.path().join("front.txt").display().to_string();
     let csv = folder.path().join("front.csv").display().to_string();

@@ -286,7 +286,7 @@ fn misses_of_the_other_clubs_in_the_text_are_those_of_the_table() {
 
 /// Text, tables and pictures of docs/validation.md are the output of the program.
 #[test]
-fn what_validation_md_shows_is_that_of_the_program() {
+fn same_numbers_in_validation_md_and_the_program() {
     let place = |name: &str| format!("{}/../docs/{name}", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(place("validation.md")).unwrap();
     let document = ValidationReport { sets: &FOUND }.document(System::Us);

@@ -166,7 +166,7 @@ fn differences_certify_two_hundred_random_drives() {
 
 /// A question of a user: a usual drive, and the index of the parameter to differentiate by. The
 /// drives have every law; some are in wind, and some have a parameter at the end of its range.
-fn any_question() -> impl Strategy<Value = (Setup<f64>, usize)> {
+fn any_request() -> impl Strategy<Value = (Setup<f64>, usize)> {
     let deg = std::f64::consts::PI / 180.0;
     let swing = (27.0..58.0, -8.0..8.0, -8.0..8.0, -10.0..10.0);
     let strike = (-0.02..0.02, -0.012..0.012);
@@ -254,7 +254,7 @@ fn differences_certify_random_derivatives_by_one_parameter() {
     );
     let mut runner = TestRunner::deterministic();
     let questions: Vec<_> = (0..first + count)
-        .map(|_| any_question().new_tree(&mut runner).unwrap().current())
+        .map(|_| any_request().new_tree(&mut runner).unwrap().current())
         .collect();
     let wrong = |(i, (setup, parameter)): (usize, &(Setup<f64>, usize))| {
         let wrt = [setup.variables()[*parameter]];

@@ -35,7 +35,7 @@ fn setting(name: &str) -> Option<u64> {
 }
 
 #[test]
-fn the_program_answers_every_generated_question_in_order() {
+fn the_program_answers_every_generated_request_in_order() {
     let seed = setting("LONGDRIVE_SEED").unwrap_or(1);
     let numbers = match setting("LONGDRIVE_QUESTION") {
         Some(only) => only..only + 1,

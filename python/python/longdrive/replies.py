@@ -306,7 +306,8 @@ class SweepReply(Reply):
     first_row: int
     """Index of the part's first row among all rows of the sweep, from 0."""
     question: str
-    """SHA-256 of the definition of the sweep, which the file contains under the key `longdrive`."""
+    """SHA-256 of the definition of the sweep. The file has the definition under the key
+    `longdrive`."""
     instructions: str
     """Architecture and instruction set of the processor: `x86_64 avx2`."""
     data: str

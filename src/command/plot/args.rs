@@ -1,6 +1,6 @@
 //! Options of plots.
 
-use crate::command::args::{SearchArgs, SetupArgs};
+use crate::command::args::{DerivativeArgs, SearchArgs, SetupArgs};
 use crate::command::compare::PairArgs;
 use crate::command::pareto::GoalArgs;
 use crate::command::picture::PictureArgs;
@@ -215,17 +215,6 @@ pub struct PlotVcurve {
     #[command(flatten)]
     pub drawing: PictureArgs,
 
-    /// The outcomes, separated by commas.
-    #[arg(
-        long,
-        value_name = "OUTCOME,…",
-        value_delimiter = ',',
-        default_value = "carry"
-    )]
-    pub of: Vec<String>,
-
-    /// The parameters, separated by commas. Without: loft and attack angle, or the launch
-    /// conditions if they are given.
-    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
-    pub wrt: Vec<String>,
+    #[command(flatten)]
+    pub derivatives: DerivativeArgs,
 }

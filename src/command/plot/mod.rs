@@ -8,7 +8,7 @@ pub use args::Args;
 use crate::atmosphere::AirState;
 use crate::command::compare::warnings;
 use crate::command::host::SharedProgress;
-use crate::command::names::{outcomes, sigmas, usual, variables};
+use crate::command::names::sigmas;
 use crate::command::output::{Answer, bar, note, spinner, system, with_bar};
 use crate::command::pareto;
 use crate::command::picture::PlotDestination;
@@ -271,12 +271,8 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(&request, &args.drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
-    let of = outcomes(&args.of)?;
-    let wrt = if args.wrt.is_empty() {
-        usual(&setup)?
-    } else {
-        variables(&setup, &args.wrt, &of)?
-    };
+    let of = args.derivatives.outcomes()?;
+    let wrt = args.derivatives.variables(&setup, &of)?;
     let certificate = with_bar("parameters", |show| {
         certify(&setup, &of, &wrt, &|done, all| {
             show(done, all);

@@ -69,7 +69,7 @@ impl SymmetricSystem {
 const NEARBY: f64 = 1e-6;
 /// Rounding error of a row's value, relative to its terms.
 const ROW_ROUNDING: f64 = 1e-11;
-/// Rounding error of a variable, relative to the step's largest component.
+/// Rounding error of a variable at a bound, relative to the largest component of the step.
 const BOUND_ROUNDING: f64 = 1e-14;
 
 impl QuadraticProgram {

@@ -262,7 +262,8 @@ fn beside_target(lateral: f64, system: System) -> String {
     })
 }
 
-/// The note about the ellipses; `None` if there are none because they would be too wide.
+/// The note about the ellipses. `None` if they are omitted because they would be too wide: the
+/// note of each such drive says so.
 fn spread(landings: &[Landing], system: System) -> Option<String> {
     let Some(landing) = landings.iter().find(|landing| !landing.ellipses.is_empty()) else {
         let is_known = landings.iter().all(|landing| !landing.is_too_wide);

@@ -187,7 +187,7 @@ fn wind(findings: &Findings, system: System) -> String {
         let row = findings.stated.parameter(name);
         row.is_ok_and(|row| findings.stated.why_replaced(row).is_none() && value(row))
     };
-    // the direction is stated if the wind has a speed, because 0° is a direction too
+    // 0° is a valid direction, so the speed decides whether the page names the direction
     let is_given = |name: &&str| {
         blows(if *name == "wind.from" {
             "wind.speed"

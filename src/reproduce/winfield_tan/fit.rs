@@ -20,7 +20,7 @@ const DECAY: &str = "aero.spin_decay";
 /// The law of the preset `winfield-tan`, fitted anew.
 #[derive(Clone, Debug)]
 pub struct RefittedLaw {
-    /// Calibration with the spin decay rate of the preset.
+    /// The law fitted with the spin decay rate of the preset, which is not fitted.
     pub law: Calibration,
     /// Decay rate, 1/s. Its uncertainty is scaled by the residuals.
     pub decay: FittedNumber,

@@ -364,8 +364,7 @@ impl Reading {
                 Content::Input(parameter) => {
                     let here = || Some(column.head.clone());
                     let Some(value) = self.cell(record, column.content)? else {
-                        let why =
-                            "the cell is empty; every row needs a value in each column of an input";
+                        let why = "the cell is empty; every row needs a value in each column that is an input";
                         return Err(RowError::incomplete(here(), why));
                     };
                     at_shot

@@ -33,7 +33,7 @@ pub struct ShotTable {
     /// Column heads of the launch and of the club, if the table has both. The rows are then
     /// deliveries.
     pub(super) launch_beside_club: Option<[String; 2]>,
-    /// Quality of the standard uncertainties.
+    /// Origin of the standard uncertainties: the table, instruments, or mere weights.
     pub uncertainties: Uncertainties,
     /// Head of the column that states the air of each row of an export.
     pub(super) stated_air: Option<String>,

@@ -12,7 +12,7 @@ const SINGULAR: f64 = 1e-8;
 /// rounding.
 const PART: f64 = 1e-3;
 
-/// Quality of the standard uncertainties of the measured values.
+/// Origin of the standard uncertainties of the measured values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Uncertainties {
     /// The table states all standard uncertainties.

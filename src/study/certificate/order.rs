@@ -16,7 +16,8 @@ use nalgebra::{DMatrix, DVector};
 /// Minimum number of levels.
 pub(super) const MEASURED: usize = 3;
 
-/// Number of finest levels used to fit the lower-order term. Coarser levels would need more terms.
+/// Number of the finest levels of the step to which the lower-order term is fitted. Coarser levels
+/// would need more terms.
 const FITTED: usize = 4;
 
 /// Largest share of the lower-order term in the error at the finest level that counts as

@@ -247,7 +247,7 @@ fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
 struct LowestShare<'a> {
     /// Outcome of each drive, with its derivatives if they are needed, and weight of the drive.
     drives: &'a [(&'a Taylor, f64)],
-    /// 1 for the lowest share, −1 for the highest share.
+    /// 1 for the mean of the lowest share of the values, −1 for that of the highest share.
     sign: f64,
     /// α.
     share: f64,

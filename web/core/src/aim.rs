@@ -297,7 +297,8 @@ fn triangles() -> impl Iterator<Item = [usize; 3]> {
 
 /// The place where a function that is linear in a triangle vanishes.
 struct Zero {
-    /// Position along the two sides from the corner, as fractions of their lengths.
+    /// Position along the two sides that meet in the first corner of the triangle, as fractions of
+    /// their lengths.
     parts: [f64; 2],
     /// True if the position is outside of the triangle.
     is_outside: bool,

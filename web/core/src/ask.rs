@@ -193,7 +193,7 @@ impl Host for Page {
 
     fn mention(&self, mention: Mention<'_>) -> String {
         match self.mentions {
-            Mentions::Program => mention.in_words_of_the_program(),
+            Mentions::Program => mention.in_command_line_syntax(),
             Mentions::Page => page_words(mention),
         }
     }

@@ -1,4 +1,4 @@
-//! Answers keep to the question: stated values are held, there is one default preset, and no number
+//! Answers keep to the request: stated values are held, there is one default preset, and no number
 //! is accepted without a unit.
 
 use crate::command_line::{json, longdrive, number};
@@ -133,7 +133,7 @@ fn a_report_of_a_stated_drive_leaves_the_optimum_out() {
 }
 
 #[test]
-fn nothing_left_to_vary_is_refused_with_what_to_write() {
+fn a_search_with_nothing_to_vary_is_refused_with_advice() {
     let loft = ["--set", "club.loft=10deg"];
     let output = longdrive(&[&["optimize"], &GOLFER[..], &loft].concat());
     assert_eq!(output.status, 2);
@@ -228,7 +228,7 @@ fn a_setting_of_drive_b_replaces_that_of_both() {
 }
 
 #[test]
-fn two_answers_to_one_question_are_refused_with_what_to_write() {
+fn conflicting_options_are_refused_with_advice() {
     for (words, says) in [
         (
             vec![
