@@ -81,7 +81,7 @@ impl Function {
     }
 }
 
-/// The arguments about the swings of a goal.
+/// The arguments of a goal that describe its swings.
 #[derive(Clone, Default)]
 struct Over {
     swings: Option<PathBuf>,

@@ -587,8 +587,8 @@ outcomes! {
         instrument: None,
     }
 
-    /// Second leading minor of the second moments of the head's mass, over their sum: at least 0
-    /// for a rigid body.
+    /// Leading 2 × 2 minor of the matrix of the head's second moments of mass, divided by the trace
+    /// of the matrix: at least 0 for a rigid body.
     HeadMinor2 {
         value: |drive| drive.head()?.minors()[1],
         name: "head_minor_2",
@@ -600,8 +600,8 @@ outcomes! {
         instrument: None,
     }
 
-    /// Third leading minor of the second moments of the head's mass, over the square of their sum:
-    /// at least 0 for a rigid body.
+    /// Determinant of the matrix of the head's second moments of mass, divided by the square of the
+    /// trace: at least 0 for a rigid body.
     HeadMinor3 {
         value: |drive| drive.head()?.minors()[2],
         name: "head_minor_3",

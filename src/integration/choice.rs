@@ -33,8 +33,8 @@ pub struct Integration {
     /// The chosen method and step with their error; `None` if the setup keeps its own method and
     /// step.
     pub accuracy: Option<Accuracy>,
-    /// Largest accepted defect of a drive (docs/model.md, eq. 16a), m; infinite for the setup's own
-    /// step. Drives with a larger defect are repeated with shorter steps.
+    /// Largest accepted defect of a drive (docs/model.md, eq. 16a), m; infinite if the
+    /// setup's own step is kept. Drives with a larger defect are repeated with shorter steps.
     pub largest_defect: f64,
     /// The warning if no step is within the default tolerance.
     pub warning: Option<Message>,

@@ -38,8 +38,8 @@ pub struct Effort {
     pub evaluations: u64,
     /// Quadratic programs solved from the previous active set: one linear system each.
     pub warm_starts: u64,
-    /// Quadratic programs solved by Clarabel, then polished to an exact KKT point of its active
-    /// set.
+    /// Number of quadratic programs solved by Clarabel, then polished to an exact KKT point of the
+    /// active set.
     pub clarabel: u64,
     /// Quadratic programs whose step is Clarabel's own solution, because no exact KKT point was
     /// found nearby.
@@ -85,7 +85,7 @@ pub(super) struct SearchState {
 pub(super) struct Counters {
     /// Consecutive iterations without progress.
     pub stalled: u32,
-    /// Saddle points left along negative curvature.
+    /// Number of saddle points that the search left along negative curvature.
     pub saddles: u32,
     /// Feasibility restorations: restarts from a point with a smaller violation.
     pub restorations: u32,
@@ -321,7 +321,7 @@ impl SearchState {
         trial.reduction.is_nearly_rounding() && residual.largest() <= 0.5 * self.residual.largest()
     }
 
-    /// Updates the trust-region radius, and the factor of reflected curvature.
+    /// Updates the trust-region radius, and the factor that scales reflected eigenvalues.
     pub fn update_radius(&mut self, step: &TrialStep, reduction: &Reduction) {
         if reduction.is_poor() {
             self.radius = SHRINK * step.length.min(self.radius);

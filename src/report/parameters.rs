@@ -25,7 +25,7 @@ pub struct ParametersReport {
     /// True if the setup states `flight.method` or `flight.step`. Otherwise a command that flies
     /// many drives chooses both.
     pub states_step: bool,
-    /// The word that selects the parameters and choices.
+    /// The word that the listed names and texts contain.
     #[serde(skip)]
     word: Option<String>,
 }

@@ -142,10 +142,14 @@ pub(crate) fn in_degrees(columns: &[Column]) -> Option<String> {
     })
 }
 
-/// Ignores the unknown columns of an export. If the launch is measured, also ignores the smash
-/// factor, the columns of the club that `club` excludes, and the redundant spin columns. If
-/// `selects_spin_by_row` is true, the redundant spin columns are kept, except beside columns of the
-/// club that are read. Returns remarks.
+/// Ignores the unknown columns of an export. If the launch is measured, also ignores
+///
+/// - the smash factor,
+/// - columns of the club, if `club` says so,
+/// - redundant spin columns, unless `selects_spin_by_row` is true and no columns of the club are
+///   read.
+///
+/// Returns remarks.
 pub(super) fn ignore_columns(
     columns: &mut [Column],
     club: ClubColumns,

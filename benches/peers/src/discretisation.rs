@@ -105,8 +105,9 @@ fn choose(
         .collect())
 }
 
-/// The methods and steps within 1 µm, the fastest first. Single drives use the errors of the two
-/// drives; T6 uses the errors over the grid.
+/// The methods and steps with an error of at most 1 µm, the fastest first. The list for single
+/// drives has the errors of the two measured drives; the list for the grid (task T6) has the errors
+/// over the grid.
 pub fn one_micrometre() -> Result<Value> {
     let exact = taylors(&reference(), Order::Value)?;
     let single = choose(

@@ -91,7 +91,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let is_answered = is_complete && nothing.is_none();
     let is_standard_output = destination.kind == DestinationKind::StandardOutput;
-    // rows on standard output leave no place there for the counts of drives that did not land
+    // standard output has the rows, so the counts of drives that did not land are a note
     let all_landed = counts.count(Status::Landed) == counts.total();
     if is_answered && !all_landed && is_standard_output {
         note(&summary.text(None));

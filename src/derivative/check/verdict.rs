@@ -53,7 +53,8 @@ pub struct Demand {
 }
 
 impl Demand {
-    /// For differences of values: an error of 1e-6 is detected, with a margin of a factor 100.
+    /// For differences of values. They detect a relative error of 1e-6, which is 100 times the
+    /// smallest tolerance.
     pub const FIRST: Self = Self {
         least_bar: 1e-8,
         seen: Some(1e-6),

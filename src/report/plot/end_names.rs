@@ -85,8 +85,8 @@ impl<'a> EndNames<'a> {
         // a line that leaves the plot at the top ends before the right side
         let leaves = |at: [f64; 2]| at[1] < top + NEAR && at[0] < right - NEAR;
         let (mut leaving, mut placed): (Vec<_>, Vec<_>) = placed.partition(|(_, at)| leaves(*at));
-        // the connectors of these lines run above the plot: the line that leaves first has the
-        // highest connector
+        // the connectors of these lines run above the plot: the line that leaves the plot at
+        // the smallest x has the highest connector
         leaving.sort_by(|(_, a), (_, b)| a[0].total_cmp(&b[0]));
         placed.sort_by(|(_, a), (_, b)| a[1].total_cmp(&b[1]));
         let above = leaving.len();
@@ -159,7 +159,8 @@ fn spread(wanted: &[f64], heights: &[f64], [top, bottom]: [f64; 2]) -> Vec<f64> 
             above - 0.5 * height
         })
         .collect();
-    // for each block of touching boxes: the number of boxes, and the sum of wanted − offset
+    // isotonic regression; for each block of touching boxes: their number, and the sum of the wanted
+    // positions minus the offsets
     let mut blocks: Vec<(usize, f64)> = vec![];
     for (wanted, offset) in wanted.iter().zip(&offsets) {
         let mut block = (1, wanted - offset);

@@ -33,7 +33,7 @@ pub struct Peak {
 }
 
 impl Regression {
-    /// The regression of the listing's data.
+    /// The regression of the data in the program listing of the report.
     ///
     /// # Errors
     /// [`Error::Optimizer`] if the regression's matrix is singular, and [`Error::NotConverged`] if

@@ -1,4 +1,4 @@
-//! Subset of the scenarios whose second derivatives represent all scenarios.
+//! A subset of the scenarios: its second derivatives approximate those of all scenarios.
 
 use super::scenarios::{Rule, Scenarios};
 use nalgebra::{DMatrix, DVector};
