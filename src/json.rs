@@ -63,15 +63,15 @@ impl schemars::JsonSchema for JsonNumber {
 
 /// A range of values; an infinite end is `"-inf"` or `"inf"`.
 #[derive(Clone, Copy, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Range {
+#[cfg_attr(test, derive(schemars::JsonSchema), schemars(rename = "Range"))]
+pub struct JsonRange {
     /// Lower end, SI.
     pub low: JsonNumber,
     /// Upper end, SI.
     pub high: JsonNumber,
 }
 
-impl From<[f64; 2]> for Range {
+impl From<[f64; 2]> for JsonRange {
     fn from([low, high]: [f64; 2]) -> Self {
         Self {
             low: low.into(),
@@ -80,13 +80,13 @@ impl From<[f64; 2]> for Range {
     }
 }
 
-/// Serializes the ends of a range as a [`Range`], and `None` as `null`.
+/// Serializes the ends of a range as a [`JsonRange`], and `None` as `null`.
 pub fn range<T: Copy + Into<Option<[f64; 2]>>, S: Serializer>(
     ends: &T,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
     let ends: Option<[f64; 2]> = (*ends).into();
-    ends.map(Range::from).serialize(serializer)
+    ends.map(JsonRange::from).serialize(serializer)
 }
 
 /// Serializes a field as a [`JsonNumber`].

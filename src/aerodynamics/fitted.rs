@@ -1,5 +1,5 @@
 #[cfg(test)]
-use crate::json::Range;
+use crate::json::JsonRange;
 use crate::json::range;
 use crate::units::{Digits, Message, Quantity};
 use serde::{Serialize, Serializer};
@@ -40,19 +40,19 @@ pub struct Fitted {
     pub to: &'static str,
     /// Spin ratio r ω/v.
     #[serde(serialize_with = "range")]
-    #[cfg_attr(test, schemars(with = "Option<Range>"))]
+    #[cfg_attr(test, schemars(with = "Option<JsonRange>"))]
     pub spin_ratio: Option<[f64; 2]>,
     /// Spin, rad/s.
     #[serde(serialize_with = "range")]
-    #[cfg_attr(test, schemars(with = "Option<Range>"))]
+    #[cfg_attr(test, schemars(with = "Option<JsonRange>"))]
     pub spin: Option<[f64; 2]>,
     /// Reynolds number.
     #[serde(serialize_with = "range")]
-    #[cfg_attr(test, schemars(with = "Option<Range>"))]
+    #[cfg_attr(test, schemars(with = "Option<JsonRange>"))]
     pub reynolds: Option<[f64; 2]>,
     /// Speed through the air, m/s.
     #[serde(serialize_with = "range")]
-    #[cfg_attr(test, schemars(with = "Option<Range>"))]
+    #[cfg_attr(test, schemars(with = "Option<JsonRange>"))]
     pub speed: Option<[f64; 2]>,
     /// For each of [`ranges`](Self::ranges), true for the ends (below, above) at which the law
     /// clamps the variable. Beyond an end with false, the law is extrapolated.

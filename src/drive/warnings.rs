@@ -48,11 +48,11 @@ const LARGEST_SHIFT: f64 = 1e-3;
 pub struct FlownRange {
     /// The range of the fit.
     #[serde(serialize_with = "crate::json::range")]
-    #[cfg_attr(test, schemars(with = "crate::json::Range"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonRange"))]
     pub fitted: [f64; 2],
     /// The range in the flight.
     #[serde(serialize_with = "crate::json::range")]
-    #[cfg_attr(test, schemars(with = "crate::json::Range"))]
+    #[cfg_attr(test, schemars(with = "crate::json::JsonRange"))]
     pub flown: [f64; 2],
     /// The fraction of the flight time outside of the fitted range.
     #[serde(rename = "share_outside", serialize_with = "crate::json::number")]

@@ -1,6 +1,6 @@
 //! Values in the JSON of a report: ranges, vectors, matrices, and values by name.
 
-pub use crate::json::{JsonNumber, Range};
+pub use crate::json::{JsonNumber, JsonRange};
 
 use crate::atmosphere::in_effect;
 use crate::json::by_name;

@@ -59,7 +59,7 @@ pub use effects::{EffectReport, EffectsReport, OutcomeEffects, Totals};
 pub use explorer::explorer_state;
 pub use frame::TextFile;
 pub use gradient::{GradientReport, OutcomeReport};
-pub use json::{ByName, JsonNumber, Matrix, Range, Setting, Settings};
+pub use json::{ByName, JsonNumber, JsonRange, Matrix, Setting, Settings};
 pub use laws::{LawReport, LawsReport};
 pub use lines::{by_reason, remark, wrapped};
 pub use mae494::Mae494Report;

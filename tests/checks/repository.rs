@@ -1,6 +1,7 @@
 //! Files and history of the repository: commit messages, glossary, build profiles.
 
 use crate::imports::{files, source};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -81,6 +82,48 @@ fn newest_commits_have_a_short_subject_and_a_body() {
         .flat_map(faults)
         .collect();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// Names that types of several modules may have: `Args` of each command, and the status of a row
+/// and of a search.
+const SHARED_NAMES: [&str; 2] = ["Args", "Status"];
+
+/// The types that the items of a file declare, without those in functions and test modules.
+fn declared_types(code: &str) -> impl Iterator<Item = &str> {
+    code.lines().filter_map(|line| {
+        let item = match line.strip_prefix("pub(") {
+            Some(rest) => rest.split_once(") ")?.1,
+            None => line.strip_prefix("pub ").unwrap_or(line),
+        };
+        let (kind, rest) = item.split_once(' ')?;
+        let is_type = ["struct", "enum", "trait", "type"].contains(&kind);
+        let name = rest.split(|c: char| !c.is_alphanumeric()).next()?;
+        is_type.then_some(name)
+    })
+}
+
+#[test]
+fn declared_types_are_found() {
+    let code =
+        "pub struct A<T>(T);\npub(in crate::f) enum B {\ntype C = u8;\n    struct D;\nfn e() {\n";
+    assert!(declared_types(code).eq(["A", "B", "C"]));
+}
+
+#[test]
+fn types_have_names_of_their_own() {
+    let mut places: BTreeMap<String, Vec<PathBuf>> = BTreeMap::new();
+    for file in files(source()) {
+        if file.extension().is_none_or(|ending| ending != "rs") {
+            continue;
+        }
+        let code = std::fs::read_to_string(&file).unwrap();
+        for name in declared_types(&code) {
+            places.entry(name.into()).or_default().push(file.clone());
+        }
+    }
+    assert!(places.len() > 500, "{} types", places.len());
+    places.retain(|name, files| files.len() > 1 && !SHARED_NAMES.contains(&name.as_str()));
+    assert!(places.is_empty(), "rename all but one: {places:#?}");
 }
 
 /// The glossary of CONTRIBUTING.md is short, and its names exist in the code.

@@ -1,6 +1,6 @@
 use crate::error::{Error, Result};
 #[cfg(test)]
-use crate::json::Range;
+use crate::json::JsonRange;
 use crate::json::range;
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::{Sigma, refuse_given_twice};
@@ -23,7 +23,7 @@ pub struct Unknown {
     /// The range of the search.
     // the lower and the upper bound, SI
     #[serde(serialize_with = "range")]
-    #[cfg_attr(test, schemars(with = "Range"))]
+    #[cfg_attr(test, schemars(with = "JsonRange"))]
     pub range: [f64; 2],
 }
 
