@@ -290,9 +290,9 @@ fn remainder_text(difference: &Difference, split: &Shares, system: System) -> Op
     if !is_shown || shown::is_rounding(of, difference.values[0], split.remainder) {
         return None;
     }
-    let why = if split.remainder.abs() <= split.error {
+    let why = if split.is_within_error() {
         let error = shown::spread(of, split.error, system);
-        format!("the shares are integrals between a and b, computed within {error}")
+        format!("the shares are integrals between a and b, each computed within {error}")
     } else {
         "there is a corner of the model between a and b".into()
     };

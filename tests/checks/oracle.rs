@@ -1,5 +1,5 @@
 //! Every outcome, its derivative by every parameter and Hessians over six, compared with
-//! `data/independent_drives.json`: 40 drives in quadruple precision by `oracle/oracle.cpp`, a
+//! `data/independent_drives.json`: drives in quadruple precision by `oracle/oracle.cpp`, a
 //! program without common code. Laws, decay laws, log wind, slip, light and heavy heads, hills,
 //! near-zero spin.
 

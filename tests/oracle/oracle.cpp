@@ -179,6 +179,7 @@ static void set_law(Setup& s, const std::string& law, Rng& r, double jitter) {
         put("cd0", .2028); put("cd1", -.2159); put("cd2", 2.8466); put("cd_re", .0165);
         put("cl0", .0860); put("cl1", .6463); put("cl2", 1.4789); put("cl_re", -.0122);
     }
+    else if (law != "launch-monitor") { fprintf(stderr, "set_law: no law %s\n", law.c_str()); exit(2); }
     else { put("cd0", .14972); put("cd1", .79237); put("cd2", -.18328); put("cd_re", -.00201); put("s_cap", .6); put("cl_max", .56282); put("cl_rate", 4.52866); }
 }
 

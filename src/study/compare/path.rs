@@ -133,8 +133,8 @@ pub struct Shares {
     /// The share of each cause, in the order of the parameters. The shares of causes that change at
     /// once, such as another law, come last.
     pub shares: Vec<Share>,
-    /// The difference minus the sum of the shares, SI. It is at most `integration_error`, unless
-    /// the model has a corner between the drives.
+    /// The difference minus the sum of the shares, SI. It is at most `integration_error` for each
+    /// share, unless the model has a corner between the drives.
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub remainder: f64,
@@ -143,6 +143,13 @@ pub struct Shares {
     #[serde(rename = "integration_error", serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub error: f64,
+}
+
+impl Shares {
+    /// True if the errors of the shares can explain the remainder.
+    pub fn is_within_error(&self) -> bool {
+        self.remainder.abs() <= self.shares.len() as f64 * self.error
+    }
 }
 
 /// Path between two setups: continuous parameters vary linearly; discrete parameters change at the
