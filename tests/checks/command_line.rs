@@ -82,7 +82,11 @@ pub fn json(args: &[&str]) -> (i32, Value) {
     let answer = serde_json::from_str(&printed.out)
         .unwrap_or_else(|e| panic!("{e}: {} {}", printed.out, printed.err));
     let faults = faults(args[0], &answer);
-    assert!(faults.is_empty(), "{args:?}: {faults:#?} in {answer:#}");
+    assert!(
+        faults.is_empty(),
+        "{args:?}: {faults:#?} in {answer:#}; if a type of the answer has changed, write docs/schema \
+         with LONGDRIVE_WRITE_SCHEMAS=1 cargo test --features full schemas"
+    );
     (printed.status, answer)
 }
 

@@ -674,5 +674,8 @@ fn same_drive_with_an_unset_parameter_and_with_its_documented_value() {
         );
         counted += 1;
     }
-    assert_eq!(counted, 18);
+    assert!(
+        counted >= 18,
+        "only {counted} parameters count as a value where unset"
+    );
 }
