@@ -240,7 +240,7 @@ pub enum DestinationKind {
     /// A file that the caller of the command keeps in memory.
     Memory,
     StandardOutput,
-    /// What is written is discarded.
+    /// A destination that discards its content.
     Nowhere,
 }
 

@@ -78,7 +78,7 @@ pub trait Host: Send + Sync {
     }
 
     /// The names of the parameters that the setup named `-` states as part of this request, as
-    /// `--set` does on a command line. A search keeps their values, unless it is told to vary them.
+    /// `--set` does on a command line. A search keeps their values, unless `--vary` names them.
     fn stated(&self) -> Vec<String> {
         vec![]
     }

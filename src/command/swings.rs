@@ -158,7 +158,7 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     request.note_starts(&setup, &search.vary);
     let found = found(args, &request, setup, swings, search)?;
     interrupt::ends();
-    // the default search varies the loft alone, and refuses a stated loft: nothing is held
+    // the default search varies the loft alone, and refuses a stated loft: no parameter is held
     let origin = request.origin_of_search(&found.optima.best.search.vary);
     let answer = Answer::of(
         request.is_json,

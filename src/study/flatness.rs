@@ -16,7 +16,7 @@ use argmin::solver::brent::BrentRoot;
 use nalgebra::DMatrix;
 use serde::{Serialize, Serializer};
 
-/// How far the varied parameters can move from an optimum within a stated loss.
+/// Ranges of the varied parameters around an optimum, within a stated loss.
 #[derive(Clone, Debug)]
 pub struct Flatness {
     /// The allowed loss of the outcome, SI.
