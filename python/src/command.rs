@@ -130,8 +130,8 @@ impl Caller {
             "" => String::new(),
             best => format!(", best {best}"),
         };
-        let sentence = format!("{} of {} done{best}", bar.position(), bar.length());
-        now.messages.push(("note", sentence));
+        let message = format!("{} of {} done{best}", bar.position(), bar.length());
+        now.messages.push(("note", message));
     }
 
     /// Stops the current work. Returns the time that the work may take to answer; zero if the work

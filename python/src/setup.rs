@@ -242,11 +242,11 @@ impl PySetup {
         Ok(match choice {
             Some(choice) => choice.into_bound_py_any(py)?,
             None if name == TURF => {
-                let sentence = format!(
+                let message = format!(
                     "'{TURF}' only chooses the other numbers of the ground, which the setup has: \
                      setup[\"ground.restitution\"]"
                 );
-                return Err(Failure::Key(sentence));
+                return Err(Failure::Key(message));
             }
             None => {
                 let row = setup
@@ -654,7 +654,7 @@ impl PySetup {
     /// The warnings about the setup, a list of sentences.
     fn warnings(&self) -> PyResult<Vec<String>> {
         answer(|| {
-            let mut sentence: Vec<_> = self
+            let mut warnings: Vec<_> = self
                 .setup
                 .warnings()
                 .iter()
@@ -668,13 +668,13 @@ impl PySetup {
                     .filter(|row| row.is_of_strike());
                 let names: Vec<_> = of_club.map(|row| row.name).collect();
                 if !names.is_empty() {
-                    sentence.push(format!(
+                    warnings.push(format!(
                         "not used, since the drive is given by its launch: {}",
                         names.join(", ")
                     ));
                 }
             }
-            Ok(sentence)
+            Ok(warnings)
         })
     }
 

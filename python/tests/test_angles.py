@@ -36,9 +36,9 @@ def test_a_large_bare_angle_warns_at_the_line_that_gave_it(call: Callable[[], An
             call()
         except longdrive.Error:
             pass
-    text = next(one for one in caught if "1 rad is 57.3°; write '" in str(one.message))
-    assert text.filename == __file__
-    assert " deg'" in str(text.message) and "angles='deg'" in str(text.message)
+    warning = next(one for one in caught if "1 rad is 57.3°; write '" in str(one.message))
+    assert warning.filename == __file__
+    assert " deg'" in str(warning.message) and "angles='deg'" in str(warning.message)
 
 
 def test_exact_message_names_parameter_value_and_text_to_write() -> None:

@@ -70,12 +70,12 @@ def test_a_loss_without_a_unit_is_si() -> None:
         ),
         ({"minimize": "spin", "vary": "swing.attack_angle=-5deg..0deg"}, "60 rpm", 2 * math.pi),
     ]:
-        requested = longdrive.optimum_sensitivity("mae494", **goal, loss=number)
-        assert requested.reply["window_loss"] == pytest.approx(number, rel=1e-15)
+        found = longdrive.optimum_sensitivity("mae494", **goal, loss=number)
+        assert found.reply["window_loss"] == pytest.approx(number, rel=1e-15)
         for name, row in longdrive.optimum_sensitivity("mae494", **goal, loss=text).reply[
             "window"
         ].items():
-            assert [requested.reply["window"][name][end] for end in ("low", "high")] == pytest.approx(
+            assert [found.reply["window"][name][end] for end in ("low", "high")] == pytest.approx(
                 [row["low"], row["high"]], rel=1e-9
             )
 
@@ -222,8 +222,8 @@ def test_progress_none_prints_nothing(off: Any) -> None:
 
 
 def test_a_quantity_of_pint_is_a_loss(unit: Any) -> None:
-    requested = longdrive.optimum_sensitivity("mae494", loss=2 * unit.yard)
-    assert requested.reply["window_loss"] == pytest.approx(2 * YARD, rel=1e-15)
+    found = longdrive.optimum_sensitivity("mae494", loss=2 * unit.yard)
+    assert found.reply["window_loss"] == pytest.approx(2 * YARD, rel=1e-15)
     with pytest.raises(InputError, match="^loss: .*gram"):
         longdrive.optimum_sensitivity("mae494", loss=2 * unit.gram)
 

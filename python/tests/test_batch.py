@@ -351,12 +351,12 @@ def test_polars_and_pandas_read_a_table(table: Table) -> None:
 
 
 def test_progress_begins_at_zero_and_ends_at_all_rows() -> None:
-    sentence: list[tuple[int, int]] = []
+    seen: list[tuple[int, int]] = []
     table = longdrive.batch(
-        "tour-average", points(200_000), progress=lambda done, total: sentence.append((done, total))
+        "tour-average", points(200_000), progress=lambda done, total: seen.append((done, total))
     )
-    assert sentence[-1] == (200_000, 200_000) and len(table) == 200_000
-    assert [done for done, _ in sentence] == sorted(done for done, _ in sentence)
+    assert seen[-1] == (200_000, 200_000) and len(table) == 200_000
+    assert [done for done, _ in seen] == sorted(done for done, _ in seen)
 
     def refuse(done: int, total: int) -> None:
         raise RuntimeError("enough")

@@ -314,9 +314,9 @@ def test_warnings_point_at_the_calling_line():
 
 
 def test_a_progress_function_is_called():
-    sentence: list[tuple[int, int]] = []
-    longdrive.uncertainty(samples=4096, progress=lambda done, of: sentence.append((done, of)))
-    assert sentence and all(0 <= done <= of for done, of in sentence)
+    seen: list[tuple[int, int]] = []
+    longdrive.uncertainty(samples=4096, progress=lambda done, of: seen.append((done, of)))
+    assert seen and all(0 <= done <= of for done, of in seen)
 
 
 def test_answers_pickle_and_copy():

@@ -229,15 +229,15 @@ def test_ctrl_c_with_the_last_row_keeps_all_rows() -> None:
 
 
 def test_progress_of_a_batch_never_has_a_total_of_zero_rows() -> None:
-    sentence: list[tuple[int, int]] = []
+    seen: list[tuple[int, int]] = []
 
     def look(done: int, of: int) -> None:
-        sentence.append((done, of))
+        seen.append((done, of))
 
     longdrive.batch("mae494", {"club.loft": []}, progress=look)
-    assert sentence == []
+    assert seen == []
     longdrive.batch("mae494", {"club.loft": [0.1, 0.2]}, progress=look)
-    assert sentence[-1] == (2, 2)
+    assert seen[-1] == (2, 2)
 
 
 def test_uncounted_progress_is_one_line(capsys: pytest.CaptureFixture[str]) -> None:

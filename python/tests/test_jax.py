@@ -79,13 +79,13 @@ def test_a_batch_is_one_call_and_equal_to_its_rows() -> None:
 def test_a_batch_calls_longdrive_once(monkeypatch: pytest.MonkeyPatch) -> None:
     import longdrive.pointwise
 
-    requested: list[int] = []
+    calls: list[int] = []
     batch = longdrive.pointwise.computed
     monkeypatch.setattr(
-        longdrive.pointwise, "computed", lambda *a, **k: requested.append(1) or batch(*a, **k)
+        longdrive.pointwise, "computed", lambda *a, **k: calls.append(1) or batch(*a, **k)
     )
     jax.block_until_ready(jax.vmap(jax.value_and_grad(outcome(SETUP, "carry", WRT)))(xs(100)))
-    assert len(requested) == 1
+    assert len(calls) == 1
 
 
 def test_an_objective_composes_with_a_users_function() -> None:

@@ -51,20 +51,20 @@ def fitted(table: Any, fit: str = "aero.cd0") -> tuple[Any, list[str]]:
 
 
 def test_exact_drag_recovered_without_warnings(shots: dict[str, Any]) -> None:
-    found, sentence = fitted(shots)
-    assert sentence == [] and found.estimates["aero.cd0"]["value"] == pytest.approx(0.27, abs=1e-6)
+    found, warned = fitted(shots)
+    assert warned == [] and found.estimates["aero.cd0"]["value"] == pytest.approx(0.27, abs=1e-6)
 
 
 def test_club_values_that_change_a_fit_of_launches_have_a_warning(shots: dict[str, Any]) -> None:
-    _, sentence = fitted({**shots, "swing.speed [m/s]": np.full(ALL, 47.0)})
+    _, warned = fitted({**shots, "swing.speed [m/s]": np.full(ALL, 47.0)})
     assert (
-        "ball_speed, launch_angle, backspin are measured values that it is compared with" in sentence[0]
-        and "leave swing.speed out" in sentence[0]
+        "ball_speed, launch_angle, backspin are measured values that it is compared with" in warned[0]
+        and "leave swing.speed out" in warned[0]
     )
 
 
 def test_values_far_from_the_fit_have_a_warning(shots: dict[str, Any]) -> None:
-    found, sentence = fitted(
+    found, warned = fitted(
         {
             **shots,
             "carry [m]": shots["carry [m]"] * np.array([0.5, 1.0, 1.5, 0.7, 1.2]),
@@ -75,7 +75,7 @@ def test_values_far_from_the_fit_have_a_warning(shots: dict[str, Any]) -> None:
     off = math.sqrt(found.chi_square / found.degrees_of_freedom)
     assert (
         off > 3
-        and f"the values miss the fit by {off:.1f} of their standard uncertainties" in sentence[0]
+        and f"the values miss the fit by {off:.1f} of their standard uncertainties" in warned[0]
     )
     with pytest.warns(LongdriveWarning, match="the fitted model does not describe them"):
         longdrive.calibrate(
@@ -101,20 +101,20 @@ def test_a_value_at_its_bound_has_a_warning(shots: dict[str, Any]) -> None:
 
 
 def test_an_interval_with_negative_drag_has_a_warning(shots: dict[str, Any]) -> None:
-    found, sentence = fitted(
+    found, warned = fitted(
         {**shots, "carry [m]": carries(0.01), "sigma carry [m]": np.full(ALL, 150.0)}
     )
     low, _ = found.estimates["aero.cd0"]["interval_95"]
     assert low < 0
     assert any(
         "the 95 % interval of aero.cd0" in one and "reaches beyond its allowed range (0 ≤ … ≤ 100)" in one
-        for one in sentence
+        for one in warned
     )
 
 
 def test_an_unused_spin_has_a_warning(shots: dict[str, Any]) -> None:
-    _, sentence = fitted({**shots, "spin [rpm]": shots["backspin [rpm]"] * 1.2})
-    assert "the backspin (2600 rpm) is not used" in sentence[0] and "(so in 4 other rows)" in sentence[0]
+    _, warned = fitted({**shots, "spin [rpm]": shots["backspin [rpm]"] * 1.2})
+    assert "the backspin (2600 rpm) is not used" in warned[0] and "(so in 4 other rows)" in warned[0]
     assert fitted({**shots, "spin [rpm]": shots["backspin [rpm]"]})[1] == []
 
 
@@ -123,8 +123,8 @@ def test_rows_without_a_value_are_omitted_and_named(
     shots: dict[str, Any], column: str, tmp_path: Path
 ) -> None:
     holed = {**shots, column: np.where(np.arange(ALL) == 2, np.nan, shots[column])}
-    found, sentence = fitted(holed)
-    assert len(sentence) == 1 and "rows left out" in sentence[0] and "row 3 (" in sentence[0]
+    found, warned = fitted(holed)
+    assert len(warned) == 1 and "rows left out" in warned[0] and "row 3 (" in warned[0]
     without = fitted({name: np.delete(values, 2) for name, values in shots.items()})[0]
     assert found.estimates == without.estimates
     # a file is read as a dict with its values
@@ -140,14 +140,14 @@ def test_rows_without_a_value_are_omitted_and_named(
 
 
 def test_a_blank_last_row_is_omitted(shots: dict[str, Any]) -> None:
-    found, sentence = fitted({name: np.append(values, np.nan) for name, values in shots.items()})
-    assert len(sentence) == 1 and "row 6" in sentence[0] and found.estimates == fitted(shots)[0].estimates
+    found, warned = fitted({name: np.append(values, np.nan) for name, values in shots.items()})
+    assert len(warned) == 1 and "row 6" in warned[0] and found.estimates == fitted(shots)[0].estimates
 
 
 def test_the_message_on_a_refused_trial_point_does_not_name_the_step(shots: dict[str, Any]) -> None:
-    found, sentence = fitted({**shots, "carry [m]": np.full(ALL, 27.0)})
+    found, warned = fitted({**shots, "carry [m]": np.full(ALL, 27.0)})
     assert found.refused["count"] > 0 and "drag or lift is far too large" in found.refused["last"]
-    assert "flight.step" not in found.refused["last"] + " ".join(sentence)
+    assert "flight.step" not in found.refused["last"] + " ".join(warned)
 
 
 @pytest.mark.parametrize(
@@ -188,9 +188,9 @@ def test_angles_with_a_unit_have_no_warning_about_degrees() -> None:
     with pytest.warns(LongdriveWarning) as caught:
         longdrive.sweep("tour-average", points={"club.loft [deg]": [10.0, 100.0, 120.0]})
         longdrive.sweep("tour-average", points={"club.loft [deg]": [100.0, 120.0]})
-    sentence = " ".join(str(one.message) for one in caught)
+    messages = " ".join(str(one.message) for one in caught)
     assert (
-        "radians" not in sentence and "club.loft = 1.745329 rad (100 deg) is outside its range" in sentence
+        "radians" not in messages and "club.loft = 1.745329 rad (100 deg) is outside its range" in messages
     )
 
 
@@ -429,7 +429,7 @@ def test_messages_of_parts_name_the_argument(tmp_path: Path) -> None:
     good: dict[str, Any] = {
         "output": tmp_path / "parts", "parts": 2, "over": {"club.loft": (0.1, 0.3, 3000)}
     }
-    for change, answered in [
+    for change, expected in [
         ({"parts": 0}, "parts = 0; expected a whole number of 1 or more"),
         ({"parts": "2"}, "parts = '2'"),
         ({"output": None}, "output is a NoneType; expected the name of a folder"),
@@ -437,7 +437,7 @@ def test_messages_of_parts_name_the_argument(tmp_path: Path) -> None:
         ({"retries": -1}, "retries = -1"),
         ({"processes": 1.5}, "processes = 1.5"),
     ]:
-        with pytest.raises(InputError, match=answered):
+        with pytest.raises(InputError, match=expected):
             longdrive.parts.sweep("tour-average", **{**good, **change})
     with pytest.raises(InputError, match="needs output and parts"):
         longdrive.parts.sweep("tour-average", over=good["over"])

@@ -56,8 +56,8 @@ def test_exact_difference_of_temperatures_in_kelvins(unit: Any) -> None:
     warm = longdrive.Setup({"air.temperature": "20 degC"})
     degrees = [unit.Quantity(2, name) for name in ("degC", "delta_degC", "kelvin")]
 
-    def spread(**requested: Any) -> Any:
-        return longdrive.uncertainty(warm, samples=64, **requested)
+    def spread(**arguments: Any) -> Any:
+        return longdrive.uncertainty(warm, samples=64, **arguments)
 
     for two in degrees:
         assert spread(sigma={"air.temperature": two}) == spread(sigma={"air.temperature": "2 degC"})

@@ -28,11 +28,11 @@ def rows_of(file: Path) -> dict[str, list[str]]:
 )
 def test_same_rows_in_memory_and_in_a_file(question, tmp_path):
     table = longdrive.sweep("mae494", **question, of=["carry", "lateral"], wrt="points")
-    answered = longdrive.sweep(
+    answer = longdrive.sweep(
         "mae494", **question, of=["carry", "lateral"], wrt="points", output=tmp_path / "rows.csv"
     )
     rows = rows_of(tmp_path / "rows.csv")
-    assert answered.rows == len(table) == len(rows["status"])
+    assert answer.rows == len(table) == len(rows["status"])
     assert rows["status"] == [longdrive.Status(code).label for code in table.status]
     columns = [head for head in rows if head != "status"]
     names = [name for name in table.keys() if name != "status"]

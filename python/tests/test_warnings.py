@@ -80,10 +80,10 @@ def test_degrees_in_place_of_radians_have_a_warning() -> None:
     with pytest.warns(
         LongdriveWarning,
         match=r"points: out of range: 3 of 3 values of club.loft \(8 to 12; .*look like degrees: if they are, give numpy.radians",
-    ) as sentence:
+    ) as caught:
         table = longdrive.batch("tour-average", degrees)
     assert (
-        table.counts() == {"out-of-range": 3} and "swing.attack_angle" not in str(sentence[0].message)
+        table.counts() == {"out-of-range": 3} and "swing.attack_angle" not in str(caught[0].message)
     )
     with pytest.warns(LongdriveWarning, match=r"2 of 2 values of swing.path \(2; "):
         longdrive.batch("tour-average", {"club.loft": [0.1, 0.2], "swing.path": 2.0})

@@ -296,10 +296,9 @@ pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
     let parameter = parameter(&name).or_else(|| parameter(&format!("launch.{name}")));
     let is_angle = parameter.is_some_and(|parameter| parameter.quantity == Quantity::ANGLE);
     // compare with a tolerance: the value in the error is rounded
-    let sentence: Option<f64> = value.split(' ').next().and_then(|text| text.parse().ok());
+    let stated: Option<f64> = value.split(' ').next().and_then(|text| text.parse().ok());
     let is_told = |number: &&f64| {
-        sentence
-            .is_some_and(|sentence| is_angle && (sentence - **number).abs() <= 1e-5 * number.abs())
+        stated.is_some_and(|stated| is_angle && (stated - **number).abs() <= 1e-5 * number.abs())
     };
     let meant = bare_angles.iter().find(is_told);
     let advice = meant.map_or(advice, |number| {

@@ -247,8 +247,10 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
 fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Vec<Unknown>> {
     let vary = varied(&args.vary, setup, || Ok(vec![]))?;
     let sigmas = sigmas(setup, &args.sigma)?;
+    let is_setting =
+        |unknown: &Unknown| request.stated().any(|name| name == unknown.parameter.name);
     let measured = |unknown: Unknown| match setup.value(unknown.parameter) {
-        Some(value) if request.states(unknown.parameter) => Unknown {
+        Some(value) if is_setting(&unknown) => Unknown {
             range: unknown.range,
             ..unknown.measured_as(value)
         },

@@ -150,8 +150,8 @@ fn analyse(
     let sensitivities = with_bar("parameters", |show| {
         sensitivities(best, &wrt, &mut |done, all| show(done, all))
     });
-    if let (None, Some((_, printed))) = (requested.loss, short_drive(best)) {
-        note(printed);
+    if let (None, Some((_, message))) = (requested.loss, short_drive(best)) {
+        note(message);
     }
     let loss = requested.loss.unwrap_or_else(|| usual_loss(best));
     let spinner = spinner("computing drives around the optimum");

@@ -385,12 +385,12 @@ pub fn shown(work: Work<'_>) -> SharedProgress {
 /// A function that returns true at most once a second, first after a second: most searches end
 /// before a line about them could be read.
 pub fn once_a_second() -> impl Fn() -> bool + Send + Sync {
-    let sentence = Mutex::new(Instant::now());
+    let last = Mutex::new(Instant::now());
     move || {
-        let mut sentence = sentence.lock().unwrap_or_else(PoisonError::into_inner);
-        let is_due = sentence.elapsed() >= Duration::from_secs(1);
+        let mut last = last.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_due = last.elapsed() >= Duration::from_secs(1);
         if is_due {
-            *sentence = Instant::now();
+            *last = Instant::now();
         }
         is_due
     }

@@ -273,7 +273,7 @@ fn why_none(findings: &Findings, reason: Option<&str>) -> Option<Message> {
 fn add_optimum(findings: &mut Findings, remarks: &mut Vec<Message>) -> Result<()> {
     let best = findings.best();
     let short = best.and_then(short_drive);
-    remarks.extend(short.map(|(_, printed)| Message::from(printed)));
+    remarks.extend(short.map(|(_, message)| Message::from(message)));
     let flatness = best
         .map(|best| flatness(best, usual_loss(best)))
         .transpose()?;

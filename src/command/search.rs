@@ -160,7 +160,7 @@ impl OptimizeArgs {
         let show = move |value: f64| goal_text(&of, sign * value, system);
         let bar = shown(Work::Searches(u64::from(self.starts)));
         let best: Mutex<Option<f64>> = Mutex::new(None);
-        let message = bar.clone();
+        let progress = bar.clone();
         follow.end = Some(Arc::new(move |_, solution| {
             let mut best = best.lock().unwrap_or_else(PoisonError::into_inner);
             let is_feasible = solution.residual.feasibility <= 1e-6;
@@ -168,8 +168,8 @@ impl OptimizeArgs {
                 .into_iter()
                 .flatten()
                 .reduce(f64::min);
-            message.set_message(best.map_or("–".into(), &show));
-            message.inc(1);
+            progress.set_message(best.map_or("–".into(), &show));
+            progress.inc(1);
         }));
         bar
     }

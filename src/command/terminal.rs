@@ -47,7 +47,7 @@ struct Interruptible {
     /// The message to show when the work is interrupted.
     stopping: &'static str,
     /// The time of the first Ctrl-C; `None` before it.
-    sentence: Option<Instant>,
+    pressed_at: Option<Instant>,
 }
 
 impl Terminal {
@@ -67,20 +67,20 @@ impl Terminal {
                 self.end(command, is_json, &written);
             }
             Some(Interruptible {
-                sentence: Some(sentence),
+                pressed_at: Some(pressed_at),
                 ..
             }) => {
-                if sentence.elapsed() > ONE_PRESS {
+                if pressed_at.elapsed() > ONE_PRESS {
                     std::process::exit(AT_ONCE);
                 }
             }
             Some(Interruptible {
                 stop,
                 stopping,
-                sentence,
+                pressed_at,
             }) => {
                 stop.store(true, Ordering::Relaxed);
-                *sentence = Some(Instant::now());
+                *pressed_at = Some(Instant::now());
                 self.say(
                     MessageKind::Note,
                     &format!("{stopping}; press Ctrl-C again to end at once"),
@@ -160,7 +160,7 @@ impl Host for Terminal {
         self.now().work = Some(Interruptible {
             stop: stop.clone(),
             stopping,
-            sentence: None,
+            pressed_at: None,
         });
     }
 

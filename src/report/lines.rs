@@ -66,8 +66,8 @@ mod tests {
     #[test]
     fn a_reason_is_printed_once_with_all_its_names() {
         let reasons = [("a", "no number"), ("b", "no flight"), ("c", "no number")];
-        let message = by_reason(reasons.map(|(name, reason)| (name, reason.to_owned())));
-        assert_eq!(message, ["a, c: no number", "b: no flight"]);
+        let lines = by_reason(reasons.map(|(name, reason)| (name, reason.to_owned())));
+        assert_eq!(lines, ["a, c: no number", "b: no flight"]);
     }
 
     #[test]
@@ -83,10 +83,10 @@ mod tests {
             );
             assert_eq!(text.split_whitespace().collect::<Vec<_>>().join(" "), words);
         }
-        let output = remark(words, WIDTH);
+        let text = remark(words, WIDTH);
         assert!(
-            !output.starts_with(' ') && output.lines().skip(1).all(|line| line.starts_with("  ")),
-            "{output}"
+            !text.starts_with(' ') && text.lines().skip(1).all(|line| line.starts_with("  ")),
+            "{text}"
         );
         let file = "/a/folder".repeat(20);
         assert_eq!(

@@ -495,8 +495,8 @@ mod tests {
         let vary = |text: &str| Vary::read(&setup, text).unwrap();
         let loft = vary("club.loft=0deg..89deg");
         let shown = |vary: &Vary, degrees: f64| within(vary, degrees.to_radians(), System::Us);
-        let message = [0.0, 0.001_1, 6.701_2, 88.999_9, 89.0].map(|degrees| shown(&loft, degrees));
-        assert_eq!(message, ["0.00°", "0.0011°", "6.70°", "88.9999°", "89.00°"]);
+        let texts = [0.0, 0.001_1, 6.701_2, 88.999_9, 89.0].map(|degrees| shown(&loft, degrees));
+        assert_eq!(texts, ["0.00°", "0.0011°", "6.70°", "88.9999°", "89.00°"]);
         assert_eq!(range(&loft, System::Us), "0° .. 89°");
         let narrow = vary("club.loft=10deg..10.0000001deg");
         assert_eq!(range(&narrow, System::Us), "10° .. 10.0000001°");
@@ -504,7 +504,7 @@ mod tests {
             range(&vary("club.loft=10deg..10deg"), System::Us),
             "10° .. 10°"
         );
-        for (text, message) in [
+        for (text, expected) in [
             (
                 "38 deg <= descent_angle <= 38.0000001 deg",
                 "38° ≤ descent angle ≤ 38.0000001°",
@@ -514,7 +514,7 @@ mod tests {
         ] {
             assert_eq!(
                 constraint(&Constraint::read(text).unwrap(), System::Us),
-                message
+                expected
             );
         }
     }

@@ -141,8 +141,8 @@ fn broken(text: &str) -> String {
 
 /// Message of the JSON parser with the position.
 fn syntax_error(error: &serde_json::Error) -> String {
-    let output = error.to_string();
-    let what = output.split(" at line").next().unwrap_or_default();
+    let message = error.to_string();
+    let what = message.split(" at line").next().unwrap_or_default();
     format!(
         "it is not valid JSON (line {}, column {} of the object: {what})",
         error.line(),

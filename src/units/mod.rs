@@ -588,8 +588,8 @@ mod tests {
             {
                 assert!(quantity.size_of(unit).is_some(), "{unit}");
             }
-            let output = quantity.read("1 fox").unwrap_err().to_string();
-            assert!(output.ends_with(units), "{output}");
+            let message = quantity.read("1 fox").unwrap_err().to_string();
+            assert!(message.ends_with(units), "{message}");
         }
     }
 
@@ -618,8 +618,8 @@ mod tests {
             ),
             (Quantity::ANGLE, "10 dg", "'dg'; an angle takes"),
         ] {
-            let output = quantity.read(text).unwrap_err().to_string();
-            assert!(output.contains(meant), "{output}");
+            let message = quantity.read(text).unwrap_err().to_string();
+            assert!(message.contains(meant), "{message}");
         }
     }
 

@@ -1189,7 +1189,7 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
         (carry.outcome, carry.sigma),
         (Outcome::CarryDistance, 3.0 * 0.9144)
     );
-    let sentence = read(trackman)
+    let remarks = read(trackman)
         .remarks
         .iter()
         .map(ToString::to_string)
@@ -1200,7 +1200,7 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
         "left out: Club Speed, Smash Factor",
         "3 yd is taken for each",
     ] {
-        assert!(sentence.contains(words), "'{words}' is not in {sentence}");
+        assert!(remarks.contains(words), "'{words}' is not in {remarks}");
     }
     // without a launch the club columns are inputs
     let club = read(
@@ -1308,7 +1308,7 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
         launches.iter().map(row).collect::<String>()
     };
     let head = "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry [yd],sigma carry [yd]\n";
-    let sentence = |rows: &str, fit: &str| {
+    let fitted = |rows: &str, fit: &str| {
         let file = table(&format!("{head}{rows}"));
         let requested = [
             "calibrate",
@@ -1339,13 +1339,13 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
         }
         (found, warnings.join("\n"))
     };
-    let (found, warnings) = sentence(&rows(0.0), "aero.cd0");
+    let (found, warnings) = fitted(&rows(0.0), "aero.cd0");
     assert!(
         warnings.is_empty()
             && (number(&found["estimates"]["aero.cd0"]["value"]) - 0.27).abs() < 1e-6,
         "{warnings}"
     );
-    let (found, warnings) = sentence(&rows(40.0), "aero.cd0=0.25..0.6");
+    let (found, warnings) = fitted(&rows(40.0), "aero.cd0=0.25..0.6");
     // about 40 standard uncertainties (40 yd at 1 yd), less the effect of the bound; the warning
     // prints √(χ²/ν)
     let off = (number(&found["chi_square"]) / number(&found["degrees_of_freedom"])).sqrt();

@@ -410,14 +410,14 @@ fn mistakes_are_bad_input_with_advice() {
 /// sample with seed 0.
 #[test]
 fn a_distribution_far_beyond_the_range_of_its_parameter_has_a_warning() {
-    let printed = |text| {
+    let error = |text| {
         longdrive(&["uncertainty", "--distribution", text])
             .err
             .replace("\n  ", " ")
     };
     let (wide, cut) = (
-        printed("swing.speed=normal(115mph,200mph)"),
-        printed("swing.speed=truncated(115mph,200mph,60mph,130mph)"),
+        error("swing.speed=normal(115mph,200mph)"),
+        error("swing.speed=truncated(115mph,200mph,60mph,130mph)"),
     );
     assert!(
         wide.contains("warning: 29 % of the drives have a value outside of its allowed range"),

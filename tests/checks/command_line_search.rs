@@ -186,21 +186,21 @@ fn a_varied_wind_direction_keeps_the_wind_speed() {
 /// An equation that no variable changes has no multiplier: lateral is 0 for every straight drive.
 #[test]
 fn an_equation_is_reported_with_its_violation_and_never_as_inactive() {
-    let sentence = |limit: &str| {
+    let output = |limit: &str| {
         let out = longdrive(&["optimize", "-q", "--subject-to", limit]).out;
         out.split_whitespace().collect::<Vec<_>>().join(" ")
     };
-    let free = sentence("lateral == 0 yd");
+    let free = output("lateral == 0 yd");
     let words =
         "lateral = 0 yd 0.0 yd equality: off by 0.00 yd, and no varied parameter changes it";
     assert!(free.contains(words), "{free}");
-    let held = sentence("apex_height == 30 yd");
+    let held = output("apex_height == 30 yd");
     assert!(
         held.contains("equality: off by 0.00 yd, +")
             && held.contains("yd for each yard that the value is raised"),
         "{held}"
     );
-    let idle = sentence("apex_height <= 60 yd");
+    let idle = output("apex_height <= 60 yd");
     assert!(
         idle.contains("apex height ≤ 60 yd") && idle.contains("not active"),
         "{idle}"

@@ -83,12 +83,12 @@ fn exact_delivery_recovered_from_its_own_prior() {
         "{found:?}"
     );
     // five numbers identify at most five parameters
-    let message: f64 = found
+    let identified: f64 = found
         .posteriors
         .iter()
         .filter_map(|known| known.variance_removed)
         .sum();
-    assert!((4.0..5.0).contains(&message), "{message}");
+    assert!((4.0..5.0).contains(&identified), "{identified}");
 }
 
 #[test]

@@ -220,15 +220,15 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
         // the median over the shots is the value for all shots
         let rows = answer["rows"].as_array().unwrap();
         let known = rows.iter().flat_map(|row| row["known"].as_array().unwrap());
-        let mut message: Vec<f64> = known
+        let mut shares: Vec<f64> = known
             .filter(|one| one["parameter"] == *name)
             .map(|one| number(&one["told"]))
             .collect();
-        message.sort_by(f64::total_cmp);
+        shares.sort_by(f64::total_cmp);
         assert!(
-            (message[30] - number(&spread["told"])).abs() < 0.1,
+            (shares[30] - number(&spread["told"])).abs() < 0.1,
             "{name}: {} {spread}",
-            message[30]
+            shares[30]
         );
     }
     // the launches do not identify path, face and strike towards the toe together, nor attack

@@ -420,7 +420,7 @@ fn derivatives_do_not_depend_on_other_requested_outcomes() {
     assert!(
         seen.iter()
             .enumerate()
-            .all(|(done, message)| *message == (done + 1, passes)),
+            .all(|(done, progress)| *progress == (done + 1, passes)),
         "{seen:?}"
     );
 }

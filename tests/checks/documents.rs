@@ -213,7 +213,7 @@ fn the_costs_at_the_head_of_performance_md_are_those_of_its_tables() {
     };
     let value = time(&tasks, "T1", 1);
     let in_space = time(&alone, "gradient, all 47", 1) / time(&alone, "value, 3-D drive", 1);
-    for output in [
+    for sentence in [
         format!(
             "a gradient by two parameters {:.1}",
             time(&tasks, "T2", 1) / value
@@ -232,8 +232,8 @@ fn the_costs_at_the_head_of_performance_md_are_those_of_its_tables() {
         ),
     ] {
         assert!(
-            head.contains(&output),
-            "docs/performance.md should say: {output}"
+            head.contains(&sentence),
+            "docs/performance.md should say: {sentence}"
         );
     }
     let sweeps = table(&performance, "| A drive of a sweep by two parameters |");
@@ -370,10 +370,10 @@ fn rules_and_numbers_of_design_md_are_the_programs() {
     }
     let yards = |value: f64| value / 0.9144;
     let near = |cell: &str, value: f64, by: f64| {
-        let output = first_number(cell);
+        let documented = first_number(cell);
         assert!(
-            (output - value).abs() <= by,
-            "docs/design.md says {output}, the program {value}"
+            (documented - value).abs() <= by,
+            "docs/design.md says {documented}, the program {value}"
         );
     };
     let design = |more: &[&str]| {
@@ -434,8 +434,8 @@ fn rules_and_numbers_of_design_md_are_the_programs() {
             .iter()
             .find(|held| !held["price"].is_null());
         if let Some(price) = price {
-            let output = text.split("at a price of ").nth(1).unwrap();
-            near(output, yards(number(&price["price"]) * 100e-7), 0.00051);
+            let documented = text.split("at a price of ").nth(1).unwrap();
+            near(documented, yards(number(&price["price"]) * 100e-7), 0.00051);
         }
     }
 }
@@ -454,10 +454,10 @@ fn numbers_of_the_robust_example_of_swings_md_are_the_programs() {
     assert_eq!((status, &found["holds_for_all"]), (0, &false.into()));
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
     let near = |cell: &str, value: f64, by: f64| {
-        let output = first_number(cell);
+        let documented = first_number(cell);
         assert!(
-            (output - value).abs() <= by,
-            "docs/swings.md says {output}, the program {value}"
+            (documented - value).abs() <= by,
+            "docs/swings.md says {documented}, the program {value}"
         );
     };
     let head = "| gear effect | best bulge | rms(lateral) there | more with 440.8 mm | more with \

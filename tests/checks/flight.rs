@@ -502,16 +502,16 @@ fn every_step_size_that_can_be_set_is_flown() {
     setup.validate().unwrap();
     // a longer time limit needs more steps
     setup.set("flight.time_limit", "601 s").unwrap();
-    let [output, flown] = [
+    let [validated, flown] = [
         setup.validate().unwrap_err(),
         Drive::new(&setup).map(|_| ()).unwrap_err(),
     ];
-    assert_eq!(output.to_string(), flown.to_string());
+    assert_eq!(validated.to_string(), flown.to_string());
     assert!(
-        output
+        validated
             .to_string()
             .contains("at most 1e8 steps up to flight.time_limit = 601 s"),
-        "{output}"
+        "{validated}"
     );
 }
 

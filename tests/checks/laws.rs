@@ -460,9 +460,9 @@ fn each_law_is_listed_with_authors_ball_range_and_source() {
 fn a_range_without_an_upper_end_prints_as_at_least() {
     let fitted = Law::named("naruo-mizota").unwrap().properties().fitted;
     let [.., (name, unit, range), _] = fitted.ranges();
-    let output = range_in_words(Message::default(), unit, range.unwrap());
+    let range = range_in_words(Message::default(), unit, range.unwrap());
     assert_eq!(
-        (name, output.to_string().as_str()),
+        (name, range.to_string().as_str()),
         ("Reynolds number", "at least 71000")
     );
 }
@@ -695,12 +695,12 @@ fn a_plot_of_laws_draws_all_of_them_and_refuses_other_options() {
     let output = longdrive(&["plot", "laws", "--show", "cl", "-o", &file("laws.svg")]);
     let svg = std::fs::read_to_string(file("laws.svg")).unwrap();
     // the drawn text, without hover texts
-    let message = |part: &str| {
+    let drawn = |part: &str| {
         part.split_once("</title>")
             .map_or(part, |(_, rest)| rest)
             .to_owned()
     };
-    let svg: String = svg.split("<title>").map(message).collect();
+    let svg: String = svg.split("<title>").map(drawn).collect();
     assert!(
         output.status == 0 && svg.contains("naruo-mizota") && !svg.contains("(extrapolated)"),
         "{}",

@@ -451,16 +451,16 @@ fn a_changed_table_is_another_sweep() {
     let (set, kept) = (format!("{TABLE}={name}"), file("kept.json"));
     let search = || longdrive(&["optimize", "--set", &set, "--checkpoint", &kept]);
     // sweeps, too, distinguish setups by their debug form
-    let message = || {
+    let identity = || {
         let mut setup = Setup::default();
         setup.set(TABLE, &name).unwrap();
         format!("{setup:?}")
     };
     assert_eq!((search().status, search().status), (0, 0));
-    let before = [message(), message()];
+    let before = [identity(), identity()];
     std::fs::write(&name, table(0.26)).unwrap();
     assert!(
-        before[0] == before[1] && message() != before[0],
+        before[0] == before[1] && identity() != before[0],
         "{before:?}"
     );
     let output = search();

@@ -118,7 +118,7 @@ fn a_coefficient_of_another_law_is_refused_everywhere() {
         ..search.clone()
     };
     let before = setup;
-    let requested: Vec<(&str, Result<()>)> = vec![
+    let results: Vec<(&str, Result<()>)> = vec![
         (
             "gradient",
             gradient(&setup, Outcome::Carry, &[stale]).map(|_| ()),
@@ -170,7 +170,7 @@ fn a_coefficient_of_another_law_is_refused_everywhere() {
             chart(&setup, &search, range, &[], followed).map(|_| ()),
         ),
     ];
-    for (what, refused) in requested {
+    for (what, refused) in results {
         let error = refused.expect_err(what);
         let Error::OtherLaw { name, law, owners } = &error else {
             panic!("{what}: {error:?}")

@@ -148,7 +148,7 @@ fn same_front_of_carry_and_dispersion_by_single_searches() {
         };
         alone(&setup, 0, vec![limit])
     };
-    let mut message = 0;
+    let mut checked = 0;
     for point in &points[1..last] {
         let [carry, spread] = point.goals;
         let best = held(spread);
@@ -156,7 +156,7 @@ fn same_front_of_carry_and_dispersion_by_single_searches() {
         let price = best.solution.constraints[0].multiplier;
         // where one bound becomes active as another becomes inactive, there is no single slope
         let Some(slope) = point.slope else { continue };
-        message += 1;
+        checked += 1;
         close(slope, price, 1.0, 1e-5, "multiplier");
         let h = 1e-3;
         let [more, less] = [spread + h, spread - h].map(|spread| held(spread).value().unwrap());
@@ -168,7 +168,7 @@ fn same_front_of_carry_and_dispersion_by_single_searches() {
             "difference of optima",
         );
     }
-    assert!(message >= 4, "{message} slopes");
+    assert!(checked >= 4, "{checked} slopes");
     for pair in points.windows(2) {
         assert!(
             pair[1].goals[0] < pair[0].goals[0] && pair[1].goals[1] < pair[0].goals[1],
@@ -301,7 +301,7 @@ fn same_front_in_text_json_csv_and_setups() {
         .collect();
     assert_eq!(first[0], number(&points[0]["values"][0]));
     assert_eq!(first[4], number(&points[0]["slope"]));
-    for output in [
+    for name in [
         "knee",
         "largest carry",
         "smallest apex_height",
@@ -309,7 +309,7 @@ fn same_front_in_text_json_csv_and_setups() {
         "[yd per yd]",
     ] {
         let text = longdrive(&ask).out;
-        assert!(text.contains(output), "{output}: {text}");
+        assert!(text.contains(name), "{name}: {text}");
     }
     let picture = file("front.svg");
     assert_eq!(
@@ -317,8 +317,8 @@ fn same_front_in_text_json_csv_and_setups() {
         0
     );
     let svg = std::fs::read_to_string(&picture).unwrap();
-    for output in ["knee", "as set up", "largest carry", "slope at the knee"] {
-        assert!(svg.contains(output), "{output}");
+    for name in ["knee", "as set up", "largest carry", "slope at the knee"] {
+        assert!(svg.contains(name), "{name}");
     }
 }
 

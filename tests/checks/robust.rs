@@ -139,13 +139,13 @@ fn the_answer_judges_whether_one_design_suits_all_models() {
     let written = Setup::from_toml(&std::fs::read_to_string(&file).unwrap(), "best.toml").unwrap();
     assert_eq!(written.club.loft, number(&answer["optimum"]["club.loft"]));
     let text = longdrive(&[&ask[..], &models, &["--within", "0 yd"]].concat()).out;
-    for output in [
+    for words in [
         "no design is within",
         "best for 2",
         "aero.law=ferguson",
         "losses of carry",
     ] {
-        assert!(text.contains(output), "{output}: {text}");
+        assert!(text.contains(words), "{words}: {text}");
     }
     let swings = [
         "--distribution=swing.face_angle=normal(0deg,2deg)",
@@ -299,9 +299,9 @@ fn a_stopped_search_reports_its_progress() {
         found.searches
     );
     assert_eq!(found.interrupted().unwrap(), says);
-    let sentence = RobustReport::new(&found, Some(0.9144)).ending();
+    let ending = RobustReport::new(&found, Some(0.9144)).ending();
     assert!(
-        sentence
+        ending
             .message
             .unwrap()
             .to_string()
@@ -320,7 +320,7 @@ fn a_stopped_search_reports_its_progress() {
 /// best design of each model moves, too.
 #[test]
 fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
-    let requested = |attack: f64, limit: &str| {
+    let search = |attack: f64, limit: &str| {
         let vary = format!("--vary=swing.attack_angle=-5deg..{attack}deg");
         let models = ["--model=ball.mass=44 g", "--model=swing.speed=108 mph"];
         let args = [
@@ -335,9 +335,9 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
         assert_eq!(status, 0, "{found}");
         found
     };
-    let greatest = |attack: f64, limit: &str| number(&requested(attack, limit)["greatest_loss"]);
+    let greatest = |attack: f64, limit: &str| number(&search(attack, limit)["greatest_loss"]);
     let (limit, by) = ("apex_height <= 33 m", 0.02);
-    let price = number(&requested(3.0, limit)["multipliers"]["swing.attack_angle"]["upper"]);
+    let price = number(&search(3.0, limit)["multipliers"]["swing.attack_angle"]["upper"]);
     let falls = (greatest(3.0 - by, limit) - greatest(3.0 + by, limit)) / (2.0 * by).to_radians();
     close(price, falls, falls.abs(), 1e-5, "bound");
     // each model's own best design gains more from a wider bound: the largest loss increases
@@ -353,7 +353,7 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
                 at.parse::<f64>().unwrap() + relaxed * by
             )
         };
-        let found = requested(3.0, &moved(0.0));
+        let found = search(3.0, &moved(0.0));
         let of_models = found["models"].as_array().unwrap().iter();
         let price: f64 = of_models
             .map(|model| number(&model["constraints"][0]["multiplier"]))

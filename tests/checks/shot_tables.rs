@@ -113,12 +113,12 @@ fn same_launches_with_units_in_cells() {
     });
     same_within("foresight-units-in-cells-cp1252.csv", &launches, 2e-4);
     let (shots, ..) = case("foresight-units-in-cells-cp1252.csv");
-    let message: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
+    let remarks: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
     assert!(
-        message
+        remarks
             .iter()
-            .any(|message| message.contains("Windows-1252")),
-        "{message:?}"
+            .any(|remarks| remarks.contains("Windows-1252")),
+        "{remarks:?}"
     );
     // a cell without a unit among cells with units, and a cell that contradicts its head
     for (text, says) in [
@@ -262,12 +262,12 @@ fn published_signs_of_garmin_are_turned() {
     let (shots, found, _) = case("garmin-sidespin-sign.csv");
     let sides: Vec<f64> = landed(&found).iter().map(|landed| landed[1]).collect();
     assert!(sides[0] > 0.0 && sides[1] < 0.0, "{sides:?}");
-    let message: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
+    let remarks: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
     assert!(
-        message
+        remarks
             .iter()
-            .any(|message| message.contains("Sidespin is read with + to the left")),
-        "{message:?}"
+            .any(|remarks| remarks.contains("Sidespin is read with + to the left")),
+        "{remarks:?}"
     );
     // an axis of the other sign is accepted, because no other value contradicts it
     let text = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
@@ -286,12 +286,12 @@ fn published_signs_of_garmin_are_turned() {
                  Distance [yd],Carry Deviation Distance [yd]\n";
     let (shots, found, _) = flown(Cursor::new(format!("{heads}{row}{row}")));
     assert!(landed(&found).iter().all(|landed| landed[1] < 0.0));
-    let message: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
+    let remarks: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
     assert!(
-        message
+        remarks
             .iter()
-            .any(|message| message.contains("Spin Axis and Sidespin are read with + to the left")),
-        "{message:?}"
+            .any(|remarks| remarks.contains("Spin Axis and Sidespin are read with + to the left")),
+        "{remarks:?}"
     );
 }
 
@@ -369,9 +369,9 @@ fn every_shot_is_explained_by_its_stated_values() {
         RowFilter::default(),
     )
     .unwrap();
-    let message: Vec<String> = table.remarks.iter().map(ToString::to_string).collect();
+    let remarks: Vec<String> = table.remarks.iter().map(ToString::to_string).collect();
     let says = "Club Path: not stated; the prior is used in its place: row 2, row 3, row 4";
-    assert!(message.iter().any(|message| message == says), "{message:?}");
+    assert!(remarks.iter().any(|remarks| remarks == says), "{remarks:?}");
 }
 
 /// Twelve launches with heads, units, sides and decimal marks of many kinds.
@@ -492,8 +492,8 @@ fn implausible_units_are_warned_of() {
     };
     let warned = |text: String| {
         let (shots, _, tally) = flown(Cursor::new(text));
-        let message = tally.unit_warnings(&shots);
-        message.iter().map(ToString::to_string).collect::<Vec<_>>()
+        let warnings = tally.unit_warnings(&shots);
+        warnings.iter().map(ToString::to_string).collect::<Vec<_>>()
     };
     let yards = 1.0 / 0.9144;
     assert!(
@@ -504,7 +504,7 @@ fn implausible_units_are_warned_of() {
     // the measured values exceed the predicted ones by the ratio of metres to yards, but the column
     // is read in yards: no warning
     assert!(warned(text(1.0, yards / 0.9144, 7.0)).is_empty());
-    for (message, words) in [
+    for (warnings, words) in [
         (
             warned(text(1.0, 1.0, 7.0)),
             "Carry: predicted values are 1.09 times the measured ones in the median, as if these \
@@ -524,8 +524,8 @@ fn implausible_units_are_warned_of() {
         ),
     ] {
         assert!(
-            message.len() == 1 && message[0].contains(words),
-            "{words}: {message:?}"
+            warnings.len() == 1 && warnings[0].contains(words),
+            "{words}: {warnings:?}"
         );
     }
 }

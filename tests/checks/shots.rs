@@ -172,18 +172,18 @@ fn marks_measured_estimated_and_normalized_of_an_export_are_kept() {
             .count(),
         1
     );
-    let message = shots
+    let remarks = shots
         .remarks()
         .iter()
         .map(ToString::to_string)
         .collect::<String>();
     assert!(
-        message.contains("Carry (Sim)")
-            && message.contains("TMD No")
-            && !message.contains("did you mean"),
-        "{message}"
+        remarks.contains("Carry (Sim)")
+            && remarks.contains("TMD No")
+            && !remarks.contains("did you mean"),
+        "{remarks}"
     );
-    let message = file("rapsodo.csv")
+    let remarks = file("rapsodo.csv")
         .0
         .remarks()
         .iter()
@@ -195,7 +195,7 @@ fn marks_measured_estimated_and_normalized_of_an_export_are_kept() {
         "Apex in ft",
         "angles without a unit are read in degrees",
     ] {
-        assert!(message.contains(says), "no '{says}' in {message}");
+        assert!(remarks.contains(says), "no '{says}' in {remarks}");
     }
 }
 
@@ -506,9 +506,9 @@ fn tables_without_a_launch_name_the_nearest_head() {
     let text =
         "Ball Speed [mph],Ball Speed [m/s],Launch Angle [deg],Spin Rate [rpm]\n165,73.8,11,2500\n";
     let (shots, ..) = flown(text.as_bytes());
-    let message: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
+    let remarks: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
     assert_eq!(
-        message,
+        remarks,
         [
             "columns given twice; only the first is used: 'Ball Speed [m/s]' repeats \
           'Ball Speed [mph]'"

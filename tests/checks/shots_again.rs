@@ -125,13 +125,13 @@ fn same_flights_of_json_lines_with_their_own_parameters() {
 #[test]
 fn totals_are_compared_only_on_a_named_ground() {
     let file = shots("trackman.csv");
-    let (_, sentence) = json(&["fly", &file, "--of", "total"]);
-    let remarks = sentence["remarks"].to_string();
+    let (_, answer) = json(&["fly", &file, "--of", "total"]);
+    let remarks = answer["remarks"].to_string();
     assert!(
         remarks.contains("the measured totals are not compared") && !remarks.contains("Est. Total"),
         "{remarks}"
     );
-    let (_, sentence) = json(&[
+    let (_, answer) = json(&[
         "fly",
         &file,
         "--of",
@@ -140,8 +140,8 @@ fn totals_are_compared_only_on_a_named_ground() {
         "ground.turf=average",
     ]);
     assert!(
-        !sentence["remarks"].to_string().contains("totals"),
-        "{sentence}"
+        !answer["remarks"].to_string().contains("totals"),
+        "{answer}"
     );
     let folder = tempfile::tempdir().unwrap();
     let place = folder.path().join("flown.jsonl").display().to_string();
@@ -251,8 +251,8 @@ fn same_rows_of_a_table_flown_again() {
     let mended = fs::read_to_string(place("1.csv.csv"))
         .unwrap()
         .replace("150,abc", "150,11");
-    let (_, sentence) = json(&["fly", &file_with(folder.path(), "mended.csv", &mended)]);
-    assert_eq!(sentence["flown"], 2, "{sentence}");
+    let (_, answer) = json(&["fly", &file_with(folder.path(), "mended.csv", &mended)]);
+    assert_eq!(answer["flown"], 2, "{answer}");
     // the user's columns Notes and Line are not columns that this program has written
     let own =
         "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Notes,Line\n150,12,2700,windy,3\n";
@@ -366,14 +366,14 @@ fn impossible_rows_of_points_are_reported_with_their_value() {
 #[test]
 fn flat_landings_are_counted_if_the_run_is_requested() {
     let flat = "at less than 25 deg";
-    let sentence = |args: &[&str]| {
+    let remarks = |args: &[&str]| {
         let (_, found) = json(args);
         found["warnings"].to_string()
     };
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
     let over = ["sweep", "--over", "club.loft=1deg..12deg:12"];
-    let total = sentence(
+    let total = remarks(
         &[
             &over[..],
             &["--outcomes", "total", "-o", &place("total.csv")],
@@ -384,7 +384,7 @@ fn flat_landings_are_counted_if_the_run_is_requested() {
         total.contains(flat) && total.contains(" of 12 drives that landed: "),
         "{total}"
     );
-    let carry = sentence(
+    let carry = remarks(
         &[
             &over[..],
             &["--outcomes", "carry", "-o", &place("carry.csv")],
@@ -394,7 +394,7 @@ fn flat_landings_are_counted_if_the_run_is_requested() {
     assert!(!carry.contains(flat), "{carry}");
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n160,4,1500\n160,12,2700\n";
     let table = file_with(folder.path(), "shots.csv", text);
-    let flown = sentence(&["fly", &table, "--of", "total"]);
+    let flown = remarks(&["fly", &table, "--of", "total"]);
     assert!(
         flown.contains("1 of 2 shots that landed: the ball lands at less than 25 deg"),
         "{flown}"
@@ -407,7 +407,7 @@ fn flat_landings_are_counted_if_the_run_is_requested() {
         "swing.attack_angle",
         "--at=-5deg,5deg",
     ];
-    let chart = sentence(&[&along[..], &["--vary", "club.loft=4deg..5deg"]].concat());
+    let chart = remarks(&[&along[..], &["--vary", "club.loft=4deg..5deg"]].concat());
     assert!(
         chart.contains("1 of 2 optima: the ball lands at less than 25 deg"),
         "{chart}"

@@ -55,16 +55,16 @@ fn same_flight_in_the_air_of_an_export_and_in_that_air_set() {
             &format!("row {row}"),
         );
     }
-    let message = shots
+    let remarks = shots
         .remarks()
         .iter()
         .map(ToString::to_string)
         .collect::<Vec<_>>()
         .join("\n");
     assert!(
-        message
+        remarks
             .contains("each shot flies in the air that the export states for its row: Air Density"),
-        "{message}"
+        "{remarks}"
     );
     let notes = |row: usize| all[0].shots[row].notes.join("\n");
     assert_eq!((notes(0), notes(3)), (String::new(), String::new()));
@@ -109,7 +109,7 @@ fn same_air_of_each_row_in_calibrate_and_fly() {
             .find(|(row, _)| row.name == "air.density")
             .map(|(_, value)| *value)
     };
-    let message = |table: &ShotTable| {
+    let remarks = |table: &ShotTable| {
         table
             .remarks
             .iter()
@@ -123,18 +123,18 @@ fn same_air_of_each_row_in_calibrate_and_fly() {
         "row 2: the air of the setup is assumed",
     ] {
         assert!(
-            message(&table).contains(says),
+            remarks(&table).contains(says),
             "no '{says}' in {}",
-            message(&table)
+            remarks(&table)
         );
     }
     table.in_given_air();
     assert!(
         air(&table, 0).is_none()
-            && message(&table)
+            && remarks(&table)
                 .contains("the given air replaces the air that the export states for each row"),
         "{}",
-        message(&table)
+        remarks(&table)
     );
 }
 
@@ -152,25 +152,25 @@ fn given_air_overrides_that_of_the_export() {
             serde_json::from_str(fs::read_to_string(&output).unwrap().trim()).unwrap();
         (number(&line["predicted"]["carry_distance"]), printed.err)
     };
-    let (own, message) = fly(&[]);
+    let (own, remarks) = fly(&[]);
     close(own, carry(0.997), 250.0, 1e-5, "the row's");
-    assert!(message.contains("each shot flies in the air"), "{message}");
-    let (given, message) = fly(&["--set", "air.density=1.3kg/m^3"]);
+    assert!(remarks.contains("each shot flies in the air"), "{remarks}");
+    let (given, remarks) = fly(&["--set", "air.density=1.3kg/m^3"]);
     close(given, carry(1.3), 250.0, 1e-5, "given");
     assert!(
-        message
+        remarks
             .split_whitespace()
             .collect::<Vec<_>>()
             .join(" ")
             .contains("the given air replaces the air that the export states for each row"),
-        "{message}"
+        "{remarks}"
     );
-    let (cold, message) = fly(&["--set", "air.temperature=0degC"]);
+    let (cold, remarks) = fly(&["--set", "air.temperature=0degC"]);
     let says = "the given air replaces the air that the export states for each row: Air Density";
-    let words = message.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = remarks.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         cold < own - 10.0 && words.matches("Air Density").count() == 1 && words.contains(says),
-        "{cold} {message}"
+        "{cold} {remarks}"
     );
     let weather = [
         "calibrate",

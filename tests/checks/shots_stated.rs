@@ -109,17 +109,17 @@ fn contradictory_spins_are_reported_with_the_used_one() {
                 [rpm],Carry [yd]\n\
                 150,12,2500,5,1000,240\n150,12,2500,5,2490,240\n";
     let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
-    let sentence: Vec<String> = table
+    let remarks: Vec<String> = table
         .remarks
         .iter()
         .map(ToString::to_string)
-        .filter(|sentence| sentence.contains("contradict"))
+        .filter(|remarks| remarks.contains("contradict"))
         .collect();
     assert!(
-        sentence.len() == 1
-            && sentence[0].starts_with("row 1: ")
-            && sentence[0].contains("not Backspin (1000 rpm)"),
-        "{sentence:?}"
+        remarks.len() == 1
+            && remarks[0].starts_with("row 1: ")
+            && remarks[0].contains("not Backspin (1000 rpm)"),
+        "{remarks:?}"
     );
 }
 
@@ -184,16 +184,16 @@ fn lateral_is_not_fitted_where_the_direction_or_the_tilt_is_not_measured() {
         (measured(1), measured(2)),
         (vec![Outcome::CarryDistance], vec![Outcome::CarryDistance])
     );
-    let sentence = table
+    let remarks = table
         .remarks
         .iter()
         .map(ToString::to_string)
         .collect::<Vec<_>>()
         .join("\n");
     assert!(
-        sentence.contains("lateral is not compared in rows without")
-            && sentence.contains(": row 2, row 3"),
-        "{sentence}"
+        remarks.contains("lateral is not compared in rows without")
+            && remarks.contains(": row 2, row 3"),
+        "{remarks}"
     );
     // a table without the columns of direction and axis does not compare lateral, either; an unused
     // uncertainty is not mentioned
@@ -202,15 +202,15 @@ fn lateral_is_not_fitted_where_the_direction_or_the_tilt_is_not_measured() {
               [yd]\n150,12,2500,240,5\n",
     )
     .unwrap();
-    let sentence = table
+    let remarks = table
         .remarks
         .iter()
         .map(ToString::to_string)
         .collect::<Vec<_>>()
         .join("\n");
     assert!(
-        sentence.contains("lateral is not compared") && !sentence.contains("sigma lateral"),
-        "{sentence}"
+        remarks.contains("lateral is not compared") && !remarks.contains("sigma lateral"),
+        "{remarks}"
     );
     let error =
         read("ball_speed [mph],launch_angle [deg],spin [rpm],lateral [yd]\n150,12,2500,5\n")
@@ -257,14 +257,14 @@ fn the_condition_of_a_shot_is_written_and_known_heads_get_no_suggestion() {
         "{head}Driver,d,1,2,160,12,2500,\"Normalized, 25 C\"\nDriver,d,1,2,160,12,2500,Actual\n"
     );
     let (shots, all, tally) = flown(Cursor::new(text));
-    let sentence = shots
+    let remarks = shots
         .remarks()
         .iter()
         .map(ToString::to_string)
         .collect::<String>();
     assert!(
-        sentence.contains("Club Name") && !sentence.contains("did you mean"),
-        "{sentence}"
+        remarks.contains("Club Name") && !remarks.contains("did you mean"),
+        "{remarks}"
     );
     let writer = ShotWriter::launch_monitor(&[Outcome::CarryDistance], System::Us);
     let written = String::from_utf8([writer.head(), writer.rows(&all[0])].concat()).unwrap();

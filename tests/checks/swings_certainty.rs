@@ -139,7 +139,7 @@ fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
     let mut between = |low: f64, high: f64| {
         low + (high - low) * (chance.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     };
-    let (mut message, mut missed, mut parts) = (0, vec![], vec![]);
+    let (mut checked, mut missed, mut parts) = (0, vec![], vec![]);
     for round in 0..13 {
         let mut setup =
             Setup::preset(["tour-average", "modern-driver", "amateur-average"][round % 3]).unwrap();
@@ -227,7 +227,7 @@ fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
                 GoalError::Unknown(why) => panic!("{why}"),
             };
             let rounding = 1e-11 * truth.abs();
-            message += 1;
+            checked += 1;
             if !(low - rounding..=high + rounding).contains(&truth) {
                 missed.push(format!(
                     "{round} {}: {truth} outside of {low} to {high}",
@@ -243,11 +243,11 @@ fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
     }
     parts.sort_by(f64::total_cmp);
     println!(
-        "{} of {message} missed: {missed:#?}; widths {:?}",
+        "{} of {checked} missed: {missed:#?}; widths {:?}",
         missed.len(),
         [50, 75, 90, 100].map(|p| parts[(parts.len() - 1) * p / 100])
     );
-    assert!(message > 100 && missed.len() * 20 <= message, "{missed:#?}");
+    assert!(checked > 100 && missed.len() * 20 <= checked, "{missed:#?}");
     assert!(parts[parts.len() / 2] < 0.01, "{}", parts[parts.len() / 2]);
 }
 

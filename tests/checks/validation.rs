@@ -284,7 +284,18 @@ fn misses_of_the_other_clubs_in_the_text_are_those_of_the_table() {
     }
 }
 
-const WRITES: &str = "WRITE_PICTURES=1 cargo test same_numbers_in_validation_md writes it";
+/// Compares a file with the output of the program, after writing it if
+/// `LONGDRIVE_WRITE_VALIDATION` is set.
+fn is_output(file: &str, output: &str) {
+    if std::env::var_os("LONGDRIVE_WRITE_VALIDATION").is_some() {
+        std::fs::write(file, output).unwrap();
+    }
+    assert!(
+        std::fs::read_to_string(file).unwrap_or_default() == output,
+        "{file} differs from the output of validate; \
+         LONGDRIVE_WRITE_VALIDATION=1 cargo test same_numbers_in_validation_md writes it"
+    );
+}
 
 /// Text, tables and pictures of docs/validation.md are the output of the program.
 #[test]
@@ -299,28 +310,14 @@ fn same_numbers_in_validation_md_and_the_program() {
     let (_, body) = markdown.split_once("\n\n").unwrap();
     let (laws, sets) = body.split_at(body.find("### PGA TOUR averages, driver").unwrap());
     let results = place("../src/study/validation/results.md");
-    let head = "# Every law on every set of published drives\n\nWhat `longdrive validate` computes, \
-                set by set; a test compares this page with the program. Which law is the default, and \
-                the\npictures: [validation](../../../docs/validation.md#laws-beside-published-drives).\n\n";
-    let page = format!("{head}{}\n", sets.trim());
-    if std::env::var_os("WRITE_PICTURES").is_some() {
-        std::fs::write(&results, &page).unwrap();
-    }
-    assert!(
-        std::fs::read_to_string(&results).unwrap() == page,
-        "{results} differs from the output of validate; {WRITES}"
-    );
+    let page = std::fs::read_to_string(&results).unwrap();
+    let (head, _) = page.split_once("### ").unwrap();
+    is_output(&results, &format!("{head}{}\n", sets.trim()));
     let mut figures = vec![];
     for figure in document.figures() {
         let svg = figure_svg(figure, &Look::default()).unwrap();
         let file = place(&format!("pictures/{}-us.svg", figure.name));
-        if std::env::var_os("WRITE_PICTURES").is_some() {
-            std::fs::write(&file, &svg).unwrap();
-        }
-        assert!(
-            std::fs::read_to_string(&file).unwrap_or_default() == svg,
-            "{file} differs from the output of validate -o; {WRITES}"
-        );
+        is_output(&file, &svg);
         figures.push(figure.name.as_str());
     }
     let residuals = [

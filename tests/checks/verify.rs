@@ -273,13 +273,13 @@ fn differences_certify_random_derivatives_by_one_parameter() {
         let caught = certificate.planted.map(|planted| planted.caught);
         Some((wrong, caught))
     };
-    let requested: Vec<_> = questions
+    let certificates: Vec<_> = questions
         .par_iter()
         .enumerate()
         .skip(first)
         .filter_map(wrong)
         .collect();
-    let failed: Vec<_> = requested
+    let failed: Vec<_> = certificates
         .iter()
         .filter_map(|(wrong, _)| wrong.as_deref())
         .collect();
@@ -287,21 +287,21 @@ fn differences_certify_random_derivatives_by_one_parameter() {
         failed.is_empty(),
         "{} of {}:\n{}",
         failed.len(),
-        requested.len(),
+        certificates.len(),
         failed.join("\n")
     );
     // errors were planted in the derivatives of most questions, and found
-    assert!(requested.len() > count / 2);
+    assert!(certificates.len() > count / 2);
     let caught = |which: usize| {
-        requested
+        certificates
             .iter()
             .filter(|(_, caught)| caught[which] > 0)
             .count()
     };
     assert!(
-        caught(0) > requested.len() / 2
-            && caught(1) > requested.len() / 2
-            && caught(2) > requested.len() / 4
+        caught(0) > certificates.len() / 2
+            && caught(1) > certificates.len() / 2
+            && caught(2) > certificates.len() / 4
     );
 }
 

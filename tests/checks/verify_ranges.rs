@@ -283,13 +283,13 @@ fn a_drive_without_a_requested_outcome_gives_the_reason() {
     let mut setup = Setup::default();
     setup.set("club.loft", "-1.73663 deg").unwrap();
     let wind = [setup.variable("wind.downrange").unwrap()];
-    let requested = |of: &[Outcome]| certify(&setup, of, &wind, &|_, _| true);
+    let certified = |of: &[Outcome]| certify(&setup, of, &wind, &|_, _| true);
     assert!(matches!(
-        requested(&[Outcome::Carry, Outcome::Lateral]),
+        certified(&[Outcome::Carry, Outcome::Lateral]),
         Err(Error::NoFlight { .. })
     ));
     // the remaining derivatives are certified
-    let found = requested(&[Outcome::Carry, Outcome::BallSpeed]).unwrap();
+    let found = certified(&[Outcome::Carry, Outcome::BallSpeed]).unwrap();
     assert!(
         found.passed() && found.missing.len() == 1,
         "{:?}",

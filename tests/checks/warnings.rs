@@ -23,7 +23,7 @@ fn warnings(preset: &str, settings: &[(&str, &str)]) -> Vec<String> {
 
 #[test]
 fn a_wind_profile_without_effect_has_a_warning() {
-    let printed = |set: &[&str]| {
+    let warnings_of_wind = |set: &[&str]| {
         let args: Vec<&str> = set.iter().flat_map(|text| ["--set", text]).collect();
         longdrive(&[&["simulate"], &args[..]].concat())
             .err
@@ -44,9 +44,13 @@ fn a_wind_profile_without_effect_has_a_warning() {
             "is not above wind.roughness",
         ),
     ] {
-        assert!(printed(set).contains(message), "{set:?}: {}", printed(set));
+        assert!(
+            warnings_of_wind(set).contains(message),
+            "{set:?}: {}",
+            warnings_of_wind(set)
+        );
     }
-    let sound = printed(&["wind.roughness=30mm", blows]);
+    let sound = warnings_of_wind(&["wind.roughness=30mm", blows]);
     assert!(!sound.contains("wind."), "{sound}");
     // with wind or a varied profile, both have an effect
     let (rough, high) = ("wind.roughness=30mm", "wind.reference_height=3m");
@@ -94,11 +98,11 @@ fn a_wind_profile_without_effect_has_a_warning() {
         ],
         &["compare", "--set", rough, "--set-b", blows],
     ] {
-        let printed = longdrive(args);
+        let output = longdrive(args);
         assert!(
-            printed.status == 0 && !printed.err.contains("has no effect"),
+            output.status == 0 && !output.err.contains("has no effect"),
             "{args:?}: {}",
-            printed.err
+            output.err
         );
     }
 }
@@ -113,7 +117,7 @@ fn a_step_that_changes_the_landing_has_a_warning_with_the_shift() {
     };
     let shift = 1e3 * (carry("1s") - carry("0.5s")).abs();
     let message = &warnings("modern-driver", &[("flight.step", "1s")])[0];
-    let printed: f64 = message
+    let stated: f64 = message
         .split("the landing shifts by ")
         .nth(1)
         .and_then(|rest| rest.split(" mm").next())
@@ -125,7 +129,7 @@ fn a_step_that_changes_the_landing_has_a_warning_with_the_shift() {
         "{message}"
     );
     assert!(
-        (printed - shift).abs() <= 0.05 * shift && shift > 1.5,
+        (stated - shift).abs() <= 0.05 * shift && shift > 1.5,
         "{message}: {shift}"
     );
     for settings in [
@@ -153,13 +157,13 @@ fn presets_and_their_longest_drives_have_no_warning() {
             .iter()
             .map(ToString::to_string)
             .collect();
-        for printed in [warnings(preset.name, &[]), at_best] {
+        for found in [warnings(preset.name, &[]), at_best] {
             // an amateur's ball is slower than the fitted range of the law
             let of_the_law =
-                printed.len() == 1 && printed[0].contains("fitted to a Reynolds number of 70000");
+                found.len() == 1 && found[0].contains("fitted to a Reynolds number of 70000");
             assert!(
-                printed.is_empty() || preset.name == "amateur-average" && of_the_law,
-                "{}: {printed:?}",
+                found.is_empty() || preset.name == "amateur-average" && of_the_law,
+                "{}: {found:?}",
                 preset.name
             );
         }
@@ -631,7 +635,7 @@ fn share_outside_the_range_of_a_law_is_in_the_answer() {
 /// Without air a ball lands at its launch angle; ground that rises by 4° adds 4°.
 #[test]
 fn exact_angle_of_a_landing_flatter_than_measured_bounces() {
-    let message = |settings: &[&str], of: &str| {
+    let notes = |settings: &[&str], of: &str| {
         let mut command = vec!["gradient", "--of", of, "--wrt", "launch.ball_speed"];
         command.extend([
             "--set",
@@ -654,13 +658,13 @@ fn exact_angle_of_a_landing_flatter_than_measured_bounces() {
             .collect()
     };
     for of in ["total", "run", "lateral_total", "carry,total"] {
-        let found: Vec<String> = message(&[], of);
+        let found: Vec<String> = notes(&[], of);
         assert!(
             found.len() == 1 && found[0].contains("lands at 23 deg to the ground, below 25 deg"),
             "{of}: {found:?}"
         );
     }
-    let found: Vec<String> = message(&["ground.slope=1deg"], "total");
+    let found: Vec<String> = notes(&["ground.slope=1deg"], "total");
     assert!(
         found.len() == 1 && found[0].contains("lands at 24 deg"),
         "{found:?}"
@@ -671,7 +675,7 @@ fn exact_angle_of_a_landing_flatter_than_measured_bounces() {
         // the ball embeds: there is no run
         (&["ground.restitution=none"], "total"),
     ] {
-        let found: Vec<String> = message(settings, of);
+        let found: Vec<String> = notes(settings, of);
         assert!(found.is_empty(), "{settings:?} {of}: {found:?}");
     }
 }

@@ -21,7 +21,7 @@ const PLOTS = [
   ["laws-lift.svg", ["plot", "laws", "--show", "cl", ...LAWS]],
   ["vcurve.svg", ["plot", "vcurve", "mae494", "--of", "carry", "--wrt", "club.loft"], "words"],
 ];
-// validation-*.svg are drawn by `WRITE_PICTURES=1 cargo test same_numbers_in_validation_md`, which compares them at every run
+// validation-*.svg are drawn by `LONGDRIVE_WRITE_VALIDATION=1 cargo test same_numbers_in_validation_md`, which compares them at every run
 // the first screen of the report: report.png, and report.txt with its words and styles, because screenshots differ between machines with other fonts
 const SCREEN = { width: 1280, height: 800 };
 // numbers of a drawing are tenths of a pixel

@@ -383,13 +383,13 @@ class Table:
 def _refuse_difference(first: Table, other: Table, number: int) -> None:
     """Refuses a table whose outcomes, derivatives, parameters or setup differ from the first
     table's."""
-    message = {
+    compared = {
         "outcomes": (first.of, other.of),
         "derivatives by": (first.wrt, other.wrt),
         "parameters of the points": (first.parameters, other.parameters),
         "second derivatives": ((first.hessians is not None,), (other.hessians is not None,)),
     }
-    for what, (one, two) in message.items():
+    for what, (one, two) in compared.items():
         if one != two:
             both = " and ".join(", ".join(map(str, names)) or "none" for names in (one, two))
             raise InputError(

@@ -3,13 +3,11 @@
 // these doc comments are help texts, in which "carry [yd]" is a column head, not a link
 #![allow(rustdoc::broken_intra_doc_links)]
 
-mod derivatives;
 mod number;
 mod output;
 mod search;
 mod setup;
 
-pub use derivatives::DerivativeArgs;
 pub use number::{U32, refuse_threads, whole};
 pub use output::OutputOptions;
 pub use search::{OptimizeArgs, SearchArgs, SwingsArgs};

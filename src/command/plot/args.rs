@@ -1,7 +1,8 @@
 //! Options of plots.
 
-use crate::command::args::{DerivativeArgs, SearchArgs, SetupArgs};
+use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::compare::PairArgs;
+use crate::command::gradient::DerivativeArgs;
 use crate::command::pareto::GoalArgs;
 use crate::command::picture::PictureArgs;
 use crate::report::figures::{Causes, Coefficient, Over, View};

@@ -90,8 +90,8 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
     let of_best = best.map_or(vec![], at_optimum);
-    if let Some((_, printed)) = best.and_then(short_drive) {
-        note(printed);
+    if let Some((_, message)) = best.and_then(short_drive) {
+        note(message);
     }
     let region = best
         .map(|best| Region::around(best, map.plane.across, map.plane.up, usual_loss(best)))

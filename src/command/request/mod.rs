@@ -223,7 +223,8 @@ impl Request {
             .map(|setting| setting.parameter.as_str())
     }
 
-    /// True if the request states the parameter: an option of the command line, or the host.
+    /// True if a search is to keep the value of the parameter: a setting of the command line
+    /// states it, or the host does.
     pub fn states(&self, parameter: &Parameter) -> bool {
         let is = |name: &str| name == parameter.name;
         self.stated().any(is) || running().host.stated().iter().any(|name| is(name))

@@ -173,7 +173,7 @@ pub fn check(args: &Args, folder: &Path) -> Result<Answer> {
         );
         return Err(refused(folder, reason));
     }
-    let (is_complete, printed) = (checked.is_complete(), sentences(&checked));
+    let (is_complete, lines) = (checked.is_complete(), sentences(&checked));
     if args.setup_args.json {
         let reply = Reply::done(
             "sweep",
@@ -186,12 +186,11 @@ pub fn check(args: &Args, folder: &Path) -> Result<Answer> {
         let reply = if is_complete {
             reply
         } else {
-            reply.ended("partial", Some(printed.join("; ")))
+            reply.ended("partial", Some(lines.join("; ")))
         };
         return Ok(Answer::json(&reply).found(is_complete));
     }
-    let text =
-        printed.join("\n") + "\n\n" + &text_of(&summary_document(&checked.summary, system()));
+    let text = lines.join("\n") + "\n\n" + &text_of(&summary_document(&checked.summary, system()));
     Ok(Answer::text(text).found(is_complete))
 }
 
@@ -231,7 +230,7 @@ fn sentences(checked: &Checked) -> Vec<String> {
         sha256,
         ..
     } = checked;
-    let mut printed = vec![match checked.is_complete() {
+    let mut lines = vec![match checked.is_complete() {
         true => format!(
             "complete: {} of {} with the instructions {}, {bytes} bytes",
             counted(*present, "part"),
@@ -249,25 +248,25 @@ fn sentences(checked: &Checked) -> Vec<String> {
         ),
     }];
     if !missing.is_empty() {
-        printed.push(format!("missing: {}", ranges(missing)));
+        lines.push(format!("missing: {}", ranges(missing)));
     }
-    printed.extend(
+    lines.extend(
         faults
             .iter()
             .map(|fault| format!("{}: {}", fault.file, fault.reason)),
     );
     if !unfinished.is_empty() {
-        printed.push(format!(
+        lines.push(format!(
             "{} of writers that are running or were killed; delete them if no writer is running",
             counted(unfinished.len() as u64, "file")
         ));
     }
-    printed.extend(
+    lines.extend(
         sha256
             .as_ref()
             .map(|hash| format!("SHA-256 of the set: {hash}")),
     );
-    printed
+    lines
 }
 
 /// Numbers in the syntax of job arrays: `3,17-20`.

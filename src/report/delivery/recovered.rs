@@ -62,14 +62,14 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
         } else {
             ""
         };
-        let message = format!(
+        let comment = format!(
             "mean ± {}, deviation ± {}; a shot identifies {:.0} % of the variance{rest}",
             errors[0],
             errors[1],
             100.0 * variance_removed
         );
         text += &format!(
-            "{} = \"normal({mean}, {deviation})\" # {message}\n",
+            "{} = \"normal({mean}, {deviation})\" # {comment}\n",
             parameter.name
         );
     }

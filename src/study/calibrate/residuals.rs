@@ -110,8 +110,8 @@ impl ShotResiduals<'_> {
             } else {
                 Order::First
             };
-            let requested = Evaluator::new(&setup, &of, &self.fitted, order)?;
-            for (taylor, measurement) in requested.at(&values)?.into_iter().zip(&shot.measured) {
+            let evaluator = Evaluator::new(&setup, &of, &self.fitted, order)?;
+            for (taylor, measurement) in evaluator.at(&values)?.into_iter().zip(&shot.measured) {
                 let computed = measurement
                     .outcome
                     .unwrap_angle(taylor.value, measurement.value);

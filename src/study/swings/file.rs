@@ -239,7 +239,7 @@ mod tests {
             ["swing.speed", "swing.path"]
         );
         assert!((swings.means()[0] - 49.1744).abs() < 1e-12 && swings.means()[1] == 0.0);
-        for (bad, output) in [
+        for (bad, message) in [
             (
                 "[distributions]\nswing.sped = 'normal(1 mph, 3 mph)'\n",
                 "did you mean 'swing.speed'",
@@ -268,7 +268,7 @@ mod tests {
             ("", "no distribution"),
         ] {
             let error = read(&setup, bad, "s.toml").unwrap_err().to_string();
-            assert!(error.contains(output), "{bad}: {error}");
+            assert!(error.contains(message), "{bad}: {error}");
         }
     }
 }
