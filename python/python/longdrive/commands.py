@@ -440,7 +440,8 @@ def design(
         The goal to minimize, e.g. "rms(lateral)".
     vary : Given
         A parameter of the head to vary, with its range, e.g. club.bulge_radius=200mm..600mm or
-        club.weight_1.toe=-50mm..50mm. [default: bulge and roll 150 to 1000 mm, loft 6 to 16 deg].
+        club.weight_1.toe=-50mm..50mm. [default: bulge and roll 150 to 1000 mm, loft 6 to 16 deg,
+        except a parameter that the request states].
     subject_to : Names
         A limit of a goal or of the head, e.g. "std(lateral) <= 20yd" or "head_mass <= 205 g"; or a
         relation with a name, linear in parameters, e.g. "volume: 120 cm^3 + 80 cm^2*club.cg_depth
