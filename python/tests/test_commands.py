@@ -75,6 +75,22 @@ def test_a_search_without_stated_parameters_keeps_none():
         assert found.held == [] and "swing.attack_angle" in found.names
 
 
+def test_a_value_of_a_dict_that_swings_replace_is_refused_as_by_the_program():
+    swings = {"distribution": {"swing.attack_angle": "normal(-1 deg, 1 deg)"}}
+    with pytest.raises(longdrive.InputError, match="swing.attack_angle of the setup: the swings"):
+        longdrive.optimize({"swing.attack_angle": "-2 deg"}, **swings)
+    status, answer = program(
+        "optimize",
+        "--set",
+        "swing.attack_angle=-2deg",
+        "--distribution",
+        "swing.attack_angle=normal(-1deg,1deg)",
+    )
+    assert status == 2 and "the swings have values of it" in answer["message"]
+    setup = longdrive.Setup({"swing.attack_angle": "-2 deg"})
+    assert longdrive.optimize(setup, **swings).success
+
+
 def test_differences_of_new_searches_confirm_the_price_of_a_constraint():
     limit, step = 42.0, 0.01
     found = longdrive.optimize(subject_to=[f"descent_angle >= {limit} deg"])

@@ -33,8 +33,8 @@ pub fn range_in_words(
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[cfg_attr(test, schemars(rename = "FittedReport"))]
 pub struct Fitted {
-    /// The measurements.
-    // empty if they are not known
+    /// The measurements; `null` if they are unknown.
+    // an empty text is serialized as `null`
     #[serde(serialize_with = "unless_empty")]
     #[cfg_attr(test, schemars(with = "Option<String>"))]
     pub to: &'static str,

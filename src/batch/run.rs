@@ -16,7 +16,7 @@ pub struct Run<'a> {
     /// First row to compute; 0 by default. A multiple of [`CHUNK`] gives the same blocks as an
     /// uninterrupted run.
     pub first_row: u64,
-    /// End row, exclusive; by default `None`: after the last point.
+    /// The row after the last row to compute. With `None`, the default, all rows are computed.
     pub end_row: Option<u64>,
     /// Number of threads; by default 0: one per processor, or one for a single chunk. At most 256,
     /// and at most the number of chunks.

@@ -124,7 +124,7 @@ impl OutputRule {
             true => unwritable(path, &error),
             false => refused(
                 path,
-                "it cannot be written: it is a pipe without a name in any folder; name a file",
+                "it cannot be written, because it is a pipe without a name; name a file",
             ),
         })?;
         self.refuse_input(path, &at)?;

@@ -19,7 +19,7 @@ pub struct DerivativeArgs {
     of: Vec<String>,
 
     /// The parameters, separated by commas; "all" for every one that has a value in this setup.
-    /// Without: loft and attack angle, or the launch conditions if they are given.
+    /// By default: loft and attack angle, or the launch conditions if they are given.
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     wrt: Vec<String>,
 }

@@ -135,7 +135,7 @@ struct ReportRequest {
     reason: Option<String>,
     /// The stated uncertainties.
     given: Vec<Sigma>,
-    /// All uncertainties.
+    /// The stated uncertainties, and default uncertainties of other parameters.
     sigmas: Vec<Sigma>,
 }
 

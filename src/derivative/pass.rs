@@ -97,7 +97,8 @@ impl EvaluationPoint<'_> {
             .err()
             .unwrap_or_else(|| Error::Undefined {
                 what: "the impact".into(),
-                reason: "the strike is exactly at the limit between an impact and none".into(),
+                reason: "the strike is exactly on the limit between hitting and missing the ball"
+                    .into(),
             })
     }
 }

@@ -47,9 +47,9 @@ impl<'n, T: Numbers> Step<'n, T> {
         }
     }
 
-    /// Defect of a step of length h, m (docs/model.md, eq. 16a): the difference between the step
-    /// and Hermite's quadrature over the step, times (|Δv|/|v_r|)⁴. The defect of a step is O(h⁹),
-    /// the sum over a flight O(h⁸).
+    /// Defect of a step of length h, m (docs/model.md, eq. 16a): the difference between the
+    /// change of position and its value by Hermite's quadrature, times (|Δv|/|v_r|)⁴. The defect of
+    /// a step is O(h⁹), the sum over a flight O(h⁸).
     #[inline(always)]
     pub fn defect(&self, h: f64) -> T {
         let (a0, a1) = (self.from.rate.acceleration, self.to.rate.acceleration);

@@ -10,8 +10,8 @@ pub(super) struct Sliding<T> {
     pub pull: Vector<T>,
 }
 
-/// η, m/s: |v| is √(v·v + η²) − η, smooth at rest.
-const LEAST_SPEED: f64 = 1e-4;
+/// η, m/s: √(v·v + η²) − η replaces |v|, because it is smooth at rest.
+const SMOOTHING_SPEED: f64 = 1e-4;
 
 impl<T: Numbers> Sliding<T> {
     /// Time T and displacement D to rest (eq. 23). NaN if |G| ≥ a: the body does not stop.
@@ -26,7 +26,8 @@ impl<T: Numbers> Sliding<T> {
     #[inline(always)]
     fn stop_inlined(&self, velocity: Vector<T>) -> (T, Vector<T>) {
         let (a, pull) = (self.deceleration, self.pull);
-        let speed = (velocity.dot(velocity) + LEAST_SPEED * LEAST_SPEED).sqrt() - LEAST_SPEED;
+        let speed =
+            (velocity.dot(velocity) + SMOOTHING_SPEED * SMOOTHING_SPEED).sqrt() - SMOOTHING_SPEED;
         // v·G, |G|² and a²
         let (v_g, g_squared, a_squared) = (velocity.dot(pull), pull.dot(pull), a * a);
         let difference = a_squared - g_squared;

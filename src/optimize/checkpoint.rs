@@ -93,15 +93,6 @@ impl Checkpoint {
         self.lock().runs.get(&number).cloned()
     }
 
-    /// Number of searches that have ended.
-    pub fn done(&self) -> usize {
-        self.lock()
-            .runs
-            .values()
-            .filter(|run| matches!(run, SavedSearch::Done(_)))
-            .count()
-    }
-
     /// Saves `run`, the state of search `number`.
     ///
     /// # Errors

@@ -14,7 +14,6 @@ use argmin::core::checkpointing::{Checkpoint, CheckpointingFrequency};
 use argmin::core::observers::{Observe, ObserverMode};
 use argmin::core::{Executor, KV, State};
 use std::cell::RefCell;
-use std::sync::Arc;
 
 /// Minimises a function within a domain from a start, which is first projected on the bounds.
 ///
@@ -51,8 +50,8 @@ pub fn minimize_observed(
     {
         return Err(other_problem());
     }
-    let (failure, interrupt) = (Arc::default(), observer.interrupt.clone());
-    let found = run(problem, domain, start, options, observer, &failure)?;
+    let interrupt = observer.interrupt.clone();
+    let found = run(problem, domain, start, options, observer)?;
     match found.kink {
         Some(kink) if found.status == Status::StalledAtKink => {
             let observer = Observer {
@@ -83,7 +82,6 @@ fn run(
     start: &[f64],
     options: &Options,
     observer: Observer,
-    failure: &Arc<std::sync::Mutex<Option<Error>>>,
 ) -> Result<Solution> {
     let solver = Sqp {
         domain: domain.clone(),
@@ -103,7 +101,6 @@ fn run(
                 at_iteration(&fresh, &snapshot),
             )
         }),
-        failure: failure.clone(),
     };
     let mut executor = Executor::new(problem, solver)
         .configure(|_| fresh)
@@ -112,9 +109,10 @@ fn run(
     if checkpoint.save.is_some() || checkpoint.resumed.is_some() {
         executor = executor.checkpointing(checkpoint);
     }
-    let result = executor.run().map_err(|e| {
-        let own = failure.lock().ok().and_then(|mut failure| failure.take());
-        own.unwrap_or_else(|| Error::Optimizer(e.to_string()))
+    let result = executor.run().map_err(|error| {
+        error
+            .downcast()
+            .unwrap_or_else(|error| Error::Optimizer(error.to_string()))
     })?;
     let iterations =
         result.state.get_iter() - u64::from(result.solver.progress.is_interrupted_within);
@@ -148,14 +146,7 @@ fn fix_on_bound(
         domain.variables.high[i]
     };
     (fixed.variables.low[i], fixed.variables.high[i]) = (bound, bound);
-    let Ok(mut end) = run(
-        problem,
-        &fixed,
-        &found.x,
-        options,
-        observer,
-        &Arc::default(),
-    ) else {
+    let Ok(mut end) = run(problem, &fixed, &found.x, options, observer) else {
         return found;
     };
     if end.status != Status::Converged {
@@ -166,7 +157,8 @@ fn fix_on_bound(
     end.gradient[i] = slope;
     end.message += &format!("; variable {i} lies on its bound, where the objective has a kink");
     end.iterations += found.iterations;
-    end.evaluations += found.evaluations;
+    end.effort += found.effort;
+    end.evaluations = end.effort.evaluations;
     Solution {
         kink: Some(kink),
         initial_point: found.initial_point,
@@ -203,7 +195,6 @@ fn at_iteration(fresh: &SqpState, snapshot: &Snapshot) -> SqpState {
 struct SnapshotIo {
     save: Option<RefCell<Box<SaveSnapshot>>>,
     resumed: Option<(Sqp, SqpState)>,
-    failure: Arc<std::sync::Mutex<Option<Error>>>,
 }
 
 impl Checkpoint<Sqp, SqpState> for SnapshotIo {
@@ -220,13 +211,7 @@ impl Checkpoint<Sqp, SqpState> for SnapshotIo {
             iterations: state.get_iter(),
             progress: solver.progress.clone(),
         };
-        (save.borrow_mut())(&snapshot).map_err(|error| {
-            let message = error.to_string();
-            if let Ok(mut failure) = self.failure.lock() {
-                *failure = Some(error);
-            }
-            argmin::core::Error::msg(message)
-        })
+        (save.borrow_mut())(&snapshot).map_err(argmin::core::Error::new)
     }
 
     fn load(&self) -> std::result::Result<Option<(Sqp, SqpState)>, argmin::core::Error> {

@@ -95,13 +95,22 @@ impl Solution {
             undefined_at_start,
             initial_point,
             kink,
+            undefined_evaluations,
             ..
         } = progress;
         let largest = search.as_ref().map(|search| search.residual.largest());
         let SearchVerdict { status, message } =
             verdict.unwrap_or_else(|| SearchVerdict::iteration_limit(iterations, largest));
         let Some(search) = search else {
-            return Self::without_evaluation(domain, status, message, start, undefined_at_start);
+            return Self {
+                evaluations: undefined_evaluations,
+                effort: Effort {
+                    evaluations: undefined_evaluations,
+                    ..Effort::default()
+                },
+                undefined_at_start,
+                ..Self::without_point(domain, status, message, start)
+            };
         };
         let bounds = &domain.variables;
         let lower_multipliers = bound_multipliers(&search, 1.0, |i, x| x <= bounds.low[i]);
@@ -143,23 +152,12 @@ impl Solution {
 
     /// Result of a search that was interrupted before its first evaluation.
     pub(super) fn interrupted_at_start(domain: &Domain, start: Vec<f64>) -> Self {
-        Self::without_evaluation(
-            domain,
-            Status::Interrupted,
-            "stopped before it began".into(),
-            start,
-            None,
-        )
+        let message = "stopped before it began".into();
+        Self::without_point(domain, Status::Interrupted, message, start)
     }
 
-    /// Result of a search without any evaluation of the functions.
-    fn without_evaluation(
-        domain: &Domain,
-        status: Status,
-        message: String,
-        x: Vec<f64>,
-        undefined_at_start: Option<String>,
-    ) -> Self {
+    /// Result of a search that has evaluated the functions at no point where they are defined.
+    fn without_point(domain: &Domain, status: Status, message: String, x: Vec<f64>) -> Self {
         let n = domain.variables.dimension();
         let none = KktResidual {
             stationarity: f64::MAX,
@@ -183,7 +181,7 @@ impl Solution {
             evaluations: 0,
             effort: Effort::default(),
             initial_point: vec![],
-            undefined_at_start,
+            undefined_at_start: None,
             x,
         }
     }

@@ -46,6 +46,9 @@ pub(super) struct SearchProgress {
     pub initial_point: Vec<f64>,
     /// Kink of f at which the search ended.
     pub kink: Option<Kink>,
+    /// Number of evaluations of a search that found no point where f is defined.
+    #[serde(skip)]
+    pub undefined_evaluations: u64,
 }
 
 impl SearchProgress {
@@ -183,6 +186,7 @@ impl<'a> Solver<&'a dyn Problem, SqpState> for Sqp {
                 Some(why) if !self.is_interrupted() => SearchVerdict::undefined(trials, &why),
                 _ => SearchVerdict::without_start(count),
             });
+            self.progress.undefined_evaluations = count;
             return Ok((info.param(start), None));
         };
         self.progress.initial_point.clone_from(&point.x);

@@ -9,6 +9,7 @@ use super::quasi_newton::QuasiNewton;
 use super::scaling::{EvaluatedPoint, KktResidual, Scaling, norm};
 use super::trial_step::{NOISE, Reduction, Trial, TrialStep};
 use serde::{Deserialize, Serialize};
+use std::ops::AddAssign;
 
 /// Maximum number of second-order corrections of one step.
 const MAX_CORRECTIONS: u32 = 3;
@@ -41,13 +42,24 @@ pub struct Effort {
     /// Number of quadratic programs solved by Clarabel, then polished to an exact KKT point of the
     /// active set.
     pub clarabel: u64,
-    /// Quadratic programs whose step is Clarabel's own solution, because no exact KKT point was
-    /// found nearby.
+    /// Quadratic programs without an exact KKT point near Clarabel's solution: the step is the exact
+    /// point of Clarabel's active set with Clarabel's multipliers, or Clarabel's own solution.
     pub unpolished: u64,
     /// Steps with inconsistent linearised constraints, which were relaxed.
     pub relaxed: u64,
     /// Second-order corrections computed.
     pub corrections: u64,
+}
+
+impl AddAssign for Effort {
+    fn add_assign(&mut self, other: Self) {
+        self.evaluations += other.evaluations;
+        self.warm_starts += other.warm_starts;
+        self.clarabel += other.clarabel;
+        self.unpolished += other.unpolished;
+        self.relaxed += other.relaxed;
+        self.corrections += other.corrections;
+    }
 }
 
 /// State of a search.

@@ -154,7 +154,7 @@ pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> 
                 .map(|name| format!("`set {name}=none`"))
                 .collect();
             let reason = format!(
-                "{rule}; keep one of the two: leave one out, or unset the setup's value with {}",
+                "{rule}; leave out one of the two, or unset the value of the setup with {}",
                 back.join(" ")
             );
             return Err(Error::Together {
@@ -282,8 +282,8 @@ impl Setup<f64> {
         if has("air.pressure", air.pressure) && has("air.altitude", air.altitude) {
             return refuse(
                 "air.pressure and air.altitude are both given",
-                "the altitude gives a pressure too, by the standard atmosphere; keep one of the \
-                 two: leave one out, or unset the setup's value with `set air.altitude=none` or \
+                "the altitude gives a pressure too, by the standard atmosphere; leave out one of \
+                 the two, or unset the value of the setup with `set air.altitude=none` or \
                  `set air.pressure=none`",
             );
         }

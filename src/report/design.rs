@@ -175,7 +175,8 @@ impl Designed<'_> {
         let goal = &self.best.search.of;
         let text = match (constraint.by, price, margin) {
             (Enforcement::Unknown, ..) => {
-                "not checked, because its value is unknown; a relation can state it".into()
+                "not checked, because its value is unknown; it can be stated as a named limit"
+                    .into()
             }
             (Enforcement::Value(_), _, Some(_)) => "met; not varied".into(),
             (_, Some(price), _) => {

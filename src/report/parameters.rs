@@ -115,7 +115,8 @@ impl ParametersReport {
         Ok(self)
     }
 
-    /// The selected parameters of the setup and of the other laws, and the selected choices.
+    /// The parameters and choices that contain the word: parameters of the setup, then coefficients
+    /// of the laws that the setup does not use.
     fn selection(&self, word: &str, system: System) -> Document {
         let mut document = Document::default();
         if !self.parameters.is_empty() {

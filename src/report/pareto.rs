@@ -251,7 +251,7 @@ fn notes(found: &Pareto, system: System) -> Vec<String> {
     if found.dominated > 0 {
         let left_out = counted(found.dominated as u64, "point");
         notes.push(format!(
-            "left out, since other points are better in both goals: {left_out}"
+            "{left_out} left out, because other points are better in both goals"
         ));
     }
     notes.extend(found.ended.clone());

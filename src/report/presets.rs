@@ -91,8 +91,9 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> 
 }
 
 /// The values of a setup with their sources. The values are in the units of `system`; if `system`
-/// is `None`, they are spelled as in the input. A value of `file` has the file's comment as its
-/// source; another value that differs from the preset's has the source "as given".
+/// is `None`, they are spelled as in the input. A value with a comment in `file` has this
+/// comment as its source. Any other value has the preset's source if it equals the preset's value,
+/// otherwise the source "as given".
 pub(super) fn sources(
     setup: &Setup<f64>,
     file: &SetupFile,

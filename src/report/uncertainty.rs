@@ -259,7 +259,7 @@ fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) ->
 /// Number of shares of the variance in a line.
 const FIRST_SHARES: usize = 4;
 
-/// Number of ellipses in a text that fits a screen: the ellipses from the sample.
+/// Number of ellipses in a text that fits a screen. The first two ellipses are from the sample.
 const FIRST_ELLIPSES: usize = 2;
 
 /// The uncertain parameters with the largest contributions to the variance of an outcome, and the

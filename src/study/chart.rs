@@ -321,7 +321,7 @@ fn target(to: f64, from: f64, at: &[f64], width: f64) -> f64 {
         .fold(to, f64::min)
 }
 
-/// A predicted and corrected optimum.
+/// An optimum that the corrector found from the predicted optimum.
 struct Corrected {
     point: ChartPoint,
     /// Distance from the prediction, in units of the ranges.

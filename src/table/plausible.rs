@@ -120,8 +120,8 @@ pub(crate) fn impossible(of: Outcome, value: f64) -> Option<String> {
     })
 }
 
-/// Message for an implausible launch, by the stated values and by the spin components computed from
-/// them.
+/// Message if a stated value of a launch is implausible, or a spin component computed from the
+/// stated values; `None` if all are plausible.
 pub(crate) fn implausible_launch(
     values: &Stated,
     name: impl Fn(Outcome) -> String,

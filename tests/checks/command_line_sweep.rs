@@ -420,7 +420,8 @@ fn a_full_disk_leaves_complete_rows_that_can_be_resumed() {
             &Uninterrupted::of_many(format).bytes,
             folder.path().join(format!("part.{format}")),
         );
-        // a file must not grow beyond this number of KiB; the signal is ignored, and writing fails
+        // `ulimit` limits the size of a file, in KiB; with the signal XFSZ ignored, writing more is an
+        // error
         let most = whole.len() / 1024 * 3 / 5;
         let limited = format!("trap '' XFSZ; ulimit -f {most}; exec \"$@\"");
         let mut program = Command::new("bash");

@@ -452,7 +452,7 @@ fn assumptions_of_a_design_are_printed() {
         "varied by default: club.bulge_radius, club.roll_radius, club.loft",
         "the gear effect of strikes off the centre is known to about 30 %",
         "moment of inertia",
-        "not checked, because its value is unknown; a relation can state it",
+        "not checked, because its value is unknown; it can be stated as a named limit",
         "under the Rules of Golf",
         "std(carry)",
     ] {

@@ -130,7 +130,8 @@ fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str]) -> (f64, Vec<f64>) {
     (best.value().unwrap(), best.solution.x)
 }
 
-/// A symmetric head and golfer of either hand: drives to the right and to the left cancel.
+/// With a symmetric head and symmetric strikes, drives to the right and to the left cancel for golfers
+/// of both hands.
 #[test]
 fn exact_zero_lateral_mean_of_a_symmetric_head_and_strikes() {
     for golfer in Golfer::ALL {

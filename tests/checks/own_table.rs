@@ -143,7 +143,8 @@ fn exact_c2_of_a_table_across_every_grid_line_and_beyond() {
     let spin_ratios = [0.05, 0.08, 0.15, 0.2, 0.31];
     let reynolds = [6e4, 1e5, 1.3e5, 2.1e5];
     let law = of_table(&table_of("usga-itr", &spin_ratios, &reynolds));
-    // the grid lines, and half an outer step beyond the edges, where the clamps end
+    // the grid lines, and the points beyond the edges where a clamped variable becomes constant:
+    // half of the outermost grid interval away
     let lines = spin_ratios
         .into_iter()
         .chain([0.035, 0.365])

@@ -107,7 +107,8 @@ fn has_edge(goal: &Goal) -> bool {
     goal.terms.iter().any(|(_, measure)| is_edge(measure))
 }
 
-/// The best design for the first goal, with the other goals.
+/// The best design for the first goal. The other goals are constraints without limits, so that they
+/// are computed too.
 fn searched(setup: &Setup<f64>, goals: &[String], scenarios: Scenarios) -> Optimum {
     let mut goals = goals.iter().map(|text| Goal::read(text, None).unwrap());
     let search = Search {

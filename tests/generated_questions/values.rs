@@ -38,7 +38,8 @@ pub fn preset(chance: &mut Chance) -> &'static str {
     PRESETS[chance.below(PRESETS.len())].name
 }
 
-/// A parameter of a preset; with a mistake, a parameter of any law or of a launch.
+/// A parameter of a preset. If the question is to contain a mistake: a parameter of any law or of a
+/// launch.
 pub fn parameter(chance: &mut Chance) -> &'static Parameter {
     if chance.slips() {
         return chance.of(&Law::all_rows().collect::<Vec<_>>());

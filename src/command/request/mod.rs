@@ -227,7 +227,15 @@ impl Request {
     /// states it, or the host does.
     pub fn states(&self, parameter: &Parameter) -> bool {
         let is = |name: &str| name == parameter.name;
-        self.stated().any(is) || running().host.stated().iter().any(|name| is(name))
+        self.stated().any(is) || self.stated_by_host().iter().any(|name| is(name))
+    }
+
+    /// The parameters that a program states as part of its request, as `--set` does.
+    fn stated_by_host(&self) -> Vec<String> {
+        if self.source.has_name() {
+            return vec![];
+        }
+        running().host.stated()
     }
 
     /// The setup as a title: "tour-average, swing.speed=95mph".
@@ -364,19 +372,25 @@ impl Request {
     }
 
     /// Refuses settings of parameters whose values have another source, because they would have no
-    /// effect.
+    /// effect. Values that a program states are settings too.
     ///
     /// # Errors
     /// [`Error::Unreadable`], which names the setting and gives the reason `why`.
     pub fn refuse_stated(&self, parameters: &[&'static Parameter], why: &str) -> Result<()> {
-        let is_unused = |setting: &&CommandSetting| {
-            parameters
-                .iter()
-                .any(|parameter| parameter.name == setting.parameter)
+        let is_unused = |name: &str| parameters.iter().any(|parameter| parameter.name == name);
+        let setting = self
+            .settings
+            .iter()
+            .find(|setting| is_unused(&setting.parameter))
+            .map(CommandSetting::named);
+        let in_setup = || {
+            let mut stated = self.stated_by_host().into_iter();
+            let unused = stated.find(|name| is_unused(name))?;
+            Some(format!("{unused} of the setup"))
         };
-        match self.settings.iter().find(is_unused) {
-            Some(setting) => Err(Error::unreadable(
-                setting.named(),
+        match setting.or_else(in_setup) {
+            Some(name) => Err(Error::unreadable(
+                name,
                 format!("{why}, so this one is not used; leave it out"),
             )),
             None => Ok(()),

@@ -152,14 +152,7 @@ pub fn fit_from(
     }
     let one = |start: &Vec<f64>| fit_observed(residuals, domain, start, options, observer);
     let mut fits = starts.par_iter().map(one).collect::<Result<Vec<_>>>()?;
-    let rank = |fit: &Fit| {
-        if fit.rows.residuals.is_empty() {
-            f64::INFINITY
-        } else {
-            fit.cost
-        }
-    };
-    fits.sort_by(|a, b| rank(a).total_cmp(&rank(b)));
+    fits.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     Ok(fits)
 }
 
@@ -462,9 +455,9 @@ impl FitState {
     }
 }
 
-/// Result of a fit that was interrupted before its first evaluation.
+/// Result of a fit that was interrupted during its first evaluation.
 fn interrupted_at_start(x: Vec<f64>) -> Fit {
-    let message = "stopped before the first evaluation of the residuals".into();
+    let message = "stopped during the first evaluation of the residuals".into();
     Fit {
         status: FitStatus::Interrupted,
         message,

@@ -79,7 +79,7 @@ impl QuadraticProgram {
     pub(super) fn consistent_working_set(&self, mut ranked: Vec<ActiveConstraint>) -> WorkingSet {
         loop {
             let active = WorkingSet::new(self, ranked.iter().copied());
-            if self.candidate(&active, StepSource::Clarabel).is_some() || ranked.pop().is_none() {
+            if self.candidate(&active).is_some() || ranked.pop().is_none() {
                 return active;
             }
         }
@@ -87,15 +87,11 @@ impl QuadraticProgram {
 
     /// Corrects a working set until its exact solution satisfies the KKT conditions. Returns the
     /// set and the solution; `None` if the corrections cycle or a system has no solution.
-    pub(super) fn polished(
-        &self,
-        mut active: WorkingSet,
-        source: StepSource,
-    ) -> Option<(WorkingSet, QpStep)> {
+    pub(super) fn polished(&self, mut active: WorkingSet) -> Option<(WorkingSet, QpStep)> {
         let most = 2 * (self.dimension() + self.rows.len() + self.max_terms.len()) + 4;
         let mut seen = vec![];
         while seen.len() < most && !seen.contains(&active) {
-            let candidate = self.candidate(&active, source)?;
+            let candidate = self.candidate(&active)?;
             let corrected = self.corrected(&active, &candidate);
             if corrected == active {
                 return Some((active, self.checked_step(candidate)?));
@@ -113,7 +109,7 @@ impl QuadraticProgram {
         active: &WorkingSet,
         approximate: &QpStep,
     ) -> Option<QpStep> {
-        let candidate = self.candidate(active, approximate.source)?;
+        let candidate = self.candidate(active)?;
         let distance = (&candidate.d - &approximate.d).amax();
         if distance > NEARBY * (approximate.d.amax() + self.largest_bound().min(1.0)) {
             return None;
@@ -132,8 +128,8 @@ impl QuadraticProgram {
     }
 
     /// Exact solution of a working set, if it satisfies the KKT conditions.
-    pub(super) fn exact_step(&self, active: &WorkingSet, source: StepSource) -> Option<QpStep> {
-        let candidate = self.candidate(active, source)?;
+    pub(super) fn exact_step(&self, active: &WorkingSet) -> Option<QpStep> {
+        let candidate = self.candidate(active)?;
         if self.corrected(active, &candidate) != *active {
             return None;
         }
@@ -167,7 +163,7 @@ impl QuadraticProgram {
     /// gradientₖ · d is equal for all active terms. Subtracting the first active term from the
     /// others eliminates its multiplier and the equation Σ αₖ = 1. The solution may violate other
     /// constraints.
-    fn candidate(&self, active: &WorkingSet, source: StepSource) -> Option<QpStep> {
+    fn candidate(&self, active: &WorkingSet) -> Option<QpStep> {
         let unknowns = Unknowns::new(self, active)?;
         let mut d = DVector::from_fn(self.dimension(), |i, _| match active.bounds[i] {
             Activity::Inactive => 0.0,
@@ -196,7 +192,7 @@ impl QuadraticProgram {
             multipliers: scattered(self.rows.len(), &unknowns.rows, unknowns.first_row()),
             activities: active.bounds.clone(),
             d,
-            source,
+            source: StepSource::Clarabel,
         })
     }
 

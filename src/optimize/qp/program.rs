@@ -75,8 +75,16 @@ pub enum StepSource {
     WarmStart,
     /// Clarabel's active set, polished to an exact KKT point.
     Clarabel,
-    /// Clarabel's own solution, projected on the bounds: no exact KKT point was found nearby.
+    /// No exact KKT point was found near Clarabel's solution: the exact point of Clarabel's active
+    /// set with Clarabel's multipliers, or Clarabel's own solution, projected on the bounds.
     Unpolished,
+}
+
+impl QpStep {
+    /// This step with the method that found it.
+    pub(super) fn found_by(self, source: StepSource) -> Self {
+        Self { source, ..self }
+    }
 }
 
 impl MaxTerm {

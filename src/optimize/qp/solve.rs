@@ -35,8 +35,10 @@ impl QpSolver {
     ///    the result, it is the solution, because the program is convex.
     /// 2. Clarabel: it proves infeasibility or finds an active set, which is polished to an exact
     ///    KKT point.
-    /// 3. If no exact KKT point is found near Clarabel's solution: that solution, projected on the
-    ///    bounds.
+    /// 3. If no exact KKT point is found near Clarabel's solution, because normals of active
+    ///    constraints are linearly dependent: the exact point of Clarabel's active set, with
+    ///    Clarabel's multipliers.
+    /// 4. If this point violates a constraint: Clarabel's own solution, projected on the bounds.
     ///
     /// # Panics
     /// If there is no term of the maximum, or lengths differ.
@@ -45,24 +47,26 @@ impl QpSolver {
             .active_set
             .as_ref()
             .filter(|active| active.fits(program));
-        let warm = previous.and_then(|active| program.exact_step(active, StepSource::WarmStart));
-        if warm.is_some() {
-            return warm;
+        if let Some(step) = previous.and_then(|active| program.exact_step(active)) {
+            return Some(step.found_by(StepSource::WarmStart));
         }
         self.active_set = None;
-        let ClarabelResult { active, step: own } = self.interior_point.solve(program)?;
+        let ClarabelResult { active, step } = self.interior_point.solve(program)?;
         let active = program.consistent_working_set(active);
-        let degenerate = own
-            .as_ref()
-            .and_then(|own| program.with_multipliers_of(&active, own));
-        if let Some((active, step)) = program.polished(active, StepSource::Clarabel) {
+        if let Some((active, step)) = program.polished(active.clone()) {
             self.active_set = Some(active);
-            return Some(step);
+            return Some(step.found_by(StepSource::Clarabel));
         }
-        let is_feasible = |own: &QpStep| {
-            program.violation(&own.d)
-                <= MOST_VIOLATION * (program.largest_bound().min(1.0) + own.d.amax())
-        };
-        degenerate.or(own.filter(is_feasible))
+        let approximate = step?;
+        program
+            .with_multipliers_of(&active, &approximate)
+            .or_else(|| is_feasible(program, &approximate).then_some(approximate))
+            .map(|step| step.found_by(StepSource::Unpolished))
     }
+}
+
+/// True if Clarabel's own solution meets the rows within its tolerance.
+fn is_feasible(program: &QuadraticProgram, step: &QpStep) -> bool {
+    program.violation(&step.d)
+        <= MOST_VIOLATION * (program.largest_bound().min(1.0) + step.d.amax())
 }

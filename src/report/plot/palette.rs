@@ -16,11 +16,11 @@ impl fmt::Display for Color {
 /// fills of maps and bands). Cross bars distinguish series with the same colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
-    /// The background.
+    /// The background of the picture.
     pub background: Color,
     /// Text and axes.
     pub ink: Color,
-    /// Background elements.
+    /// Secondary lines and texts.
     pub faint: Color,
     /// Grid lines.
     pub mesh: Color,

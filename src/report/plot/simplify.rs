@@ -1,7 +1,7 @@
 //! Curves with as few points as a drawing needs.
 
-/// Maximum distance of a simplified curve from its points, pixels. It is below the resolution of
-/// the eye, and equal to the resolution of the coordinates in the picture.
+/// Maximum distance of the left-out points from the simplified curve, pixels. It is below the
+/// resolution of the eye, and equal to the resolution of the coordinates in the picture.
 const WITHIN: f64 = 0.1;
 
 /// The points of a curve without those that are nearly on the line between their neighbours

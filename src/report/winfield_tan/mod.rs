@@ -28,7 +28,7 @@ pub struct WinfieldTanReport<'a> {
     /// The spin decay rate fitted to the paper's data.
     #[serde(rename = "aero.spin_decay")]
     pub spin_decay: FittedNumber,
-    /// `winfield-tan`.
+    /// The name of the study, `winfield-tan`.
     #[cfg_attr(test, schemars(extend("const" = STUDY)))]
     pub study: &'static str,
 }

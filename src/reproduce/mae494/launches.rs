@@ -51,7 +51,7 @@ pub struct Energy {
     /// Maximum ball speed, (1 + e)/(1 + m/M) V, m/s.
     #[serde(rename = "fastest_ball_speed")]
     pub fastest: f64,
-    /// Launch of maximum carry at that ball speed, over launch angle and spin.
+    /// Launch of maximum carry at the maximum ball speed; launch angle and spin are varied.
     pub farthest: Launched,
     /// Derivative of carry by ball speed at that launch, m per m/s.
     #[serde(rename = "carry_per_ball_speed")]

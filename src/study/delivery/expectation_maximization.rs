@@ -49,9 +49,9 @@ pub(super) struct SwingInformation {
     groups: Vec<ShotGroup>,
     /// Mean of Λ over the shots, with instrument errors only.
     pub(super) information: DMatrix<f64>,
-    /// Measured − computed at the mean swing, SI: for each shot the index of each outcome and its
-    /// difference.
-    pub(super) off: Vec<Vec<(usize, f64)>>,
+    /// For each shot the index of each outcome and its difference at the mean swing, measured −
+    /// computed, SI.
+    pub(super) differences: Vec<Vec<(usize, f64)>>,
     count: f64,
 }
 
@@ -72,7 +72,7 @@ impl SwingInformation {
         let mut all = Self {
             groups: vec![],
             information: DMatrix::zeros(n, n),
-            off: vec![],
+            differences: vec![],
             count,
         };
         for shot in shots {
@@ -100,7 +100,7 @@ impl SwingInformation {
             .iter()
             .filter_map(|one| of.iter().position(|other| other == one))
             .collect();
-        let off = differences(shot, &own, unknowns, at)?;
+        let differences = differences(shot, &own, unknowns, at)?;
         let (size, n) = (own.len(), unknowns.len());
         let sigma = |k: usize| shot.explained[k].measured.sigma;
         let slopes = DMatrix::from_fn(size, n, |k, i| launches.slopes[(places[k], i)] / sigma(k));
@@ -108,8 +108,9 @@ impl SwingInformation {
             let nonlinear = launches.nonlinear[(places[k], places[l])] / (sigma(k) * sigma(l));
             if k == l { 1.0 + nonlinear } else { nonlinear }
         });
-        let residuals =
-            DVector::from_fn(size, |k, _| (off[k] - launches.bias[places[k]]) / sigma(k));
+        let residuals = DVector::from_fn(size, |k, _| {
+            (differences[k] - launches.bias[places[k]]) / sigma(k)
+        });
         // positive definite: the identity plus a covariance
         let weighted = errors.try_inverse().map_or_else(
             || slopes.transpose(),
@@ -127,7 +128,8 @@ impl SwingInformation {
                 score[i] += weight * (prior.prior - at[i]) / unknown.sigma;
             }
         }
-        self.off.push(places.into_iter().zip(off).collect());
+        self.differences
+            .push(places.into_iter().zip(differences).collect());
         match self
             .groups
             .iter_mut()

@@ -64,12 +64,12 @@ impl LinearizedLaunches {
                 let side = if k % 2 == 0 { 1.0 } else { -1.0 };
                 // the normal quantile of 0 is infinite
                 let quantile = |i| sobol::coordinate(k / 2, i, 0).clamp(1e-6, 1.0 - 1e-6);
-                let off =
+                let change =
                     &root * DVector::from_fn(n, |i, _| side * normal.inverse_cdf(quantile(i)));
-                let found = strike.at(&values(unknowns, &(mean + &off))).ok()?;
+                let found = strike.at(&values(unknowns, &(mean + &change))).ok()?;
                 let changed = |k: usize| of[k].change(at_mean[k].value, found[k].value);
                 let changed = DVector::from_fn(count, |k, _| changed(k));
-                let rest = &changed - &slopes * off;
+                let rest = &changed - &slopes * change;
                 Some([changed, rest])
             })
             .collect();
@@ -103,11 +103,11 @@ pub(super) fn moments<'a>(
     let mean = of.clone().fold(DVector::zeros(size), |sum, one| sum + one) / count;
     let mut covariance = DMatrix::zeros(size, size);
     for one in of {
-        let off = one - &mean;
-        for (mut column, other) in covariance.column_iter_mut().zip(off.iter()) {
+        let deviation = one - &mean;
+        for (mut column, other) in covariance.column_iter_mut().zip(deviation.iter()) {
             column
                 .iter_mut()
-                .zip(off.iter())
+                .zip(deviation.iter())
                 .for_each(|(sum, one)| *sum += one * other / count);
         }
     }

@@ -43,8 +43,8 @@ pub struct Recovered {
     pub mean: f64,
     /// Standard deviation over the swings.
     pub deviation: f64,
-    /// Fraction of the prior variance that a single shot removes at the mean swing. The remaining
-    /// variance comes from the prior.
+    /// Fraction of the prior variance that one shot with the mean swing removes. The shot does not
+    /// determine the rest, which is as uncertain as the prior assumes.
     #[serde(rename = "told")]
     pub variance_removed: f64,
     /// Standard uncertainty of the mean.
@@ -99,9 +99,9 @@ impl PredictedOutcome {
     /// standard deviation.
     pub fn discrepancy(&self) -> f64 {
         let (measured, recovered) = (self.measured, self.recovered);
-        let off_mean = (recovered.mean - measured.mean).abs();
-        let off_deviation = (recovered.deviation - measured.deviation).abs();
-        off_mean.max(off_deviation) / measured.deviation
+        let of_mean = (recovered.mean - measured.mean).abs();
+        let of_deviation = (recovered.deviation - measured.deviation).abs();
+        of_mean.max(of_deviation) / measured.deviation
     }
 }
 
@@ -142,15 +142,15 @@ impl Population {
                 }
                 (Err(_), _) => continue,
             };
-            let off = found
+            let discrepancy = found
                 .predicted
                 .iter()
                 .map(PredictedOutcome::discrepancy)
                 .fold(0.0, f64::max);
-            if best.as_ref().is_none_or(|(least, _)| off < *least) {
-                best = Some((off, found));
+            if best.as_ref().is_none_or(|(least, _)| discrepancy < *least) {
+                best = Some((discrepancy, found));
             }
-            if off <= ACCEPTED_DISCREPANCY {
+            if discrepancy <= ACCEPTED_DISCREPANCY {
                 break;
             }
         }
@@ -326,15 +326,15 @@ fn predicted(
 ) -> Vec<PredictedOutcome> {
     let one = |(place, of): (usize, &Outcome)| {
         let mut rows = vec![];
-        for (shot, off) in shots.iter().zip(&information.off) {
-            for (explained, (at, off)) in shot.explained.iter().zip(off) {
+        for (shot, differences) in shots.iter().zip(&information.differences) {
+            for (explained, (at, difference)) in shot.explained.iter().zip(differences) {
                 if *at == place {
                     let Measurement { value, sigma, .. } = explained.measured;
                     // unwrap directions to within half a turn of the direction of the mean swing
-                    let computed = of.unwrap_angle(value - off, launches.at[place]);
+                    let computed = of.unwrap_angle(value - difference, launches.at[place]);
                     rows.push(DVector::from_vec(vec![
-                        computed + off,
-                        off - launches.bias[place],
+                        computed + difference,
+                        difference - launches.bias[place],
                         sigma * sigma,
                     ]));
                 }

@@ -178,7 +178,7 @@ fn default_unknowns(setup: &Setup<f64>, sigmas: &[Sigma]) -> Result<Vec<Unknown>
         let range = search_range(parameter, prior, sigma).ok_or_else(|| {
             let (name, value) = (parameter.name, parameter.show(Some(prior)));
             refuse(format!(
-                "the search range around {name} = {value} is empty; set it to another value"
+                "the search range around {name} = {value} is empty; give {name} another value"
             ))
         })?;
         all.push(Unknown {

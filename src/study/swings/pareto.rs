@@ -160,7 +160,8 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, follow: &Observers) -> R
 }
 
 impl ParetoSearch {
-    /// The search for the best first goal. The second goal is its last constraint, without limits.
+    /// The search for the best first goal. The second goal is the last constraint, with infinite
+    /// limits, so that it is computed but not restricted.
     fn first_goal(&self) -> Search {
         let [(first, sense), (second, _)] = self.goals.clone();
         let mut subject_to = self.subject_to.clone();
