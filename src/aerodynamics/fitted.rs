@@ -4,25 +4,34 @@ use crate::json::range;
 use crate::units::{Digits, Message, Quantity};
 use serde::{Serialize, Serializer};
 
-/// Name, quantity with unit, and fitted range of a variable of a law.
-pub type FittedRange = (&'static str, (Quantity, &'static str), Option<[f64; 2]>);
+/// A variable of a law, and the range to which the law was fitted.
+#[derive(Clone, Copy, Debug)]
+pub struct FittedRange {
+    /// The name of the variable.
+    pub variable: &'static str,
+    /// The quantity.
+    pub quantity: Quantity,
+    /// The unit for texts.
+    pub unit: &'static str,
+    /// The range, SI; `None` if it is unknown.
+    pub range: Option<[f64; 2]>,
+}
 
-/// Appends a range to a message: "70000 to 230000", or "at least 71000" without an upper end.
-pub fn range_in_words(
-    before: Message,
-    (quantity, unit): (Quantity, &'static str),
-    [low, high]: [f64; 2],
-) -> Message {
-    let digits = Digits::Significant(3);
-    if high.is_infinite() {
-        return before
-            .words("at least ")
-            .quantity(quantity, unit, low, digits);
+impl FittedRange {
+    /// Appends a range of this variable to a message: "70000 to 230000", or "at least 71000"
+    /// without an upper end.
+    pub fn in_words(&self, before: Message, [low, high]: [f64; 2]) -> Message {
+        let digits = Digits::Significant(3);
+        if high.is_infinite() {
+            return before
+                .words("at least ")
+                .quantity(self.quantity, self.unit, low, digits);
+        }
+        before
+            .quantity(self.quantity, self.unit, low, digits)
+            .words(" to ")
+            .quantity(self.quantity, self.unit, high, digits)
     }
-    before
-        .quantity(quantity, unit, low, digits)
-        .words(" to ")
-        .quantity(quantity, unit, high, digits)
 }
 
 /// The measurements to which a law was fitted, and the range of each quantity; `null` for an
@@ -77,18 +86,33 @@ impl Fitted {
         held: [[false; 2]; 4],
     };
 
-    /// The ranges of spin ratio, spin, Reynolds number and airspeed, each with name, quantity and
-    /// unit.
+    /// The ranges of spin ratio, spin, Reynolds number and airspeed.
     pub fn ranges(&self) -> [FittedRange; 4] {
         [
-            ("spin ratio", (Quantity::NUMBER, ""), self.spin_ratio),
-            ("spin", (Quantity::ANGULAR_VELOCITY, "rpm"), self.spin),
-            ("Reynolds number", (Quantity::NUMBER, ""), self.reynolds),
-            (
-                "speed through the air",
-                (Quantity::SPEED, "m/s"),
-                self.speed,
-            ),
+            FittedRange {
+                variable: "spin ratio",
+                quantity: Quantity::NUMBER,
+                unit: "",
+                range: self.spin_ratio,
+            },
+            FittedRange {
+                variable: "spin",
+                quantity: Quantity::ANGULAR_VELOCITY,
+                unit: "rpm",
+                range: self.spin,
+            },
+            FittedRange {
+                variable: "Reynolds number",
+                quantity: Quantity::NUMBER,
+                unit: "",
+                range: self.reynolds,
+            },
+            FittedRange {
+                variable: "speed through the air",
+                quantity: Quantity::SPEED,
+                unit: "m/s",
+                range: self.speed,
+            },
         ]
     }
 
@@ -98,12 +122,13 @@ impl Fitted {
         let known = self
             .ranges()
             .into_iter()
-            .filter_map(|(name, unit, range)| Some((name, unit, range?)));
+            .filter_map(|fitted| Some((fitted, fitted.range?)));
         known
             .enumerate()
-            .fold(before, |message, (i, (name, unit, range))| {
+            .fold(before, |message, (i, (fitted, range))| {
                 let comma = if i == 0 { "" } else { ", " };
-                range_in_words(message.words(format!("{comma}{name} ")), unit, range)
+                let message = message.words(format!("{comma}{} ", fitted.variable));
+                fitted.in_words(message, range)
             })
     }
 
@@ -132,7 +157,7 @@ impl Fitted {
     pub(crate) fn exceeded_ends(&self, flown: [[f64; 2]; 4]) -> [[bool; 2]; 4] {
         let ranges = self
             .ranges()
-            .map(|(.., range)| range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]));
+            .map(|fitted| fitted.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]));
         std::array::from_fn(|k| [flown[k][0] < ranges[k][0], flown[k][1] > ranges[k][1]])
     }
 

@@ -20,7 +20,7 @@ mod table;
 mod usga_itr;
 mod winfield_tan;
 
-pub use fitted::{Fitted, FittedRange, range_in_words};
+pub use fitted::{Fitted, FittedRange};
 
 use crate::number::Numbers;
 use crate::parameters::{Law, with_law};
@@ -70,6 +70,12 @@ impl<T: Numbers> Stream<T> {
     #[inline(always)]
     pub fn reynolds(&self) -> T {
         self.reynolds_per_speed * self.speed
+    }
+
+    /// Spin ratio, spin, Reynolds number and airspeed: the order of [`Fitted::ranges`].
+    #[inline(always)]
+    pub fn variables(&self) -> [T; 4] {
+        [self.spin_ratio(), self.spin, self.reynolds(), self.speed]
     }
 }
 

@@ -2,7 +2,7 @@ use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Ground, Wind};
 
 /// ℓ, m: height below which the logarithmic profile is smoothed towards the ground. A step of 0.01
-/// s resolves this height: carry is accurate to some micrometres (docs/model.md, eq. 16). Without
+/// s resolves this height: carry is accurate to some micrometres (docs/limitations.md). Without
 /// smoothing, the wind would vary over the roughness length, some millimetres, and carry would be
 /// accurate to some millimetres only.
 const SMOOTHING_HEIGHT: f64 = 0.5;

@@ -83,7 +83,7 @@ impl OverNumbers for LaneBatch<'_> {
             self.put_group(&mut setup, group, &directions);
             let launched = LaunchState::new(&setup);
             let inputs = Inputs::new(&setup, &launched.launch, has_run);
-            let stream = inputs.stream();
+            let stream = inputs.launch_stream().variables();
             let head = (has_head && launched.club_speed.is_some())
                 .then(|| J::not_inlined(|| Head::new(&setup.club)));
             let ended = inputs.integrate(

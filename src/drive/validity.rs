@@ -95,11 +95,11 @@ impl Drive<f64> {
         of: &[Outcome],
     ) -> ExceededLimits {
         let law = match scope {
-            CheckScope::Launch => !setup
-                .law
-                .properties()
-                .fitted
-                .holds(Inputs::new(setup, &self.launch, false).stream()),
+            CheckScope::Launch => !setup.law.properties().fitted.holds(
+                Inputs::new(setup, &self.launch, false)
+                    .launch_stream()
+                    .variables(),
+            ),
             CheckScope::Flight => !self.law_warnings(setup, &AtomicBool::new(false)).is_empty(),
         };
         let slopes = [setup.ground.slope, setup.ground.side_slope];

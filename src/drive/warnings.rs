@@ -5,7 +5,7 @@ use super::validity::{
     with_flat_landing_warning,
 };
 use super::{Drive, Outcome};
-use crate::aerodynamics::{AerodynamicLaw, FittedRange, range_in_words};
+use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::atmosphere::{AirState, WindField};
 use crate::flight::{Flight, Inputs, Landed, carry_by_holding, stays_within, trajectory_until};
 use crate::parameters::Setup;
@@ -207,7 +207,7 @@ impl Drive<f64> {
     /// instead ([`LEAST_WARNED_SHARE`]).
     fn extrapolated(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<Extrapolated> {
         let fitted = setup.law.properties().fitted;
-        let ranges = fitted.ranges().map(|(.., range)| range);
+        let ranges = fitted.ranges().map(|fitted| fitted.range);
         if stays_within(setup, &self.launch, ranges, stop) {
             return vec![];
         }
@@ -250,17 +250,19 @@ impl Drive<f64> {
                            flown,
                            change,
                        }: Extrapolated| {
-            let (variable, unit, range): FittedRange = ranges[k];
-            let [low, high] = range?;
+            let fitted_range = ranges[k];
+            let [low, high] = fitted_range.range?;
             let [least, greatest] = flown.flown;
             let mut exceeded_ends = [[false; 2]; 4];
             exceeded_ends[k] = [least < low, greatest > high];
             let how = fitted.continuation(exceeded_ends);
             let percent = 100.0 * flown.outside;
+            let variable = fitted_range.variable;
             let message = format!("the law {name} was fitted to a {variable} of ").into();
-            let message = range_in_words(message, unit, [low, high])
+            let message = fitted_range
+                .in_words(message, [low, high])
                 .words(format!(" ({}); in this flight it goes from ", fitted.to));
-            let message = range_in_words(message, unit, flown.flown).words(format!(
+            let message = fitted_range.in_words(message, flown.flown).words(format!(
                 ", {percent:.0} % of the time outside, where the law is {how}"
             ));
             Some(match change {
@@ -288,7 +290,7 @@ impl Drive<f64> {
             .properties()
             .fitted
             .ranges()
-            .map(|(.., range)| range);
+            .map(|fitted| fitted.range);
         if AirState::of(&setup.air).density == 0.0 || ranges == [None; 4] {
             return [None; 4];
         }
@@ -320,7 +322,7 @@ impl Drive<f64> {
             setup.ball.radius,
         );
         let air = AirState::of(&setup.air);
-        let per_speed = air.density * 2.0 * radius / air.viscosity;
+        let reynolds_per_speed = air.density * 2.0 * radius / air.viscosity;
         let (mut distance, mut before) = (0.0, None);
         let mut point = |point: &crate::flight::TrajectoryPoint| {
             let speed = (point.velocity - wind.at(point.position.x)).norm();
@@ -331,12 +333,8 @@ impl Drive<f64> {
             let decay = setup.aero.spin_decay * point.time
                 + setup.aero.spin_damping.unwrap_or_default() * distance / radius;
             let spin = self.launch.total_spin() * (-decay).exp();
-            (speed > 0.0).then(|| {
-                (
-                    point.time,
-                    [spin * radius / speed, spin, per_speed * speed, speed],
-                )
-            })
+            let stream = Stream::new(spin, speed, radius, reynolds_per_speed);
+            (speed > 0.0).then(|| (point.time, stream.variables()))
         };
         path.points.iter().filter_map(&mut point).collect()
     }

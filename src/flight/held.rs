@@ -9,7 +9,7 @@ use crate::launch::Launch;
 use crate::parameters::{Law, Setup};
 use std::sync::atomic::AtomicBool;
 
-/// Index of the spin ratio in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
+/// Index of the spin ratio in [`Stream::variables`].
 const SPIN_RATIO: usize = 0;
 /// Index of the spin.
 const SPIN: usize = 1;
@@ -70,12 +70,7 @@ pub(crate) fn stays_within(
     let h = setup.flight.step;
     let holds = |node: &StepNode<f64>| {
         let speed = node.rate.speed;
-        let stream = [
-            node.spin * inputs.radius / speed,
-            node.spin,
-            inputs.reynolds_per_speed * speed,
-            speed,
-        ];
+        let stream = Stream::new(node.spin, speed, inputs.radius, inputs.reynolds_per_speed);
         // with the acceleration a, v″ ≤ a²/v for the airspeed v: within half a step h from its
         // minimum, v rises by at most (h a)²/(8 v); the margin is twice this
         let margin = (h * node.rate.acceleration.norm() / speed).powi(2) * 0.25;
@@ -84,7 +79,7 @@ pub(crate) fn stays_within(
                 low <= value * (1.0 - margin) && value * (1.0 + margin) <= high
             })
         };
-        stream.into_iter().zip(ranges).all(is_within)
+        stream.variables().into_iter().zip(ranges).all(is_within)
     };
     let mut stays = true;
     let flight = inputs.fly(

@@ -1,3 +1,4 @@
+use crate::aerodynamics::Stream;
 use crate::atmosphere::{AirState, WindField};
 use crate::ground::Turf;
 use crate::launch::{LEAST_SPIN, Launch};
@@ -99,16 +100,10 @@ impl<T: Numbers> Inputs<T> {
         }
     }
 
-    /// Spin ratio, spin, Reynolds number and airspeed at launch: the order of
-    /// [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
+    /// Flow of the air past the ball at launch.
     #[inline(always)]
-    pub fn stream(&self) -> [T; 4] {
+    pub fn launch_stream(&self) -> Stream<T> {
         let speed = (self.velocity - self.wind.at(T::zero())).norm();
-        [
-            self.spin * self.radius / speed,
-            self.spin,
-            self.reynolds_per_speed * speed,
-            speed,
-        ]
+        Stream::new(self.spin, speed, self.radius, self.reynolds_per_speed)
     }
 }

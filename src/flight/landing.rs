@@ -63,11 +63,10 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         outputs: RequestedOutputs<'_>,
         observer: &mut StepObserver<'_, T>,
     ) -> FlightResult<T> {
-        let (tableau, h, ground) = (Tableau::of(self.method), self.step, self.ground);
-        let mut stepper = Stepper::new(self, tableau, h);
+        let mut stepper = Stepper::new(self);
         let mut nodes = [self.launch(); 2];
         let mut step = Step::before_first(&mut nodes);
-        let has_been_above = ground.below(0.0);
+        let has_been_above = self.ground.below(0.0);
         let mut lanes = LaneStates {
             flying: lanes & (has_been_above | is_rising(step.to)),
             has_been_above,
@@ -84,10 +83,10 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
                 };
                 observe(result.time, &step);
             }
-            lanes.flying = self.check_step(&step, tableau, lanes.flying, &mut result);
+            lanes.flying = self.check_step(&step, stepper.tableau, lanes.flying, &mut result);
 
-            let end = (result.landed.steps + 1) as f64 * h;
-            let is_above = (ground - step.to.position.x).below(0.0);
+            let end = (result.landed.steps + 1) as f64 * self.step;
+            let is_above = (self.ground - step.to.position.x).below(0.0);
             let events = self.step_events(&step, lanes, is_above, outputs.apex, end);
             if events.may_land.any() || events.needs_apex || events.has_time_limit {
                 let step = Step {
@@ -132,7 +131,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         result: &mut FlightResult<T>,
     ) -> T::Mask {
         // comparisons with NaN are false: an overflow diverges too
-        let is_resolved = self.is_resolved(step.from, self.step, tableau.largest_relative_change)
+        let is_resolved = self.is_resolved(step.from, tableau.largest_relative_change)
             & step.to.position.x.is_finite();
         result.diverges = result.diverges | flying & !is_resolved;
         let flying = flying & is_resolved;
@@ -178,7 +177,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         events: StepEvents<T::Mask>,
         result: &mut FlightResult<T>,
     ) -> LaneStates<T::Mask> {
-        let path = StepPath::new(self, step, self.step);
+        let path = StepPath::new(self, step);
         if events.has_time_limit {
             let s = T::constant((self.time_limit - result.time) / self.step);
             result.height = path.up.value(s).select(result.height, lanes.flying);
@@ -287,10 +286,11 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         }
     }
 
-    /// Lanes in which a step `h` resolves the forces: within the step, drag and lift change the
+    /// Lanes in which a step resolves the forces: within the step, drag and lift change the
     /// airspeed by less than the fraction `largest_relative_change`.
     #[inline(always)]
-    fn is_resolved(&self, node: &StepNode<T>, h: f64, largest_relative_change: f64) -> T::Mask {
+    fn is_resolved(&self, node: &StepNode<T>, largest_relative_change: f64) -> T::Mask {
+        let h = self.step;
         let a = node.rate.acceleration;
         let largest_change = node.rate.speed * largest_relative_change;
         let aerodynamic = Vector::new(a.x + self.gravity, a.y, a.z);

@@ -1,7 +1,6 @@
 use super::inputs::Inputs;
 use crate::error::{Error, Result};
 use crate::ground::Rest;
-use crate::launch::Launch;
 use crate::number::{Mask, Numbers, Vector};
 use crate::units::{Digits, Message, Quantity, significant};
 use std::fmt;
@@ -279,13 +278,8 @@ impl<T: Numbers> FlightResult<T> {
             }));
         }
         let velocity = inputs.velocity.map(value);
-        let launch = Launch {
-            velocity,
-            // not used: the launch angle does not depend on the spin
-            spin: velocity,
-        };
         Ok(Some(NoFlight::LaunchedDown {
-            launch_angle: launch.launch_angle(),
+            launch_angle: velocity.x.atan2(velocity.y.hypot(velocity.z)),
         }))
     }
 }

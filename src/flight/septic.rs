@@ -161,7 +161,8 @@ pub(super) struct StepPath<T> {
 impl<T: Numbers> StepPath<T> {
     /// The path within a step.
     #[inline(always)]
-    pub fn new<L: AerodynamicLaw<T>>(inputs: &Inputs<T, L>, step: &Step<'_, T>, h: f64) -> Self {
+    pub fn new<L: AerodynamicLaw<T>>(inputs: &Inputs<T, L>, step: &Step<'_, T>) -> Self {
+        let h = inputs.step;
         // a loop instead of two calls: the equation of motion is inlined only once
         let mut jerks = [step.velocity_increment; 2];
         for (jerk, node) in jerks.iter_mut().zip([&*step.from, &*step.to]) {

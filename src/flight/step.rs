@@ -9,7 +9,7 @@ use crate::number::{Numbers, Vector, inlined};
 /// Computes the steps of one flight. All steps have the length h.
 pub(super) struct Stepper<'a, T, L> {
     inputs: &'a Inputs<T, L>,
-    tableau: &'static Tableau,
+    pub tableau: &'static Tableau,
     /// Step h, s.
     h: f64,
     /// exp(−δ cᵢ h): factor by which the spin decays in time from the start of a step to each
@@ -66,7 +66,8 @@ impl<'n, T: Numbers> Step<'n, T> {
 
 impl<'a, T: Numbers, L: AerodynamicLaw<T>> Stepper<'a, T, L> {
     #[inline(always)]
-    pub fn new(inputs: &'a Inputs<T, L>, tableau: &'static Tableau, h: f64) -> Self {
+    pub fn new(inputs: &'a Inputs<T, L>) -> Self {
+        let (tableau, h) = (Tableau::of(inputs.method), inputs.step);
         let mut decay_factors = [T::constant(1.0); MOST_STAGES + 1];
         for (factor, time) in decay_factors
             .iter_mut()

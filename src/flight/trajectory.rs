@@ -19,8 +19,9 @@ pub struct Trajectory {
     pub points: Vec<TrajectoryPoint>,
     /// Result of the flight.
     pub flight: Flight<f64>,
-    /// Path from the landing through the bounces to the rest, m in the ground frame; a straight line
-    /// after the last bounce. Empty if the ball embeds or does not land.
+    /// Path from the landing through the bounces to the rest, m, relative to the landing and along
+    /// the axes of the ground frame; a straight line after the last bounce. Empty if the ball embeds
+    /// or does not land.
     pub run: Vec<Vector<f64>>,
 }
 
@@ -79,7 +80,7 @@ pub fn trajectory_until(
         Some(&mut |begin, step| {
             last_step = Some((begin, [*step.from, *step.to]));
             if intervals > 1.0 {
-                let path = StepPath::new(&inputs, step, h);
+                let path = StepPath::new(&inputs, step);
                 let within = (1..intervals as u32).map(|k| f64::from(k) / intervals);
                 points.extend(within.map(|s| TrajectoryPoint {
                     time: begin + s * h,

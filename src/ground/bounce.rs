@@ -32,7 +32,7 @@ const INCIDENCE: f64 = 44.4 / 180.0 * PI;
 const TILT_CLAMP: [f64; 2] = [0.7, 0.6];
 /// Angle to the ground below which the ball digs less than in Penner's formula (S in eq. 19). A
 /// ball that moves along the ground does not dig at all, although Penner's angle is largest for it.
-/// `FLAT` is fitted to TrackMan's chart (docs/sources.md).
+/// The width is chosen beside TrackMan's 60 drives (docs/sources.md).
 const FLAT: f64 = 70.0 / 180.0 * PI;
 /// Coefficients, s/m and s²/m², of e/e_g = 1 + e₁ u + e₂ u² (eq. 20): Penner (2002), p. 933.
 const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];

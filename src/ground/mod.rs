@@ -9,7 +9,6 @@ mod sliding;
 mod turf;
 
 use crate::number::{Mask, Numbers, Vector, inlined, smooth_step};
-use crate::parameters::Setup;
 use bounce::Motion;
 use sliding::Sliding;
 pub(crate) use turf::Turf;
@@ -70,32 +69,6 @@ const MOST_BOUNCES: usize = 250;
 const HOP_INTERVALS: u32 = 16;
 
 impl<T: Numbers> Turf<T> {
-    /// The turf of a setup.
-    #[inline(always)]
-    pub fn new(setup: &Setup<T>) -> Self {
-        let (ground, ball) = (&setup.ground, &setup.ball);
-        let inertia = match ball.inertia {
-            Some(inertia) => inertia / (ball.mass * ball.radius * ball.radius),
-            None => T::constant(0.4),
-        };
-        Self {
-            restitution: ground.restitution,
-            friction: ground.friction,
-            compliance: ground.compliance,
-            rolling: ground.rolling,
-            slope: ground.slope,
-            side_slope: ground.side_slope,
-            inertia,
-        }
-    }
-
-    /// k = I_b/(I_b + m R²): fraction of the slip that a sticking contact removes from the velocity
-    /// of the ball's centre; 2/7 for a homogeneous ball.
-    #[inline(always)]
-    pub fn sticking_factor(&self) -> T {
-        self.inertia / (self.inertia + 1.0)
-    }
-
     /// Position at rest, in `lanes`.
     #[inline(always)]
     pub fn rest(&self, ball: &LandingState<T>, lanes: T::Mask) -> Rest<T> {
@@ -202,12 +175,12 @@ struct LandingPlane<T> {
 
 impl<T: Numbers> LandingPlane<T> {
     #[inline(always)]
-    fn new(downrange: T, right: T, gravity: T) -> Self {
+    fn new(slope: T, side_slope: T, gravity: T) -> Self {
         let tangent = |angle: T| {
             let (sin, cos) = angle.sin_cos();
             sin / cos
         };
-        let normal = Vector::new(T::constant(1.0), -tangent(right), -tangent(downrange));
+        let normal = Vector::new(T::constant(1.0), -tangent(side_slope), -tangent(slope));
         let (_, inverse) = normal.dot(normal).sqrt_recip();
         let normal = normal * inverse;
         let press = normal.x * gravity;

@@ -1,5 +1,8 @@
 //! The ground of the landing area.
 
+use crate::number::Numbers;
+use crate::parameters::Setup;
+
 /// Properties of the ground, and the inertia of the ball on it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turf<T> {
@@ -17,4 +20,32 @@ pub(crate) struct Turf<T> {
     pub side_slope: T,
     /// I_b/(m R²) of the ball.
     pub inertia: T,
+}
+
+impl<T: Numbers> Turf<T> {
+    /// The turf of a setup.
+    #[inline(always)]
+    pub fn new(setup: &Setup<T>) -> Self {
+        let (ground, ball) = (&setup.ground, &setup.ball);
+        let inertia = match ball.inertia {
+            Some(inertia) => inertia / (ball.mass * ball.radius * ball.radius),
+            None => T::constant(0.4),
+        };
+        Self {
+            restitution: ground.restitution,
+            friction: ground.friction,
+            compliance: ground.compliance,
+            rolling: ground.rolling,
+            slope: ground.slope,
+            side_slope: ground.side_slope,
+            inertia,
+        }
+    }
+
+    /// k = I_b/(I_b + m R²): fraction of the slip that a sticking contact removes from the velocity
+    /// of the ball's centre; 2/7 for a homogeneous ball.
+    #[inline(always)]
+    pub fn sticking_factor(&self) -> T {
+        self.inertia / (self.inertia + 1.0)
+    }
 }

@@ -42,12 +42,29 @@ impl AdaptiveStep {
     }
 
     /// Halves the step. Returns false if the step is already the shortest.
-    pub fn halve(&mut self) -> bool {
+    fn halve(&mut self) -> bool {
         let can = self.step > SHORTEST * self.width;
         if can {
             self.step *= 0.5;
         }
         can
+    }
+
+    /// Judges a corrected optimum by its distance from the prediction. `None`: it is rejected, and
+    /// the step is halved, but not after an interruption.
+    ///
+    /// # Errors
+    /// The error of the corrector, if the step is already the shortest.
+    pub fn judge<P, E>(
+        &mut self,
+        corrected: Result<(P, f64), E>,
+        is_interrupted: bool,
+    ) -> Result<Option<(P, f64)>, E> {
+        match corrected {
+            Ok((_, distance)) if distance > TOO_FAR && self.halve() => Ok(None),
+            Err(_) if is_interrupted || self.halve() => Ok(None),
+            corrected => corrected.map(Some),
+        }
     }
 
     /// Doubles the step if the predicted optimum was near the corrected optimum.

@@ -8,6 +8,7 @@ use super::qp::{
 };
 use super::scaling::{EvaluatedPoint, Scaling, norm};
 use super::trial_step::{NORMAL_PART, TrialStep};
+use crate::number::Taylor;
 use nalgebra::{DMatrix, DVector};
 
 /// Quadratic model ½ dᵀB d + ∇f·d with c + ∇c·d within its limits, x + d within its bounds and ‖d‖∞
@@ -57,7 +58,8 @@ impl LagrangianModel<'_> {
     ) -> TrialStep {
         let d = self.step_to(&tried.x);
         let value = |j: usize| {
-            let linear = self.normal(j).dot(&d) * self.scaling.gamma[j];
+            let normal = DVector::from_iterator(d.len(), self.scaling.normal(self.point, j));
+            let linear = normal.dot(&d) * self.scaling.gamma[j];
             tried.f.constraints[j].value - linear
         };
         self.trial_step_with_values(value, solver, workspace)
@@ -157,13 +159,11 @@ impl LagrangianModel<'_> {
             (program.low[i], program.high[i]) = self.step_bounds(i);
         }
         for (j, row) in program.rows.iter_mut().enumerate() {
-            let gamma = scaling.gamma[j];
             row.normal.resize_vertically_mut(n, 0.0);
-            let slopes = point.f.constraints[j].gradient.iter().zip(&scaling.scale);
             row.normal
                 .iter_mut()
-                .zip(slopes)
-                .for_each(|(normal, (slope, scale))| *normal = slope * scale / gamma);
+                .zip(scaling.normal(point, j))
+                .for_each(|(normal, slope)| *normal = slope);
             (row.low, row.high) = self.row_limits(j, value(j));
         }
         convexified
@@ -276,14 +276,6 @@ impl LagrangianModel<'_> {
         }
     }
 
-    /// Gradient of constraint j by the scaled variables, divided by the constraint's scale γⱼ.
-    fn normal(&self, j: usize) -> DVector<f64> {
-        let gradient = &self.point.f.constraints[j].gradient;
-        DVector::from_fn(gradient.len(), |i, _| {
-            gradient[i] * self.scaling.scale[i] / self.scaling.gamma[j]
-        })
-    }
-
     /// Unit normals of the active bounds, of equality constraints, and of constraints with nonzero
     /// multipliers.
     fn active_normals(&self) -> Vec<DVector<f64>> {
@@ -296,7 +288,7 @@ impl LagrangianModel<'_> {
         let n = point.x.len();
         let unit = |i: usize| DVector::from_fn(n, |k, _| f64::from(k == i));
         let rows = scaling.active_rows(multipliers).map(|j| {
-            let normal = self.normal(j);
+            let normal = DVector::from_iterator(n, scaling.normal(point, j));
             let length = normal.norm();
             if length > 0.0 {
                 normal / length
@@ -419,46 +411,47 @@ pub(super) fn lagrangian_hessian(
     multipliers: &[f64],
 ) -> Option<DMatrix<f64>> {
     let mut sum = DMatrix::default();
-    write_lagrangian_hessian(scaling, at, multipliers, &mut sum).then_some(sum)
+    write_lagrangian_hessian(at, multipliers, &mut sum)?;
+    scaling.scale_hessian(&mut sum);
+    Some(sum)
 }
 
-/// Writes the Hessian of the Lagrangian to `sum`; returns `false` if a function has no Hessian.
+/// Writes the Hessian of the Lagrangian to `sum`; `None` if a function has no Hessian.
 pub(super) fn write_lagrangian_hessian(
-    scaling: &Scaling,
     at: &EvaluatedPoint,
     multipliers: &[f64],
     sum: &mut DMatrix<f64>,
-) -> bool {
+) -> Option<()> {
     let n = at.x.len();
     if sum.nrows() != n {
         *sum = DMatrix::zeros(n, n);
     }
     sum.fill(0.0);
-    let constraints = at.f.constraints.iter().zip(multipliers.iter().copied());
-    for (function, weight) in std::iter::once((&at.f.objective, 1.0)).chain(constraints) {
-        if function.hessian.is_empty() {
-            return false;
-        }
-        if weight == 0.0 {
-            continue;
-        }
-        // symmetric matrix: columns equal rows
-        for (column, row) in sum
-            .as_mut_slice()
-            .chunks_exact_mut(n)
-            .zip(&function.hessian)
-        {
-            column
-                .iter_mut()
-                .zip(row)
-                .for_each(|(sum, curvature)| *sum += weight * curvature);
-        }
+    add_hessian(sum, &at.f.objective, 1.0)?;
+    for (constraint, multiplier) in at.f.constraints.iter().zip(multipliers) {
+        add_hessian(sum, constraint, *multiplier)?;
     }
-    for (column, own) in sum.as_mut_slice().chunks_exact_mut(n).zip(&scaling.scale) {
+    Some(())
+}
+
+/// Adds the Hessian of a function times `weight`; `None` if the function has no Hessian.
+fn add_hessian(sum: &mut DMatrix<f64>, of: &Taylor, weight: f64) -> Option<()> {
+    if of.hessian.is_empty() {
+        return None;
+    }
+    if weight == 0.0 {
+        return Some(());
+    }
+    // symmetric matrix: columns equal rows
+    for (column, row) in sum
+        .as_mut_slice()
+        .chunks_exact_mut(of.hessian.len())
+        .zip(&of.hessian)
+    {
         column
             .iter_mut()
-            .zip(&scaling.scale)
-            .for_each(|(entry, scale)| *entry *= scale * own);
+            .zip(row)
+            .for_each(|(sum, curvature)| *sum += weight * curvature);
     }
-    true
+    Some(())
 }

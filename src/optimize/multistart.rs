@@ -67,12 +67,12 @@ const SAME: f64 = 1e-6;
 /// spread over its scale on that side.
 ///
 /// # Errors
-/// [`Error::Optimizer`] if there are more starts than the sequence has points, or more variables
-/// than it has dimensions, or if the domain or the start is invalid.
+/// [`Error::Optimizer`] if there are more starts than one scrambling of the sequence has points, or
+/// more variables than it has dimensions, or if the domain or the start is invalid.
 pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f64>>> {
     domain.check(start)?;
     let (bounds, scale) = (&domain.variables, domain.variables.scale(start));
-    let most = 1 << 16;
+    let most = sobol::LENGTH as usize;
     if count > most || start.len() > sobol::MOST_VARIABLES {
         return Err(Error::Optimizer(format!(
             "cannot spread {} over {}; give at most {most} starts and {} variables",

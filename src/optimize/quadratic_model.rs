@@ -1,7 +1,8 @@
 //! The quadratic model at an iterate, for observers of a search.
 
-use super::model::lagrangian_hessian;
+use super::model::write_lagrangian_hessian;
 use super::state::SearchState;
+use nalgebra::DMatrix;
 
 /// Quadratic model of the Lagrangian at an iterate x, and the trial step that follows from it:
 ///
@@ -55,22 +56,12 @@ impl QuadraticModel {
 
 /// Hessian of the Lagrangian in the problem's own units; empty if the problem has no Hessians.
 pub(super) fn unscaled_hessian(state: &SearchState) -> Vec<Vec<f64>> {
-    let SearchState {
-        scaling,
-        point,
-        multipliers,
-        ..
-    } = state;
-    // return the objective's Hessian itself: scaling and unscaling would round it
-    if multipliers.iter().all(|multiplier| *multiplier == 0.0) {
-        return point.f.objective.hessian.clone();
-    }
-    let Some(scaled) = lagrangian_hessian(scaling, point, multipliers) else {
+    let mut sum = DMatrix::default();
+    if write_lagrangian_hessian(&state.point, &state.multipliers, &mut sum).is_none() {
         return vec![];
-    };
-    let n = point.x.len();
-    let entry = |i: usize, j: usize| scaled[(i, j)] / (scaling.scale[i] * scaling.scale[j]);
-    (0..n)
-        .map(|i| (0..n).map(|j| entry(i, j)).collect())
+    }
+    let columns = sum.column_iter();
+    columns
+        .map(|column| column.iter().copied().collect())
         .collect()
 }

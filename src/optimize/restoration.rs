@@ -9,7 +9,7 @@
 use super::domain::Domain;
 use super::least_squares::{self, Rows};
 use super::options::Options;
-use super::scaling::{EvaluatedPoint, norm};
+use super::scaling::norm;
 use super::start::spread;
 use super::state::{Evaluate, SearchState};
 use std::cell::RefCell;
@@ -69,11 +69,10 @@ impl SearchState {
             // the bounds alone determine the points: another restoration would repeat this one
             self.counters.restorations = MAX_RESTORATIONS;
         }
-        self.effort.evaluations += 1;
-        let Ok(f) = evaluate(&x)? else {
+        let Some(point) = self.evaluate_at(x, evaluate)? else {
             return Ok(false);
         };
-        self.restart_at(EvaluatedPoint { x, f }, options.initial_radius);
+        self.restart_at(point, options.initial_radius);
         Ok(true)
     }
 
@@ -94,9 +93,8 @@ impl SearchState {
             if violation >= MOVE_BELOW * self.violation() {
                 continue;
             }
-            self.effort.evaluations += 1;
-            if let Ok(f) = evaluate(&x)? {
-                self.restart_at(EvaluatedPoint { x, f }, self.radius);
+            if let Some(point) = self.evaluate_at(x, evaluate)? {
+                self.restart_at(point, self.radius);
                 is_moved = true;
             }
         }

@@ -140,40 +140,26 @@ fn violation_hessian(scaling: &Scaling, at: &EvaluatedPoint) -> Option<DMatrix<f
     Some(sum)
 }
 
-/// Orthonormal basis, in scaled variables, of the tangents of the active bounds and constraints.
-pub(super) fn tangents(
-    scaling: &Scaling,
-    at: &EvaluatedPoint,
-    multipliers: &[f64],
-) -> DMatrix<f64> {
-    let n = at.x.len();
-    let (is_active, active_rows) = active_constraints(scaling, at, multipliers);
-    let free: Vec<usize> = (0..n).filter(|&i| !is_active[i]).collect();
-    let rows = DMatrix::from_fn(active_rows.len(), free.len(), |r, c| {
-        at.f.constraints[active_rows[r]].gradient[free[c]] * scaling.scale[free[c]]
-            / scaling.gamma[active_rows[r]]
-    });
-    tangent_basis(n, &free, &rows)
-}
-
-/// Active variables and constraints: equations, and active bounds and limits with a multiplier
-/// above rounding.
-fn active_constraints(
-    scaling: &Scaling,
-    at: &EvaluatedPoint,
-    multipliers: &[f64],
-) -> (Vec<bool>, Vec<usize>) {
-    let (size, gradient) = (scaling.size(at), at.lagrangian_gradient(multipliers));
-    let is_active = |i: usize| {
-        let has_multiplier = (gradient[i] * scaling.scale[i]).abs() > ZERO_MULTIPLIER * size;
-        scaling.domain.variables.is_fixed(i) || scaling.is_at_a_bound(at, i) && has_multiplier
+/// Orthonormal basis, in scaled variables, of the tangents of the active bounds and constraints:
+/// equations, and bounds and limits with a multiplier above rounding.
+fn tangents(scaling: &Scaling, at: &EvaluatedPoint, multipliers: &[f64]) -> DMatrix<f64> {
+    let least_multiplier = ZERO_MULTIPLIER * scaling.size(at);
+    let gradient = at.lagrangian_gradient(multipliers);
+    let is_free = |i: &usize| {
+        let has_multiplier = (gradient[*i] * scaling.scale[*i]).abs() > least_multiplier;
+        let is_active = scaling.is_at_a_bound(at, *i) && has_multiplier;
+        !(scaling.domain.variables.is_fixed(*i) || is_active)
     };
     let is_active_row = |j: &usize| {
-        let has_multiplier = (multipliers[*j] * scaling.gamma[*j]).abs() > ZERO_MULTIPLIER * size;
+        let has_multiplier = (multipliers[*j] * scaling.gamma[*j]).abs() > least_multiplier;
         has_multiplier || scaling.domain.constraints.is_fixed(*j)
     };
-    (
-        (0..at.x.len()).map(is_active).collect(),
-        (0..at.f.constraints.len()).filter(is_active_row).collect(),
-    )
+    let n = at.x.len();
+    let free: Vec<usize> = (0..n).filter(is_free).collect();
+    let normals: Vec<DVector<f64>> = (0..at.f.constraints.len())
+        .filter(is_active_row)
+        .map(|j| DVector::from_iterator(n, scaling.normal(at, j)))
+        .collect();
+    let rows = DMatrix::from_fn(normals.len(), free.len(), |r, c| normals[r][free[c]]);
+    tangent_basis(n, &free, &rows)
 }

@@ -322,16 +322,19 @@ fn solve_refined(matrix: DMatrix<f64>, right: &DVector<f64>) -> Result<DVector<f
     if matrix.is_empty() {
         return Ok(right.clone());
     }
-    let values = matrix.singular_values();
-    if values.min() <= 1e-12 * values.max() {
-        return Err(Error::Optimizer(
+    let singular = || {
+        Error::Optimizer(
             "the optimum is not isolated (its KKT system is singular): other values of the \
              variables are equally good, so the optimum has no sensitivity; vary fewer parameters"
                 .into(),
-        ));
+        )
+    };
+    let values = matrix.singular_values();
+    if values.min() <= 1e-12 * values.max() {
+        return Err(singular());
     }
     let lu = matrix.clone().lu();
-    let first = lu.solve(right).unwrap_or_else(|| right.clone() * 0.0);
+    let first = lu.solve(right).ok_or_else(singular)?;
     let refined = lu
         .solve(&(right - &matrix * &first))
         .map_or(first.clone(), |change| &first + change);

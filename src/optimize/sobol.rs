@@ -4,7 +4,7 @@
 pub(crate) const MOST_VARIABLES: usize = sobol_burley::NUM_DIMENSIONS as usize;
 
 /// Number of points of one scrambling.
-const LENGTH: u64 = 1 << 16;
+pub(crate) const LENGTH: u64 = 1 << 16;
 
 /// Coordinate of a point, in [0, 1). After each 65 536 points the sequence continues with another
 /// scrambling; the points of each such block are evenly distributed.

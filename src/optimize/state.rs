@@ -173,8 +173,9 @@ impl SearchState {
     fn solve_model(&mut self, tried: Option<&EvaluatedPoint>) -> TrialStep {
         let mut workspace = std::mem::take(&mut self.workspace);
         let mut hessian = std::mem::take(&mut workspace.hessian);
-        if !write_lagrangian_hessian(&self.scaling, &self.point, &self.multipliers, &mut hessian) {
-            hessian = self.quasi_newton().matrix();
+        match write_lagrangian_hessian(&self.point, &self.multipliers, &mut hessian) {
+            Some(()) => self.scaling.scale_hessian(&mut hessian),
+            None => hessian = self.quasi_newton().matrix(),
         }
         let model = LagrangianModel {
             scaling: &self.scaling,

@@ -49,9 +49,6 @@ pub(super) struct Trial {
 }
 
 /// Actual and predicted reduction of the merit function by a step.
-///
-/// Each comparison adds the rounding error of the functions to both reductions, so that a step
-/// within rounding is accepted.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reduction {
     /// Actual reduction φ(x) − φ(x + d), with the merit function φ.
@@ -99,6 +96,8 @@ impl Reduction {
         self.predicted <= most && self.actual.abs() <= most
     }
 
+    /// Compares with the rounding error of the functions added to both reductions, so that a step
+    /// within rounding is accepted.
     fn ratio_is_at_least(&self, ratio: f64) -> bool {
         let noise = NOISE * self.size;
         self.actual + noise >= ratio * (self.predicted + noise)

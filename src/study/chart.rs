@@ -321,13 +321,6 @@ fn target(to: f64, from: f64, at: &[f64], width: f64) -> f64 {
         .fold(to, f64::min)
 }
 
-/// An optimum that the corrector found from the predicted optimum.
-struct Corrected {
-    point: ChartPoint,
-    /// Distance from the prediction, in units of the ranges.
-    apart: f64,
-}
-
 /// Problem and observer of the continuation.
 struct Follower<'a> {
     setup: &'a Setup<f64>,
@@ -348,17 +341,14 @@ impl Follower<'_> {
         to: f64,
         stride: &mut AdaptiveStep,
     ) -> std::result::Result<Option<ChartPoint>, Message> {
-        let Corrected { point, apart } = match self.next(here, to) {
-            Ok(corrected) if corrected.apart <= TOO_FAR || !stride.halve() => corrected,
-            Ok(_) => return Ok(None),
-            // an interruption does not shorten the step
-            Err(_) if self.observer.is_interrupted() => return Ok(None),
-            Err(_) if stride.halve() => return Ok(None),
-            Err(error) => {
-                let parameter = self.along.parameter;
-                let place = parameter.append_value("no optimum was found beyond ".into(), here.at);
-                return Err(place.words(": ").message(why_none(&error)));
-            }
+        let corrected = stride.judge(self.next(here, to), self.observer.is_interrupted());
+        let none_beyond = |error| {
+            let parameter = self.along.parameter;
+            let place = parameter.append_value("no optimum was found beyond ".into(), here.at);
+            place.words(": ").message(why_none(&error))
+        };
+        let Some((point, apart)) = corrected.map_err(none_beyond)? else {
+            return Ok(None);
         };
         let next = self.with_event(here, point, apart);
         stride.adapt(apart);
@@ -427,15 +417,16 @@ impl Follower<'_> {
         while first.at - without > tolerance && !self.observer.is_interrupted() {
             let middle = 0.5 * (without + first.at);
             match self.next(&first, middle) {
-                Ok(corrected) => first = corrected.point,
+                Ok((corrected, _)) => first = corrected,
                 Err(_) => without = middle,
             }
         }
         first
     }
 
-    /// Predicts and corrects the optimum at the parameter value `to`.
-    fn next(&self, here: &ChartPoint, to: f64) -> Result<Corrected> {
+    /// Predicts and corrects the optimum at the parameter value `to`. Returns also the distance of
+    /// the corrected optimum from the predicted one, in units of the ranges.
+    fn next(&self, here: &ChartPoint, to: f64) -> Result<(ChartPoint, f64)> {
         let rates = match sensitivity(&here.best, self.along.parameter) {
             Ok(sensitivity) => sensitivity.optimum,
             // without a sensitivity (at a change of the active set) predict no change
@@ -458,16 +449,13 @@ impl Follower<'_> {
         };
         let best = local_optimum(&setup, search, self.observer.search())?;
         let apart = relative_distance(&best.solution.x, &predicted, &bounds);
-        Ok(Corrected {
-            point: point(to, best)?,
-            apart,
-        })
+        Ok((point(to, best)?, apart))
     }
 
     /// Bisects for the first change of the active set between two optima.
     fn located(&self, here: &ChartPoint, there: ChartPoint) -> ChartPoint {
         let tolerance = LOCATED * (self.along.high - self.along.low);
-        let next = |before: &ChartPoint, at: f64| Some(self.next(before, at).ok()?.point);
+        let next = |before: &ChartPoint, at: f64| Some(self.next(before, at).ok()?.0);
         let is_as_before = |found: &ChartPoint| found.active == here.active;
         let after = locate_change(
             [here.clone(), there],

@@ -5,6 +5,33 @@ use crate::common::{SET_RIGID, close};
 use crate::program;
 use serde_json::Value;
 
+/// A search that ends on a bound with a kink consists of two searches; a search that finds no start
+/// has evaluated the functions at every point that it tried.
+#[test]
+fn all_evaluations_of_a_search_are_counted() {
+    let (_, on_a_kink) = json(&[
+        "optimize",
+        "mae494",
+        "--vary",
+        "club.loft=0deg..20deg",
+        "--vary",
+        "swing.attack_angle=20deg..60deg",
+    ]);
+    let (_, without_start) = json(&[
+        "optimize",
+        "--set",
+        "swing.attack_angle=-30deg",
+        "--vary",
+        "club.loft=4deg..6deg",
+    ]);
+    assert_eq!(without_start["status"], "no-flight");
+    for (found, least) in [(on_a_kink, 6.0), (without_start, 65.0)] {
+        let evaluations = number(&found["evaluations"]);
+        assert_eq!(evaluations, number(&found["steps"]["evaluations"]));
+        assert!(evaluations >= least, "{evaluations}");
+    }
+}
+
 #[test]
 fn constraints_and_starts_as_json() {
     let (status, found) = json(&[

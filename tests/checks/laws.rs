@@ -1,7 +1,7 @@
 //! The laws of drag and lift: values of their sources, joins, and the text of `laws`.
 
 use crate::command_line::{json, longdrive, number};
-use longdrive::aerodynamics::{AerodynamicLaw, Coefficients, Stream, range_in_words};
+use longdrive::aerodynamics::{AerodynamicLaw, Coefficients, Stream};
 use longdrive::number::Number;
 use longdrive::parameters::Law;
 use longdrive::report::figures::{Coefficient, Over, laws_figure};
@@ -459,10 +459,10 @@ fn each_law_is_listed_with_authors_ball_range_and_source() {
 #[test]
 fn a_range_without_an_upper_end_prints_as_at_least() {
     let fitted = Law::named("naruo-mizota").unwrap().properties().fitted;
-    let [.., (name, unit, range), _] = fitted.ranges();
-    let range = range_in_words(Message::default(), unit, range.unwrap());
+    let [.., reynolds, _] = fitted.ranges();
+    let range = reynolds.in_words(Message::default(), reynolds.range.unwrap());
     assert_eq!(
-        (name, range.to_string().as_str()),
+        (reynolds.variable, range.to_string().as_str()),
         ("Reynolds number", "at least 71000")
     );
 }

@@ -31,6 +31,7 @@ mod exploring;
 #[cfg(feature = "explore")]
 mod exploring_served;
 mod fast_paths;
+mod fifteen_equations;
 mod flight;
 mod ground;
 mod head;

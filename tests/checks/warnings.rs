@@ -884,3 +884,22 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
     assert_eq!(usual["warnings"], serde_json::json!([]));
     assert_eq!(json(&models).1["warnings"], serde_json::json!([]));
 }
+
+/// The deflection of the shaft grows with the head speed: without a deflection nothing grows.
+#[test]
+fn a_growth_of_a_rigid_shaft_is_warned_of() {
+    let warned = |settings: &[(&str, &str)]| {
+        let mut setup = Setup::preset("winfield-tan").unwrap();
+        setup.set_all(settings.iter().copied()).unwrap();
+        let warnings = setup.warnings();
+        warnings
+            .iter()
+            .any(|warning| warning.to_string().contains("swing.shaft_growth"))
+    };
+    assert!(warned(&[("swing.shaft_growth", "2")]));
+    assert!(!warned(&[
+        ("swing.shaft_growth", "2"),
+        ("swing.shaft_bend", "2 deg")
+    ]));
+    assert!(!warned(&[]));
+}

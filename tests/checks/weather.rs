@@ -643,7 +643,7 @@ fn contradictory_weather_settings_are_refused() {
                 && output
                     .err
                     .trim_end()
-                    .ends_with(&format!("setup's value with {remedy}")),
+                    .ends_with(&format!("value of the setup with {remedy}")),
             "{}",
             output.err
         );

@@ -176,12 +176,10 @@ fn trace(plane: &FrontPlane<'_>, from: Compromise, end: f64) -> TracedPath {
         && travelled(&here) < 1.0
         && !plane.context.is_interrupted()
     {
-        let (next, distance) = match plane.next(&here, end * step.to(travelled(&here), 1.0)) {
-            Ok(found) if found.1 <= TOO_FAR || !step.halve() => found,
-            Ok(_) => continue,
-            // do not shorten the step after an interrupt
-            Err(_) if plane.context.is_interrupted() => continue,
-            Err(_) if step.halve() => continue,
+        let found = plane.next(&here, end * step.to(travelled(&here), 1.0));
+        let (next, distance) = match step.judge(found, plane.context.is_interrupted()) {
+            Ok(Some(found)) => found,
+            Ok(None) => continue,
             Err(error) => return ended_for(points, format!("{NO_COMPROMISE}: {error}")),
         };
         if distance > TOO_FAR {

@@ -1,8 +1,5 @@
-use serde::{Deserialize, Serialize};
-
 /// Loss ρ(r) of a residual.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Loss {
     /// Squares: ½ r².
     #[default]

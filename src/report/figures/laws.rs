@@ -239,13 +239,8 @@ impl LawPlot {
         let fitted = law.properties().fitted;
         let points = self.points(law, &fitted);
         let (within, beyond) = (pieces(&points, true), pieces(&points, false));
-        let [first, last] = self.range.map(|at| self.stream(at));
-        let range = [
-            [first.spin_ratio(), last.spin_ratio()],
-            [first.spin, last.spin],
-            [first.reynolds(), last.reynolds()],
-            [first.speed, last.speed],
-        ];
+        let [first, last] = self.range.map(|at| self.stream(at).variables());
+        let range = std::array::from_fn(|variable| [first[variable], last[variable]]);
         // a law without a solid line has its plain name in the legend
         let suffix = if within.is_empty() {
             String::new()
@@ -271,18 +266,12 @@ impl LawPlot {
     /// The points of a law's curve, each with true if it is within the fitted range.
     fn points(&self, law: &Law<f64>, fitted: &Fitted) -> Vec<([f64; 2], bool)> {
         let [low, high] = self.range;
-        let is_known = fitted.ranges().iter().any(|(.., range)| range.is_some());
+        let is_known = fitted.ranges().iter().any(|fitted| fitted.range.is_some());
         let point = |k: usize| {
             let at = low + (high - low) * k as f64 / STEPS as f64;
             let stream = self.stream(at);
             let Coefficients { drag, lift } = law.coefficients(stream);
-            let is_within = is_known
-                && fitted.holds([
-                    stream.spin_ratio(),
-                    stream.spin,
-                    stream.reynolds(),
-                    stream.speed,
-                ]);
+            let is_within = is_known && fitted.holds(stream.variables());
             ([at, [drag, lift][self.of as usize]], is_within)
         };
         (0..=STEPS).map(point).collect()
