@@ -436,7 +436,8 @@ fn no_strike(approach: f64) -> Message {
     .quantity(Quantity::SPEED, "m/s", approach, Digits::Significant(5))
     .words(
         ", which must be above 0; check swing.speed, club.loft, swing.face_angle, \
-         swing.shaft_lean and swing.shaft_bend, which grows with the square of the speed",
+         swing.shaft_lean and swing.shaft_bend, which grows with the head speed as \
+         swing.shaft_growth says",
     )
 }
 
@@ -494,6 +495,13 @@ fn suggested(suggestion: &Option<String>) -> String {
 #[cfg(test)]
 mod tests {
     use super::Error;
+
+    #[test]
+    fn a_missed_ball_says_what_the_bend_of_the_shaft_grows_with() {
+        let message = Error::NoStrike { approach: -1.0 }.to_string();
+        let growth = "swing.shaft_bend, which grows with the head speed as swing.shaft_growth says";
+        assert!(message.contains(growth), "{message}");
+    }
 
     #[test]
     fn nearest_name_is_suggested() {

@@ -1,6 +1,7 @@
 //! Parallel work on chunks with results in the order of the chunks.
 
 use crate::error::{Error, Result};
+use rayon::ThreadPoolBuildError;
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::mpsc;
@@ -35,8 +36,8 @@ pub(crate) fn in_order<T: Send, R: Send>(
     }
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads.min(MOST_THREADS))
-        .build();
-    let pool = pool.map_err(|error| Error::Output(std::io::Error::other(error)))?;
+        .build()
+        .map_err(not_started)?;
     let most = UNDER_WAY * pool.current_num_threads() as u64;
     pool.in_place_scope(|scope| {
         let (finished, results) = mpsc::channel();
@@ -72,4 +73,29 @@ pub(crate) fn in_order<T: Send, R: Send>(
             }
         }
     })
+}
+
+/// The error for threads that the system does not start.
+fn not_started(error: ThreadPoolBuildError) -> Error {
+    let reason = format!("the threads cannot be started ({error}); take fewer");
+    Error::unreadable("`threads`", reason)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::not_started;
+
+    #[test]
+    fn threads_that_cannot_be_started_are_an_error_of_their_number() {
+        let error = rayon::ThreadPoolBuilder::new()
+            .num_threads(1)
+            .spawn_handler(|_| Err(std::io::Error::other("no memory")))
+            .build()
+            .map(|_| ())
+            .unwrap_err();
+        assert_eq!(
+            not_started(error).to_string(),
+            "`threads`: the threads cannot be started (no memory); take fewer"
+        );
+    }
 }

@@ -182,7 +182,7 @@ pub const UNSET: &str = "none";
 
 /// True if a text unsets a parameter.
 pub(crate) fn is_unset(text: &str) -> bool {
-    [UNSET, "default"].contains(&text.trim())
+    text.trim() == UNSET
 }
 
 /// Mutable reference to the value of a parameter in a setup.

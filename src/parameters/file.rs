@@ -254,22 +254,26 @@ impl Setup<f64> {
             DeValue::String(text) => parameter.read(text, false),
             DeValue::Integer(number) => parameter.read(&number.to_string(), false),
             DeValue::Float(number) => parameter.read(number.as_str(), false),
-            other => Err(wrong_type(
-                item,
-                other,
-                format!(
-                    "a number or a string like \"{}\"",
-                    example(parameter.default)
-                ),
-            )),
+            other => Err(wrong_type(item, other, accepted(parameter))),
         };
         self.set_value(parameter, value.map_err(at_value)?)
             .map_err(at_value)
     }
 }
 
-fn example(default: &'static str) -> &'static str {
-    if default == UNSET { "1" } else { default }
+/// Type of the values of a parameter, with an example.
+fn accepted(parameter: &Parameter) -> String {
+    let kind = if parameter.unit.is_empty() {
+        "a number, or a string"
+    } else {
+        "a string with its unit,"
+    };
+    let example = if parameter.default == UNSET {
+        format!("1 {}", parameter.unit)
+    } else {
+        parameter.default.into()
+    };
+    format!("{kind} like \"{}\"", example.trim_end())
 }
 
 fn string<'a>(item: &'a Item<'a>) -> Result<&'a str> {
@@ -436,6 +440,23 @@ mod tests {
                 "[swing]",
             ),
         ]);
+    }
+
+    #[test]
+    fn a_value_of_a_wrong_type_gets_an_example_of_its_quantity() {
+        for parameter in Setup::default().parameters() {
+            let read = |value: &str| Setup::from_toml(&format!("{parameter} = {value}"), "f");
+            let message = read("true").unwrap_err().to_string();
+            let (expected, example) = message.split_once(" like ").unwrap();
+            let takes_bare_numbers = read("0.5").is_ok() || read("4").is_ok();
+            assert_eq!(
+                expected.contains("a number"),
+                takes_bare_numbers,
+                "{message}"
+            );
+            let example = example.trim_matches('"');
+            assert!(parameter.quantity.read(example).is_ok(), "{message}");
+        }
     }
 
     #[test]

@@ -722,6 +722,17 @@ mod tests {
     }
 
     #[test]
+    fn default_is_refused_as_a_word_and_does_not_unset_a_parameter() {
+        let mut setup = Setup::default();
+        for name in ["impact.gear_scale", "air.density"] {
+            let message = setup.set(name, "default").unwrap_err().to_string();
+            let reason = format!("{name}: \"default\" does not start with a number");
+            assert!(message.starts_with(&reason), "{message}");
+        }
+        assert_eq!(setup, Setup::default());
+    }
+
+    #[test]
     fn infinite_and_unset_values_are_allowed_only_where_they_mean_something() {
         let mut setup = Setup::default();
         setup.set("club.bulge_radius", "inf").unwrap();

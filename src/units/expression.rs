@@ -90,7 +90,7 @@ fn split_power(factor: &str) -> Option<(&str, i8)> {
         return power
             .parse()
             .ok()
-            .filter(|p: &i8| p.abs() <= 9)
+            .filter(|power| (-9..=9).contains(power))
             .map(|power| (symbol, power));
     }
     let powers = [('²', 2), ('³', 3)];

@@ -513,7 +513,7 @@ fn broken_files_have_plain_messages() {
         (
             "a.toml",
             b"[club]\nloft = true\n",
-            "'club.loft' is a boolean; expected a number or a string",
+            "'club.loft' is a boolean; expected a string with its unit, like \"9.8 deg\"",
         ),
         (
             "a.toml",
