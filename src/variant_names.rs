@@ -1,11 +1,27 @@
 //! Enums whose variants have names in files, in JSON and on the command line.
 
-/// Names the variants of an enum. The enum gets `ALL`, `NAMES`, `name()`, and a `Display` that writes the
-/// name. With `as "Schema"` it also gets a JSON schema of this name, in which the names of the
-/// variants are the allowed strings.
+/// Names the variants of an enum. The enum gets `ALL`, `NAMES`, `name()`, `from_name()`, and a `Display`
+/// that writes the name. With `as "Schema"` it is also written and read by serde as its name, and has a
+/// JSON schema called `Schema`, in which the names of the variants are the allowed strings.
 macro_rules! variant_names {
     ($(#[doc = $doc:literal])* $Enum:ident as $schema:literal { $($names:tt)* }) => {
         variant_names! { $(#[doc = $doc])* $Enum { $($names)* } }
+
+        /// The name.
+        impl serde::Serialize for $Enum {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.serialize_str(self.name())
+            }
+        }
+
+        /// The name.
+        impl<'de> serde::Deserialize<'de> for $Enum {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                let name = String::deserialize(deserializer)?;
+                Self::from_name(&name)
+                    .ok_or_else(|| serde::de::Error::unknown_variant(&name, &Self::NAMES))
+            }
+        }
 
         #[cfg(test)]
         impl schemars::JsonSchema for $Enum {
@@ -32,6 +48,11 @@ macro_rules! variant_names {
                 match self {
                     $(Self::$Variant => $name,)+
                 }
+            }
+
+            /// The variant of this name.
+            pub fn from_name(name: &str) -> Option<Self> {
+                Self::ALL.into_iter().find(|variant| variant.name() == name)
             }
         }
 

@@ -18,8 +18,7 @@ use crate::units::counted;
 use serde::{Deserialize, Serialize};
 
 /// Outcome of a search.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// The KKT conditions hold, and the Lagrangian has no direction of negative curvature.
     Converged,

@@ -13,22 +13,6 @@ pub enum Golfer {
     Left,
 }
 
-/// The choice with this name. `what` and `advice` are for the error if no choice has the name.
-fn named<T: Copy>(
-    all: &[T],
-    name_of: fn(T) -> &'static str,
-    name: &str,
-    what: &'static str,
-    advice: &str,
-) -> Result<T> {
-    let name = name.trim();
-    let found = all.iter().copied().find(|choice| name_of(*choice) == name);
-    found.ok_or_else(|| {
-        let names = all.iter().map(|choice| name_of(*choice));
-        Error::unknown(what, name, names, advice)
-    })
-}
-
 /// Name of the setting: `golfer = "left"`.
 pub const GOLFER: &str = "golfer";
 
@@ -46,8 +30,11 @@ impl Golfer {
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no golfer has this name.
     pub fn named(name: &str) -> Result<Self> {
-        let advice = "write right for a right-handed golfer, left for a left-handed one";
-        named(&Self::ALL, Self::name, name, GOLFER, advice)
+        let name = name.trim();
+        Self::from_name(name).ok_or_else(|| {
+            let advice = "write right for a right-handed golfer, left for a left-handed one";
+            Error::unknown(GOLFER, name, Self::NAMES, advice)
+        })
     }
 }
 
@@ -80,8 +67,12 @@ impl SpeedOf {
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no point has this name.
     pub fn named(name: &str) -> Result<Self> {
-        let advice = "write centre-of-mass or face-centre, the point whose speed is swing.speed";
-        named(&Self::ALL, Self::name, name, SPEED_OF, advice)
+        let name = name.trim();
+        Self::from_name(name).ok_or_else(|| {
+            let advice =
+                "write centre-of-mass or face-centre, the point whose speed is swing.speed";
+            Error::unknown(SPEED_OF, name, Self::NAMES, advice)
+        })
     }
 }
 
@@ -132,14 +123,10 @@ impl Method {
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no method has this name.
     pub fn named(name: &str) -> Result<Self> {
-        let names: Vec<_> = Self::ALL.iter().map(|method| method.name()).collect();
-        let advice = format!("the methods are {}", names.join(", "));
-        named(
-            &Self::ALL,
-            Self::name,
-            name,
-            "method of integration",
-            &advice,
-        )
+        let name = name.trim();
+        Self::from_name(name).ok_or_else(|| {
+            let advice = format!("the methods are {}", Self::NAMES.join(", "));
+            Error::unknown("method of integration", name, Self::NAMES, advice)
+        })
     }
 }

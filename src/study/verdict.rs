@@ -7,7 +7,6 @@ use crate::optimize::sensitivity::ActiveSet;
 use crate::optimize::{Kink, Solution, Status};
 use crate::parameters::Vary;
 use crate::units::{self, Digits, DisplayUnit, Message, Quantity};
-use serde::Serialize;
 use std::fmt;
 
 /// An active bound or constraint of an optimum: `club.loft at its upper bound`, or the text of the
@@ -21,8 +20,7 @@ pub struct Active {
 }
 
 /// The lower or the upper bound of a parameter.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoundSide {
     /// The lower bound.
     Lower,

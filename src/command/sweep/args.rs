@@ -157,9 +157,8 @@ pub struct Args {
 
 /// Parser of instruction sets.
 fn instructions() -> impl TypedValueParser<Value = Level> {
-    let named = |name: String| Level::ALL.into_iter().find(|known| known.name() == name);
-    PossibleValuesParser::new(Level::ALL.map(Level::name))
-        .map(move |name| named(name).unwrap_or(Level::Baseline))
+    PossibleValuesParser::new(Level::NAMES)
+        .map(|name| Level::from_name(&name).unwrap_or(Level::Baseline))
 }
 
 /// A part of a sweep.

@@ -4,8 +4,7 @@ use crate::json::JsonNumber;
 use serde::Serialize;
 
 /// Result of comparing an exact derivative with differences.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
     /// Differences contradict the derivative, or cannot decide.
     Fail,

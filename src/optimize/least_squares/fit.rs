@@ -8,7 +8,7 @@ use super::{FitOptions, Residuals, Rows};
 use crate::error::{Error, Result};
 use crate::units::counted;
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -32,8 +32,7 @@ const SHORTEST: f64 = 1e-8;
 const COSINE: &str = "cosine between the residuals and their slopes";
 
 /// Outcome of a fit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FitStatus {
     /// The sum is stationary within the bounds.
     Converged,
@@ -42,7 +41,6 @@ pub enum FitStatus {
     Undetermined,
     /// The sum is at a minimum, but one residual is so large that the others have no influence. Set
     /// by `study::calibrate`, not by the fit.
-    #[serde(rename = "outweighed")]
     DominatedByOneResidual,
     /// The sum is at a minimum, but the residuals are much larger than their uncertainties: the
     /// model does not describe the data. Set by `study::calibrate`, not by the fit.

@@ -5,7 +5,7 @@ use crate::derivative::check::Verdict;
 use crate::derivative::gradient;
 use crate::drive::{Drive, Outcome};
 use crate::parameters::{Parameter, Setup};
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 /// A wrong derivative that is planted in place of the right derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,13 +24,6 @@ variant_names! {
         Sign = "sign",
         Millionth = "factor 1 + 1e-6",
         LandingTerm = "no landing term",
-    }
-}
-
-/// The name.
-impl Serialize for PlantedError {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.name())
     }
 }
 
