@@ -328,6 +328,21 @@ impl Quantity {
         }
     }
 
+    /// The text of a quantity, with the unit of `other` if it has no unit of its own: the low end of
+    /// `4..20deg` is 4 deg.
+    ///
+    /// # Errors
+    /// The errors of [`split`](Self::split), for both texts.
+    pub(crate) fn with_unit_of(self, text: &str, other: &str) -> Result<String, UnitError> {
+        let (_, unit) = self.split(text)?;
+        let (_, other_unit) = self.split(other)?;
+        Ok(if unit.is_empty() {
+            format!("{text} {other_unit}")
+        } else {
+            text.into()
+        })
+    }
+
     /// SI size of `unit`, without the zero of a scale; `None` for a unit of another quantity.
     ///
     /// ```
@@ -388,21 +403,6 @@ impl Quantity {
             }
         }
         units.join(", ")
-    }
-
-    /// Column head for SI values: `club.loft [rad]`.
-    ///
-    /// ```
-    /// use longdrive::units::Quantity;
-    /// assert_eq!(Quantity::ANGLE.head("club.loft"), "club.loft [rad]");
-    /// assert_eq!(Quantity::NUMBER.head("smash_factor"), "smash_factor");
-    /// ```
-    pub fn head(self, name: &str) -> String {
-        if self.si.is_empty() {
-            name.into()
-        } else {
-            format!("{name} [{}]", self.si)
-        }
     }
 
     /// Hint for an unknown unit: the known unit in the right case or with the missing `deg`, or the

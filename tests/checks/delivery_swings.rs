@@ -348,6 +348,23 @@ fn a_robots_swings_keep_less_of_the_prior_spread() {
 }
 
 #[test]
+fn exact_heads_of_recovered_swings_have_units_unless_a_parameter_is_a_plain_number() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let (file, table) = (at("shots.csv"), at("swings.csv"));
+    std::fs::write(&file, shots(1, 2)).unwrap();
+    let restitution = ["--vary", "impact.restitution=0.7..0.9"];
+    let unknowns = [&UNKNOWNS[..2], &restitution, &["--swings", &table]].concat();
+    let ran = longdrive(&[&["delivery", "--shots", &file], &unknowns[..]].concat());
+    assert_eq!(ran.status, 0, "{}", ran.err);
+    let written = std::fs::read_to_string(&table).unwrap();
+    assert_eq!(
+        written.lines().next(),
+        Some("swing.speed [m/s],impact.restitution")
+    );
+}
+
+#[test]
 fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).display().to_string();

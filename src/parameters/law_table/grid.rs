@@ -1,5 +1,5 @@
 use super::surface::Surface;
-use crate::units::Quantity;
+use crate::units::{DisplayUnit, Quantity};
 
 /// Variable of an axis of a table of drag and lift.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,28 +29,18 @@ impl AxisVariable {
     }
 
     /// Quantity and display unit.
-    pub fn quantity(self) -> (Quantity, &'static str) {
-        match self {
+    pub fn display_unit(self) -> DisplayUnit {
+        let (quantity, unit) = match self {
             Self::SpinRatio | Self::Reynolds => (Quantity::NUMBER, ""),
             Self::Spin => (Quantity::ANGULAR_VELOCITY, "rpm"),
             Self::Speed => (Quantity::SPEED, "m/s"),
-        }
+        };
+        DisplayUnit { quantity, unit }
     }
 
     /// True for a variable of the spin axis, false for a variable of the speed axis.
     pub fn is_of_spin(self) -> bool {
         matches!(self, Self::SpinRatio | Self::Spin)
-    }
-
-    /// Column head: `speed [m/s]`.
-    pub fn head(self) -> String {
-        let (_, unit) = self.quantity();
-        let name = self.names()[0];
-        if unit.is_empty() {
-            name.into()
-        } else {
-            format!("{name} [{unit}]")
-        }
     }
 }
 

@@ -7,7 +7,7 @@ use crate::report::shown;
 use crate::study::delivery::{
     MeanAndDeviation, Population, Posterior, PredictedOutcome, Recovered, ShotDelivery,
 };
-use crate::units::{DisplayUnit, Message, System, counted, significant, typed};
+use crate::units::{DisplayUnit, Message, System, TableUnits, counted, significant, typed};
 
 /// If a shot removes less than this fraction of a parameter's prior variance, the distribution of
 /// the parameter depends mainly on the prior.
@@ -24,7 +24,7 @@ pub fn recovered_csv(all: &[ShotDelivery]) -> Result<String> {
         return Ok(String::new());
     };
     let parameters = first.posteriors.iter().map(|known| known.unknown.parameter);
-    let head = parameters.map(|row| format!("{} [{}]", row.name, row.quantity.si));
+    let head = parameters.map(|row| TableUnits::Si.head(row.name, row.quantity, row.unit));
     let value = |known: &Posterior| format!("{:?}", known.value);
     csv_text(
         head.collect(),
