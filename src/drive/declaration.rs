@@ -1,5 +1,6 @@
 //! The declaration of an outcome, without its formula.
 
+use crate::parameters::Range;
 use crate::units::{Digits, Message, Quantity};
 
 /// Facts about an outcome, apart from its formula.
@@ -91,9 +92,10 @@ pub struct Instrument {
     /// Source, or "assumed" with the reasoning if no source was found. Braces enclose lengths and
     /// speeds, which are printed in the user's units.
     pub(super) source: &'static str,
-    /// Values that a drive can have. A measured value outside of them is taken for an error of the
-    /// table, such as a wrong unit. `None` if any value is accepted.
-    pub(crate) plausible: Option<Plausible>,
+    /// Values that a drive can have, in the display unit of the outcome. A measured value outside of
+    /// them is taken for an error of the table, such as a wrong unit. `None` if any value is accepted.
+    /// The lower end is excluded where launch monitors export 0 for a value that was not measured.
+    pub(crate) plausible: Option<Range>,
     /// Column heads of exports, in lower case, without punctuation.
     pub(crate) heads: &'static [&'static str],
 }
@@ -119,32 +121,4 @@ fn quantity(text: &str) -> Option<(Quantity, &'static str, f64)> {
     kinds
         .into_iter()
         .find_map(|(quantity, unit)| Some((quantity, unit, quantity.read(text).ok()?)))
-}
-
-/// Values that a drive can have, in the display unit of the outcome.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Plausible {
-    pub low: f64,
-    pub high: f64,
-    /// True if the value must exceed the lower end, because launch monitors export 0 for a value
-    /// that was not measured.
-    pub is_above_low: bool,
-}
-
-/// Values from `low` to `high`.
-pub(super) const fn within(low: f64, high: f64) -> Option<Plausible> {
-    Some(Plausible {
-        low,
-        high,
-        is_above_low: false,
-    })
-}
-
-/// Values above `low`, up to `high`.
-pub(super) const fn above(low: f64, high: f64) -> Option<Plausible> {
-    Some(Plausible {
-        low,
-        high,
-        is_above_low: true,
-    })
 }

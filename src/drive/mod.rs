@@ -6,7 +6,7 @@ mod outcome_table;
 mod validity;
 mod warnings;
 
-pub(crate) use declaration::{ComputedFrom, Plausible, Sign};
+pub(crate) use declaration::{ComputedFrom, Sign};
 pub use declaration::{Instrument, OutcomeGroup};
 pub use outcome_table::Outcome;
 pub(crate) use outcome_table::OutcomeInputs;

@@ -1,9 +1,10 @@
 use super::Drive;
-use super::declaration::{ComputedFrom, Instrument, OutcomeGroup, Plausible, Sign};
+use super::declaration::{ComputedFrom, Instrument, OutcomeGroup, Sign};
 use super::outcome_table::{Outcome, OutcomeInputs};
 use crate::error::{Error, Result};
 use crate::flight::Flight;
 use crate::number::Number;
+use crate::parameters::Range;
 use crate::units::{DisplayUnit, Quantity};
 use serde::{Serialize, Serializer};
 use std::fmt;
@@ -81,7 +82,7 @@ impl Outcome {
     }
 
     /// Values that a drive can have, in the display unit; `None` if any value is accepted.
-    pub(crate) fn plausible(self) -> Option<Plausible> {
+    pub(crate) fn plausible(self) -> Option<Range> {
         self.instrument()?.plausible
     }
 

@@ -1,10 +1,11 @@
 //! The table of outcomes: every outcome is declared here, with its formula and the facts about it.
 
-use super::declaration::{ComputedFrom, Declaration, Instrument, Sign, above, within};
+use super::declaration::{ComputedFrom, Declaration, Instrument, Sign};
 use crate::flight::Landed;
 use crate::impact::Head;
 use crate::launch::Launch;
 use crate::number::{Number, Numbers};
+use crate::parameters::Range;
 use crate::units::Quantity;
 
 /// Quantities that outcomes are computed from.
@@ -154,7 +155,7 @@ outcomes! {
         instrument: Some(Instrument {
             sigma: "3 yd",
             source: APART,
-            plausible: above(0.0, 600.0),
+            plausible: Some(Range::above_to(0.0, 600.0)),
             heads: &[
                 "carry",
                 "carry distance",
@@ -177,7 +178,7 @@ outcomes! {
         instrument: Some(Instrument {
             sigma: "3 yd",
             source: "assumed: 0.7 deg of direction at {250 yd}",
-            plausible: within(-600.0, 600.0),
+            plausible: Some(Range::from_to(-600.0, 600.0)),
             heads: &[
                 "side",
                 "carry side",
@@ -206,7 +207,7 @@ outcomes! {
             sigma: "0.1 s",
             source: "assumed: tables print tenths of a second; indoors times are computed from the \
                 launch",
-            plausible: above(0.0, 20.0),
+            plausible: Some(Range::above_to(0.0, 20.0)),
             heads: &["hang time", "flight time", "carry flat time"],
         }),
     }
@@ -223,7 +224,7 @@ outcomes! {
         instrument: Some(Instrument {
             sigma: "1 yd",
             source: ROUNDED,
-            plausible: above(0.0, 150.0),
+            plausible: Some(Range::above_to(0.0, 150.0)),
             heads: &[
                 "apex",
                 "apex height",
@@ -286,7 +287,7 @@ outcomes! {
         instrument: Some(Instrument {
             sigma: "1 deg",
             source: ROUNDED,
-            plausible: above(0.0, 90.0),
+            plausible: Some(Range::above_to(0.0, 90.0)),
             heads: &[
                 "landing angle",
                 "landing ang",
@@ -315,7 +316,7 @@ outcomes! {
         instrument: Some(Instrument {
             sigma: "1 mph",
             source: "assumed: as for ball_speed",
-            plausible: within(0.0, 270.0),
+            plausible: Some(Range::from_to(0.0, 270.0)),
             heads: &["carry flat ball speed"],
         }),
     }
@@ -333,7 +334,7 @@ outcomes! {
         instrument: Some(Instrument {
             sigma: "8 yd",
             source: RUNS,
-            plausible: above(0.0, 800.0),
+            plausible: Some(Range::above_to(0.0, 800.0)),
             heads: &[
                 "gesamtstrecke",
                 "total",
@@ -377,7 +378,7 @@ outcomes! {
         instrument: Some(Instrument {
             sigma: "8 yd",
             source: "assumed: as for total",
-            plausible: within(-800.0, 800.0),
+            plausible: Some(Range::from_to(-800.0, 800.0)),
             heads: &[
                 "gesamtabweichungsdistanz",
                 "total offline",
@@ -402,7 +403,7 @@ outcomes! {
             sigma: "1 mph",
             source: AGREE,
             // the fastest recorded ball speed is 241.7 mph (108 m/s)
-            plausible: above(0.0, 270.0),
+            plausible: Some(Range::above_to(0.0, 270.0)),
             heads: &["ball speed", "ballgeschwindigkeit"],
         }),
     }
@@ -436,7 +437,7 @@ outcomes! {
         instrument: Some(Instrument {
             sigma: "0.3 deg",
             source: TENTHS,
-            plausible: within(-90.0, 90.0),
+            plausible: Some(Range::from_to(-90.0, 90.0)),
             heads: &[
                 "launch angle",
                 "launch ang",
@@ -463,7 +464,7 @@ outcomes! {
         instrument: Some(Instrument {
             sigma: "0.3 deg",
             source: TENTHS,
-            plausible: within(-90.0, 90.0),
+            plausible: Some(Range::from_to(-90.0, 90.0)),
             heads: &[
                 "launch direction",
                 "launch dir",
@@ -493,7 +494,7 @@ outcomes! {
         instrument: Some(Instrument {
             sigma: "100 rpm",
             source: OF_SPIN,
-            plausible: above(0.0, 20_000.0),
+            plausible: Some(Range::above_to(0.0, 20_000.0)),
             heads: &["spin rate", "total spin", "spin", "drehrate"],
         }),
     }
@@ -511,7 +512,7 @@ outcomes! {
             sigma: "100 rpm",
             source: OF_SPIN,
             // a driver gives no topspin
-            plausible: within(0.0, 20_000.0),
+            plausible: Some(Range::from_to(0.0, 20_000.0)),
             heads: &["backspin", "back spin"],
         }),
     }
@@ -528,7 +529,7 @@ outcomes! {
         instrument: Some(Instrument {
             sigma: "100 rpm",
             source: "assumed: as for spin",
-            plausible: within(-20_000.0, 20_000.0),
+            plausible: Some(Range::from_to(-20_000.0, 20_000.0)),
             heads: &["sidespin", "side spin"],
         }),
     }
@@ -545,7 +546,7 @@ outcomes! {
         instrument: Some(Instrument {
             sigma: "2 deg",
             source: "assumed: 100 rpm of sidespin turn the axis of a spin of 2700 rpm by 2.1 deg",
-            plausible: within(-180.0, 180.0),
+            plausible: Some(Range::from_to(-180.0, 180.0)),
             heads: &["spin axis", "spin tilt axis", "tilt angle", "axis tilt", "drehachse"],
         }),
     }

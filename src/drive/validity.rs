@@ -100,7 +100,7 @@ impl Drive<f64> {
                     .launch_stream()
                     .variables(),
             ),
-            CheckScope::Flight => !self.law_warnings(setup, &AtomicBool::new(false)).is_empty(),
+            CheckScope::Flight => !self.extrapolated(setup, &AtomicBool::new(false)).is_empty(),
         };
         let slopes = [setup.ground.slope, setup.ground.side_slope];
         let is_flat = || {

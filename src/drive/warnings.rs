@@ -19,7 +19,7 @@ const LEAST_WARNED_SHARE: f64 = 0.01;
 
 /// A variable of a flight outside the range that the law was fitted to.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Extrapolated {
+pub(super) struct Extrapolated {
     /// Index of the variable in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
     variable: usize,
     flown: FlownRange,
@@ -205,7 +205,7 @@ impl Drive<f64> {
     /// The variables outside the ranges of the law that change the carry by more than 0.3 yd. For a
     /// variable that the law itself holds, the share of the flight time outside the range counts
     /// instead ([`LEAST_WARNED_SHARE`]).
-    fn extrapolated(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<Extrapolated> {
+    pub(super) fn extrapolated(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<Extrapolated> {
         let fitted = setup.law.properties().fitted;
         let ranges = fitted.ranges().map(|fitted| fitted.range);
         if stays_within(setup, &self.launch, ranges, stop) {

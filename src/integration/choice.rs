@@ -128,10 +128,8 @@ impl StepChoice {
         of: &[Outcome],
         stop: &AtomicBool,
     ) -> Result<Integration> {
-        let tolerance = match self {
-            Self::Within(tolerance) => tolerance,
-            Self::Micrometre if !setup.states_step => MICROMETRE,
-            Self::Micrometre | Self::Own => return Ok(Integration::own(setup, None)),
+        let Some(tolerance) = self.tolerance(setup) else {
+            return Ok(Integration::own(setup, None));
         };
         match accuracy_until(setup, ranges, of, tolerance, stop) {
             Ok(found) => Ok(Integration {
@@ -158,7 +156,16 @@ impl StepChoice {
     /// True if method and step are those of the setup, so that no drives are computed to choose
     /// them.
     pub fn is_own(self, setup: &Setup<f64>) -> bool {
-        self == Self::Own || self == Self::Micrometre && setup.states_step
+        self.tolerance(setup).is_none()
+    }
+
+    /// The tolerance for which method and step are chosen, m; `None` if they are those of the setup.
+    fn tolerance(self, setup: &Setup<f64>) -> Option<f64> {
+        match self {
+            Self::Within(tolerance) => Some(tolerance),
+            Self::Micrometre => Some(MICROMETRE).filter(|_| !setup.states_step),
+            Self::Own => None,
+        }
     }
 }
 

@@ -317,7 +317,13 @@ impl Preset {
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no preset has this name.
     pub fn known(name: &str) -> Result<&'static Self> {
-        Self::named(name).ok_or_else(|| {
+        Self::index_of(name).map(|index| &PRESETS[index])
+    }
+
+    /// Index of the preset of this name in [`PRESETS`].
+    fn index_of(name: &str) -> Result<usize> {
+        let index = PRESETS.iter().position(|preset| preset.name == name);
+        index.ok_or_else(|| {
             let names = PRESETS.iter().map(|preset| preset.name);
             let advice = format!("the presets are {}", Self::names());
             Error::unknown("preset", name, names, advice)
@@ -337,14 +343,6 @@ impl Preset {
             .collect::<Vec<_>>()
             .join(", ")
     }
-
-    /// Source of the value of a parameter in this preset.
-    pub fn source_of(&self, name: &str) -> Option<&'static str> {
-        self.entries
-            .iter()
-            .find(|entry| entry.name == name)
-            .map(|entry| entry.source)
-    }
 }
 
 impl Setup<f64> {
@@ -357,14 +355,13 @@ impl Setup<f64> {
         // parsed once: the texts with their units take longer to parse than a drive takes
         static SETUPS: [OnceLock<Setup<f64>>; PRESETS.len()] =
             [const { OnceLock::new() }; PRESETS.len()];
-        let preset = Preset::known(name)?;
-        let known = PRESETS.iter().position(|row| row.name == name);
-        let known = known.map(|at| &SETUPS[at]);
-        if let Some(setup) = known.and_then(OnceLock::get) {
+        let index = Preset::index_of(name)?;
+        if let Some(setup) = SETUPS[index].get() {
             return Ok(*setup);
         }
         let mut setup = Self::default();
-        setup.set_all(preset.entries.iter().map(|entry| (entry.name, entry.value)))?;
-        Ok(known.map_or(setup, |known| *known.get_or_init(|| setup)))
+        let entries = PRESETS[index].entries.iter();
+        setup.set_all(entries.map(|entry| (entry.name, entry.value)))?;
+        Ok(*SETUPS[index].get_or_init(|| setup))
     }
 }

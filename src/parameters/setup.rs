@@ -62,10 +62,7 @@ impl Parameter {
 
     fn needs_a_value(&self) -> Error {
         let source = format!("it cannot be unset; give it a value{}", instead(self.name));
-        Error::Unreadable {
-            name: self.name.into(),
-            source: source.into(),
-        }
+        Error::unreadable(self.name, source)
     }
 
     /// Checks a value, SI, against the range.
@@ -139,11 +136,8 @@ impl Parameter {
     /// Appends the user's `text` to `shown`, the value as text, if the unit of `text` is neither
     /// the SI unit nor the display unit.
     fn with_given_text(&self, shown: String, text: &str) -> String {
-        let is_another = |unit: &str| {
-            ![self.quantity.si, self.unit]
-                .iter()
-                .any(|known| unit.is_empty() || *known == unit)
-        };
+        let is_another =
+            |unit: &str| !unit.is_empty() && unit != self.quantity.si && unit != self.unit;
         match self.quantity.split(text) {
             Ok((number, unit)) if number.is_finite() && is_another(unit) => {
                 format!("{shown} ({text})")
@@ -156,17 +150,13 @@ impl Parameter {
     /// the error quotes the documentation of the parameter, which says what its numbers mean.
     fn unreadable(&self, error: UnitError) -> Error {
         let is_word = |text: &str| text.starts_with(char::is_alphabetic);
-        let source = match &error {
+        match &error {
             UnitError::NoNumber { text, .. } if is_word(text) => {
                 let meaning = self.doc.split(';').next().unwrap_or_default();
                 let meaning = meaning.trim_end_matches('.');
-                format!("{error}. Its meaning: {meaning}").into()
+                Error::unreadable(self.name, format!("{error}. Its meaning: {meaning}"))
             }
-            _ => error.into(),
-        };
-        Error::Unreadable {
-            name: self.name.into(),
-            source,
+            _ => Error::unreadable(self.name, error),
         }
     }
 

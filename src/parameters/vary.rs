@@ -84,17 +84,9 @@ impl Vary {
                 return Err(refuse(format!("its {which} end is missing; {how}")));
             }
         }
-        let unreadable = |e| Error::Unreadable {
-            name: format!("the range {}", text.trim()),
-            source: Box::new(e),
-        };
-        let (_, low_unit) = parameter.quantity.split(low).map_err(unreadable)?;
-        let (_, high_unit) = parameter.quantity.split(high).map_err(unreadable)?;
-        let low = if low_unit.is_empty() {
-            format!("{low} {high_unit}")
-        } else {
-            low.into()
-        };
+        let low = parameter.quantity.with_unit_of(low, high);
+        let low =
+            low.map_err(|error| Error::unreadable(format!("the range {}", text.trim()), error))?;
         let end = |text: &str| parameter.read(text, false).map(Option::unwrap_or_default);
         // the high end first: an error about a missing unit quotes the text as given
         let high = end(high)?;

@@ -67,18 +67,9 @@ impl Histogram {
         let (low, high) = range
             .split_once("..")
             .ok_or_else(|| refuse(format!("'{range}' is not LOW..HIGH; {example}")))?;
-        let unreadable = |error| Error::Unreadable {
-            name: format!("the histogram {}", text.trim()),
-            source: Box::new(error),
-        };
+        let unreadable = |error| Error::unreadable(format!("the histogram {}", text.trim()), error);
         let quantity = of.quantity();
-        let (_, unit) = quantity.split(high).map_err(unreadable)?;
-        let has_unit = !quantity.split(low).map_err(unreadable)?.1.is_empty();
-        let low = if has_unit {
-            low.to_owned()
-        } else {
-            format!("{low} {unit}")
-        };
+        let low = quantity.with_unit_of(low, high).map_err(unreadable)?;
         let high = quantity.read(high).map_err(unreadable)?;
         let low = quantity.read(&low).map_err(unreadable)?;
         if !(low.is_finite() && high.is_finite() && low < high) {

@@ -3,7 +3,8 @@
 
 use super::CONDITIONS;
 use super::conditions::{Stated, conditions, without_redundant_spins};
-use crate::drive::{Outcome, Plausible, Sign};
+use crate::drive::{Outcome, Sign};
+use crate::parameters::Range;
 use crate::units::Quantity;
 use std::sync::LazyLock;
 
@@ -60,10 +61,10 @@ static IN_SI: LazyLock<Vec<Option<[f64; 2]>>> = LazyLock::new(|| {
         let plausible = of.plausible()?;
         let size = of.quantity().size_of(of.unit()).unwrap_or(1.0);
         let slack = 1e-9 * plausible.high;
-        let low = if plausible.is_above_low {
-            f64::MIN_POSITIVE
-        } else {
+        let low = if plausible.low_included {
             plausible.low - slack
+        } else {
+            f64::MIN_POSITIVE
         };
         Some([low * size, (plausible.high + slack) * size])
     };
@@ -85,13 +86,14 @@ pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
     if (low..=high).contains(&value) {
         return None;
     }
-    let Plausible {
+    let Range {
         low,
         high,
-        is_above_low,
+        low_included,
+        ..
     } = of.plausible()?;
     let (shown, unit) = (of.show(value), of.unit());
-    let from = if is_above_low { "above " } else { "" };
+    let from = if low_included { "" } else { "above " };
     Some(format!(
         "{shown} is outside of what a drive has, {from}{low} to {high} {unit}; check the value and \
          its unit"

@@ -2,10 +2,10 @@
 
 use super::grid::{AxisVariable, CoefficientGrid, LawTableAxis};
 use super::read::{GridNode, GridNodes, LawTableFault};
-use super::surface::{Cell, Surface};
+use super::surface::{Cell, Surface, steps};
 
 /// Spin ratio below which the lift falls to 0, for a table that has no axis of spin or spin ratio.
-/// All drives have larger spin ratios.
+/// Usual drives have larger spin ratios: 0.08 at 72 m/s and 2500 rpm.
 const FULL_LIFT: f64 = 0.02;
 
 /// Smallest distance of two lines of the grid, relative to the largest value. Closer lines are
@@ -15,6 +15,10 @@ const LEAST_DISTANCE: f64 = 1e-9;
 /// Width of the smooth clamp beyond the ends of an axis, as a fraction of the outermost interval.
 /// The splines are evaluated up to half this width beyond the last node.
 const CLAMP_WIDTH: f64 = 0.5;
+
+/// Upper bound of |u|ᵃ |w|ᵇ, a, b ≤ 3, in a cell and in the clamps beside it, where |u| and |w| are at
+/// most 1 + [`CLAMP_WIDTH`]/2 = 1.25: 1.25⁶ = 3.8.
+const LARGEST_POWER: f64 = 4.0;
 
 /// The grid of `nodes`.
 pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, LawTableFault> {
@@ -80,7 +84,7 @@ fn lines(
         .windows(2)
         .find(|pair| pair[1] - pair[0] <= LEAST_DISTANCE * most);
     if let (Some(pair), Some(variable)) = (close, variable) {
-        let (name, si) = (variable.names()[0], variable.quantity().0.si);
+        let (name, si) = (variable.names()[0], variable.display_unit().quantity.si);
         let both = format!("{name} {:?} and {:?} {si}", pair[0], pair[1]);
         let reason = format!(
             "{} are nearly the same; write one number for both",
@@ -166,7 +170,7 @@ fn check_between_nodes(
     [columns, rows]: [usize; 2],
     nodes: &GridNodes,
 ) -> Result<(), LawTableFault> {
-    let [wide, high] = [columns, rows].map(|count| count.saturating_sub(1).max(1));
+    let wide = steps(columns);
     for (i, cell) in surface.cells.iter().enumerate() {
         if !cell.iter().all(|number| number.is_finite()) {
             return Err(LawTableFault::of_file(
@@ -174,13 +178,13 @@ fn check_between_nodes(
                     .into(),
             ));
         }
-        // the coefficients bound the drag in the cell: most cells need no samples
+        // most cells need no samples: the constant term is larger than all other terms together
         let variation: f64 = cell[5..20].iter().map(|number| number.abs()).sum();
-        if cell[4] > 4.0 * variation {
+        if cell[4] > LARGEST_POWER * variation {
             continue;
         }
         for u in samples(i % wide, columns, -cell[0] * cell[1]) {
-            for w in samples(i / wide % high, rows, -cell[2] * cell[3]) {
+            for w in samples(i / wide, rows, -cell[2] * cell[3]) {
                 let found = drag(cell, u, w);
                 if found < -1e-12 {
                     return Err(negative_drag(cell, [u, w], found, nodes));
@@ -247,12 +251,8 @@ fn place(nodes: &GridNodes, speed: f64, spin: f64) -> String {
         .into_iter()
         .filter_map(|(variable, value)| {
             let variable = variable?;
-            let (quantity, unit) = variable.quantity();
-            Some(format!(
-                "{} {}",
-                variable.names()[0],
-                quantity.show(value, unit)
-            ))
+            let shown = variable.display_unit().show(value);
+            Some(format!("{} {shown}", variable.names()[0]))
         })
         .collect::<Vec<_>>()
         .join(", ")

@@ -1,10 +1,11 @@
-//! GridNodes of a table, parsed from the text of its file.
+//! The nodes of a table, parsed from the text of its file.
 
+use super::super::range::Range;
 use super::grid::AxisVariable;
 use crate::csv_dialect::detect_separator;
 use crate::error::Error;
 use crate::external_errors::csv_row_error_text;
-use crate::units::Quantity;
+use crate::units::{DisplayUnit, Quantity};
 use csv::{ReaderBuilder, StringRecord, Trim};
 
 /// A fault of a table.
@@ -221,7 +222,10 @@ fn column(head: &str) -> Result<LawColumn, String> {
     };
     let unit_size = match (content, unit) {
         (LawColumnContent::Axis(variable @ (AxisVariable::Spin | AxisVariable::Speed)), unit) => {
-            let (quantity, usual) = variable.quantity();
+            let DisplayUnit {
+                quantity,
+                unit: usual,
+            } = variable.display_unit();
             let Some(unit) = unit else {
                 return Err(format!(
                     "'{head}' has no unit; write it into the head, as in '{name} [{usual}]'"
@@ -270,23 +274,28 @@ fn number(cell: &str, separator: u8) -> Result<f64, String> {
 
 /// Checks that a value is physically possible.
 fn in_range(column: &LawColumn, value: f64) -> Result<f64, String> {
-    let (least, most, is_least_in) = match column.content {
-        LawColumnContent::Axis(AxisVariable::SpinRatio) => (0.0, 1e3, true),
-        LawColumnContent::Axis(AxisVariable::Spin) => (0.0, 1e5, true),
-        LawColumnContent::Axis(AxisVariable::Reynolds) => (0.0, 1e9, false),
-        LawColumnContent::Axis(AxisVariable::Speed) => (0.0, 1e3, false),
-        LawColumnContent::Drag => (0.0, 100.0, true),
-        LawColumnContent::Lift => (-100.0, 100.0, true),
+    let range = match column.content {
+        LawColumnContent::Axis(AxisVariable::SpinRatio) => Range::from_to(0.0, 1e3),
+        LawColumnContent::Axis(AxisVariable::Spin) => Range::from_to(0.0, 1e5),
+        LawColumnContent::Axis(AxisVariable::Reynolds) => Range::above_to(0.0, 1e9),
+        LawColumnContent::Axis(AxisVariable::Speed) => Range::above_to(0.0, 1e3),
+        LawColumnContent::Drag => Range::from_to(0.0, 100.0),
+        LawColumnContent::Lift => Range::from_to(-100.0, 100.0),
     };
-    if (least..=most).contains(&value) && (is_least_in || value > least) {
+    if range.contains(value) {
         return Ok(value);
     }
     let quantity = match column.content {
-        LawColumnContent::Axis(variable) => variable.quantity().0,
+        LawColumnContent::Axis(variable) => variable.display_unit().quantity,
         LawColumnContent::Drag | LawColumnContent::Lift => Quantity::NUMBER,
     };
-    let [value, least, most] = [value, least, most].map(|value| quantity.show(value, quantity.si));
-    let begins = if is_least_in { "at least" } else { "more than" };
+    let [value, least, most] =
+        [value, range.low, range.high].map(|value| quantity.show(value, quantity.si));
+    let begins = if range.low_included {
+        "at least"
+    } else {
+        "more than"
+    };
     Err(format!(
         "{value} is outside of its range, {begins} {least} and at most {most}; check the number, \
          and the unit in the head"

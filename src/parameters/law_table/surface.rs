@@ -30,7 +30,7 @@ impl Surface {
     /// lines, in ascending order; `tables` lists the values row by row. If `x` or `y` has a single
     /// coordinate, the surfaces are constant in that direction.
     pub fn new(x: Vec<f64>, y: Vec<f64>, tables: [&[f64]; 2]) -> Self {
-        let mut cells = vec![[0.0; 36]; steps(&x) * steps(&y)];
+        let mut cells = vec![[0.0; 36]; steps(x.len()) * steps(y.len())];
         let mut work = [(); 4].map(|()| vec![0.0; tables[0].len()]);
         fill(
             &x,
@@ -81,13 +81,13 @@ const MOST_LINEAR: usize = 16;
 impl Knots {
     fn new(at: &'static [f64]) -> Self {
         let (first, last) = (at[0], at[at.len() - 1]);
-        let even = (last - first) / steps(at) as f64;
+        let even = (last - first) / steps(at.len()) as f64;
         let is_even = |(i, knot): (usize, &f64)| {
             (first + even * i as f64 - knot).abs() <= 1e-12 * (last - first)
         };
         let per_unit = (at.len() > 1 && at.iter().enumerate().all(is_even)).then_some(1.0 / even);
         Self {
-            last: steps(at) - 1,
+            last: steps(at.len()) - 1,
             at,
             per_unit,
         }
@@ -113,9 +113,9 @@ impl Knots {
     }
 }
 
-/// Number of intervals between the knots; 1 for a single knot.
-fn steps(knots: &[f64]) -> usize {
-    (knots.len() - 1).max(1)
+/// Number of intervals between this many knots; 1 for a single knot.
+pub(super) fn steps(knots: usize) -> usize {
+    (knots - 1).max(1)
 }
 
 /// Start and width of an interval; infinite width for a single knot.
@@ -143,7 +143,7 @@ fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells:
             slopes(y, by_x, twisted, diagonal, |i| i * columns + column);
         }
         for (place, cell) in cells.iter_mut().enumerate() {
-            let (row, column) = (place / steps(x), place % steps(x));
+            let (row, column) = (place / steps(x.len()), place % steps(x.len()));
             let ((corner, wide), (low, high)) = (step(x, column), step(y, row));
             // a single grid line is the first and the last line of its cells
             let ends = |first: usize, count: usize| [first, (first + 1).min(count - 1)];
