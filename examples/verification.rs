@@ -27,16 +27,16 @@ fn main() -> Result<()> {
     println!("## Every outcome by every parameter\n");
     println!(
         "| preset | not passed | worst error, relative | largest difference from num-dual, \
-         relative | worst error of a second derivative, in bars | landing, held at a fixed time: \
-         not passed | planted errors missed |"
+         relative | worst error of a second derivative, relative to its tolerance | landing, held \
+         at a fixed time: not passed | planted errors missed |"
     );
     println!("|---|---|---|---|---|---|---|");
     certificates
         .iter()
         .for_each(|(name, certificate)| println!("{}", row(name, certificate)));
     println!(
-        "\nErrors are relative to the derivative, over rows whose derivative is not nearly 0; a \
-         bar is the error that a derivative may have.\n"
+        "\nErrors are relative to the derivative, over rows whose derivative is not nearly 0; \
+         the tolerance is the largest error that a derivative may have.\n"
     );
 
     let setup = Setup::preset("mae494")?;
@@ -57,7 +57,7 @@ fn main() -> Result<()> {
 fn row(name: &str, certificate: &Certificate) -> String {
     let rows = &certificate.rows;
     let is_something = |row: &&longdrive::study::certificate::DerivativeRow| {
-        row.first.exact.abs() > row.ladder.next_to_nothing()
+        row.first.exact.abs() > row.ladder.negligible_size()
     };
     let first = rows
         .iter()
@@ -73,7 +73,7 @@ fn row(name: &str, certificate: &Certificate) -> String {
         .filter_map(|row| row.second.as_ref());
     let second = second
         .filter(|check| check.error > 0.0)
-        .map(|check| check.error / check.bar);
+        .map(|check| check.error / check.tolerance);
     let not_passed = rows
         .iter()
         .filter(|row| row.verdict() != Verdict::Pass)
@@ -110,7 +110,10 @@ fn v_curve(carry: &Certificate) {
                 point.error / row.first.exact.abs()
             );
         }
-        let best = row.first.best.map_or(f64::NAN, |best| best.value);
+        let best = row
+            .first
+            .best_difference
+            .map_or(f64::NAN, |found| found.value);
         println!(
             "\nExact {:.10} m/rad, extrapolated from differences {best:.10}.",
             row.first.exact

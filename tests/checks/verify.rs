@@ -40,14 +40,14 @@ fn failures(certificate: &Certificate) -> Vec<String> {
         let second = row
             .second
             .as_ref()
-            .map(|check| (check.exact, check.error, check.bar));
+            .map(|check| (check.exact, check.error, check.tolerance));
         format!(
             "{} {}: {} off by {} of {} {second:?}",
             row.of.name(),
             row.parameter.name,
             row.first.exact,
             row.first.error,
-            row.first.bar
+            row.first.tolerance
         )
     })
     .chain(landing.map(|row| {
@@ -55,7 +55,7 @@ fn failures(certificate: &Certificate) -> Vec<String> {
             "at landing, {} {}: {:?}",
             row.of.name(),
             row.parameter.name,
-            row.check.best
+            row.check.best_difference
         )
     }))
     .chain(continuity.map(|found| format!("{found:?}")))
@@ -774,7 +774,7 @@ fn the_limit_between_sticking_and_slipping_is_a_corner() {
             Verdict::Corner,
             "{}: {:?}",
             row.of.name(),
-            row.first.best
+            row.first.best_difference
         );
         let [below, above] = row.first.sides.unwrap().map(Option::unwrap);
         // a higher friction limit changes nothing while the ball sticks

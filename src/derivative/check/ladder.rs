@@ -158,7 +158,7 @@ impl Ladder {
                 .fold(0.0_f64, |most, value| most.max(value.abs()));
             // both differences have the rounding of two values: the central difference divides it
             // by two steps, a one-sided difference by one step
-            let share = 2.0 / f64::from(side.power());
+            let share = if side == Side::Both { 1.0 } else { 2.0 };
             Some(DifferenceQuotient {
                 step: rung.step,
                 value,

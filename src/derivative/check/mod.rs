@@ -33,7 +33,7 @@ pub use estimate::{DerivativeEstimate, Side};
 pub use ladder::{FEW_STEPS, Ladder, Rung, STEPS};
 pub(crate) use remainder::line_slope;
 pub use remainder::taylor_slopes;
-pub use verdict::{BAR, Check, Curve, CurvePoint, Demand, NEXT_TO_NOTHING, Verdict};
+pub use verdict::{Check, Curve, CurvePoint, Demand, NEGLIGIBLE, TOLERANCE_FACTOR, Verdict};
 
 use super::Taylor;
 

@@ -32,11 +32,11 @@ impl Verdict {
 
 /// Tolerance of a derivative, as a multiple of the error estimate of the differences. The estimates
 /// are rough: a few of ten thousand correct derivatives deviate by more than four estimates.
-pub const BAR: f64 = 5.0;
+pub const TOLERANCE_FACTOR: f64 = 5.0;
 
 /// Threshold for negligible derivatives: such a derivative changes the function by less than this
 /// fraction of its size if the variable changes by its whole scale.
-pub const NEXT_TO_NOTHING: f64 = 1e-2;
+pub const NEGLIGIBLE: f64 = 1e-2;
 
 /// Required accuracy of differences.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,24 +44,24 @@ pub struct Demand {
     /// Smallest tolerance, relative to the derivative (or to the size below which the derivative is
     /// negligible). Jumps of higher derivatives, for example where the number of steps of a flight
     /// changes, disturb differences by more than the error estimate.
-    pub least_bar: f64,
+    pub least_tolerance: f64,
     /// Relative error that differences must resolve. For a negligible derivative
-    /// ([`NEXT_TO_NOTHING`]) the error is relative to the size below which a derivative is
+    /// ([`NEGLIGIBLE`]) the error is relative to the size below which a derivative is
     /// negligible.
-    pub seen: Option<f64>,
+    pub resolution: Option<f64>,
 }
 
 impl Demand {
     /// For differences of values. They detect a relative error of 1e-6, which is 100 times the
     /// smallest tolerance.
     pub const FIRST: Self = Self {
-        least_bar: 1e-8,
-        seen: Some(1e-6),
+        least_tolerance: 1e-8,
+        resolution: Some(1e-6),
     };
     /// For differences of gradients, whose derivative may jump: no required resolution.
     pub const SECOND: Self = Self {
-        least_bar: 1e-7,
-        seen: None,
+        least_tolerance: 1e-7,
+        resolution: None,
     };
 }
 
@@ -113,18 +113,18 @@ pub struct Check {
     pub exact: f64,
     /// The best numerical derivative, SI.
     // `None` if there are too few values for any side
-    #[serde(rename = "best_difference", serialize_with = "crate::json::number")]
+    #[serde(serialize_with = "crate::json::number")]
     #[cfg_attr(test, schemars(with = "JsonNumber"))]
-    pub best: Option<DerivativeEstimate>,
+    pub best_difference: Option<DerivativeEstimate>,
     /// The absolute difference between `exact` and `best_difference`, SI.
     #[serde(serialize_with = "crate::json::number")]
     #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub error: f64,
     /// The largest allowed difference, SI.
-    // [`BAR`] times the error estimate of the differences, at least [`Demand::least_bar`]
-    #[serde(rename = "tolerance", serialize_with = "crate::json::number")]
+    // [`TOLERANCE_FACTOR`] times the error estimate of the differences, at least [`Demand::least_tolerance`]
+    #[serde(serialize_with = "crate::json::number")]
     #[cfg_attr(test, schemars(with = "JsonNumber"))]
-    pub bar: f64,
+    pub tolerance: f64,
     /// The one-sided derivatives below and above a corner, SI; `null` without a corner. One of the
     /// two derivatives is `null` if its side is outside of the parameter's range.
     pub sides: Option<[Option<f64>; 2]>,
@@ -167,32 +167,37 @@ impl Ladder {
         };
         let curve = self.rungs.iter().filter_map(plain).collect();
         let sides = self.corner();
-        let worth = exact.abs().max(self.next_to_nothing());
-        let least = demand.least_bar * worth + OWN_ROUNDING * self.rounded / self.scale;
-        let bar_of = |best: &DerivativeEstimate| least.max(BAR * best.uncertainty);
-        let is_seen = |bar: f64| demand.seen.is_none_or(|seen| bar <= seen * worth);
+        let size = exact.abs().max(self.negligible_size());
+        let least = demand.least_tolerance * size + OWN_ROUNDING * self.rounded / self.scale;
+        let tolerance_of =
+            |found: &DerivativeEstimate| least.max(TOLERANCE_FACTOR * found.uncertainty);
+        let is_resolved = |tolerance: f64| {
+            demand
+                .resolution
+                .is_none_or(|resolution| tolerance <= resolution * size)
+        };
         // one-sided differences apply where the derivative itself has a kink
-        let estimates =
-            [Side::Both, Side::Above, Side::Below].map(|side| self.slope(side, least / BAR));
+        let estimates = [Side::Both, Side::Above, Side::Below]
+            .map(|side| self.slope(side, least / TOLERANCE_FACTOR));
         let estimates = || estimates.iter().flatten().copied();
-        let best = estimates()
-            .find(|best| is_seen(bar_of(best)))
+        let best_difference = estimates()
+            .find(|found| is_resolved(tolerance_of(found)))
             .or_else(|| estimates().min_by(|a, b| a.uncertainty.total_cmp(&b.uncertainty)));
-        let error = best.map_or(f64::INFINITY, |best| (exact - best.value).abs());
-        let bar = best.as_ref().map_or(0.0, bar_of);
+        let error = best_difference.map_or(f64::INFINITY, |found| (exact - found.value).abs());
+        let tolerance = best_difference.as_ref().map_or(0.0, tolerance_of);
         let verdict = if sides.is_some() {
             Verdict::Corner
-        } else if error <= bar && is_seen(bar) {
+        } else if error <= tolerance && is_resolved(tolerance) {
             Verdict::Pass
         } else {
             Verdict::Fail
         };
         Check {
             exact,
-            best,
+            best_difference,
             sides,
             error,
-            bar,
+            tolerance,
             verdict,
             curve,
         }
@@ -217,8 +222,8 @@ impl Ladder {
     }
 
     /// Size below which a derivative is negligible.
-    pub fn next_to_nothing(&self) -> f64 {
-        NEXT_TO_NOTHING * self.size / self.scale
+    pub fn negligible_size(&self) -> f64 {
+        NEGLIGIBLE * self.size / self.scale
     }
 
     /// One-sided derivatives (below, above) at a corner; `None` without a corner. At a corner their
@@ -230,9 +235,9 @@ impl Ladder {
         let distance = (above.value - below.value).abs();
         let size = above.value.abs().max(below.value.abs());
         let rounding = rounding_of(self.rounded) / (LEAST_STEP * self.scale);
-        let bar = (10.0 * (above.uncertainty + below.uncertainty))
+        let limit = (10.0 * (above.uncertainty + below.uncertainty))
             .max(1e-4 * size)
             .max(rounding);
-        (distance > bar).then_some([Some(below.value), Some(above.value)])
+        (distance > limit).then_some([Some(below.value), Some(above.value)])
     }
 }

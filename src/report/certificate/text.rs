@@ -155,7 +155,7 @@ fn failure_of_second(row: &DerivativeRow) -> Option<String> {
         row.parameter.name,
         significant(second.exact, 8),
         second.error,
-        second.bar,
+        second.tolerance,
     ))
 }
 
@@ -241,7 +241,7 @@ pub(super) fn rows_table(rows: &[DerivativeRow]) -> DocumentTable {
             },
             significant(exact, 8),
             relative(check.error),
-            relative(check.bar),
+            relative(check.tolerance),
             relative(row.num_dual.difference),
             slopes.join(" "),
         ]
@@ -266,7 +266,7 @@ fn landing(certificate: &Certificate) -> Option<String> {
             let [a, b] = [a, b].map(|row| {
                 (
                     row.check.verdict != Verdict::Pass,
-                    row.check.error / row.check.bar.max(f64::MIN_POSITIVE),
+                    row.check.error / row.check.tolerance.max(f64::MIN_POSITIVE),
                 )
             });
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
@@ -291,7 +291,7 @@ fn landing(certificate: &Certificate) -> Option<String> {
         worst.of.name(),
         worst.parameter.name,
         worst.check.error,
-        worst.check.bar,
+        worst.check.tolerance,
     ))
 }
 

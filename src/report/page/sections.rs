@@ -209,7 +209,7 @@ pub(super) fn verdicts(rows: &[DerivativeRow]) -> Markup {
                         td.number { (label(EXACT)) (typeset(&significant(settled(row), 10))) }
                         td.number {
                             (label(NUMERICAL))
-                            (row.first.best.map_or(shown::NONE.into(), |best| typeset(&significant(best.value, 10))))
+                            (row.first.best_difference.map_or(shown::NONE.into(), |found| typeset(&significant(found.value, 10))))
                         }
                         td.number { (label("difference")) (typeset(&format!("{:.1e}", row.first.error))) }
                         td { (label("verdict")) (row.verdict().name()) }

@@ -42,7 +42,7 @@ impl Agreement {
     /// Compares `jet`, a derivative computed with jets, with the derivative computed with num-dual.
     /// `ladder` has the sizes from which the rounding error follows.
     pub fn new(jet: f64, num_dual: f64, ladder: &Ladder) -> Self {
-        let size = num_dual.abs().max(ladder.next_to_nothing());
+        let size = num_dual.abs().max(ladder.negligible_size());
         let tolerance = RELATIVE * size + ROUNDING * ladder.rounded / ladder.scale;
         let difference = (jet - num_dual).abs();
         Self {

@@ -1,7 +1,7 @@
 use super::order::{Errors, MEASURED, MeasuredOrder, measure, measure_largest};
 use super::scale::{scale, size};
 use crate::aerodynamics::AerodynamicLaw;
-use crate::derivative::check::{NEXT_TO_NOTHING, Verdict};
+use crate::derivative::check::{NEGLIGIBLE, Verdict};
 use crate::derivative::{Taylor, jacobian};
 use crate::drive::{ComputedFrom, Drive, Outcome};
 use crate::error::Result;
@@ -302,7 +302,7 @@ fn errors(found: &Taylor, reference: &Taylor, size: f64, scales: &[f64]) -> [Vec
         .iter()
         .zip(scales)
         .map(|(d, scale)| (d * scale).abs());
-    let steepness = entries.fold(NEXT_TO_NOTHING * size, f64::max);
+    let steepness = entries.fold(NEGLIGIBLE * size, f64::max);
     let off = found.gradient.iter().zip(&reference.gradient).zip(scales);
     let of_gradient =
         off.map(|((found, reference), scale)| (found - reference) * scale / steepness);

@@ -118,5 +118,5 @@ fn wrong(error: PlantedError, row: &DerivativeRow, landing: Option<&LandingTerms
             (term, exact - term)
         }
     };
-    Some(wrong).filter(|_| size.abs() >= row.ladder.next_to_nothing())
+    Some(wrong).filter(|_| size.abs() >= row.ladder.negligible_size())
 }

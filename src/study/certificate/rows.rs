@@ -54,12 +54,14 @@ impl DerivativeRow {
 
     /// Error divided by tolerance: above 1 the derivative is wrong.
     pub fn severity(&self) -> f64 {
-        let bars = |error: f64, bar: f64| if error == 0.0 { 0.0 } else { error / bar };
-        let of = |check: &Check| bars(check.error, check.bar);
+        let ratio = |error: f64, tolerance: f64| {
+            if error == 0.0 { 0.0 } else { error / tolerance }
+        };
+        let of = |check: &Check| ratio(check.error, check.tolerance);
         let of_second = self.second.as_ref().map_or(0.0, of);
         of(&self.first)
             .max(of_second)
-            .max(bars(self.num_dual.difference, self.num_dual.tolerance))
+            .max(ratio(self.num_dual.difference, self.num_dual.tolerance))
     }
 }
 
@@ -72,7 +74,7 @@ pub(super) fn demand(setup: &Setup<f64>) -> Demand {
         setup.wind.roughness.is_some() || setup.law.properties().continuous_derivatives.is_some();
     if is_rough {
         Demand {
-            least_bar: 1e-7,
+            least_tolerance: 1e-7,
             ..Demand::FIRST
         }
     } else {
