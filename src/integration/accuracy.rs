@@ -3,7 +3,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::sobol;
 use crate::parameters::{Method, Setup, Vary};
-use crate::units::Quantity;
+use crate::units::{Quantity, significant};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Integration method and step that meet a tolerance on lengths.
@@ -26,7 +26,7 @@ pub struct Accuracy {
 impl Accuracy {
     /// The setup with this method and step.
     pub fn applied_to(&self, setup: &Setup<f64>) -> Setup<f64> {
-        integrated(setup, self.step)
+        with_method_and_step(setup, self.step)
     }
 }
 
@@ -53,6 +53,9 @@ const COMBINED: usize = 4;
 /// Number of steps tested per drive: the step itself and slightly shorter steps. The error depends
 /// on the position of the landing within the last step.
 const PHASES: u32 = 8;
+/// Difference of two of these steps, as a fraction of the step: the steps of the phases are at most a
+/// quarter shorter.
+const PHASE_DIFFERENCE: f64 = 0.035;
 /// Threshold for errors, m. Smaller errors are rounding (for example in a flight almost without
 /// air).
 const ROUNDING: f64 = 1e-12;
@@ -113,18 +116,26 @@ pub(super) fn accuracy_until(
         }
         step *= 0.5_f64.powf(0.25);
     }
-    let drive = worst.map_or_else(String::new, |missed| sample.describe(missed));
-    let reason = format!(
-        "{drive} with method {} in steps of 4 ms; give a larger tolerance, or set flight.method and \
-         flight.step",
-        METHOD.name()
-    );
+    let failed = worst.map_or_else(String::new, |failing| sample.describe(failing));
+    let reason = format!("{failed}; give a larger tolerance, or set flight.method and flight.step");
     Err(Error::Tolerance { tolerance, reason })
 }
 
-/// A drive for which a step fails: its row, and the failing outcome with its error in m, or `None`
-/// if the drive does not land.
-type FailingDrive = (usize, Option<(Outcome, f64)>);
+/// A drive for which a step fails.
+struct FailingDrive {
+    /// The step, s.
+    step: f64,
+    row: usize,
+    /// The outcome whose error is too large; `None` if the drive does not land.
+    missed: Option<MissedTolerance>,
+}
+
+/// An outcome whose error exceeds the limit.
+struct MissedTolerance {
+    of: Outcome,
+    /// The error, m.
+    error: f64,
+}
 
 /// The compared drives with their reference flights.
 struct TestedDrives<'s> {
@@ -180,7 +191,12 @@ impl<'s> TestedDrives<'s> {
         let mut points = points(setup, ranges);
         let further = points.split_off(points.len().min(FIRST * parameters.len()));
         let reference = REFERENCE * LONGEST_STEP;
-        let batch = Batch::new(&integrated(setup, reference), &parameters, &lengths, &[])?;
+        let batch = Batch::new(
+            &with_method_and_step(setup, reference),
+            &parameters,
+            &lengths,
+            &[],
+        )?;
         let exact = flown(&batch, points.clone(), stop)?;
         Ok(Self {
             batch,
@@ -234,6 +250,7 @@ impl<'s> TestedDrives<'s> {
             drives: self.exact.defects().count(),
             largest_defect: ROUNDING,
         };
+        let failing = |row, missed| FailingDrive { step, row, missed };
         let with = |status| (0..self.exact.rows()).find(|&row| self.exact.status(row) == status);
         match (with(Status::Landed), with(Status::Diverged)) {
             // a drive not tested yet may land
@@ -244,22 +261,22 @@ impl<'s> TestedDrives<'s> {
                 });
             }
             // a shorter step may succeed
-            (None, Some(row)) => return Ok(Err((row, None))),
+            (None, Some(row)) => return Ok(Err(failing(row, None))),
             _ => {}
         }
         for phase in 0..PHASES {
-            let flown = self.flown(step * (1.0 - 0.035 * f64::from(phase)))?;
+            let flown = self.flown(step * (1.0 - PHASE_DIFFERENCE * f64::from(phase)))?;
             for row in (0..flown.rows()).filter(|&row| self.exact.status(row) == Status::Landed) {
                 for (i, of) in self.batch.outcomes().iter().enumerate() {
                     let (exact, flown) = match (self.exact.outcome(row, i), flown.outcome(row, i)) {
                         (Some(exact), Some(flown)) => (exact, flown),
                         // the ball lands but does not come to rest, so this outcome does not exist
                         (None, None) if of.needs_run() => continue,
-                        _ => return Ok(Err((row, None))),
+                        _ => return Ok(Err(failing(row, None))),
                     };
                     let error = (flown - exact).abs();
                     if error > limit {
-                        return Ok(Err((row, Some((*of, error)))));
+                        return Ok(Err(failing(row, Some(MissedTolerance { of: *of, error }))));
                     }
                     found.error = found.error.max(error);
                 }
@@ -272,8 +289,9 @@ impl<'s> TestedDrives<'s> {
     }
 
     /// Describes a failing drive.
-    fn describe(&self, (row, off): FailingDrive) -> String {
-        let values = self.batch.parameters().iter().zip(self.exact.point(row));
+    fn describe(&self, failing: FailingDrive) -> String {
+        let point = self.exact.point(failing.row);
+        let values = self.batch.parameters().iter().zip(point);
         let values = values.map(|(parameter, value)| {
             format!("{} = {}", parameter.name, parameter.show(Some(*value)))
         });
@@ -281,10 +299,17 @@ impl<'s> TestedDrives<'s> {
             1 => "the drive".into(),
             _ => format!("the drive with {}", values.collect::<Vec<_>>().join(", ")),
         };
-        match off {
-            Some((of, error)) => format!("{} of {drive} is off by {error:.1e} m", of.name()),
+        let failed = match failing.missed {
+            Some(MissedTolerance { of, error }) => {
+                format!("{} of {drive} is off by {error:.1e} m", of.name())
+            }
             None => format!("{drive} diverges"),
-        }
+        };
+        format!(
+            "{failed} with method {} in steps of {} ms",
+            METHOD.name(),
+            significant(1e3 * failing.step, 1)
+        )
     }
 }
 
@@ -297,7 +322,8 @@ fn flown(batch: &Batch, points: Vec<f64>, stop: &AtomicBool) -> Result<Block> {
         .ok_or(Error::Stopped)
 }
 
-fn integrated(setup: &Setup<f64>, step: f64) -> Setup<f64> {
+/// The setup with the method [`METHOD`] and this step.
+fn with_method_and_step(setup: &Setup<f64>, step: f64) -> Setup<f64> {
     let mut setup = Setup {
         method: METHOD,
         ..*setup
