@@ -128,7 +128,7 @@ pub enum Error {
     Nothing {
         /// The operation: "vary", "differentiate by".
         doing: &'static str,
-        /// The kind of name that does not exist: "parameter", "outcome".
+        /// The kind of the missing name: "parameter", "outcome".
         what: &'static str,
     },
     /// A setup file that cannot be opened or read.
@@ -258,7 +258,7 @@ pub enum Error {
         /// Advice.
         advice: String,
     },
-    /// A table of points that cannot be read.
+    /// A table that cannot be read.
     #[error("{file}{place}: {reason}")]
     Table {
         /// The file.
@@ -405,9 +405,9 @@ impl Error {
         }
     }
 
-    /// True if the input is valid but has no result (a drive that does not fly, a flight that
+    /// True if the input is valid, but has no result (a drive that does not fly, a flight that
     /// diverges, an angle without direction).
-    pub fn is_an_outcome(&self) -> bool {
+    pub fn has_valid_input(&self) -> bool {
         self.status() != "error"
     }
 

@@ -43,7 +43,7 @@ impl From<Failure> for PyErr {
             Failure::Python(error) => half_a_character(error),
             Failure::Input(message) => raised("InputError", message, None),
             Failure::Key(message) => raised("UnknownKeyError", message, None),
-            Failure::Longdrive(error) if error.is_an_outcome() => {
+            Failure::Longdrive(error) if error.has_valid_input() => {
                 raised("NoAnswerError", error.to_string(), Some(error.status()))
             }
             Failure::Longdrive(error) => raised("InputError", error.to_string(), None),

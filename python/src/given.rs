@@ -3,7 +3,9 @@
 
 use crate::boundary::{Answer, Failure, kind_of, shown, text_of};
 use longdrive::Setup;
-use longdrive::parameters::{GOLFER, Kind, LAW, Law, METHOD, SPEED_OF, TABLE, TURF, UNSET};
+use longdrive::parameters::{
+    GOLFER, Kind, LAW, Law, METHOD, SPEED_OF, SettingText, TABLE, TURF, UNSET,
+};
 use longdrive::units::Quantity;
 use pyo3::exceptions::PyOverflowError;
 use pyo3::prelude::*;
@@ -285,7 +287,11 @@ pub fn apply(
     let settings: Vec<_> = given
         .iter()
         .zip(&texts)
-        .map(|(given, (text, bare))| (given.name.as_str(), text.as_str(), *bare))
+        .map(|(given, (text, is_bare))| SettingText {
+            name: &given.name,
+            text,
+            is_bare: *is_bare,
+        })
         .collect();
     setup.set_each(&settings)?;
     Ok(bare_angles)

@@ -7,6 +7,7 @@ use longdrive::atmosphere::in_effect;
 use longdrive::integration::{Integration, StepChoice};
 use longdrive::parameters::{
     DEFAULT_PRESET, GOLFER, LAW, Law, METHOD, Parameter, SPEED_OF, SetupFile, TABLE, TURF,
+    is_of_step,
 };
 use longdrive::report::{ChangedSetting, changes, setup_toml};
 use longdrive::units::System;
@@ -387,10 +388,6 @@ fn not_a_preset(name: &str, error: longdrive::Error) -> Failure {
         ));
     }
     error.into()
-}
-
-fn is_of_step(name: &str) -> bool {
-    matches!(name, METHOD | "flight.step")
 }
 
 fn escaped(text: &str) -> String {

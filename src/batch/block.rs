@@ -47,7 +47,8 @@ pub struct StatusCounts {
     /// Number of landed drives beyond each validity limit, in this order: launch outside the ranges
     /// that the law was fitted to, strike outside the largest face that the Rules of Golf allow,
     /// and landing flatter than any measured bounce.
-    beyond: [u64; 3],
+    #[serde(rename = "beyond")]
+    exceeded: [u64; 3],
 }
 
 impl StatusCounts {
@@ -57,11 +58,11 @@ impl StatusCounts {
             let drives = block.status.iter().filter(|own| **own == status).count();
             *self.statuses.entry(status).or_default() += drives as u64;
         }
-        for (status, limits) in block.status.iter().zip(&block.beyond) {
+        for (status, limits) in block.status.iter().zip(&block.exceeded) {
             if *status == Status::Landed {
-                self.beyond[0] += u64::from(limits.law);
-                self.beyond[1] += u64::from(limits.face);
-                self.beyond[2] += u64::from(limits.flat);
+                self.exceeded[0] += u64::from(limits.law);
+                self.exceeded[1] += u64::from(limits.face);
+                self.exceeded[2] += u64::from(limits.flat);
             }
         }
     }
@@ -71,14 +72,14 @@ impl StatusCounts {
         for (status, count) in &other.statuses {
             *self.statuses.entry(*status).or_default() += count;
         }
-        for (ours, theirs) in self.beyond.iter_mut().zip(other.beyond) {
+        for (ours, theirs) in self.exceeded.iter_mut().zip(other.exceeded) {
             *ours += theirs;
         }
     }
 
     /// Number of landed drives, and number of those that exceed each validity limit.
     pub fn exceeded(&self) -> ExceededCount {
-        let [law, face, flat] = self.beyond;
+        let [law, face, flat] = self.exceeded;
         ExceededCount {
             all: self.count(Status::Landed),
             law,
@@ -143,7 +144,7 @@ pub struct Block {
     pub(super) parameters: usize,
     pub(super) status: Vec<Status>,
     /// Validity limits that each landed drive exceeds.
-    pub(super) beyond: Vec<ExceededLimits>,
+    pub(super) exceeded: Vec<ExceededLimits>,
     /// Defect of the integration of each landed drive, m (docs/model.md, eq. 16a).
     pub(super) defect: Vec<f64>,
     /// A column for each outcome; a number that is not finite marks a missing value.
@@ -181,8 +182,8 @@ impl Block {
 
     /// Validity limits of the model that a landed drive exceeds. The ranges of the law are checked
     /// at launch only.
-    pub fn beyond(&self, row: usize) -> ExceededLimits {
-        self.beyond[row]
+    pub fn exceeded(&self, row: usize) -> ExceededLimits {
+        self.exceeded[row]
     }
 
     /// Defects of the integration of all landed drives, m (docs/model.md, eq. 16a).

@@ -11,6 +11,10 @@ use crate::number::MOST_PER_LANE;
 use crate::parameters::{Parameter, Setup};
 use std::sync::atomic::AtomicBool;
 
+/// Largest number of parameters of differentiation for lane batches. With more, a single drive fills
+/// the four lanes of AVX2, the widest level of a single drive.
+const MOST_IN_LANES: usize = 4 * MOST_PER_LANE;
+
 impl Batch {
     /// Computes the drives of `points`, given row by row.
     ///
@@ -44,7 +48,7 @@ impl Batch {
             first_row,
             parameters: self.parameters.len(),
             status: vec![Status::OutOfRange; rows],
-            beyond: vec![ExceededLimits::default(); rows],
+            exceeded: vec![ExceededLimits::default(); rows],
             defect: vec![0.0; rows],
             outcomes: empty(self.of.len()),
             derivatives: empty(self.of.len() * self.wrt.len()),
@@ -75,7 +79,7 @@ impl Batch {
     /// tensor must be checked in each row; or if there are so many parameters of differentiation
     /// that a single drive fills the lanes.
     fn evaluate_in_lanes(&self, block: &mut Block, stop: &AtomicBool) -> Vec<usize> {
-        if self.wrt.len() > 4 * MOST_PER_LANE
+        if self.wrt.len() > MOST_IN_LANES
             || self
                 .parameters
                 .iter()
@@ -131,7 +135,7 @@ impl Batch {
             Flight::None(NoFlight::Aloft { .. }) => Status::Aloft,
             Flight::None(_) => Status::NoFlight,
         };
-        block.beyond[row] = drive.exceeded_limits(setup, CheckScope::Launch, &self.of);
+        block.exceeded[row] = drive.exceeded_limits(setup, CheckScope::Launch, &self.of);
         for (outcome, column) in self.of.iter().zip(&mut block.outcomes) {
             column[row] = outcome.value(&drive).unwrap_or(f64::NAN);
         }

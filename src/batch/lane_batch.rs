@@ -110,7 +110,7 @@ impl OverNumbers for LaneBatch<'_> {
                 let value = inlined!(|number: J| number.lane(lane).re());
                 self.block.status[row] = Status::Landed;
                 self.block.defect[row] = ended.landed.defect.map_or(0.0, value);
-                self.block.beyond[row] = flown.exceeded_limits(lane, &fitted, has_run);
+                self.block.exceeded[row] = flown.exceeded_limits(lane, &fitted, has_run);
                 let drive = flown.outcome_inputs(lane);
                 for (i, outcome) in batch.of.iter().enumerate() {
                     self.write(row, i, outcome.evaluate(&drive));

@@ -73,7 +73,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let chart = follow(&setup, &search, along, &at, &stop);
     interrupt::ends();
     let chart = match chart {
-        Err(error) if error.is_an_outcome() => {
+        Err(error) if error.has_valid_input() => {
             note_error(&error);
             let none = Chart {
                 along,

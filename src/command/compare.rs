@@ -63,7 +63,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     for (of, difference) in of.into_iter().zip(found) {
         match difference {
             // report the other outcomes if one has no value (no landing, no direction)
-            Err(error) if error.is_an_outcome() => {
+            Err(error) if error.has_valid_input() => {
                 is_complete = false;
                 note_error(&error);
                 each.push((of, Err(error)));

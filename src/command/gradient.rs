@@ -76,7 +76,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     });
     let each: Vec<Result<Taylor>> = match evaluated {
         // report the other outcomes if one has no value (no landing, no direction)
-        Err(error) if error.is_an_outcome() => {
+        Err(error) if error.has_valid_input() => {
             of.iter().map(|of| one(&setup, *of, &wrt, order)).collect()
         }
         evaluated => evaluated?.into_iter().map(Ok).collect(),

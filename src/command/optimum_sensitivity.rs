@@ -74,7 +74,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let (mut analysis, mut reason) = (None, None);
     if optima.stopped() == 0 {
         match analyse(best, &requested, &integrated) {
-            Err(error) if error.is_an_outcome() => {
+            Err(error) if error.has_valid_input() => {
                 note_error(&error);
                 reason = Some(error);
             }

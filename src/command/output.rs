@@ -225,7 +225,7 @@ pub fn complain(error: &Error, command: &'static str, is_json: bool) -> u8 {
             error.to_string(),
         ));
     }
-    if error.is_an_outcome() { 1 } else { 2 }
+    if error.has_valid_input() { 1 } else { 2 }
 }
 
 /// Reports an error in the arguments, or shows the help.

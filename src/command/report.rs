@@ -483,7 +483,7 @@ fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<
 fn or_remark<T>(part: Result<T>, remarks: &mut Vec<Message>) -> Result<Option<T>> {
     match part {
         Ok(part) => Ok(Some(part)),
-        Err(error) if error.is_an_outcome() => {
+        Err(error) if error.has_valid_input() => {
             let remark = error.message();
             if !remarks.contains(&remark) {
                 remarks.push(remark);

@@ -18,7 +18,7 @@ pub(crate) const LAPSE_RATE: f64 = 0.0065;
 /// Two sets of parameters that describe the same quantity: if a parameter of `by` is set, the
 /// parameters of `replaced` follow from `by`.
 #[derive(Debug, PartialEq)]
-pub struct Ways {
+pub struct Alternatives {
     /// Name of the described quantity: `air`, `wind`.
     pub name: &'static str,
     by: &'static [&'static str],
@@ -26,8 +26,8 @@ pub struct Ways {
     rule: &'static str,
 }
 
-static WAYS: [Ways; 2] = [
-    Ways {
+static ALTERNATIVES: [Alternatives; 2] = [
+    Alternatives {
         name: "air",
         by: &[
             "air.temperature",
@@ -39,7 +39,7 @@ static WAYS: [Ways; 2] = [
         rule: "density and viscosity follow from the weather (air.temperature, air.pressure, \
                air.altitude, air.humidity)",
     },
-    Ways {
+    Alternatives {
         name: "wind",
         by: &["wind.speed", "wind.from"],
         replaced: &["wind.right", "wind.downrange"],
@@ -47,7 +47,7 @@ static WAYS: [Ways; 2] = [
     },
 ];
 
-impl Ways {
+impl Alternatives {
     /// True if a parameter is in `by` or in `replaced`.
     pub(crate) fn has(&self, parameter: &Parameter) -> bool {
         [self.by, self.replaced]
@@ -71,20 +71,21 @@ impl Ways {
 }
 
 /// The quantities that the two setups describe by different parameters.
-pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Ways> {
-    WAYS.iter()
-        .filter(|ways| ways.given_in(a) != ways.given_in(b))
+pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Alternatives> {
+    ALTERNATIVES
+        .iter()
+        .filter(|one| one.given_in(a) != one.given_in(b))
         .collect()
 }
 
-/// True if the parameter belongs to one of the [`Ways`], and both setups give the quantity of these
-/// ways by the same parameters with the same values.
+/// True if the parameter belongs to one of the [`Alternatives`], and both setups give the quantity of
+/// these alternatives by the same parameters with the same values.
 pub(crate) fn is_given_alike([a, b]: [&Setup<f64>; 2], parameter: &Parameter) -> bool {
-    let Some(ways) = WAYS.iter().find(|ways| ways.has(parameter)) else {
+    let Some(alternatives) = ALTERNATIVES.iter().find(|one| one.has(parameter)) else {
         return false;
     };
-    let given = ways.given_in(a);
-    given == ways.given_in(b) && given.into_iter().all(|row| a.value(row) == b.value(row))
+    let given = alternatives.given_in(a);
+    given == alternatives.given_in(b) && given.into_iter().all(|row| a.value(row) == b.value(row))
 }
 
 impl<T> Air<T> {
@@ -98,26 +99,29 @@ impl<T> Air<T> {
     }
 }
 
+/// The alternatives that may replace the parameter `name`.
+fn replacing(name: &str) -> Option<&'static Alternatives> {
+    ALTERNATIVES.iter().find(|one| one.replaced.contains(&name))
+}
+
 /// True if this text resets a replaceable parameter to its default: `air.density = "none"`.
 pub(crate) fn is_reset(name: &str, text: &str) -> bool {
-    is_unset(text) && WAYS.iter().any(|ways| ways.replaced.contains(&name))
+    is_unset(text) && replacing(name).is_some()
 }
 
 /// True if `other`, once set, determines the parameter `name`.
 #[cfg(feature = "commands")]
 pub(crate) fn follows_from(name: &str, other: &str) -> bool {
-    WAYS.iter()
-        .any(|ways| ways.replaced.contains(&name) && ways.by.contains(&other))
+    replacing(name).is_some_and(|alternatives| alternatives.by.contains(&other))
 }
 
 /// End of a sentence, which lists the parameters that may replace the parameter `name`; empty if
 /// none can replace it.
 pub(super) fn instead(name: &str) -> String {
-    let ways = WAYS.iter().find(|ways| ways.replaced.contains(&name));
-    ways.map_or_else(String::new, |ways| {
+    replacing(name).map_or_else(String::new, |alternatives| {
         format!(
             ", or also give the parameters that determine it: {}",
-            ways.rule
+            alternatives.rule
         )
     })
 }
@@ -129,12 +133,12 @@ pub(super) fn instead(name: &str) -> String {
 /// [`Error::Together`] for such a parameter, with advice how to unset the parameter that was given
 /// first.
 pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> Result<()> {
-    for Ways {
+    for Alternatives {
         by: by_all,
         replaced,
         rule,
         ..
-    } in &WAYS
+    } in &ALTERNATIVES
     {
         let Some(given) = replaced.iter().find(|name| names.contains(name)) else {
             continue;
@@ -255,13 +259,11 @@ impl Setup<f64> {
     /// Reason why the value of a parameter is not used: a set parameter replaces it. `None` if the
     /// value is used.
     pub fn why_replaced(&self, parameter: &Parameter) -> Option<String> {
-        let ways = WAYS
-            .iter()
-            .find(|ways| ways.replaced.contains(&parameter.name))?;
-        let by = ways.by.iter().find(|name| self.is_set(name))?;
+        let alternatives = replacing(parameter.name)?;
+        let by = alternatives.by.iter().find(|name| self.is_set(name))?;
         Some(format!(
             "{by} is given, and {}; name a parameter that determines it instead",
-            ways.rule
+            alternatives.rule
         ))
     }
 

@@ -33,6 +33,10 @@
 //!         &ROWS
 //!     }
 //!     fn defaults() -> Self { let [toe] = Self::rows(); Self { toe: value(toe) } }
+//!     fn value(&self, parameter: &Parameter) -> Option<f64> {
+//!         if parameter == toe { return Some(self.toe); }
+//!         None
+//!     }
 //! }
 //!
 //! impl<T: Copy> Strike<T> {

@@ -18,7 +18,7 @@ mod turf;
 mod vary;
 mod weights;
 
-pub use air::Ways;
+pub use air::Alternatives;
 #[cfg(feature = "reports")]
 pub(crate) use air::is_given_alike;
 pub(crate) use air::{
@@ -36,8 +36,9 @@ pub use law_table::{AxisVariable, LawTable, LawTableAxis, TABLE, TABLE_LAW};
 pub(crate) use law_table::{Cell, CoefficientGrid, Surface, cells_of};
 pub use presets::{DEFAULT_PRESET, PRESETS, Preset, PresetEntry};
 pub use range::Range;
+pub use setup::SettingText;
 pub(crate) use setup::{NO_CLUB, refuse_twice};
-pub(crate) use steps::is_of_step;
+pub use steps::is_of_step;
 pub(crate) use table::with_law;
 pub use table::{
     Aero, Air, Ball, BearmanHarvey, Club, Contact, Ferguson, FlightConditions, Ground, LAW,

@@ -18,6 +18,17 @@ pub(crate) const NO_CLUB: &str = "no club strikes the ball, since its launch is 
 
 const LISTING: &str = "`parameters()` lists them all";
 
+/// A setting as it was given: a parameter, or a choice such as the law, and the text of its value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SettingText<'a> {
+    /// Dotted name.
+    pub name: &'a str,
+    /// The value: `10.5 deg`, `none`.
+    pub text: &'a str,
+    /// True if a number without a unit is SI; otherwise a quantity with a dimension needs its unit.
+    pub is_bare: bool,
+}
+
 impl Parameter {
     /// Parses a value. With `bare`, a number without a unit is SI; otherwise a quantity with a
     /// dimension needs its unit. `none` unsets an optional parameter.
@@ -292,57 +303,58 @@ impl Setup<f64> {
         &mut self,
         settings: impl IntoIterator<Item = (&'a str, &'a str)> + Clone,
     ) -> Result<()> {
-        let settings: Vec<_> = settings
-            .into_iter()
-            .map(|(name, text)| (name, text, false))
-            .collect();
+        let setting = |(name, text)| SettingText {
+            name,
+            text,
+            is_bare: false,
+        };
+        let settings: Vec<_> = settings.into_iter().map(setting).collect();
         self.set_each(&settings)
     }
 
-    /// Like [`set_all`](Self::set_all), for triples of a name, a text, and true if a number without
-    /// a unit is SI.
+    /// Like [`set_all`](Self::set_all), for settings that may be numbers in SI.
     ///
     /// ```
     /// use longdrive::Setup;
+    /// use longdrive::parameters::SettingText;
     /// let mut setup = Setup::default();
-    /// setup.set_each(&[("club.loft", "0.2", true), ("swing.speed", "50 m/s", false)]).unwrap();
+    /// let loft = SettingText { name: "club.loft", text: "0.2", is_bare: true };
+    /// let speed = SettingText { name: "swing.speed", text: "50 m/s", is_bare: false };
+    /// setup.set_each(&[loft, speed]).unwrap();
     /// assert_eq!((setup.club.loft, setup.swing.speed), (0.2, 50.0));
     /// ```
     ///
     /// # Errors
     /// The errors of [`set`](Self::set).
-    pub fn set_each(&mut self, settings: &[(&str, &str, bool)]) -> Result<()> {
-        let of = |wanted: &'static str| settings.iter().filter(move |(name, ..)| *name == wanted);
-        for (name, text, bare) in of(TABLE) {
-            if let Some((_, law, _)) = of(LAW).find(|(_, law, _)| law.trim() != TABLE_LAW) {
-                return Err(table_beside(law.trim()));
+    pub fn set_each(&mut self, settings: &[SettingText<'_>]) -> Result<()> {
+        let of = |name: &'static str| settings.iter().filter(move |setting| setting.name == name);
+        for table in of(TABLE) {
+            if let Some(law) = of(LAW).find(|law| law.text.trim() != TABLE_LAW) {
+                return Err(table_beside(law.text.trim()));
             }
-            self.apply_text(name, text, *bare)?;
+            self.apply_setting(table)?;
         }
-        for (name, text, bare) in of(LAW).chain(of(TURF)) {
-            self.apply_text(name, text, *bare)?;
+        for setting in of(LAW).chain(of(TURF)) {
+            self.apply_setting(setting)?;
         }
-        refuse_idle_turf(|known| settings.iter().any(|(name, ..)| *name == known))?;
+        refuse_idle_turf(|known| settings.iter().any(|setting| setting.name == known))?;
+        let rest = settings
+            .iter()
+            .filter(|setting| ![LAW, TABLE, TURF].contains(&setting.name));
+        let (resets, values): (Vec<_>, Vec<_>) =
+            rest.partition(|setting| is_reset(setting.name, setting.text));
         // resets come last: a parameter can be reset only after the parameter that replaces it is
         // set
-        let is_reset = |(name, text, _): &&(&str, &str, bool)| is_reset(name, text);
-        let numbers = || {
-            settings
-                .iter()
-                .filter(|(name, ..)| ![LAW, TABLE, TURF].contains(name))
-        };
-        for (name, text, bare) in numbers()
-            .filter(|one| !is_reset(one))
-            .chain(numbers().filter(is_reset))
-        {
-            self.apply_text(name, text, *bare)?;
+        for setting in values.iter().chain(&resets) {
+            self.apply_setting(setting)?;
         }
-        let given = settings
-            .iter()
-            .filter(|one| !is_reset(one))
-            .map(|(name, ..)| *name);
+        let given = values.iter().map(|setting| setting.name);
         let given: Vec<&str> = given.filter(|name| self.is_set(name)).collect();
         self.refuse_replaced(&given)
+    }
+
+    fn apply_setting(&mut self, setting: &SettingText<'_>) -> Result<()> {
+        self.apply_text(setting.name, setting.text, setting.is_bare)
     }
 
     /// Changes the aerodynamic law, with the published coefficients. The law that is already set

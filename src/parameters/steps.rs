@@ -4,7 +4,7 @@ use super::table::FlightConditions;
 use crate::error::{Error, Result};
 
 /// True for `flight.method` and `flight.step`.
-pub(crate) fn is_of_step(name: &str) -> bool {
+pub fn is_of_step(name: &str) -> bool {
     matches!(name, METHOD | "flight.step")
 }
 

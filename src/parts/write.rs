@@ -115,7 +115,7 @@ impl Dataset {
             hash: Sha256::default(),
             bytes: 0,
             groups: vec![],
-            summary: self.summary_spec.none(),
+            summary: self.summary_spec.empty(),
         };
         let run = Run {
             first_row: rows.start,

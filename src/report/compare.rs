@@ -312,12 +312,13 @@ fn cell(cause: Cause, setup: &Setup<f64>, system: System) -> String {
         Cause::Law | Cause::Golfer | Cause::SpeedOf | Cause::Launch => {
             cause.choice_in(setup).into()
         }
-        Cause::Ways(ways) => {
+        Cause::Alternatives(alternatives) => {
             let line = |parameter: &&'static Parameter| {
                 let name = parameter.name.rsplit('.').next().unwrap_or(parameter.name);
                 format!("{name} {}", stated(parameter, setup, system))
             };
-            ways.given_in(setup)
+            alternatives
+                .given_in(setup)
                 .iter()
                 .map(line)
                 .collect::<Vec<_>>()

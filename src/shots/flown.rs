@@ -38,9 +38,9 @@ impl Flown {
     }
 
     /// Validity limits of the model that a landed drive exceeds.
-    pub fn beyond(&self, row: usize) -> ExceededLimits {
+    pub fn exceeded(&self, row: usize) -> ExceededLimits {
         self.flights[row]
-            .map(|flight| self.block.beyond(flight))
+            .map(|flight| self.block.exceeded(flight))
             .unwrap_or_default()
     }
 

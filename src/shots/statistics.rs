@@ -161,7 +161,7 @@ pub struct ShotStatistics {
     /// Number of rows with notes on assumed or unused values.
     pub noted: u64,
     /// Landed drives outside the validity limits of the model.
-    pub beyond: ExceededCount,
+    pub exceeded: ExceededCount,
     /// Number of landed drives whose spin ratio at launch is too large for a driver.
     pub lofted: u64,
     /// Predicted and measured values, for checks of units and signs.
@@ -200,7 +200,7 @@ impl ShotStatistics {
             spin_not_measured: 0,
             normalized: 0,
             noted: 0,
-            beyond: ExceededCount::default(),
+            exceeded: ExceededCount::default(),
             lofted: 0,
             unit_checks: UnitChecks::new(of.len()),
         }
@@ -230,7 +230,7 @@ impl ShotStatistics {
             }
             if flown.status(row) == Some(Status::Landed) {
                 self.flown += 1;
-                self.beyond.add(flown.beyond(row));
+                self.exceeded.add(flown.exceeded(row));
                 self.lofted += u64::from(shot.launch().is_some_and(is_lofted));
             }
             self.unit_checks.add(flown, row);
@@ -277,7 +277,7 @@ impl ShotStatistics {
         self.spin_not_measured += other.spin_not_measured;
         self.normalized += other.normalized;
         self.noted += other.noted;
-        self.beyond.merge(other.beyond);
+        self.exceeded.merge(other.exceeded);
         self.lofted += other.lofted;
         self.unit_checks.merge(other.unit_checks);
         for (name, shots) in &other.clubs {

@@ -113,7 +113,7 @@ impl SummarySpec {
     }
 
     /// Empty summary.
-    pub fn none(&self) -> Summary {
+    pub fn empty(&self) -> Summary {
         Summary {
             status_counts: StatusCounts::default(),
             moments: self
@@ -128,7 +128,7 @@ impl SummarySpec {
 
     /// Summary of a block.
     pub fn of(&self, block: &Block) -> Summary {
-        let mut summary = self.none();
+        let mut summary = self.empty();
         summary.status_counts.add(block);
         for (column, name) in self.columns.iter().enumerate() {
             summary

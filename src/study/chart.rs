@@ -401,7 +401,7 @@ impl Follower<'_> {
                     return Ok((first, Some(none.words(": ").message(why_none(&why)))));
                 }
                 Err(error) if self.observer.is_interrupted() => return Err(error),
-                Err(error) if error.is_an_outcome() => (why, without) = (why.or(Some(error)), at),
+                Err(error) if error.has_valid_input() => (why, without) = (why.or(Some(error)), at),
                 Err(error) => return Err(error),
             }
         }

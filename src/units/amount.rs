@@ -1,6 +1,6 @@
 use super::Quantity;
 use super::expression::read_unit;
-use super::symbols::{Dimension, SYMBOLS};
+use super::symbols::Dimension;
 
 /// A number that was given with any unit: its SI value and its dimension.
 #[derive(Clone, Copy, Debug)]
@@ -49,27 +49,5 @@ impl Amount {
             .iter()
             .copied()
             .find(|quantity| quantity.dimension == self.dimension)
-    }
-}
-
-impl Quantity {
-    /// The first of the usual units; empty for a plain number.
-    pub(crate) fn usual_unit(self) -> &'static str {
-        if self.si.is_empty() {
-            ""
-        } else {
-            self.usual.split(", ").next().unwrap_or_default()
-        }
-    }
-
-    /// The unit with this spelling, if it is a usual unit or a symbol of this quantity.
-    pub(crate) fn known_unit(self, written: &str) -> Option<&'static str> {
-        let symbols = SYMBOLS.iter().flat_map(|symbol| symbol.names).copied();
-        let known = self
-            .usual
-            .split(", ")
-            .chain(symbols)
-            .find(|unit| *unit == written)?;
-        self.size_of(known).map(|_| known)
     }
 }

@@ -366,6 +366,26 @@ impl Quantity {
             .map_or(value, |unit| unit.number(value))
     }
 
+    /// The first of the usual units; empty for a plain number.
+    pub(crate) fn usual_unit(self) -> &'static str {
+        if self.si.is_empty() {
+            ""
+        } else {
+            self.usual.split(", ").next().unwrap_or_default()
+        }
+    }
+
+    /// The unit with this spelling, if it is a usual unit or a symbol of this quantity.
+    pub(crate) fn known_unit(self, written: &str) -> Option<&'static str> {
+        let symbols = SYMBOLS.iter().flat_map(|symbol| symbol.names).copied();
+        let known = self
+            .usual
+            .split(", ")
+            .chain(symbols)
+            .find(|unit| *unit == written)?;
+        self.size_of(known).map(|_| known)
+    }
+
     /// The unit of this name, to convert many numbers; `None` for a unit of another quantity.
     pub(crate) fn unit_named(self, unit: &str) -> Option<Unit> {
         read_unit(unit).filter(|unit| unit.dimension == self.dimension)

@@ -44,13 +44,13 @@ pub(super) static SYMBOLS: LazyLock<Vec<Symbol>> = LazyLock::new(symbols);
 
 /// Minimum length of a name that may be in capitals. Shorter names differ by case: "Mm" and "mm",
 /// "MG" and "mg".
-const WITHOUT_PREFIX: usize = 3;
+const LEAST_LETTERS: usize = 3;
 
 /// The unit symbol with this name. A name of at least three letters may be in capitals ("MPH",
 /// "Yards").
 pub(super) fn symbol(name: &str) -> Option<&'static Symbol> {
     let exact = SYMBOLS.iter().find(|known| known.names.contains(&name));
-    let is_word = name.len() >= WITHOUT_PREFIX;
+    let is_word = name.len() >= LEAST_LETTERS;
     let is_meant = |known: &&Symbol| known.names.iter().any(|own| own.eq_ignore_ascii_case(name));
     exact.or_else(|| SYMBOLS.iter().filter(|_| is_word).find(is_meant))
 }

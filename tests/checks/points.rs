@@ -254,7 +254,7 @@ fn points_and_blocks_of_wrong_lengths_panic_with_both_lengths() {
     let beyond: [&dyn Fn() -> usize; 6] = [
         &|| block.status(1).name().len(),
         &|| block.point(1).len(),
-        &|| usize::from(block.beyond(1).law),
+        &|| usize::from(block.exceeded(1).law),
         &|| block.outcome(1, 0).iter().count(),
         &|| block.outcome(0, 1).iter().count(),
         &|| block.derivatives(1).count(),

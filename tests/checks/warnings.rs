@@ -406,7 +406,7 @@ fn exact_validity_limits_of_a_batch_by_their_definitions() {
                     }
                     _ => true,
                 };
-                let found = block.beyond(row);
+                let found = block.exceeded(row);
                 assert_eq!(
                     (found.law, found.face),
                     (!within, toe.abs() > 0.0635),

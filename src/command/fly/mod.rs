@@ -70,7 +70,7 @@ fn fly(args: &Args) -> Result<Answer> {
         refuse_no_rows(&tally, file)?;
         output.finish()?;
     }
-    warn(tally.beyond.warnings(
+    warn(tally.exceeded.warnings(
         &setup.law,
         ["shot that landed", "shots that landed"],
         CheckScope::Launch,

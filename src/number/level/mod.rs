@@ -95,8 +95,9 @@ impl Level {
         self.min(Self::Avx2)
     }
 
-    /// Runs a task of one drive at the lowest of this level, the widest level of this processor,
-    /// and AVX2. Plain numbers replace a level of another architecture.
+    /// Runs a task of one drive at the first, in the order of the variants, of this level, the widest
+    /// level of this processor, and AVX2. `Batch::with_level` refuses a level that this processor
+    /// does not have.
     #[inline]
     #[cfg_attr(
         target_arch = "x86_64",

@@ -21,7 +21,7 @@ pub(super) fn no_answer(what: &str, failed: &[(usize, Error)]) -> Error {
     let Some((_, first)) = failed.first() else {
         return Error::Calibration { reason };
     };
-    if failed.iter().any(|(_, error)| !error.is_an_outcome()) {
+    if failed.iter().any(|(_, error)| !error.has_valid_input()) {
         return Error::Calibration { reason };
     }
     let is_same = failed

@@ -368,7 +368,7 @@ fn present(
     for &one in of {
         match evaluate(setup, &[one], wrt, Order::First) {
             Ok(_) => present.push(one),
-            Err(error) if error.is_an_outcome() => {
+            Err(error) if error.has_valid_input() => {
                 let reason = error.message();
                 missing.push(Missing { of: one, reason });
                 first = first.or(Some(error));

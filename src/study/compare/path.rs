@@ -2,7 +2,9 @@ use crate::derivative::{Order, evaluate};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::json::{JsonNumber, by_name, number};
-use crate::parameters::{GOLFER, Kind, LAW, Parameter, SPEED_OF, Setup, Ways, given_otherwise};
+use crate::parameters::{
+    Alternatives, GOLFER, Kind, LAW, Parameter, SPEED_OF, Setup, given_otherwise,
+};
 use serde::{Serialize, Serializer};
 
 /// A difference between two setups.
@@ -21,7 +23,7 @@ pub enum Cause {
     /// The choice between a club strike and a given launch, with all parameters of both (discrete).
     Launch,
     /// Air or wind that the setups give by different parameters (discrete).
-    Ways(&'static Ways),
+    Alternatives(&'static Alternatives),
 }
 
 impl Cause {
@@ -33,7 +35,7 @@ impl Cause {
             Self::Golfer => GOLFER,
             Self::SpeedOf => SPEED_OF,
             Self::Launch => "launch",
-            Self::Ways(ways) => ways.name,
+            Self::Alternatives(alternatives) => alternatives.name,
         }
     }
 
@@ -65,8 +67,8 @@ impl Cause {
             Self::Law | Self::Golfer | Self::SpeedOf | Self::Launch => {
                 CauseValue::Choice(self.choice_in(setup))
             }
-            Self::Ways(ways) => {
-                let given = ways.given_in(setup).into_iter();
+            Self::Alternatives(alternatives) => {
+                let given = alternatives.given_in(setup).into_iter();
                 let numbers =
                     given.map(|parameter| (parameter.name, setup.value(parameter).into()));
                 CauseValue::Numbers(numbers.collect())
@@ -181,13 +183,13 @@ impl SetupPath {
             discrete.push(Cause::SpeedOf);
         }
         let otherwise = given_otherwise(&ends);
-        discrete.extend(otherwise.iter().map(|ways| Cause::Ways(ways)));
+        discrete.extend(otherwise.iter().map(|one| Cause::Alternatives(one)));
         let mut continuous = vec![];
         for parameter in ends[0].parameters() {
             let is_of_the_whole = (parameter.is_of_strike() && are_given.contains(&true))
                 || (parameter.is_of_launch() && differ_in_launch)
                 || (parameter.law.is_some() && differ_in_law)
-                || otherwise.iter().any(|ways| ways.has(parameter));
+                || otherwise.iter().any(|one| one.has(parameter));
             // if other parameters replace a parameter in one setup, they also replace it in the
             // other
             let is_replaced = ends[0].why_replaced(parameter).is_some();
@@ -275,11 +277,11 @@ impl SetupPath {
                 (setup.golfer, setup.speed_of) = (to.golfer, to.speed_of);
             }
             Cause::Continuous(parameter) | Cause::Discrete(parameter) => take(setup, to, parameter),
-            Cause::Ways(ways) => {
+            Cause::Alternatives(alternatives) => {
                 let of = setup
                     .parameters()
                     .into_iter()
-                    .filter(|parameter| ways.has(parameter));
+                    .filter(|parameter| alternatives.has(parameter));
                 of.for_each(|parameter| take(setup, to, parameter));
             }
         }

@@ -232,7 +232,7 @@ impl Derivatives<'_> {
         }
         match self.evaluated(of) {
             Ok(taylors) => Ok(taylors),
-            Err(error) if error.is_an_outcome() => {
+            Err(error) if error.has_valid_input() => {
                 Ok(of.iter().map(|of| self.one(*of, missing)).collect())
             }
             Err(error) => Err(self.checked.refused(&error)),

@@ -2,7 +2,7 @@
 
 use crate::refusal::Refusal;
 use crate::words::in_page_words;
-use longdrive::parameters::{DEFAULT_PRESET, SetupFile, UNSET, Vary};
+use longdrive::parameters::{DEFAULT_PRESET, SettingText, SetupFile, UNSET, Vary};
 use longdrive::units::{Message, System};
 use longdrive::{Error, Outcome, Setup};
 use serde::Deserialize;
@@ -82,7 +82,11 @@ impl SetupRequest {
         let settings = self.settings()?;
         let settings: Vec<_> = settings
             .iter()
-            .map(|setting| (setting.name, setting.text.as_str(), setting.is_bare))
+            .map(|setting| SettingText {
+                name: setting.name,
+                text: &setting.text,
+                is_bare: setting.is_bare,
+            })
             .collect();
         let mut setup = checked.setup;
         let applied = setup.set_each(&settings).and_then(|()| setup.validate());
