@@ -354,13 +354,16 @@ fn exact_heads_of_recovered_swings_have_units_unless_a_parameter_is_a_plain_numb
     let (file, table) = (at("shots.csv"), at("swings.csv"));
     std::fs::write(&file, shots(1, 2)).unwrap();
     let restitution = ["--vary", "impact.restitution=0.7..0.9"];
-    let unknowns = [&UNKNOWNS[..2], &restitution, &["--swings", &table]].concat();
-    let ran = longdrive(&[&["delivery", "--shots", &file], &unknowns[..]].concat());
+    let command = ["delivery", "--shots", &file, "--swings", &table];
+    let ran = longdrive(&[&command[..], &UNKNOWNS, &restitution].concat());
     assert_eq!(ran.status, 0, "{}", ran.err);
     let written = std::fs::read_to_string(&table).unwrap();
     assert_eq!(
         written.lines().next(),
-        Some("swing.speed [m/s],impact.restitution")
+        Some(
+            "swing.speed [m/s],swing.attack_angle [rad],swing.path [rad],swing.face_angle [rad],\
+             impact.restitution"
+        )
     );
 }
 
