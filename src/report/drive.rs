@@ -14,7 +14,7 @@ use serde::Serialize;
 
 /// Minimum uncertainty of the total, m. It covers the differences between grounds
 /// (docs/limitations.md).
-pub(super) const RUN_WITHIN: f64 = 10.0 * YARD;
+const RUN_WITHIN: f64 = 10.0 * YARD;
 
 /// A drive: setup, launch, head after impact and flight.
 #[derive(Clone, Debug, Serialize)]
@@ -297,10 +297,15 @@ fn on_the_run(rest: Option<&Rest<f64>>) -> Message {
     Message::from(parts).message(known_within())
 }
 
+/// The minimum uncertainty of a total.
+pub(super) fn run_within() -> Message {
+    Message::default().quantity(Quantity::LENGTH, "yd", RUN_WITHIN, Digits::Significant(2))
+}
+
 /// The uncertainty of a total, in words.
 pub fn known_within() -> Message {
     Message::from("total, run and lateral total are known within ")
-        .quantity(Quantity::LENGTH, "yd", RUN_WITHIN, Digits::Significant(2))
+        .message(run_within())
         .words(" at best, since no one has calibrated a ground (docs/limitations.md)")
 }
 

@@ -11,7 +11,7 @@ use crate::optimize::Status;
 use crate::parameters::SetupFile;
 use crate::study::Sense;
 use crate::study::swings::{ModelLimit, Robust};
-use crate::units::{System, counted};
+use crate::units::{System, counted, is_zero, leading_number};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -363,7 +363,8 @@ fn add_constraints(document: &mut Document, found: &Robust, system: System) {
 /// The text `price` if the bound or constraint is inactive for the robust design (`multipliers` are
 /// 0) but active at the optimum of a single model; otherwise `None`.
 fn of_the_bests(multipliers: [f64; 2], price: String) -> Option<String> {
-    Some(price).filter(|price| multipliers == [0.0; 2] && !price.starts_with("0 "))
+    let is_nonzero = !is_zero(leading_number(&price));
+    (multipliers == [0.0; 2] && is_nonzero).then_some(price)
 }
 
 /// The setup with the robust design as a setup file in TOML, with full precision. `file` is the

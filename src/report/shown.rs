@@ -134,6 +134,21 @@ pub(super) fn change(of: impl Into<DisplayUnit>, value: f64, system: System) -> 
     signed(value, spread(of, value, system))
 }
 
+/// The change of an outcome between two values, with its sign. It is the difference of the displayed
+/// values, so that the numbers of a text add up.
+pub(super) fn change_as_displayed(of: Outcome, from: f64, to: f64, system: System) -> String {
+    let unit = system.unit(of.unit());
+    let size = DisplayUnit::from(of).size_in(system);
+    let displayed = |value: f64| {
+        let text = of.quantity().read_off(value, unit);
+        leading_number(&text)
+            .parse::<f64>()
+            .map_or(value, |number| number * size)
+    };
+    let change = displayed(of.unwrap_angle(to, from)) - displayed(from);
+    signed(change, of.quantity().read_off(change, unit))
+}
+
 /// The change of a parameter along a direction, always with a sign: "+1.20 deg".
 pub(super) fn component(parameter: &Parameter, amount: f64, system: System) -> String {
     let sign = if amount < 0.0 { "-" } else { "+" };
@@ -403,7 +418,8 @@ pub(super) fn quotient(
 #[cfg(test)]
 mod tests {
     use super::{
-        Outcome, System, both, change, constraint, outcome, range, slope, spoken, within, words,
+        Outcome, System, both, change, change_as_displayed, constraint, outcome, range, slope,
+        spoken, within, words,
     };
     use crate::Setup;
     use crate::parameters::{Law, Vary};
@@ -517,6 +533,18 @@ mod tests {
                 expected
             );
         }
+    }
+
+    #[test]
+    fn exact_difference_of_displayed_values_and_of_directions_across_half_a_turn() {
+        let yards = |from: f64, to: f64| {
+            change_as_displayed(Outcome::Carry, from * 0.9144, to * 0.9144, System::Us)
+        };
+        assert_eq!(yards(285.96, 300.44), "+14.4 yd");
+        assert_eq!(yards(300.0, 299.96), "0.0 yd");
+        let [from, to] = [179.0_f64, -178.5].map(f64::to_radians);
+        let axis = change_as_displayed(Outcome::SpinAxis, from, to, System::Us);
+        assert_eq!(axis, "+2.5°");
     }
 
     #[test]

@@ -71,14 +71,15 @@ fn the_answer_is_the_first_thing_on_the_page() {
         [&yours["flight"]["carry"], &best["value"]].map(|value| number(value) / yard);
     // the printed line adds up
     let [yours, best_carry] = [yours, best_carry].map(|value| (10.0 * value).round() / 10.0);
+    let gain = format!("+{:.1} yd", best_carry - yours);
     let printed = words(answer(&page), "us");
     assert!(
-        printed.starts_with(&format!(
-            "Carry {yours:.1} → {best_carry:.1} yd: +{:.1} yd",
-            best_carry - yours
-        )),
+        printed.starts_with(&format!("Carry {yours:.1} → {best_carry:.1} yd: {gain}")),
         "{printed}"
     );
+    let text = longdrive(&["optimize"]).out;
+    let line = format!("carry {yours:.1} yd → {best_carry:.1} yd: {gain}; total");
+    assert!(text.contains(&line), "{text}");
     let gain = number(&best["multipliers"]["swing.attack_angle"]["upper"]).to_radians() / yard;
     assert!(
         printed.contains(&format!(
@@ -237,6 +238,29 @@ fn exact_zero_uncertainty_of_the_change_to_an_equal_drive() {
         1e-12,
         "the change",
     );
+}
+
+#[test]
+fn the_uncertainty_of_a_total_and_the_names_in_data_files_have_the_chosen_units() {
+    let folder = tempfile::tempdir().unwrap();
+    for (units, within, apex) in [("us", "10 yd", " yd"), ("metric", "9.1 m", " m")] {
+        let (_, page) = page(&folder, &["report", "--units", units]);
+        let text = words(&page, units);
+        for sentence in [
+            format!("A total is known to {within} at best."),
+            format!("which is known within {within} at best."),
+        ] {
+            assert!(text.contains(&sentence), "{units}: {sentence}");
+        }
+        let data = folder.path().join("page").join("trajectory-side.csv");
+        let data = std::fs::read_to_string(data).unwrap();
+        let mark = data.lines().find(|line| line.starts_with("mark,apex"));
+        let name = mark.unwrap().split(',').nth(1).unwrap();
+        assert!(name.ends_with(apex), "{units}: {name}");
+        let text = longdrive(&["optimize", "--units", units]).out;
+        let totals = format!("(totals are known to {within})");
+        assert!(text.contains(&totals), "{text}");
+    }
 }
 
 #[test]

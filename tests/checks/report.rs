@@ -7,7 +7,7 @@ use longdrive::report::figures::{
     Causes, OnMap, ShownDrive, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use longdrive::report::plot::{
-    Axis, Figure, Hue, Layer, Look, NamedQuantity, figure_csv, figure_svg,
+    Axis, Field, Figure, Hue, Layer, Look, NamedQuantity, figure_csv, figure_svg,
 };
 use longdrive::study::certificate::certify;
 use longdrive::study::{Fineness, NamedDrive, Vary, effects, map, with_defaults};
@@ -373,6 +373,22 @@ fn impossible_plots_are_refused() {
         matches!(&error, Error::Plot { name, reason } if name == "none" && reason.contains("vertical")),
         "{error}"
     );
+}
+
+#[test]
+fn a_map_without_columns_is_an_empty_picture() {
+    let axis = || Axis::linear(NamedQuantity::plain("x"));
+    let field = Field {
+        measure: NamedQuantity::plain("z"),
+        x: [0.0, 1.0],
+        y: [0.0, 1.0],
+        columns: 0,
+        values: vec![],
+        gradients: vec![],
+        beside: vec![],
+    };
+    let map = Figure::new("empty", "t", axis(), axis()).with(Layer::Contours(field));
+    whole(&figure_svg(&map, &Look::default()).unwrap());
 }
 
 #[test]

@@ -164,6 +164,23 @@ fn the_answer_judges_whether_one_design_suits_all_models() {
     );
 }
 
+/// A loft at its lower bound is the best design of both models, so the inactive limit has no gain.
+/// The unit of an angle follows its number without a space.
+#[test]
+fn the_gain_of_an_inactive_limit_is_not_printed_if_it_is_zero() {
+    let args = ["robust", "--minimize", "descent_angle"];
+    let model = ["--model", "aero.law=ferguson"];
+    let vary = ["--vary", "club.loft=4deg..20deg"];
+    let limit = ["--subject-to", "carry >= 230 yd"];
+    let text = longdrive(&[&args[..], &model, &vary, &limit].concat()).out;
+    let limits = text.lines().filter(|line| line.contains("not active"));
+    let limits: Vec<_> = limits.collect();
+    assert_eq!(limits.len(), 2, "{text}");
+    for line in limits {
+        assert!(line.ends_with("not active"), "{line}");
+    }
+}
+
 #[test]
 fn bad_models_are_refused_with_the_reason() {
     let launch = "ball_speed=167mph,launch_angle=10deg,spin=2500rpm";

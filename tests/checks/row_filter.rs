@@ -123,6 +123,25 @@ fn shots_are_summarized_by_club() {
     ])
     .out;
     assert!(text.contains("carry_distance [yd] by club:"), "{text}");
+    // the table by club has the digits of the table by ball speed
+    let timed = TABLE.replace("Carry [yds]", "Hang Time [s]");
+    let timed = [",250", ",222", ",247", ",252", ",219"]
+        .iter()
+        .fold(timed, |table, carry| {
+            table.replace(&format!("{carry}\n"), ",6.50\n")
+        });
+    std::fs::write(&file, timed).unwrap();
+    let text = longdrive(&["fly", &file, "--of", "flight_time"]).err;
+    let (_, by_club) = text.split_once("flight_time [s] by club:").unwrap();
+    let driver = by_club.lines().find(|line| line.contains("Driver"));
+    let numbers = driver.unwrap().split_whitespace().skip(2);
+    assert!(
+        numbers
+            .clone()
+            .all(|number| number.split_once('.').is_some_and(|(_, d)| d.len() == 2))
+            && numbers.count() == 3,
+        "{text}"
+    );
 }
 
 #[test]

@@ -3,7 +3,7 @@ use super::style::{clear_names, style};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Vector;
-use crate::report::drive::RUN_WITHIN;
+use crate::report::drive::run_within;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shown;
 use crate::statistics::extent;
@@ -237,11 +237,11 @@ fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) 
     if totals.is_empty() {
         return String::new();
     }
-    let within = Quantity::LENGTH.read_off_difference(RUN_WITHIN, system.unit("yd"));
     format!(
         " After the landing the ball bounces and runs to its total, {}, which is known within \
-         {within} at best.",
-        totals.join(" and ")
+         {} at best.",
+        totals.join(" and "),
+        run_within().in_units(system)
     )
 }
 

@@ -2,11 +2,11 @@
 //! the optimal drive.
 
 use super::super::document::Line;
-use super::super::drive::extrapolated;
+use super::super::drive::{extrapolated, run_within};
 use super::super::shown;
 use crate::drive::{Drive, Outcome};
 use crate::study::Optimum;
-use crate::units::{System, signed};
+use crate::units::System;
 
 /// Lines such as "carry 286.0 yd → 300.4 yd: +14.4 yd", with the change of the total. If the carry
 /// grows but the total falls, a line has advice.
@@ -20,15 +20,18 @@ pub(in crate::report) fn gain_lines(
     let before = |of: Outcome| start.and_then(|start| of.value(start));
     let change = |of: Outcome| Some(of.value(drive)? - before(of)?);
     let line = |of: Outcome| {
-        let best = shown::outcome(of, of.value(drive)?, system);
+        let best = of.value(drive)?;
         let name = shown::words(of.name());
-        let (Some(before), Some(gain)) = (before(of), change(of)) else {
-            return Some(format!("{name} {best}"));
+        let show = |value: f64| shown::outcome(of, value, system);
+        let Some(before) = before(of) else {
+            return Some(format!("{name} {}", show(best)));
         };
-        let before = shown::outcome(of, before, system);
-        let unit = system.unit(of.unit());
-        let gain = signed(gain, of.quantity().read_off(gain, unit));
-        Some(format!("{name} {before} → {best}: {gain}"))
+        let change = shown::change_as_displayed(of, before, best, system);
+        Some(format!(
+            "{name} {} → {}: {change}",
+            show(before),
+            show(best)
+        ))
     };
     if !optimum.compares_totals() {
         return line(objective).map(Line::flush).into_iter().collect();
@@ -38,7 +41,11 @@ pub(in crate::report) fn gain_lines(
         _ => Outcome::Total,
     };
     let lines: Vec<_> = [objective, other].into_iter().filter_map(line).collect();
-    let text = format!("{} (totals are known to 10 yd)", lines.join("; "));
+    let text = format!(
+        "{} (totals are known to {})",
+        lines.join("; "),
+        run_within().in_units(system)
+    );
     let falls = |of: Outcome| change(of).is_some_and(|change| change < 0.0);
     let advice = match objective {
         Outcome::Carry if !falls(Outcome::Carry) && falls(Outcome::Total) => {

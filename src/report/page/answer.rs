@@ -4,14 +4,13 @@
 use super::findings::Findings;
 use super::gain::steps;
 use super::numbers::{from_to, outcome};
-use crate::drive::Outcome;
 use crate::optimize::Status;
 use crate::report::figures::capital;
 use crate::report::frame::both;
 use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
 use crate::report::shown;
 use crate::study::{Effects, Optimum, Sense};
-use crate::units::{DisplayUnit, System, leading_number, one, signed, significant, with_unit};
+use crate::units::{DisplayUnit, System, one, significant, with_unit};
 use maud::{Markup, html};
 
 /// Maximum number of parameters named as sources of the uncertainty.
@@ -47,7 +46,7 @@ fn headline(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Marku
         let show = |value: f64| shown::outcome(of, value, system);
         match (yours, best) {
             (Some(yours), Some(best)) => {
-                let change = change(of, yours, best, system);
+                let change = shown::change_as_displayed(of, yours, best, system);
                 format!("{name} {}: {change}", from_to(&show(yours), &show(best)))
             }
             (None, Some(best)) => {
@@ -64,21 +63,6 @@ fn headline(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Marku
             (None, None) => format!("No {}: the ball does not fly", shown::words(of.name())),
         }
     })
-}
-
-/// A change between two values, with its sign. It is the difference of the displayed values, so
-/// that the numbers add up.
-fn change(of: Outcome, from: f64, to: f64, system: System) -> String {
-    let unit = system.unit(of.unit());
-    let size = DisplayUnit::from(of).size_in(system);
-    let printed = |value: f64| {
-        let text = of.quantity().read_off(value, unit);
-        leading_number(&text)
-            .parse::<f64>()
-            .map_or(value, |number| number * size)
-    };
-    let by = printed(of.unwrap_angle(to, from)) - printed(from);
-    signed(by, of.quantity().read_off(by, unit))
 }
 
 fn tiles(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
@@ -100,7 +84,8 @@ fn tiles(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
                 div.best { dt { "best" } dd { (outcome(of, Some(best))) } (known(at_best.map(Effects::standard_uncertainty))) }
                 @if let Some(yours) = yours {
                     div {
-                        dt { "change" } dd { (both(|system| change(of, yours, best, system))) }
+                        dt { "change" }
+                        dd { (both(|system| shown::change_as_displayed(of, yours, best, system))) }
                         (known(at_yours.zip(at_best).map(|(yours, best)| yours.uncertainty_of_change(best))))
                     }
                 }

@@ -50,7 +50,7 @@ pub fn report_documents(findings: &Findings) -> Result<Vec<TextFile>> {
             text: setup,
         },
     ];
-    files.extend(picture_files(plots.all(), System::default())?);
+    files.extend(picture_files(plots.all(), findings.system)?);
     Ok(files)
 }
 

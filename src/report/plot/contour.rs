@@ -1,6 +1,5 @@
-//! Contour lines, which Plotters does not have. The `contour` crate computes them with marching
-//! squares on the interpolated field. Contour lines are smooth at any size and in print; coloured
-//! cells are not.
+//! Contour lines. The `contour` crate computes them with marching squares on the interpolated
+//! field. Contour lines are smooth at any size and in print; coloured cells are not.
 
 use super::figure::Field;
 use super::interpolation::Refined;

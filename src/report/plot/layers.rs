@@ -254,7 +254,7 @@ fn fill_contours(canvas: &mut Canvas, area: &PlotArea, field: &Field, regions: &
         let end = |at: f64, count: usize| at.clamp(0.0, (count - 1) as f64);
         area.pixel(field.place(end(column, columns), end(row, rows)))
     };
-    for (row, values) in field.values.chunks(columns).enumerate() {
+    for (row, values) in field.values.chunks(columns.max(1)).take(rows).enumerate() {
         let mut column = 0;
         for run in values.chunk_by(|a, b| a.is_none() == b.is_none()) {
             let (from, to) = (column as f64 - 0.5, (column + run.len()) as f64 - 0.5);

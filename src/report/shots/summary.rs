@@ -3,6 +3,7 @@
 use crate::drive::Outcome;
 use crate::report::document::{Document, DocumentTable, Line};
 use crate::report::reply::{Ending, Report};
+use crate::report::shown;
 use crate::shots::{Band, ClubShots, FLOOR, Refused, ShotStatistics, Sums, size};
 use crate::units::{Message, System, counted, fixed, printed, signed};
 use serde::Serialize;
@@ -263,32 +264,63 @@ fn speeds(band: &Band, system: System) -> String {
     }
 }
 
+/// The unit and the digits of an outcome's residuals.
+struct ResidualFormat {
+    unit: &'static str,
+    /// The size of the unit, SI.
+    size: f64,
+    decimals: usize,
+}
+
+impl ResidualFormat {
+    fn new(of: Outcome, system: System) -> Self {
+        let unit = system.unit(of.unit());
+        Self {
+            unit,
+            size: size(of.quantity(), unit),
+            decimals: if unit == "s" { 2 } else { 1 },
+        }
+    }
+
+    /// The outcome with the unit: "carry [yd]".
+    fn title(&self, of: Outcome) -> String {
+        format!("{} [{}]", of.name(), printed(self.unit))
+    }
+
+    /// The number of a value; a dash without a value.
+    fn number(&self, value: Option<f64>) -> String {
+        value.map_or(shown::NONE.into(), |value| {
+            fixed(value / self.size, self.decimals)
+        })
+    }
+
+    /// The bias with its sign; a dash without residuals.
+    fn bias(&self, sums: &Sums) -> String {
+        let bias = sums.bias();
+        signed(bias.unwrap_or_default(), self.number(bias))
+    }
+}
+
 /// Adds a table of the first outcome by club, if there are several clubs.
 fn add_clubs(document: &mut Document, tally: &ShotStatistics, system: System) {
     let Some(of) = tally.of.first().filter(|_| tally.clubs.len() > 1) else {
         return;
     };
-    let unit = system.unit(of.unit());
-    let size = size(of.quantity(), unit);
-    let shown = |value: Option<f64>| value.map_or("–".into(), |value| fixed(value / size, 1));
-    let bias = |sums: &Sums| {
-        sums.bias()
-            .map_or("–".into(), |bias| signed(bias, fixed(bias / size, 1)))
-    };
+    let format = ResidualFormat::new(*of, system);
     let row = |(club, shots): (&String, &ClubShots)| {
         let (predicted, residuals) = (&shots.predicted[0], &shots.residuals[0]);
         vec![
             club.clone(),
             shots.rows.to_string(),
-            shown(predicted.bias()),
-            bias(residuals),
-            shown(residuals.mean_absolute()),
+            format.number(predicted.bias()),
+            format.bias(residuals),
+            format.number(residuals.mean_absolute()),
         ]
     };
     let head = ["club", "rows", "predicted", "bias", "MAE"];
     let table = DocumentTable::new(head, several_clubs(tally).map(row))
         .right(1..=4)
-        .with_caption(&format!("{} [{}] by club:", of.name(), printed(unit)));
+        .with_caption(&format!("{} by club:", format.title(*of)));
     document.add(table);
 }
 
@@ -338,24 +370,16 @@ fn residual_rows(
     of: Outcome,
     system: System,
 ) -> Vec<Vec<String>> {
-    let unit = system.unit(of.unit());
-    let size = size(of.quantity(), unit);
-    let decimals = if unit == "s" { 2 } else { 1 };
-    let shown = |value: Option<f64>| {
-        value.map_or("–".into(), |value| format!("{:.decimals$}", value / size))
-    };
+    let format = ResidualFormat::new(of, system);
     let row = |which: String, sums: &Sums, instruments: Option<f64>| {
-        let bias = sums.bias().map_or("–".into(), |bias| {
-            signed(bias, fixed(bias / size, decimals))
-        });
         vec![
-            format!("{} [{}]", of.name(), printed(unit)),
+            format.title(of),
             which,
             sums.count.to_string(),
-            bias,
-            shown(sums.mean_absolute()),
-            shown(sums.deviation()),
-            shown(instruments),
+            format.bias(sums),
+            format.number(sums.mean_absolute()),
+            format.number(sums.deviation()),
+            format.number(instruments),
         ]
     };
     let bands = tally.bands.iter().filter(|band| band.sums[at].count > 0);
