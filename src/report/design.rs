@@ -1,6 +1,6 @@
 use super::document::{Detail, Document, DocumentTable, Line};
 use super::json::JsonNumber;
-use super::limits::ended_at;
+use super::limits::{change_of, ended_at};
 use super::optimum::{
     DesignReport, LimitReport, OptimumReport, add_convergence, bound_in_words, ended_line, place,
 };
@@ -180,8 +180,7 @@ impl Designed<'_> {
             }
             (Enforcement::Value(_), _, Some(_)) => "met; not varied".into(),
             (_, Some(price), _) => {
-                // for a minimized objective, a decrease is a gain
-                let amount = -self.best.search.sense.sign() * price * constraint.step;
+                let amount = change_of(self.best.search.sense, price * constraint.step);
                 let is_upper = value.is_some_and(|value| {
                     constraint.range[1] - value <= value - constraint.range[0]
                 });

@@ -2,7 +2,7 @@
 
 use super::shown;
 use crate::optimize::{ConstraintValue, Status};
-use crate::study::{Constraint, Sense};
+use crate::study::{Constraint, Optimum, Sense};
 use crate::units::{DisplayUnit, System, signed};
 
 /// The objective at the end of a search. Multipliers have a meaning only at an optimum.
@@ -15,73 +15,115 @@ pub(super) struct Objective {
     pub is_converged: bool,
 }
 
-/// The gain of the objective for each unit by which a limit is relaxed; for an equation, for each
-/// unit by which its right side is raised.
-pub(super) fn gain(constraint: &Constraint, at: &ConstraintValue) -> f64 {
-    // the multiplier is the gain for each unit by which the limit is raised, < 0 at a lower limit
-    if constraint.is_equation() {
-        at.multiplier
-    } else {
-        at.multiplier.abs()
+/// A constraint at the end of a search.
+pub(super) struct ConstraintAtEnd<'a> {
+    pub constraint: &'a Constraint,
+    /// The exact value of the limited goal, with the multiplier.
+    pub at: ConstraintValue,
+    /// The gradient of the limited goal by the varied parameters.
+    pub slopes: &'a [f64],
+    /// The gain of the objective for each unit by which the limit is relaxed; for an equation, for
+    /// each unit by which its right side is raised.
+    pub gain: f64,
+}
+
+impl<'a> ConstraintAtEnd<'a> {
+    /// The constraints of an optimum.
+    pub fn all(optimum: &'a Optimum) -> Vec<Self> {
+        let one = |(j, (constraint, at)): (usize, (&'a Constraint, ConstraintValue))| {
+            let slopes = optimum.solution.jacobian.get(j);
+            Self {
+                constraint,
+                at,
+                slopes: slopes.map_or(&[], Vec::as_slice),
+                // the multiplier is the gain for each unit by which the limit is raised, < 0 at a
+                // lower limit
+                gain: if constraint.is_equation() {
+                    at.multiplier
+                } else {
+                    at.multiplier.abs()
+                },
+            }
+        };
+        optimum
+            .constraints()
+            .into_iter()
+            .enumerate()
+            .map(one)
+            .collect()
+    }
+
+    fn has_two_limits(&self) -> bool {
+        self.constraint.low.is_finite() && self.constraint.high.is_finite()
     }
 }
 
+/// The change of an objective by a gain: a minimized objective decreases.
+pub(super) fn change_of(sense: Sense, gain: f64) -> f64 {
+    -sense.sign() * gain
+}
+
 impl Objective {
-    /// The gain for each unit of `by`, with its sign: "+2.11 yd for each degree". Texts for golfers
-    /// call this gain the price of the limit.
-    pub fn price(self, amount: f64, by: impl Into<DisplayUnit>, system: System) -> String {
-        // for a minimized objective, a decrease is a gain
-        let amount = -self.sense.sign() * amount;
+    /// The objective of an optimum.
+    pub fn at(optimum: &Optimum) -> Self {
+        Self {
+            of: (&optimum.search.of).into(),
+            value: optimum.value().unwrap_or_default(),
+            sense: optimum.search.sense,
+            is_converged: optimum.solution.status == Status::Converged,
+        }
+    }
+
+    /// The change of the objective for each unit of `by` by which a limit is relaxed, with its
+    /// sign: "+2.11 yd for each degree". It is negative for a gain of a minimized objective. Texts
+    /// for golfers call this change the price of the limit.
+    pub fn price(self, gain: f64, by: impl Into<DisplayUnit>, system: System) -> String {
         let by = by.into();
         let one = by.size();
-        let amount = shown::settled(amount * one, self.value, self.of, &[]) / one;
-        signed(amount, shown::price(self.of, amount, by, system))
+        let change = change_of(self.sense, gain);
+        let change = shown::settled(change * one, self.value, self.of, &[]) / one;
+        signed(change, shown::price(self.of, change, by, system))
     }
 
     /// The state of a constraint in words, such as "active: +0.52 yd for each degree that the limit
-    /// is relaxed". If there are two limits, the text names the active limit. `slopes` is the
-    /// gradient of the limited goal by the varied parameters; `gain` is the gain of the objective
-    /// for each unit by which the limit is relaxed, or by which the right side of an equation is
-    /// raised.
-    pub fn limit(
-        self,
-        constraint: &Constraint,
-        at: &ConstraintValue,
-        slopes: &[f64],
-        gain: f64,
-        system: System,
-    ) -> String {
-        let Constraint {
-            goal, low, high, ..
-        } = constraint;
-        let price = |amount: f64| self.price(amount, goal, system);
-        if low == high {
-            let off = shown::goal_difference(goal, at.value - low, system);
+    /// is relaxed"; empty where the search did not converge, except for an equation.
+    pub fn limit(self, limit: &ConstraintAtEnd<'_>, system: System) -> String {
+        let Constraint { goal, low, .. } = limit.constraint;
+        if limit.constraint.is_equation() {
+            let off = shown::goal_difference(goal, limit.at.value - low, system);
             // an equation is active even if its multiplier is 0
-            let price = match slopes.iter().any(|slope| *slope != 0.0) {
-                true => format!(", {} that the value is raised", price(gain)),
+            let price = match limit.slopes.iter().any(|slope| *slope != 0.0) {
+                _ if !self.is_converged => String::new(),
+                true => {
+                    let price = self.price(limit.gain, goal, system);
+                    format!(", {price} that the value is raised")
+                }
                 false => ", and no varied parameter changes it".into(),
             };
-            return format!(
-                "equality: off by {off}{}",
-                if self.is_converged { &price } else { "" }
-            );
+            return format!("equality: off by {off}{price}");
         }
-        match at.multiplier {
+        match self.active_limit(limit, system) {
             _ if !self.is_converged => String::new(),
-            0.0 => "not active".into(),
-            _ if !(low.is_finite() && high.is_finite()) => {
-                format!("active: {} that the limit is relaxed", price(gain))
-            }
-            0.0.. => format!(
-                "active at its upper limit: {} that it is raised",
-                price(gain)
-            ),
-            _ => format!(
-                "active at its lower limit: {} that it is lowered",
-                price(gain)
-            ),
+            None => "not active".into(),
+            Some(active) if limit.has_two_limits() => format!("active {active}"),
+            Some(active) => format!("active: {active}"),
         }
+    }
+
+    /// The price of the active limit of a constraint, such as "+0.52 yd for each degree that the
+    /// limit is relaxed"; of two limits, the text names the active one. `None` if no limit is
+    /// active, and for an equation.
+    pub fn active_limit(self, limit: &ConstraintAtEnd<'_>, system: System) -> Option<String> {
+        let ConstraintAtEnd { constraint, at, .. } = limit;
+        if at.multiplier == 0.0 || constraint.is_equation() {
+            return None;
+        }
+        let price = self.price(limit.gain, &constraint.goal, system);
+        Some(match at.multiplier {
+            _ if !limit.has_two_limits() => format!("{price} that the limit is relaxed"),
+            0.0.. => format!("at its upper limit: {price} that it is raised"),
+            _ => format!("at its lower limit: {price} that it is lowered"),
+        })
     }
 }
 

@@ -1,6 +1,6 @@
 use super::document::{Document, DocumentTable, Line};
 use super::json::{ByName, JsonNumber, Settings, settings};
-use super::limits::{self, Objective, ended_at};
+use super::limits::{self, ConstraintAtEnd, Objective, ended_at};
 use super::optimum::{ConstraintReport, Multipliers};
 use super::reply::{Ending, Report};
 use super::setup_file::{about_constraint, remarks_on_varied, setup_toml};
@@ -170,11 +170,18 @@ impl Report for RobustReport<'_> {
 /// The constraints of a model with the robust design. The multipliers refer to the greatest loss.
 fn constraints(found: &Robust, model: usize) -> Vec<ConstraintReport> {
     let of_model = found.limits().filter(|limit| limit.model == model);
-    let report = |limit: ModelLimit<'_>| ConstraintReport {
-        multiplier: limit.gain,
-        ..ConstraintReport::new(limit.constraint, &limit.at)
-    };
-    of_model.map(report).collect()
+    of_model
+        .map(|limit| ConstraintReport::new(&at_end(&limit)))
+        .collect()
+}
+
+fn at_end<'a>(limit: &ModelLimit<'a>) -> ConstraintAtEnd<'a> {
+    ConstraintAtEnd {
+        constraint: limit.constraint,
+        at: limit.at,
+        slopes: limit.slopes,
+        gain: limit.gain,
+    }
 }
 
 /// The verdict: the loss of every model is within the allowed loss, or not.
@@ -334,23 +341,17 @@ fn bound_in_words(found: &Robust, i: usize, system: System) -> String {
 fn add_constraints(document: &mut Document, found: &Robust, system: System) {
     let objective = greatest_loss(found);
     let rows = found.limits().map(|limit| {
-        let ModelLimit {
-            model,
-            constraint,
-            at,
-            slopes,
-            gain,
-        } = limit;
-        let price = objective.price(gain, &constraint.goal, system);
+        let (constraint, at) = (limit.constraint, limit.at);
+        let price = objective.price(limit.gain, &constraint.goal, system);
         let bests = of_the_bests([at.multiplier; 2], price).filter(|_| objective.is_converged);
         let bests = bests.map_or(String::new(), |price| {
             format!("; {price} that the limit is relaxed")
         });
         vec![
             constraint.expression.clone(),
-            (model + 1).to_string(),
+            (limit.model + 1).to_string(),
             shown::goal(&constraint.goal, at.value, system),
-            objective.limit(constraint, &at, slopes, gain, system) + &bests,
+            objective.limit(&at_end(&limit), system) + &bests,
         ]
     });
     let rows: Vec<_> = rows.collect();

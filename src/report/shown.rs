@@ -175,8 +175,8 @@ fn computed(parameter: &Parameter, value: f64) -> Message {
 }
 
 /// Maximum distance from an end of a range, relative to the range, at which a value counts as the
-/// end: a search that did not converge stops near the end.
-const AT_THE_END: f64 = 1e-6;
+/// end: the QP solver ends a little inside the range.
+pub(super) const AT_THE_END: f64 = 1e-6;
 
 /// A value of a varied parameter. It gets more digits if rounding would show it as an end of the
 /// range.

@@ -204,7 +204,9 @@ fn carry_and_total_stand_side_by_side_with_the_drive_as_set_up() {
     let (_, after) = json(&["optimize"]);
     let output = longdrive(&["optimize", "-q"]).out;
     for of in ["carry", "total"] {
-        let [before, after] = [&before, &after].map(|drive| number(&drive["flight"][of]) / 0.9144);
+        let yards = |drive: &Value| number(&drive["flight"][of]) / 0.9144;
+        // the printed line adds up
+        let [before, after] = [&before, &after].map(|drive| (10.0 * yards(drive)).round() / 10.0);
         let text = format!(
             "{of} {before:.1} yd → {after:.1} yd: {:+.1} yd",
             after - before

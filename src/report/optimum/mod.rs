@@ -1,15 +1,14 @@
 //! The best drive, or the best design over swings: JSON, text, and setup file.
 
 mod best_drive;
-mod multipliers;
+mod bounds;
 mod report;
 mod setup_file;
 mod surroundings;
 mod text;
 
 pub(super) use best_drive::{drive_lines, gain_lines};
-pub(super) use multipliers::{bound_in_words, constraint_in_words};
-pub(super) use report::constraints;
+pub(super) use bounds::bound_in_words;
 pub use report::{
     ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimumReport,
 };

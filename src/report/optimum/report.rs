@@ -3,15 +3,15 @@
 use super::super::Reply;
 use super::super::drive::{LaunchReport, LawRanges, flight, launch, law_range};
 use super::super::json::{ByName, JsonNumber, Settings, settings};
-use super::super::limits::gain;
+use super::super::limits::ConstraintAtEnd;
 use super::super::swings::{OverSwings, StudiesReport};
 use super::surroundings::Surroundings;
 use crate::drive::Outcome;
-use crate::optimize::{ConstraintValue, Effort};
+use crate::optimize::Effort;
 #[cfg(test)]
 use crate::study::Sense;
 use crate::study::design::Improvement;
-use crate::study::{ClubAlone, Constraint, LocalOptimum, Optima, Optimum, Sample, Window};
+use crate::study::{ClubAlone, LocalOptimum, Optima, Optimum, Sample, Window};
 use crate::units::Message;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -101,21 +101,14 @@ pub struct ConstraintReport {
 }
 
 impl ConstraintReport {
-    pub(in crate::report) fn new(constraint: &Constraint, at: &ConstraintValue) -> Self {
+    pub(in crate::report) fn new(limit: &ConstraintAtEnd<'_>) -> Self {
         Self {
-            expression: constraint.expression.clone(),
-            value: at.value,
-            violation: at.violation.abs(),
-            multiplier: gain(constraint, at),
+            expression: limit.constraint.expression.clone(),
+            value: limit.at.value,
+            violation: limit.at.violation.abs(),
+            multiplier: limit.gain,
         }
     }
-}
-
-pub(in crate::report) fn constraints(optimum: &Optimum) -> Vec<ConstraintReport> {
-    let all = optimum.constraints();
-    all.iter()
-        .map(|(constraint, at)| ConstraintReport::new(constraint, at))
-        .collect()
 }
 
 /// A local optimum from a search with several starts.
@@ -211,6 +204,7 @@ impl OptimumReport {
             (vary[i].parameter.name, Multipliers { lower, upper })
         };
         let drive = optimum.drive.as_ref();
+        let constraints = ConstraintAtEnd::all(optimum);
         Self {
             objective: optimum.search.of.expression.clone(),
             sense: optimum.search.sense.name(),
@@ -220,7 +214,7 @@ impl OptimumReport {
             as_set_up: StartReport::new(optimum),
             gradient: found.then(|| by_name(&optimum.gradient())),
             multipliers: found.then(|| (0..vary.len()).map(multipliers).collect()),
-            constraints: constraints(optimum),
+            constraints: constraints.iter().map(ConstraintReport::new).collect(),
             kkt_residual: found.then_some(solution.kkt_residual).into(),
             iterations: solution.iterations,
             evaluations: solution.evaluations,

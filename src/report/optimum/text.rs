@@ -1,11 +1,11 @@
 //! An optimum, or the optima of several starts, for readers.
 
 use super::super::document::{Detail, Document, DocumentTable, Line};
-use super::super::limits::ended_at;
+use super::super::limits::{ConstraintAtEnd, Objective, ended_at};
 use super::super::shown;
 use super::super::swings::{OverSwings, goals, nominal, notes};
 use super::best_drive::{drive_lines, gain_lines};
-use super::multipliers::{bound_in_words, constraint_in_words};
+use super::bounds::bound_in_words;
 use super::surroundings::Surroundings;
 use crate::optimize::{Iteration, Status};
 use crate::study::{Optima, Optimum, Sample, Search};
@@ -137,12 +137,17 @@ pub(in crate::report) fn place(
 /// constraints are in the table of the goals.
 fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
     let is_one_drive = optimum.search.scenarios.is_one_drive();
-    let all = optimum.constraints();
-    let rows = all.iter().enumerate().map(|(j, (constraint, at))| {
-        let price = constraint_in_words(optimum, j, system);
+    let objective = Objective::at(optimum);
+    let all = ConstraintAtEnd::all(optimum);
+    let rows = all.iter().map(|limit| {
+        let constraint = limit.constraint;
+        let price = objective.limit(limit, system);
         if is_one_drive {
-            let text = shown::constraint(constraint, system);
-            vec![text, shown::goal(&constraint.goal, at.value, system), price]
+            vec![
+                shown::constraint(constraint, system),
+                shown::goal(&constraint.goal, limit.at.value, system),
+                price,
+            ]
         } else {
             vec![constraint.expression.clone(), price]
         }

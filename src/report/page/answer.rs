@@ -7,7 +7,8 @@ use super::numbers::{from_to, outcome};
 use crate::optimize::Status;
 use crate::report::figures::capital;
 use crate::report::frame::both;
-use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
+use crate::report::limits::{ConstraintAtEnd, Objective};
+use crate::report::optimum::bound_in_words;
 use crate::report::shown;
 use crate::study::{Effects, Optimum, Sense};
 use crate::units::{DisplayUnit, System, one, significant, with_unit};
@@ -108,20 +109,15 @@ fn limits(best: &Optimum) -> Markup {
             )
         }))
     });
-    let reports = constraints(best);
-    let limits = search.subject_to.iter().zip(&reports).enumerate();
-    let limits = limits.filter(|(_, (of, at))| at.multiplier != 0.0 && !of.is_equation());
-    let limits = limits.map(|(j, (of, _))| {
-        both(|system| {
-            let price = constraint_in_words(best, j, system);
-            format!(
-                "Limited by {}: {}",
-                shown::constraint(of, system),
-                price
-                    .trim_start_matches("active")
-                    .trim_start_matches([':', ' '])
-            )
-        })
+    let objective = Objective::at(best);
+    let limits = ConstraintAtEnd::all(best);
+    let limits = limits.iter().filter_map(|limit| {
+        objective.active_limit(limit, System::default())?;
+        Some(both(|system| {
+            let of = shown::constraint(limit.constraint, system);
+            let price = objective.active_limit(limit, system);
+            format!("Limited by {of}: {}", price.unwrap_or_default())
+        }))
     });
     let lines: Vec<Markup> = bounds.chain(limits).collect();
     html! { @if !lines.is_empty() { ul { @for line in lines { li { (line) } } } } }

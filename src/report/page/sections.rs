@@ -8,8 +8,8 @@ use crate::parameters::{GOLFER, METHOD, Parameter, SPEED_OF};
 use crate::report::certificate::settled;
 use crate::report::figures::capital;
 use crate::report::frame::{both, chosen, scrolled};
-use crate::report::limits::ended_at;
-use crate::report::optimum::{bound_in_words, constraint_in_words, constraints};
+use crate::report::limits::{ConstraintAtEnd, Objective, ended_at};
+use crate::report::optimum::bound_in_words;
 use crate::report::presets::{SourcedValue, sources};
 use crate::report::shown;
 use crate::study::certificate::DerivativeRow;
@@ -148,19 +148,23 @@ fn limit(limit: &WindowLimit) -> Markup {
 
 /// The constraints with their multipliers.
 fn limits(best: &Optimum) -> Markup {
-    let reports = constraints(best);
-    if reports.is_empty() {
+    let objective = Objective::at(best);
+    let all = ConstraintAtEnd::all(best);
+    if all.is_empty() {
         return html! {};
     }
     html! {
         (scrolled("Constraints", html! { table.stacked {
             thead { tr { th { "subject to" } th.number { "value" } th { "price" } } }
             tbody {
-                @for (j, (constraint, report)) in best.search.subject_to.iter().zip(reports).enumerate() {
+                @for limit in &all {
                     tr {
-                        td { (both(|system| shown::constraint(constraint, system))) }
-                        td.number { (label("value")) (both(|system| shown::goal(&constraint.goal, report.value, system))) }
-                        td.words { (label("price")) (both(|system| constraint_in_words(best, j, system))) }
+                        td { (both(|system| shown::constraint(limit.constraint, system))) }
+                        td.number {
+                            (label("value"))
+                            (both(|system| shown::goal(&limit.constraint.goal, limit.at.value, system)))
+                        }
+                        td.words { (label("price")) (both(|system| objective.limit(limit, system))) }
                     }
                 }
             }

@@ -1,0 +1,50 @@
+//! The bounds of an optimum in words, with their multipliers.
+
+use super::super::limits::{self, Objective};
+use super::super::shown::AT_THE_END;
+use crate::parameters::Vary;
+use crate::study::Optimum;
+use crate::units::System;
+
+/// The state of a bound in words, such as "at its upper bound: +2.11 yd for each degree that it is
+/// raised"; without the gain where the search did not converge.
+pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> String {
+    let vary = optimum.search.vary[i];
+    let lower = optimum.solution.lower_multipliers[i];
+    let upper = optimum.solution.upper_multipliers[i];
+    let objective = Objective::at(optimum);
+    let price = |gain: f64| objective.price(gain, vary.parameter, system);
+    let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
+    if vary.low == vary.high {
+        "fixed".into()
+    } else if !objective.is_converged {
+        // multipliers have a meaning only at an optimum
+        reached_bound(vary, optimum.solution.x[i]).into()
+    } else if is_corner && upper + lower > 0.0 {
+        let (bound, side) = if lower > 0.0 {
+            ("lower", "above")
+        } else {
+            ("upper", "below")
+        };
+        format!(
+            "at its {bound} bound, a corner: {} {side} it",
+            price(-(upper + lower))
+        )
+    } else if optimum.is_idle(i) {
+        "no effect".into()
+    } else {
+        limits::bound([lower, upper], [lower, upper], price)
+    }
+}
+
+/// The bound that a value has reached; empty between the bounds.
+fn reached_bound(vary: Vary, value: f64) -> &'static str {
+    let margin = AT_THE_END * (vary.high - vary.low);
+    if value <= vary.low + margin {
+        return "at its lower bound";
+    }
+    if value >= vary.high - margin {
+        return "at its upper bound";
+    }
+    ""
+}
