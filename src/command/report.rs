@@ -233,7 +233,7 @@ fn add_drives(
     remarks: &mut Vec<Message>,
 ) -> Result<()> {
     let setup = &findings.setup;
-    let own = NamedDrive::new("as set up", setup)?;
+    let own = NamedDrive::new(NamedDrive::AS_SET_UP, setup)?;
     remarks.extend(own.drive.warnings_about(setup, Outcome::ALL));
     bar.inc(1);
     findings.found = search

@@ -8,7 +8,7 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Parameter;
 use crate::study::{Active, BoundSide, Chart, ChartPoint, Search};
-use crate::units::{Message, System, TableUnits};
+use crate::units::{DisplayUnit, Message, System, TableUnits};
 use serde::Serialize;
 
 /// Optima along a parameter, SI and radians.
@@ -179,21 +179,20 @@ fn launch(point: &ChartPoint) -> [Option<f64>; 3] {
 /// The columns of a chart that have numbers: the parameter, the objective, the varied parameters and
 /// the launch.
 fn columns(chart: &Chart) -> Vec<NamedQuantity> {
-    let of_parameter = |row: &Parameter| NamedQuantity::new(row.name, row.quantity, row.unit);
-    let of_outcome = |of: Outcome| NamedQuantity::new(of.name(), of.quantity(), of.unit());
+    let column = |name: &str, of: DisplayUnit| NamedQuantity {
+        label: name.into(),
+        of,
+    };
+    let of_parameter = |parameter: &Parameter| column(parameter.name, parameter.into());
     let mut columns = vec![];
     if let Some(first) = chart.points.first() {
         let search = &first.best.search;
         let objective = search.outcome().name();
         columns.push(of_parameter(chart.along.parameter));
-        columns.push(NamedQuantity::new(
-            objective,
-            search.of.quantity,
-            search.of.unit,
-        ));
+        columns.push(column(objective, (&search.of).into()));
         columns.extend(search.vary.iter().map(|vary| of_parameter(vary.parameter)));
     }
-    columns.extend(LAUNCH.map(of_outcome));
+    columns.extend(LAUNCH.map(|of| column(of.name(), of.into())));
     columns
 }
 

@@ -9,7 +9,7 @@ use crate::ground::Rest;
 use crate::impact::Grip;
 use crate::number::Vector;
 use crate::parameters::Setup;
-use crate::units::{Digits, Message, Quantity, System, YARD};
+use crate::units::{Digits, Message, Quantity, System, YARD, fixed};
 use serde::Serialize;
 
 /// Minimum uncertainty of the total, m. It covers the differences between grounds
@@ -313,13 +313,12 @@ pub fn known_within() -> Message {
 fn components(velocity: Vector<f64>, system: System) -> String {
     let unit = system.unit("m/s");
     let size = Quantity::SPEED.size_of(unit).unwrap_or(1.0);
-    // round to two decimals; the sum turns -0 into 0
     let [up, right, downrange] = velocity
         .to_array()
-        .map(|component| (component / size * 100.0).round() / 100.0 + 0.0);
-    let side = if right < 0.0 { "left" } else { "right" };
-    format!(
-        "{downrange:.2} {unit} downrange, {up:.2} up, {:.2} {side}",
-        right.abs()
-    )
+        .map(|component| fixed(component / size, 2));
+    let (right, side) = match right.strip_prefix('-') {
+        Some(left) => (left, "left"),
+        None => (right.as_str(), "right"),
+    };
+    format!("{downrange} {unit} downrange, {up} up, {right} {side}")
 }

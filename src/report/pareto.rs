@@ -264,13 +264,13 @@ fn notes(found: &Pareto, system: System) -> Vec<String> {
 /// [`Error::Output`].
 pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
     let search = &found.search;
-    let goals = search
-        .goals
-        .iter()
-        .map(|(goal, _)| NamedQuantity::new(&goal.expression, goal.quantity, goal.unit));
-    let varied = search.vary.iter().map(|vary| {
-        let row = vary.parameter;
-        NamedQuantity::new(row.name, row.quantity, row.unit)
+    let goals = search.goals.iter().map(|(goal, _)| NamedQuantity {
+        label: goal.expression.clone(),
+        of: goal.into(),
+    });
+    let varied = search.vary.iter().map(|vary| NamedQuantity {
+        label: vary.parameter.name.into(),
+        of: vary.parameter.into(),
     });
     let columns: Vec<NamedQuantity> = goals
         .chain(varied)

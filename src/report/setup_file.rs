@@ -1,16 +1,13 @@
 //! Setups as readable files in TOML, which are parsed to the same setup to the last bit.
 
 use super::presets::{SourcedValue, sourced, sources};
-use super::shown;
+use super::shown::{self, MOST_DIGITS};
 use crate::error::Result;
 use crate::parameters::{
     Parameter, Preset, Setup, SetupFile, TABLE, UNSET, Vary, is_given_alike, is_of_step,
 };
 use crate::study::Constraint;
 use crate::units::{significant, typed};
-
-/// Significant digits that distinguish all double-precision numbers.
-const MOST_DIGITS: usize = 17;
 
 /// A setup as a setup file in TOML: the preset of `file`, then every parameter with its source.
 /// `file` is the file or preset that the setup comes from; a value of the file keeps its comment.

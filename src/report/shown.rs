@@ -3,7 +3,7 @@
 
 use crate::drive::{Outcome, Sign};
 use crate::parameters::{Parameter, Setup, UNSET, Vary};
-use crate::study::{Active, Constraint, Goal, Search};
+use crate::study::{Active, Constraint, Goal, Search, Sigma};
 use crate::units::{
     Digits, DisplayUnit, Message, Quantity, System, is_zero, leading_number, one, per, signed,
     significant, with_unit,
@@ -36,6 +36,14 @@ pub(super) fn words(name: &str) -> String {
         .split_once('.')
         .filter(|(group, rest)| is_without(group, rest));
     own.map_or(name, |(_, rest)| rest).replace(['.', '_'], " ")
+}
+
+/// A text with a capital first letter.
+pub(super) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
 }
 
 /// A sentence with the names of parameters in words. Command-line input (`swing.speed=95mph`) is
@@ -198,7 +206,7 @@ pub(super) fn within(vary: &Vary, value: f64, system: System) -> String {
 }
 
 /// Significant digits that distinguish all double-precision numbers.
-const MOST_DIGITS: usize = 17;
+pub(super) const MOST_DIGITS: usize = 17;
 
 /// The ends of the range of a varied parameter.
 pub(super) fn ends(vary: &Vary, system: System) -> [String; 2] {
@@ -243,6 +251,13 @@ fn difference(parameter: &Parameter, value: f64, system: System, digits: usize) 
         &significant(value / size, digits),
         system.unit(parameter.unit),
     )
+}
+
+/// A parameter with its standard uncertainty: "club speed ± 0.5 mph".
+pub(super) fn with_sigma(sigma: &Sigma, system: System) -> String {
+    let name = words(sigma.parameter.name);
+    let deviation = uncertainty(sigma.parameter, sigma.value, system);
+    format!("{name} ± {deviation}")
 }
 
 /// A standard uncertainty of a parameter with three significant digits: "0.0563".

@@ -7,7 +7,7 @@ use crate::study::uncertainty::{
     Contribution, DeltaMoments, Distribution, EllipseSource, Interval, OutcomeUncertainty,
     SampledEllipse, Uncertain, Uncertainty,
 };
-use crate::units::{Quantity, System, counted, counted_of};
+use crate::units::{Quantity, System, counted, counted_of, fixed};
 use serde::Serialize;
 
 /// The uncertainty of a drive, SI and radians.
@@ -268,7 +268,7 @@ fn shares_lines(outcome: &OutcomeUncertainty, system: System) -> Vec<Line> {
     let largest = by_share(outcome).into_iter().take(FIRST_SHARES);
     let shares: Vec<_> = largest
         .filter_map(|one| {
-            let share = tenths(one.total?.value);
+            let share = percent(one.total?.value);
             Some(format!("{} {share} %", one.parameter.name))
         })
         .collect();
@@ -295,9 +295,8 @@ fn by_share(outcome: &OutcomeUncertainty) -> Vec<Contribution> {
 }
 
 /// A share in percent with one decimal.
-fn tenths(share: f64) -> String {
-    // the sum turns -0 into 0
-    format!("{:.1}", (1000.0 * share).round() / 10.0 + 0.0)
+fn percent(share: f64) -> String {
+    fixed(100.0 * share, 1)
 }
 
 /// The contributions of the uncertain parameters to the variance of an outcome, the largest first.
@@ -307,9 +306,9 @@ fn shares(outcome: &OutcomeUncertainty, left_out: usize, found: &Uncertainty) ->
         share.map_or(shown::NONE.into(), |i| {
             format!(
                 "{} % ({} to {})",
-                tenths(i.value),
-                tenths(i.low),
-                tenths(i.high)
+                percent(i.value),
+                percent(i.low),
+                percent(i.high)
             )
         })
     };

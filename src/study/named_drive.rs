@@ -15,6 +15,9 @@ pub struct NamedDrive {
 }
 
 impl NamedDrive {
+    /// The name of the drive before a search.
+    pub const AS_SET_UP: &str = "as set up";
+
     /// The name of the drive at an optimum.
     pub const OPTIMUM: &str = "optimum";
 

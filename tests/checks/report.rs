@@ -337,7 +337,7 @@ fn pictures_are_whole_in_both_systems_light_and_dark() {
                     figure.name
                 );
                 let unit = if system == System::Us { "[yd]" } else { "[m]" };
-                let has_lengths = figure.x.measure.head(TableUnits::Si).contains("[m]");
+                let has_lengths = figure.x.quantity.head(TableUnits::Si).contains("[m]");
                 assert_eq!(
                     words(&parsed).iter().any(|text| text.contains(unit)),
                     has_lengths,
@@ -379,7 +379,7 @@ fn impossible_plots_are_refused() {
 fn a_map_without_columns_is_an_empty_picture() {
     let axis = || Axis::linear(NamedQuantity::plain("x"));
     let field = Field {
-        measure: NamedQuantity::plain("z"),
+        quantity: NamedQuantity::plain("z"),
         x: [0.0, 1.0],
         y: [0.0, 1.0],
         columns: 0,

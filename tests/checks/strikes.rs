@@ -206,7 +206,7 @@ fn exact_sweet_spot_normal_passes_through_the_centre_of_mass() {
                 .any(|line| line.contains(&format!("{:?}", -toe))),
             "{marks:?}"
         );
-        let labels = [&figure.x, &figure.y].map(|axis| axis.measure.label.clone());
+        let labels = [&figure.x, &figure.y].map(|axis| axis.quantity.label.clone());
         assert!(
             labels
                 .iter()

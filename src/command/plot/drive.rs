@@ -9,7 +9,7 @@ use crate::command::request::{Request, Source};
 use crate::optimize::{Observer, Status};
 use crate::report::figures::{face_figure, fairway_figure, launches_figure, strikes_figure};
 use crate::study::{
-    Cause, Face, Landing, Launches, Optimum, Search, causes, optimum, with_defaults,
+    Cause, Face, Landing, Launches, NamedDrive, Optimum, Search, causes, optimum, with_defaults,
 };
 use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
@@ -21,13 +21,13 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     let given = sigmas(&setup, &args.sigma)?;
     let of = [Outcome::Carry, Outcome::Lateral];
     let mut landings = vec![Landing::of(
-        "as set up",
+        NamedDrive::AS_SET_UP,
         &setup,
         &with_defaults(&setup, &given, &of)?,
     )?];
     if let Some(best) = &best {
         landings.push(Landing::of(
-            "optimum",
+            NamedDrive::OPTIMUM,
             &best.setup,
             &with_defaults(&best.setup, &given, &of)?,
         )?);
@@ -45,8 +45,8 @@ pub fn launches(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(&request, &args.drawing)?;
     let (setup, best) = searched(&request, &args.search)?;
-    let optimum = best.iter().map(|best| ("optimum", &best.setup));
-    let drives: Vec<_> = std::iter::once(("as set up", &setup))
+    let optimum = best.iter().map(|best| (NamedDrive::OPTIMUM, &best.setup));
+    let drives: Vec<_> = std::iter::once((NamedDrive::AS_SET_UP, &setup))
         .chain(optimum)
         .collect();
     let spinner = spinner("computing the map");
@@ -101,14 +101,14 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
             let warnings = best.as_ref().map_or(vec![], at_optimum);
             (
                 setup,
-                best.map(|best| (["as set up", "optimum"], best.setup)),
+                best.map(|best| ([NamedDrive::AS_SET_UP, NamedDrive::OPTIMUM], best.setup)),
                 warnings,
             )
         }
     };
     let names = other
         .as_ref()
-        .map_or(["as set up", ""], |(names, _)| *names);
+        .map_or([NamedDrive::AS_SET_UP, ""], |(names, _)| *names);
     let spinner = spinner("computing strikes");
     let faces = std::iter::once(&setup)
         .chain(other.iter().map(|(_, other)| other))

@@ -1,6 +1,6 @@
 use crate::drive::Outcome;
-use crate::report::figures::capital;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
+use crate::report::shown::capital;
 use crate::statistics::extent;
 use crate::study::calibrate::{Calibration, Remainder, ShotTable};
 
@@ -56,11 +56,11 @@ fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<MeasuredPo
 
 /// Plot of the measured against the computed values, with the line where both are equal.
 fn agreement(of: Outcome, points: &[MeasuredPoint]) -> Figure {
-    let measure = NamedQuantity::outcome(of);
+    let quantity = NamedQuantity::outcome(of);
     let labelled = |which: &str| {
         Axis::linear(NamedQuantity {
-            label: format!("{which} {}", measure.label),
-            ..measure.clone()
+            label: format!("{which} {}", quantity.label),
+            ..quantity.clone()
         })
     };
     let ends = |point: &MeasuredPoint| {
@@ -75,7 +75,7 @@ fn agreement(of: Outcome, points: &[MeasuredPoint]) -> Figure {
     let equal = vec![[low, low], [high, high]];
     let mut figure = Figure::new(
         format!("measured-{}", of.name().replace('_', "-")),
-        format!("{}: measured over computed", capital(&measure.label)),
+        format!("{}: measured over computed", capital(&quantity.label)),
         labelled("computed"),
         labelled("measured"),
     )

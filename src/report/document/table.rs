@@ -1,4 +1,5 @@
 use super::line::Line;
+use crate::report::shown::NONE;
 
 /// A table with remarks below it.
 #[derive(Clone, Debug)]
@@ -104,7 +105,7 @@ impl DocumentTable {
 /// True if most cells of a column are numbers, with an optional unit of up to three letters
 /// ("rpm"). Empty cells and dashes do not count.
 fn is_of_numbers<'a>(cells: impl Iterator<Item = &'a str>) -> bool {
-    let cells: Vec<&str> = cells.filter(|cell| !["", "–"].contains(cell)).collect();
+    let cells: Vec<&str> = cells.filter(|cell| !["", NONE].contains(cell)).collect();
     let numbers = cells.iter().filter(|cell| is_number(cell)).count();
     2 * numbers > cells.len()
 }

@@ -1,8 +1,7 @@
-use super::map::capital;
 use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
-use crate::report::shown;
-use crate::study::{Chart, ChartPoint, Optimum, Vary};
+use crate::report::shown::{self, capital};
+use crate::study::{Chart, ChartPoint, NamedDrive, Optimum, Vary};
 use crate::units::System;
 
 /// The optimum along a parameter, as small plots with a common horizontal axis.
@@ -67,38 +66,38 @@ impl<'a> ChartDrawing<'a> {
 
     /// The plot of the optimal value.
     fn value(&self, of: Outcome) -> Figure {
-        let measure = NamedQuantity::outcome(of);
-        let title = format!("Best {} against {}", measure.label, self.along.label);
-        let figure = self.figure(of.name(), title, measure);
+        let quantity = NamedQuantity::outcome(of);
+        let title = format!("Best {} against {}", quantity.label, self.along.label);
+        let figure = self.figure(of.name(), title, quantity);
         let text = |value: f64| shown::outcome(of, value, self.system);
         self.with_optima(figure, Optimum::value, text)
     }
 
     /// The plot of the optimal value of the varied parameter `i`, with the bounds of its range.
     fn parameter(&self, i: usize, vary: &Vary) -> Figure {
-        let measure = NamedQuantity::parameter(vary.parameter);
+        let quantity = NamedQuantity::parameter(vary.parameter);
         let title = format!(
             "{} of the best drive against {}",
-            capital(&measure.label),
+            capital(&quantity.label),
             self.along.label
         );
         let name = vary.parameter.name.replace('.', "-");
         let figure = self
-            .figure(&name, title, measure)
+            .figure(&name, title, quantity)
             .with(self.bound_line("bounds", vary.low))
             .with(self.bound_line("", vary.high));
         let text = |value: f64| shown::parameter(vary.parameter, value, self.system);
         self.with_optima(figure, |best| best.solution.x.get(i).copied(), text)
     }
 
-    fn figure(&self, of: &str, title: String, measure: NamedQuantity) -> Figure {
+    fn figure(&self, of: &str, title: String, quantity: NamedQuantity) -> Figure {
         let tag = self.chart.along.parameter.name.replace('.', "-");
         let name = format!("chart-{of}-by-{tag}");
         Figure::new(
             name,
             title,
             Axis::linear(self.along.clone()),
-            Axis::linear(measure),
+            Axis::linear(quantity),
         )
     }
 
@@ -127,7 +126,7 @@ impl<'a> ChartDrawing<'a> {
         let along = chart.along.parameter;
         let place = |point: &ChartPoint| Some([point.at, value(&point.best)?]);
         let mut figure = figure.with(Layer::Line {
-            name: "optimum".into(),
+            name: NamedDrive::OPTIMUM.into(),
             hue: Hue::OPTIMUM,
             is_dashed: true,
             points: chart.points.iter().filter_map(place).collect(),
@@ -169,7 +168,7 @@ fn held_sentence(vary: &Vary, end: &str, system: System) -> String {
     } else {
         format!("its {end} bound")
     };
-    let label = capital(&NamedQuantity::parameter(vary.parameter).label);
+    let label = capital(&shown::words(vary.parameter.name));
     format!("{label}: {at}, {why}, in every optimum.")
 }
 

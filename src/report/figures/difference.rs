@@ -1,5 +1,5 @@
 use crate::report::plot::{Axis, Figure, HorizontalBar, Hue, Layer, NamedQuantity};
-use crate::report::shown::{self, words};
+use crate::report::shown::{self, capital, words};
 use crate::study::{Difference, Share, Shares};
 use crate::units::{System, counted};
 
@@ -11,7 +11,7 @@ const MOST: usize = 12;
 /// other inputs of the flight. The note is in the units of `system`.
 pub fn difference_figure(difference: &Difference, system: System) -> Figure {
     let of = difference.of;
-    let measure = NamedQuantity::outcome(of);
+    let quantity = NamedQuantity::outcome(of);
     let by_launch = difference.by_launch.as_ref();
     let splits = [("by parameter", 2, &difference.by_parameter)]
         .into_iter()
@@ -35,12 +35,12 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         names.extend(shares.iter().map(|share| words(share.cause.name())));
     }
     let x = Axis::linear(NamedQuantity {
-        label: format!("share of the difference of {}", measure.label),
-        ..measure.clone()
+        label: format!("share of the difference of {}", quantity.label),
+        ..quantity.clone()
     });
     let mut figure = Figure::new(
         format!("difference-{}", of.name()),
-        format!("Difference of {} between two drives", measure.label),
+        format!("Difference of {} between two drives", quantity.label),
         x,
         Axis::names(names),
     );
@@ -49,10 +49,10 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
     let mut note = format!(
         "{} of b minus its value of a: {}, from {} to {}. The bars of a colour add up to this \
          difference.",
-        super::capital(&measure.label),
+        capital(&quantity.label),
         shown::spread(of, difference.amount(), system),
-        measure.show(a, system),
-        measure.show(b, system),
+        quantity.show(a, system),
+        quantity.show(b, system),
     );
     if left_out > 0 {
         let left_out = counted(left_out as u64, "smaller share");

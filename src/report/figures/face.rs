@@ -220,6 +220,6 @@ fn note(face: &Face, largest: f64, system: System) -> String {
         place(longest),
         Quantity::ANGLE.read_off(largest, "deg"),
         reference(face),
-        super::map::capital(shown::GEAR_EFFECT),
+        shown::capital(shown::GEAR_EFFECT),
     )
 }

@@ -1,9 +1,8 @@
-use super::capital;
 use super::scale::{Grows, to_scale, with_margin};
 use super::style::{clear_names, style};
 use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, nice_step};
-use crate::report::shown;
+use crate::report::shown::{self, capital};
 use crate::statistics::extent;
 use crate::study::Landing;
 use crate::study::uncertainty::LandingEllipse;
@@ -270,14 +269,11 @@ fn spread(landings: &[Landing], system: System) -> Option<String> {
         return is_known
             .then(|| "No parameter of the golfer is uncertain, so there are no ellipses.".into());
     };
-    let sigma = |sigma: &crate::study::Sigma| {
-        format!(
-            "{} ± {}",
-            shown::words(sigma.parameter.name),
-            shown::uncertainty(sigma.parameter, sigma.value, system)
-        )
-    };
-    let sigmas: Vec<String> = landing.sigmas.iter().map(sigma).collect();
+    let sigmas: Vec<String> = landing
+        .sigmas
+        .iter()
+        .map(|sigma| shown::with_sigma(sigma, system))
+        .collect();
     Some(format!(
         "The inner and the outer ellipse hold 50 % and 95 % of the landings when these vary from \
          drive to drive, one standard deviation each: {}; by exact \

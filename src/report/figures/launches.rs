@@ -1,8 +1,7 @@
-use super::capital;
 use super::style::{field, style};
 use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, NamedQuantity};
-use crate::report::shown;
+use crate::report::shown::{self, capital};
 use crate::study::{Launches, NamedLaunch, Vary};
 use crate::units::System;
 
@@ -10,11 +9,11 @@ use crate::units::System;
 /// the launches of the drives and the best launch for each spin.
 pub fn launches_figure(map: &Launches, system: System) -> Figure {
     let axis = |vary: &Vary, label: &str| {
-        let measure = NamedQuantity {
+        let quantity = NamedQuantity {
             label: label.into(),
             ..NamedQuantity::parameter(vary.parameter)
         };
-        Axis::linear(measure).exactly(vary.low, vary.high)
+        Axis::linear(quantity).exactly(vary.low, vary.high)
     };
     let (x, y) = (
         axis(&map.plane.across, "launch angle"),

@@ -1,8 +1,8 @@
 use super::style::{field, field_of};
 use crate::parameters::Setup;
 use crate::report::plot::{Axis, Field, Figure, Hue, Layer, LineNames, NamedQuantity};
-use crate::report::shown;
-use crate::study::{Constraint, Map, Optimum, Region, Slope, Vary};
+use crate::report::shown::{self, capital};
+use crate::study::{Constraint, Map, NamedDrive, Optimum, Region, Slope, Vary};
 use crate::units::System;
 
 /// Length of the longest arrow, relative to the map's width.
@@ -30,9 +30,9 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     });
     let title = format!(
         "{} over {} and {}",
-        capital(&NamedQuantity::outcome(map.of).label),
-        x.measure.label,
-        y.measure.label
+        capital(&shown::words(map.of.name())),
+        x.quantity.label,
+        y.quantity.label
     );
     let name = format!("map-{}", map.of.name());
     let mut figure = Figure::new(name, title, x, y)
@@ -53,13 +53,12 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     let has_region = !region.is_empty();
     figure.layers.extend(region);
     let marks = marks(map, on.setup, best);
-    let has_own = marks.iter().any(|layer| layer.named().0 == AS_SET_UP);
+    let has_own = marks
+        .iter()
+        .any(|layer| layer.named().0 == NamedDrive::AS_SET_UP);
     figure.layers.extend(marks);
     figure.noted(note(map, on, [has_region, has_own], system))
 }
-
-/// The name of the drive as set up.
-const AS_SET_UP: &str = "as set up";
 
 /// The drive as set up and the optimum, if the map contains them, with an arrow from the drive as
 /// set up to the optimum.
@@ -85,8 +84,8 @@ fn marks(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> Vec<Layer> {
         })
     };
     let marks = [
-        mark(AS_SET_UP, Hue::SET_UP, own),
-        mark("optimum", Hue::OPTIMUM, top),
+        mark(NamedDrive::AS_SET_UP, Hue::SET_UP, own),
+        mark(NamedDrive::OPTIMUM, Hue::OPTIMUM, top),
     ];
     arrow
         .into_iter()
@@ -141,7 +140,7 @@ fn held(setup: &Setup<f64>, best: Option<&Optimum>, axes: [&Vary; 2], system: Sy
         .map(|(vary, x)| {
             format!(
                 "{} {}",
-                NamedQuantity::parameter(vary.parameter).label,
+                shown::words(vary.parameter.name),
                 shown::parameter(vary.parameter, *x, system)
             )
         })
@@ -159,7 +158,7 @@ fn held(setup: &Setup<f64>, best: Option<&Optimum>, axes: [&Vary; 2], system: Sy
     let speed = speed.and_then(|row| {
         Some(format!(
             "{} {}",
-            NamedQuantity::parameter(row).label,
+            shown::words(row.name),
             shown::stated(row, setup.value(row)?, system)
         ))
     });
@@ -280,12 +279,4 @@ fn arrows(across: &Vary, up: &Vary, slopes: &[Slope]) -> Layer {
         hue: Hue::Faint,
         arrows: slopes.iter().map(arrow).collect(),
     }
-}
-
-/// A text with a capital first letter.
-pub(in crate::report) fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
 }

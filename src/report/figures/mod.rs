@@ -21,7 +21,6 @@ pub use face::face_figure;
 pub use fairway::fairway_figure;
 pub use launches::launches_figure;
 pub use laws::{Coefficient, Over, laws_figure};
-pub(super) use map::capital;
 pub use map::{OnMap, map_figure};
 pub use pareto::pareto_figure;
 pub use strikes::strikes_figure;

@@ -1,8 +1,8 @@
-use super::map::capital;
 use crate::report::pareto::role;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
-use crate::report::shown;
+use crate::report::shown::{self, capital};
 use crate::statistics::extent;
+use crate::study::NamedDrive;
 use crate::study::swings::{Pareto, ParetoPoint};
 use crate::units::System;
 
@@ -12,9 +12,14 @@ const REACH: f64 = 0.2;
 /// The Pareto front of two goals: the first goal against the second, with the ends, the knee, the
 /// slope at the knee, and the design before the search. Texts are in the units of `system`.
 pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
-    let [y, x] = found.search.goals.each_ref().map(|(goal, _)| {
-        NamedQuantity::new(shown::words(&goal.expression), goal.quantity, goal.unit)
-    });
+    let [y, x] = found
+        .search
+        .goals
+        .each_ref()
+        .map(|(goal, _)| NamedQuantity {
+            label: shown::words(&goal.expression),
+            of: goal.into(),
+        });
     let title = format!("{} against {}", capital(&y.label), x.label);
     let mut figure = Figure::new("pareto", title, Axis::linear(x), Axis::linear(y));
     figure.layers.extend(tangent(found, system));
@@ -48,7 +53,7 @@ pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
     }
     if let Some([own, against]) = found.as_set_up {
         figure.layers.push(Layer::Mark {
-            name: "as set up".into(),
+            name: NamedDrive::AS_SET_UP.into(),
             hue: Hue::SET_UP,
             at: [against, own],
         });

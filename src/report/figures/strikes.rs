@@ -1,9 +1,8 @@
 use super::face::{above, across, marks, outline, reference, seen, tilt_arrows};
-use super::map::capital;
 use super::style::field;
 use crate::drive::Outcome;
 use crate::report::plot::{Field, Figure, Hue, Layer, NamedQuantity};
-use crate::report::shown;
+use crate::report::shown::{self, capital};
 use crate::statistics::largest_magnitude;
 use crate::study::Face;
 use crate::units::{Quantity, System};
@@ -60,7 +59,7 @@ fn view(face: &Face, of: Outcome, field: Field) -> Figure {
         across(face).exactly(-wide, wide),
         above(face).exactly(-tall, tall),
     );
-    let title = format!("{} over the face", capital(&field.measure.label));
+    let title = format!("{} over the face", capital(&field.quantity.label));
     let mut figure =
         Figure::new(format!("strikes-{}", of.name()), title, x, y).with(Layer::Contours(field));
     figure.aspect = tall / wide;

@@ -2,7 +2,7 @@
 //! and one dash pattern in all plots, and the titles of all plots use the same words.
 
 use crate::report::plot::{Field, Hue, Layer, NamedQuantity};
-use crate::study::{Plane, Vary};
+use crate::study::{NamedDrive, Plane, Vary};
 use std::fmt;
 
 /// The drive that a picture shows.
@@ -18,18 +18,18 @@ pub enum ShownDrive {
 impl fmt::Display for ShownDrive {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::SetUp => "as set up",
+            Self::SetUp => NamedDrive::AS_SET_UP,
             Self::Optimum => "at the optimum",
         })
     }
 }
 
-/// The colour of a drive, and true if its lines are dashed. A name other than "as set up" and
-/// "optimum" has the style of the series `place`.
+/// The colour of a drive, and true if its lines are dashed. A name other than
+/// [`NamedDrive::AS_SET_UP`] and [`NamedDrive::OPTIMUM`] has the style of the series `place`.
 pub(super) fn style(name: &str, place: usize) -> (Hue, bool) {
     match name {
-        "as set up" => (Hue::SET_UP, false),
-        "optimum" => (Hue::OPTIMUM, true),
+        NamedDrive::AS_SET_UP => (Hue::SET_UP, false),
+        NamedDrive::OPTIMUM => (Hue::OPTIMUM, true),
         _ => (Hue::Series(place), place > 0),
     }
 }
@@ -46,17 +46,17 @@ pub(super) fn clear_names(layers: &mut [Layer]) {
 }
 
 /// An outcome over a grid as a field of a plot.
-pub(super) fn field(plane: &Plane, of: usize, measure: NamedQuantity) -> Field {
+pub(super) fn field(plane: &Plane, of: usize, quantity: NamedQuantity) -> Field {
     let values = plane.values.get(of).map_or(&[][..], Vec::as_slice);
     Field {
         gradients: plane.gradients.get(of).cloned().unwrap_or_default(),
-        ..field_of(measure, plane.across, plane.up, plane.columns, values)
+        ..field_of(quantity, plane.across, plane.up, plane.columns, values)
     }
 }
 
 /// Values at the nodes of a grid as a field of a plot, without gradients.
 pub(super) fn field_of(
-    measure: NamedQuantity,
+    quantity: NamedQuantity,
     across: Vary,
     up: Vary,
     columns: usize,
@@ -64,7 +64,7 @@ pub(super) fn field_of(
 ) -> Field {
     let (x, y) = ([across.low, across.high], [up.low, up.high]);
     Field {
-        measure,
+        quantity,
         x,
         y,
         columns,

@@ -2,7 +2,7 @@ use super::ShownDrive;
 use crate::parameters::Parameter;
 use crate::report::plot::{Axis, Figure, HorizontalBar, Hue, Layer, NamedQuantity};
 use crate::report::shown::{self, is_rounding, spread};
-use crate::study::{self, Effect, Effects, Sigma};
+use crate::study::{self, Effect, Effects};
 use crate::units::{System, counted};
 
 /// Bars shorter than this fraction of the longest bar are combined in one row.
@@ -89,7 +89,7 @@ pub fn tornado_figure(
         .collect();
     ranked.sort_by(|a, b| size(b).total_cmp(&size(a)));
     let longest = ranked.first().map(size).filter(|longest| *longest > 0.0)?;
-    let measure = NamedQuantity::outcome(effects.of);
+    let quantity = NamedQuantity::outcome(effects.of);
     // bars that are long enough to be visible
     let seen = ranked
         .iter()
@@ -97,17 +97,10 @@ pub fn tornado_figure(
         .count()
         .min(MOST);
     let folded = ranked.split_off(seen);
-    let name = |effect: &study::SigmaEffect| {
-        let Sigma {
-            parameter, value, ..
-        } = effect.sigma;
-        format!(
-            "{} ± {}",
-            NamedQuantity::parameter(parameter).label,
-            shown::uncertainty(parameter, value, system)
-        )
-    };
-    let mut names: Vec<String> = ranked.iter().map(name).collect();
+    let mut names: Vec<String> = ranked
+        .iter()
+        .map(|effect| shown::with_sigma(&effect.sigma, system))
+        .collect();
     let together = folded
         .iter()
         .map(|effect| effect.first_order)
@@ -122,12 +115,12 @@ pub fn tornado_figure(
         names.push(format!("{} more: {amount}", folded.len()));
     }
     let title = match causes {
-        Causes::All => format!("Effects of uncertainties on {}, {at}", measure.label),
-        _ => format!("Effects on {} of {}, {at}", measure.label, causes.words()),
+        Causes::All => format!("Effects of uncertainties on {}, {at}", quantity.label),
+        _ => format!("Effects on {} of {}, {at}", quantity.label, causes.words()),
     };
     let x = Axis::linear(NamedQuantity {
-        label: format!("change of {}", measure.label),
-        ..measure.clone()
+        label: format!("change of {}", quantity.label),
+        ..quantity.clone()
     });
     let bars = |name: &str, hue: Hue, end: usize| {
         let bars = ranked
@@ -162,7 +155,7 @@ fn note(
     folded: &[study::SigmaEffect],
     system: System,
 ) -> String {
-    let measure = NamedQuantity::outcome(effects.of);
+    let quantity = NamedQuantity::outcome(effects.of);
     let sum = |causes: Causes| {
         let of_causes = effects
             .effects
@@ -177,7 +170,7 @@ fn note(
     let mut note = format!(
         "Change of {} when each parameter is moved by its standard uncertainty, one at a time, \
          {at}. All together, if independent: ± {}.",
-        measure.label,
+        quantity.label,
         sum(causes),
     );
     match causes {
@@ -206,7 +199,7 @@ fn note(
     if !folded.is_empty() {
         let names: Vec<String> = folded
             .iter()
-            .map(|effect| NamedQuantity::parameter(effect.sigma.parameter).label)
+            .map(|effect| shown::words(effect.sigma.parameter.name))
             .collect();
         note += &format!(" In the last row: {}.", names.join(", "));
     }

@@ -14,5 +14,6 @@ pub use report::{
 };
 pub use setup_file::optimum_toml;
 pub use surroundings::Surroundings;
+pub(super) use surroundings::window_end;
 pub(super) use text::{add_convergence, add_place, ended_line, place};
 pub use text::{iteration_line, optima_document, optimize_document, optimum_document};

@@ -34,25 +34,32 @@ impl Surroundings<'_> {
     }
 }
 
-/// A window in words, such as "club.loft 5.36° to 6.94°". If something other than the loss limits
-/// an end, the text has the reason.
+/// A window in words, such as "club.loft 5.36° to 6.94°".
 fn window_text(vary: &Vary, window: &Window, system: System) -> String {
-    let end = |value: f64, limit: &WindowLimit| {
-        let value = shown::parameter(vary.parameter, value, system);
-        match limit {
-            WindowLimit::Loss => value,
-            WindowLimit::Constraint(constraint) => {
-                format!("{value} ({})", shown::constraint(constraint, system))
-            }
-            other => format!("{value} ({})", other.name()),
-        }
-    };
     format!(
         "{} {} to {}",
         vary.parameter.name,
-        end(window.low, &window.low_limit),
-        end(window.high, &window.high_limit)
+        window_end(vary, window.low, &window.low_limit, system),
+        window_end(vary, window.high, &window.high_limit, system)
     )
+}
+
+/// An end of a window, such as "5.36°". If something other than the loss limits the end, the text
+/// has the reason: "5.00° (bound)".
+pub(in crate::report) fn window_end(
+    vary: &Vary,
+    value: f64,
+    limit: &WindowLimit,
+    system: System,
+) -> String {
+    let value = shown::parameter(vary.parameter, value, system);
+    match limit {
+        WindowLimit::Loss => value,
+        WindowLimit::Constraint(constraint) => {
+            format!("{value} ({})", shown::constraint(constraint, system))
+        }
+        other => format!("{value} ({})", other.name()),
+    }
 }
 
 /// The gain of the club in words, such as "the club alone, with the swing as set up: +2.60 yd

@@ -5,9 +5,8 @@ use super::findings::Findings;
 use super::numbers::outcome;
 use crate::drive::{Drive, Outcome};
 use crate::parameters::{Setup, UNSET};
-use crate::report::figures::capital;
 use crate::report::frame::both;
-use crate::report::shown;
+use crate::report::shown::{self, capital};
 use crate::study::Optimum;
 use maud::{Markup, html};
 

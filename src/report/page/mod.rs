@@ -12,13 +12,14 @@ mod sections;
 pub use findings::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE};
 
 use super::figures::{
-    Causes, OnMap, ShownDrive, View, capital, chart_figures, face_figure, fairway_figure,
-    launches_figure, map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    Causes, OnMap, ShownDrive, View, chart_figures, face_figure, fairway_figure, launches_figure,
+    map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use super::frame::{self, Pair, TextFile, both, chosen, picture_files, pictures};
 use super::optimum::optimum_toml;
 use super::plot::{Figure, Look, figure_svg};
-use super::{setup_toml, shown};
+use super::setup_toml;
+use super::shown::{self, capital};
 use crate::error::{Error, Result};
 use crate::study::{Chart, Effects, Map, NamedDrive};
 use crate::units::{Message, System};
@@ -109,8 +110,8 @@ fn plots(findings: &Findings) -> Plots {
 /// computed face.
 fn strikes(findings: &Findings) -> Vec<Pair> {
     let faces = [
-        ("as set up", &findings.face),
-        ("optimum", &findings.best_face),
+        (NamedDrive::AS_SET_UP, &findings.face),
+        (NamedDrive::OPTIMUM, &findings.best_face),
     ];
     let designs: Vec<_> = faces
         .into_iter()

@@ -6,12 +6,11 @@ use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::parameters::{GOLFER, METHOD, Parameter, SPEED_OF};
 use crate::report::certificate::settled;
-use crate::report::figures::capital;
 use crate::report::frame::{both, chosen, scrolled};
 use crate::report::limits::{ConstraintAtEnd, Objective, ended_at};
-use crate::report::optimum::bound_in_words;
+use crate::report::optimum::{bound_in_words, window_end};
 use crate::report::presets::{SourcedValue, sources};
-use crate::report::shown;
+use crate::report::shown::{self, capital};
 use crate::study::certificate::DerivativeRow;
 use crate::study::{Effects, Flatness, NamedDrive, Optimum, Vary, Window, WindowLimit};
 use crate::units::{System, counted, significant, typeset};
@@ -42,23 +41,13 @@ pub(super) fn panel(findings: &Findings) -> Markup {
         dl.panel {
             @for row in inputs {
                 @if let Some(value) = findings.setup.value(row) {
-                    div { dt { (tile_name(row.name)) } dd { (both(|system| shown::given(row, value, system, shown::IN_SUMMARY))) } }
+                    div { dt { (shown::words(row.name)) } dd { (both(|system| shown::given(row, value, system, shown::IN_SUMMARY))) } }
                 }
             }
             @for of in SHOWN {
-                div { dt { (of.name().replace('_', " ")) } dd { (outcome(of, of.value(&first.drive))) } }
+                div { dt { (shown::words(of.name())) } dd { (outcome(of, of.value(&first.drive))) } }
             }
         }
-    }
-}
-
-/// The name of a parameter on a tile: "club speed", as on launch monitors.
-fn tile_name(name: &str) -> String {
-    let last = name.rsplit('.').next().unwrap_or(name);
-    if name == "swing.speed" {
-        "club speed".into()
-    } else {
-        last.replace('_', " ")
     }
 }
 
@@ -71,7 +60,7 @@ pub(super) fn outcomes(flown: &[NamedDrive]) -> Markup {
             tbody {
                 @for of in Outcome::in_group(OutcomeGroup::Launch).chain(Outcome::in_group(OutcomeGroup::Flight)) {
                     tr {
-                        td { (of.name().replace('_', " ")) }
+                        td { (shown::words(of.name())) }
                         @for one in flown { td.number { (outcome(of, of.value(&one.drive))) } }
                         td.faint.doc { (of.doc()) }
                     }
@@ -87,7 +76,7 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     let of = search.outcome();
     let ended = ended_at(solution.status, "optimum");
     html! {
-        p { (capital(search.sense.adjective())) " " (of.name().replace('_', " ")) ": " strong { (outcome(of, best.value())) } "." }
+        p { (capital(search.sense.adjective())) " " (shown::words(of.name())) ": " strong { (outcome(of, best.value())) } "." }
         (scrolled("The optimum", html! { table.stacked {
             thead { tr {
                 th { "varied" } th.number { (ended) } th.number { "from" } th.number { "to" } th { "bound" }
@@ -125,24 +114,10 @@ fn alone(of: Outcome, flatness: &Flatness) -> Markup {
 
 /// The window of a parameter, with the reason for each end that is not due to the loss.
 fn window(vary: &Vary, window: &Window) -> Markup {
-    let end = |value: f64| both(|system| shown::parameter(vary.parameter, value, system));
+    let end =
+        |value: f64, limit: &WindowLimit| both(|system| window_end(vary, value, limit, system));
     html! {
-        span {
-            (end(window.low)) (limit(&window.low_limit)) " … "
-            (end(window.high)) (limit(&window.high_limit))
-        }
-    }
-}
-
-/// The reason for an end of a window; empty if the end is due to the loss.
-fn limit(limit: &WindowLimit) -> Markup {
-    html! {
-        @match limit {
-            WindowLimit::Loss => {}
-            WindowLimit::Bound => " (bound)",
-            WindowLimit::Constraint(constraint) => { " (" (both(|system| shown::constraint(constraint, system))) ")" }
-            WindowLimit::NoFlight => " (no flight)",
-        }
+        span { (end(window.low, &window.low_limit)) " … " (end(window.high, &window.high_limit)) }
     }
 }
 

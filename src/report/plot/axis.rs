@@ -1,26 +1,23 @@
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
 use crate::report::shown::words;
-use crate::units::{Quantity, System, TableUnits, printed};
+use crate::units::{DisplayUnit, Quantity, System, TableUnits, printed};
 
 /// A quantity along an axis, or of a colour scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedQuantity {
     /// The name: "carry".
     pub label: String,
-    /// The physical quantity; values are in SI.
-    pub quantity: Quantity,
-    /// A unit that is customary in golf, of either system. It determines the unit in the other.
-    pub unit: &'static str,
+    /// The physical quantity, whose values are in SI, with its display unit.
+    pub of: DisplayUnit,
 }
 
 impl NamedQuantity {
-    /// A measure of this name.
+    /// A quantity of this name. `unit` is customary in golf, of either system.
     pub fn new(label: impl Into<String>, quantity: Quantity, unit: &'static str) -> Self {
         Self {
             label: label.into(),
-            quantity,
-            unit,
+            of: DisplayUnit { quantity, unit },
         }
     }
 
@@ -31,28 +28,29 @@ impl NamedQuantity {
 
     /// An outcome.
     pub fn outcome(outcome: Outcome) -> Self {
-        Self::new(words(outcome.name()), outcome.quantity(), outcome.unit())
+        Self {
+            label: words(outcome.name()),
+            of: outcome.into(),
+        }
     }
 
     /// A parameter: "club speed".
     pub fn parameter(parameter: &Parameter) -> Self {
-        Self::new(words(parameter.name), parameter.quantity, parameter.unit)
-    }
-
-    /// The size of the unit of a system, in SI units. To divide by this size is much faster than to
-    /// parse the unit for each value.
-    pub fn unit_size(&self, system: System) -> f64 {
-        self.quantity.size_of(system.unit(self.unit)).unwrap_or(1.0)
+        Self {
+            label: words(parameter.name),
+            of: parameter.into(),
+        }
     }
 
     /// An SI value in the unit of a system with the digits of a launch monitor: "251.1 yd".
     pub fn show(&self, value: f64, system: System) -> String {
-        self.quantity.read_off(value, system.unit(self.unit))
+        let unit = system.unit(self.of.unit);
+        self.of.quantity.read_off(value, unit)
     }
 
     /// The name with the unit of a system: `carry [yd]`, `club loft [°]`.
     pub fn titled(&self, system: System) -> String {
-        match printed(system.unit(self.unit)).as_str() {
+        match printed(system.unit(self.of.unit)).as_str() {
             "" => self.label.clone(),
             unit => format!("{} [{unit}]", self.label),
         }
@@ -60,13 +58,13 @@ impl NamedQuantity {
 
     /// The name with the unit of a table: `carry [m]`.
     pub fn head(&self, units: TableUnits) -> String {
-        units.head(&self.label, self.quantity, self.unit)
+        units.head(&self.label, self.of.quantity, self.of.unit)
     }
 
     /// An SI value as a number in the units of a table, with all digits; empty without a finite
     /// value.
     pub(in crate::report) fn cell(&self, value: Option<f64>, units: TableUnits) -> String {
-        let number = value.map(|value| units.number(value, self.quantity, self.unit));
+        let number = value.map(|value| units.number(value, self.of.quantity, self.of.unit));
         number
             .filter(|number| number.is_finite())
             .map_or(String::new(), |number| format!("{number:?}"))
@@ -92,7 +90,7 @@ pub enum AxisScale {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     /// The quantity.
-    pub measure: NamedQuantity,
+    pub quantity: NamedQuantity,
     /// The scale.
     pub scale: AxisScale,
     /// The range, SI; data outside are not drawn. `None` for the range of the data.
@@ -101,27 +99,27 @@ pub struct Axis {
 
 impl Axis {
     /// A linear axis with the range of the data.
-    pub fn linear(measure: NamedQuantity) -> Self {
+    pub fn linear(quantity: NamedQuantity) -> Self {
         Self {
-            measure,
+            quantity,
             scale: AxisScale::Linear,
             reach: None,
         }
     }
 
     /// A logarithmic axis with the range of the data.
-    pub fn log(measure: NamedQuantity) -> Self {
+    pub fn log(quantity: NamedQuantity) -> Self {
         Self {
             scale: AxisScale::Log,
-            ..Self::linear(measure)
+            ..Self::linear(quantity)
         }
     }
 
     /// Distances to the right of a line, with right at the bottom, and with the range of the data.
-    pub fn left_right(measure: NamedQuantity) -> Self {
+    pub fn left_right(quantity: NamedQuantity) -> Self {
         Self {
             scale: AxisScale::LeftRight,
-            ..Self::linear(measure)
+            ..Self::linear(quantity)
         }
     }
 

@@ -2,14 +2,13 @@
 //! on the left, or above in a narrow picture, and with the values at the ends of the bars.
 
 use super::axis::{Axis, AxisScale};
-use super::canvas::{Anchor, Canvas, Font, Stroke, TEXT};
+use super::canvas::{Anchor, Canvas, Font, SMALL_TEXT, Stroke};
 use super::figure::{Figure, HorizontalBar, Layer};
 use super::layers::PlotArea;
+use super::palette::BAR_OPACITY;
 use super::text_width::{text_width, wrapped};
-use crate::units::{System, is_zero, leading_number, signed, typeset};
+use crate::units::{DisplayUnit, System, is_zero, leading_number, signed, typeset};
 
-/// Text size of names, pixels.
-const NAME: f64 = TEXT - 0.5;
 /// Text size of values, pixels.
 const VALUE: f64 = 12.0;
 /// Height of a line of a name, pixels.
@@ -57,7 +56,7 @@ impl BarRows {
         let widest = beside
             .iter()
             .flatten()
-            .map(|line| text_width(line, NAME, false))
+            .map(|line| text_width(line, SMALL_TEXT, false))
             .fold(0.0, f64::max);
         if beside.iter().all(|lines| lines.len() <= MOST_LINES) {
             return Some(Self {
@@ -97,7 +96,7 @@ impl BarRows {
         if let Some([x, _]) = area.pixel([0.0, 0.0]) {
             canvas.line(&[[x, top], [x, bottom]], Stroke::new(palette.faint, 1.0));
         }
-        let font = Font::new(NAME, palette.ink);
+        let font = Font::new(SMALL_TEXT, palette.ink);
         for (place, lines) in self.names.iter().enumerate() {
             let middle = top + self.middle(place);
             for (i, line) in lines.iter().enumerate() {
@@ -109,7 +108,7 @@ impl BarRows {
                 // the last line of the name is directly above the bars
                 let up = 0.5 * ROW + NAME_LINE * (lines.len() as f64 - i as f64 - 0.5) - 2.0;
                 let y = middle - up;
-                let right = left + 8.0 + text_width(line, NAME, false);
+                let right = left + 8.0 + text_width(line, SMALL_TEXT, false);
                 let [low, high] = [
                     [left + 2.0, y - 0.5 * NAME_LINE],
                     [right, y + 0.5 * NAME_LINE],
@@ -148,7 +147,7 @@ impl BarRows {
                     APART * (2.0 * lane as f64 - 1.0)
                 };
             let [low, high] = [[from.min(to), middle - half], [from.max(to), middle + half]];
-            canvas.rectangle(low, high, canvas.palette.of(*hue), 0.85);
+            canvas.rectangle(low, high, canvas.palette.of(*hue), BAR_OPACITY);
             let (x, anchor) = if is_left(figure, layer, bar) {
                 (to - GAP, Anchor::Right)
             } else {
@@ -163,20 +162,20 @@ impl BarRows {
 /// A name wrapped into lines. The text from "±" on is not broken.
 fn in_lines(name: &str, room: f64) -> Vec<String> {
     match name.split_once(" ± ") {
-        Some((words, amount)) if text_width(name, NAME, false) > room => {
+        Some((words, amount)) if text_width(name, SMALL_TEXT, false) > room => {
             let amount = wrapped(
                 &format!("±\u{2007}{amount}").replace(' ', "\u{2007}"),
                 room,
-                NAME,
+                SMALL_TEXT,
                 false,
             );
             let amount = amount.into_iter().map(|line| line.replace('\u{2007}', " "));
-            wrapped(words, room, NAME, false)
+            wrapped(words, room, SMALL_TEXT, false)
                 .into_iter()
                 .chain(amount)
                 .collect()
         }
-        _ => wrapped(name, room, NAME, false),
+        _ => wrapped(name, room, SMALL_TEXT, false),
     }
 }
 
@@ -228,12 +227,12 @@ fn is_left(figure: &Figure, layer: usize, bar: &HorizontalBar) -> bool {
 /// The value at the end of a bar, in the unit of the axis: "+3.9". It has more digits if all values
 /// of the row would be displayed as 0.
 fn value(figure: &Figure, layer: usize, bar: &HorizontalBar, system: System) -> String {
-    let measure = &figure.x.measure;
-    let unit = system.unit(measure.unit);
+    let DisplayUnit { quantity, unit } = figure.x.quantity.of;
+    let unit = system.unit(unit);
     let amount = bar.to;
-    let text = measure.quantity.read_off(amount, unit);
+    let text = quantity.read_off(amount, unit);
     let is_lost = |bar: &HorizontalBar| {
-        let text = measure.quantity.read_off(bar.to.abs(), unit);
+        let text = quantity.read_off(bar.to.abs(), unit);
         is_zero(leading_number(&text))
     };
     let is_row_lost = is_lost(bar)
@@ -241,7 +240,7 @@ fn value(figure: &Figure, layer: usize, bar: &HorizontalBar, system: System) -> 
             .iter()
             .all(|(_, other)| is_lost(other));
     let text = if is_row_lost {
-        measure.quantity.read_off_difference(amount, unit)
+        quantity.read_off_difference(amount, unit)
     } else {
         text
     };

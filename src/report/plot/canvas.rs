@@ -7,6 +7,8 @@ use maud::{Markup, html};
 
 /// Size of the text, pixels.
 pub(super) const TEXT: f64 = 13.5;
+/// Size of the text of numbers, names and labels, pixels.
+pub(super) const SMALL_TEXT: f64 = TEXT - 0.5;
 
 /// Width of a symbol in the legend, pixels.
 pub(super) const SIGN: f64 = 24.0;
@@ -162,7 +164,7 @@ impl Labels<'_> {
     /// The rectangle of a text around a point, large enough for bold text.
     pub fn extent(text: &str, middle: [f64; 2]) -> [[f64; 2]; 2] {
         let half = [
-            0.5 * text_width(&typeset(text), TEXT - 0.5, true) + 3.0,
+            0.5 * text_width(&typeset(text), SMALL_TEXT, true) + 3.0,
             0.5 * LINE - 1.0,
         ];
         [
@@ -187,7 +189,7 @@ impl Labels<'_> {
             .rectangle(extent[0], extent[1], background, 0.72);
         self.taken.push(extent);
         let font = Font {
-            size: TEXT - 0.5,
+            size: SMALL_TEXT,
             color,
             is_bold,
         };

@@ -3,6 +3,7 @@
 
 use super::figure::Field;
 use super::interpolation::Refined;
+use super::ticks::round_step;
 use crate::units::System;
 use contour::ContourBuilder;
 
@@ -48,7 +49,7 @@ impl Field {
 
 /// The regions of a field, the lowest level first. Each region contains the next region.
 pub(super) fn contour_regions(field: &Field, system: System) -> Vec<ContourRegion> {
-    let unit = field.measure.unit_size(system);
+    let unit = field.quantity.of.size_in(system);
     let (columns, rows) = (field.columns, field.rows());
     let Some(refined) = Refined::new(field).map(|fine| fine.over(unit)) else {
         return vec![];
@@ -144,7 +145,7 @@ fn outlined(field: &Field, refined: &Refined, levels: &[f64]) -> Vec<ContourRegi
 /// Within a stretch the step is constant, so that the distance of lines shows the slope.
 fn levels(sorted: &[f64]) -> Vec<f64> {
     let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
-    let Some(mut step) = round_step((high - low) / FIRST_LINES) else {
+    let Some(mut step) = round_step((high - low) / FIRST_LINES, &STEPS) else {
         return vec![];
     };
     let mut levels = multiples(step, low, high);
@@ -236,6 +237,8 @@ fn dense_stretch(
     (from < to || intervals[from].is_outermost).then(|| ends(from, to))
 }
 
+/// Leading digits of the distance between levels.
+const STEPS: [f64; 5] = [1.0, 2.0, 2.5, 5.0, 10.0];
 /// Maximum number of lines before refinement, approximately.
 const FIRST_LINES: f64 = 8.0;
 /// Share of the map above which a neighbouring interval gets finer levels too.
@@ -268,15 +271,6 @@ fn finer(step: f64) -> f64 {
 
 /// Minimum step relative to the range of a map.
 const FINEST: f64 = 1e-3;
-
-/// The smallest step of 1, 2, 2.5 or 5 times a power of ten that is not below a step.
-fn round_step(step: f64) -> Option<f64> {
-    let power = 10.0_f64.powf(step.log10().floor());
-    let digits = [1.0, 2.0, 2.5, 5.0, 10.0].map(|digit| digit * power);
-    digits
-        .into_iter()
-        .find(|round| *round >= step * (1.0 - 1e-9) && round.is_finite() && *round > 0.0)
-}
 
 /// The pieces of a ring, except the pieces along the border of the map.
 fn inner(ring: &[[f64; 2]], columns: usize, rows: usize) -> Vec<Vec<[f64; 2]>> {
@@ -320,7 +314,7 @@ mod tests {
 
     fn field(f: impl Fn(f64, f64) -> Option<f64>) -> Field {
         let mut field = Field {
-            measure: NamedQuantity::plain("f"),
+            quantity: NamedQuantity::plain("f"),
             x: [0.0, 3.0],
             y: [1.0, 2.0],
             columns: 13,

@@ -26,7 +26,7 @@ pub fn figure_csv(figure: &Figure, units: TableUnits) -> Result<String> {
     let numbers = number_columns(figure, &rows, units);
     let mut values: Vec<String> = vec![];
     for row in &rows {
-        let head = row.value.map(|(field, _)| field.measure.head(units));
+        let head = row.value.map(|(field, _)| field.quantity.head(units));
         values.extend(head.filter(|head| !values.contains(head)));
     }
     let heads = ["kind", "name"].map(str::to_owned).into_iter();
@@ -36,11 +36,11 @@ pub fn figure_csv(figure: &Figure, units: TableUnits) -> Result<String> {
     let cells = rows.iter().map(|row| {
         let number = |(column, _): &(usize, String)| {
             let axis = [&figure.x, &figure.y][column % 2];
-            axis.measure.cell(row.numbers[*column], units)
+            axis.quantity.cell(row.numbers[*column], units)
         };
         let value = |head: &String| match row.value {
-            Some((field, value)) if field.measure.head(units) == *head => {
-                field.measure.cell(Some(value), units)
+            Some((field, value)) if field.quantity.head(units) == *head => {
+                field.quantity.cell(Some(value), units)
             }
             _ => String::new(),
         };
@@ -55,7 +55,7 @@ pub fn figure_csv(figure: &Figure, units: TableUnits) -> Result<String> {
 /// The filled columns of [`CsvRow::numbers`], with their heads.
 fn number_columns(figure: &Figure, rows: &[CsvRow<'_>], units: TableUnits) -> Vec<(usize, String)> {
     let head = |axis: &Axis, letter: &str| {
-        let head = axis.measure.head(units);
+        let head = axis.quantity.head(units);
         if head.is_empty() { letter.into() } else { head }
     };
     let [x, y] = [head(&figure.x, "x"), head(&figure.y, "y")];

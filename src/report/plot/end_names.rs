@@ -1,14 +1,11 @@
 //! Names of lines at their right ends, beside the plot.
 
-use super::canvas::{Anchor, Canvas, Font, LINE, Stroke, TEXT};
+use super::canvas::{Anchor, Canvas, Font, LINE, SMALL_TEXT, Stroke};
 use super::figure::{Figure, Hue, Layer, LineNames};
 use super::layers::PlotArea;
 use super::legend::whole_name;
 use super::text_width::{text_width, wrapped};
 use crate::units::typeset;
-
-/// Text size, pixels.
-const SIZE: f64 = TEXT - 0.5;
 
 /// Distance between lines of a name, pixels.
 const APART: f64 = LINE - 3.0;
@@ -61,7 +58,7 @@ impl<'a> EndNames<'a> {
                 names.push(Name {
                     whole,
                     hue: *hue,
-                    lines: wrapped(&typeset(whole), room, SIZE, is_bold(*hue)),
+                    lines: wrapped(&typeset(whole), room, SMALL_TEXT, is_bold(*hue)),
                 });
             }
         }
@@ -106,7 +103,7 @@ impl<'a> EndNames<'a> {
             connector.push([start[0] - 3.0, middle]);
             canvas.line(&connector, Stroke::new(color, 0.7));
             let font = Font {
-                size: SIZE,
+                size: SMALL_TEXT,
                 color,
                 is_bold: is_bold(name.hue),
             };
@@ -127,7 +124,7 @@ fn is_bold(hue: Hue) -> bool {
 impl Name<'_> {
     fn width(&self) -> f64 {
         let lines = self.lines.iter();
-        let widths = lines.map(|line| text_width(line, SIZE, is_bold(self.hue)));
+        let widths = lines.map(|line| text_width(line, SMALL_TEXT, is_bold(self.hue)));
         widths.fold(0.0, f64::max)
     }
 

@@ -241,7 +241,7 @@ impl Layer {
             | Self::Text { name, hue, .. }
             | Self::Arrows { name, hue, .. }
             | Self::Region { name, hue, .. } => (name, Some(*hue)),
-            Self::Contours(field) => (&field.measure.label, None),
+            Self::Contours(field) => (&field.quantity.label, None),
         }
     }
 }
@@ -259,7 +259,7 @@ pub struct HorizontalBar {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
     /// The quantity.
-    pub measure: NamedQuantity,
+    pub quantity: NamedQuantity,
     /// The coordinates of the first and last column.
     pub x: [f64; 2],
     /// The coordinates of the first and last row.

@@ -82,10 +82,10 @@ fn contours_of<'a>(
     let Layer::Contours(field) = layer else {
         return vec![];
     };
-    let unit = system.unit(field.measure.unit);
+    let unit = system.unit(field.quantity.of.unit);
     let of = |region: &'a ContourRegion| {
         let level = typed(&significant(region.level, 6), unit);
-        let title = format!("{} {level}", field.measure.label);
+        let title = format!("{} {level}", field.quantity.label);
         let lines = region.lines.iter();
         lines.map(move |piece| (title.clone(), piece.as_slice()))
     };
@@ -100,12 +100,12 @@ fn on_axis(axis: &Axis, value: f64, system: System) -> String {
             .cloned()
             .unwrap_or_default(),
         _ => {
-            let measure = &axis.measure;
-            let value = match measure.quantity {
+            let quantity = &axis.quantity;
+            let value = match quantity.of.quantity {
                 Quantity::NUMBER => significant(value, 4),
-                _ => measure.show(value, system),
+                _ => quantity.show(value, system),
             };
-            format!("{} {value}", measure.label).trim().to_owned()
+            format!("{} {value}", quantity.label).trim().to_owned()
         }
     }
 }

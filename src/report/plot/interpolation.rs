@@ -185,7 +185,7 @@ mod tests {
             .map(|i| f(part(i % nodes), part(i / nodes)))
             .collect();
         Field {
-            measure: NamedQuantity::plain("f"),
+            quantity: NamedQuantity::plain("f"),
             x: [0.0, 1.0],
             y: [0.0, 1.0],
             columns: nodes,

@@ -4,7 +4,7 @@ use super::canvas::{Canvas, Labels, SIGN, Stroke};
 use super::contour::ContourRegion;
 use super::figure::{Field, Figure, Hue, Layer};
 use super::hatching::hatching;
-use super::palette::Color;
+use super::palette::{BAND_OPACITY, Color};
 use super::simplify::simplified;
 use super::ticks::Drawn;
 use crate::units::{System, significant, with_unit};
@@ -97,7 +97,7 @@ pub(super) fn draw(canvas: &mut Canvas, area: &PlotArea, layer: &Layer, regions:
             let low = points.iter().map(|[x, low, _]| [*x, *low]);
             let high = points.iter().rev().map(|[x, _, high]| [*x, *high]);
             let outline = area.all(&low.chain(high).collect::<Vec<_>>());
-            canvas.polygon(&outline, color, 0.22);
+            canvas.polygon(&outline, color, BAND_OPACITY);
         }
         Layer::Contours(field) => fill_contours(canvas, area, field, regions),
         // other functions draw bars with the names of their rows, marks with their labels, and
@@ -158,7 +158,7 @@ pub(super) fn label(
         let Layer::Contours(field) = layer else {
             continue;
         };
-        let unit = system.unit(field.measure.unit);
+        let unit = system.unit(field.quantity.of.unit);
         for region in regions {
             let text = with_unit(&significant(region.level, 6), unit);
             let mut lines: Vec<_> = region.lines.iter().map(|line| area.all(line)).collect();

@@ -3,7 +3,7 @@
 
 use super::axis::Axis;
 use super::bars::{BarRows, with_room};
-use super::canvas::{LINE, TEXT};
+use super::canvas::{LINE, SMALL_TEXT, TEXT};
 use super::end_names::EndNames;
 use super::figure::{Figure, Layer};
 use super::layers::PlotArea;
@@ -18,9 +18,6 @@ pub(super) const MARGIN: f64 = 6.0;
 
 /// Text size of the title, pixels.
 pub(super) const TITLE: f64 = TEXT + 2.0;
-/// Text size of the numbers on axes, pixels.
-pub(super) const NUMBER: f64 = TEXT - 0.5;
-
 /// Minimum width of the frame of the axes, pixels.
 const LEAST: f64 = 100.0;
 
@@ -105,7 +102,7 @@ fn axes(
     let mut found = Err("vertical");
     for count in (1..=MOST).rev() {
         let y = Drawn::new(&figure.y, ys(), system, count).ok_or("vertical")?;
-        let left = rows.map_or(15.0 + y.widest(NUMBER), |rows| rows.left);
+        let left = rows.map_or(15.0 + y.widest(SMALL_TEXT), |rows| rows.left);
         let (x, left, right) = across(figure, system, left, width, beside).ok_or("horizontal")?;
         let tall = match (rows, end_names) {
             (Some(rows), _) => rows.heights(),
@@ -147,7 +144,7 @@ fn across(
         let x = Drawn::new(&figure.x, xs(), system, count)?;
         // the text of a tick is centred below it, and needs half its width on each side at the ends
         // of the axis too
-        let half = 0.5 * x.widest(NUMBER) + 4.0;
+        let half = 0.5 * x.widest(SMALL_TEXT) + 4.0;
         let (left, right) = (left.max(half), width - half.max(16.0).max(beside));
         let widened: Option<Axis> = if has_bars {
             with_room(figure, system, right - left)
@@ -159,7 +156,7 @@ fn across(
             None => x,
         };
         let is_apart = x.is_apart(right - left, |a, b| {
-            0.5 * (text_width(a, NUMBER, false) + text_width(b, NUMBER, false)) + 6.0
+            0.5 * (text_width(a, SMALL_TEXT, false) + text_width(b, SMALL_TEXT, false)) + 6.0
         });
         last = Some((x, left, right));
         if is_apart {

@@ -1,13 +1,11 @@
 //! The legend: names of layers, in lines above the plot.
 
-use super::canvas::{Anchor, Canvas, Font, LINE, SIGN, TEXT};
+use super::canvas::{Anchor, Canvas, Font, LINE, SIGN, SMALL_TEXT};
 use super::figure::{Figure, Hue, Layer, LineNames};
 use super::layers::{arrow, point, region, series};
+use super::palette::{BAND_OPACITY, BAR_OPACITY};
 use super::text_width::{text_width, wrapped};
 use crate::units::typeset;
-
-/// Text size, pixels.
-const SIZE: f64 = TEXT - 0.5;
 
 /// Distance between a symbol and its name, and between a name and the next symbol, pixels.
 const GAPS: [f64; 2] = [6.0, 14.0];
@@ -38,7 +36,7 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<LegendEntry<'_>>, f6
         wrapped(
             &typeset(layer.named().0),
             width - SIGN - GAPS[0],
-            SIZE,
+            SMALL_TEXT,
             false,
         )
     };
@@ -50,7 +48,7 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<LegendEntry<'_>>, f6
         SIGN + GAPS[0]
             + lines
                 .iter()
-                .map(|line| text_width(line, SIZE, false))
+                .map(|line| text_width(line, SMALL_TEXT, false))
                 .fold(0.0, f64::max)
     };
     let widest = named
@@ -134,12 +132,12 @@ impl LegendEntry<'_> {
                 region(canvas, &[corners], hue, *is_hatched);
             }
             Layer::Dots { .. } => point(canvas, [x + 0.5 * SIGN, y], hue),
-            Layer::Band { .. } => canvas.rectangle(low, high, color, 0.22),
-            Layer::Bars { .. } => canvas.rectangle(low, high, color, 0.85),
+            Layer::Band { .. } => canvas.rectangle(low, high, color, BAND_OPACITY),
+            Layer::Bars { .. } => canvas.rectangle(low, high, color, BAR_OPACITY),
             Layer::Arrows { .. } => arrow(canvas, ends[0], ends[1], color),
             Layer::Contours(_) | Layer::Mark { .. } | Layer::Text { .. } => {}
         }
-        let font = Font::new(SIZE, canvas.palette.ink);
+        let font = Font::new(SMALL_TEXT, canvas.palette.ink);
         for (i, line) in self.lines.iter().enumerate() {
             let at = [x + SIGN + GAPS[0], y + i as f64 * LINE];
             canvas.text(line, at, Anchor::Left, font);

@@ -1,6 +1,11 @@
 use super::figure::Hue;
 use std::fmt;
 
+/// The opacity of bands.
+pub(super) const BAND_OPACITY: f64 = 0.22;
+/// The opacity of bars.
+pub(super) const BAR_OPACITY: f64 = 0.85;
+
 /// A colour: red, green and blue, sRGB.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Color(pub u8, pub u8, pub u8);
@@ -146,9 +151,9 @@ mod tests {
     #[test]
     fn contrasts_are_sufficient_for_reading() {
         for palette in [LIGHT, DARK] {
-            // bands have an opacity of 22 %
             let mix = |over: u8, under: u8| {
-                (0.22 * f64::from(over) + 0.78 * f64::from(under)).round() as u8
+                let (over, under) = (f64::from(over), f64::from(under));
+                (BAND_OPACITY * over + (1.0 - BAND_OPACITY) * under).round() as u8
             };
             let band = |c: Color| {
                 let background = palette.background;

@@ -1,11 +1,11 @@
 //! The picture of a figure, with the views of its `panels` below.
 
-use super::canvas::{Anchor, Canvas, Font, LINE, Labels, Stroke, TEXT};
+use super::canvas::{Anchor, Canvas, Font, LINE, Labels, SMALL_TEXT, Stroke, TEXT};
 use super::contour::contour_regions;
 use super::figure::{Figure, Layer};
 use super::hover::write_tooltips;
 use super::layers::{PlotArea, contour_lines, draw, field_arrows, is_area, label};
-use super::layout::{Layout, MARGIN, NUMBER, TITLE};
+use super::layout::{Layout, MARGIN, TITLE};
 use super::marks::{write_line_names, write_marks, write_texts};
 use super::palette::{DARK, LIGHT};
 use super::ticks::Drawn;
@@ -185,7 +185,7 @@ fn draw_axes(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
     let palette = canvas.palette;
     let mesh = Stroke::new(palette.mesh, 0.8);
     let axis = Stroke::new(palette.faint, 1.0);
-    let font = Font::new(NUMBER, palette.ink);
+    let font = Font::new(SMALL_TEXT, palette.ink);
     let is_map = |layer: &Layer| matches!(layer, Layer::Contours(_));
     let has_grid = !figure.layers.iter().any(is_map);
     let part = |drawn: &Drawn, tick: f64| (tick - drawn.low) / (drawn.high - drawn.low);
@@ -203,7 +203,7 @@ fn draw_axes(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
     for tick in &area.x.ticks {
         let x = x_of(tick);
         canvas.line(&[[x, bottom], [x, bottom + TICK]], axis);
-        let at = [x, bottom + 2.0 * TICK + 0.4 * NUMBER];
+        let at = [x, bottom + 2.0 * TICK + 0.4 * SMALL_TEXT];
         canvas.text(&area.x.text(*tick), at, Anchor::Middle, font);
     }
     for tick in &area.y.ticks {

@@ -30,15 +30,12 @@ impl Drawn {
         system: System,
         count: usize,
     ) -> Option<Self> {
-        let unit = axis.measure.unit_size(system);
+        let of = axis.quantity.of;
         let mut drawn = Self {
             axis: axis.clone(),
             system,
-            unit,
-            zero: axis
-                .measure
-                .quantity
-                .number_in(0.0, system.unit(axis.measure.unit)),
+            unit: of.size_in(system),
+            zero: of.quantity.number_in(0.0, system.unit(of.unit)),
             low: 0.0,
             high: 1.0,
             ticks: vec![],
@@ -146,7 +143,7 @@ impl Drawn {
 
     /// The title of the axis.
     pub fn title(&self) -> String {
-        let titled = self.axis.measure.titled(self.system);
+        let titled = self.axis.quantity.titled(self.system);
         if self.axis.scale == AxisScale::LeftRight {
             format!("L, R: left and {titled}")
         } else {
@@ -175,10 +172,17 @@ impl Drawn {
 
 /// The smallest step of 1, 2 or 5 times a power of ten that is not below a step.
 pub(in crate::report) fn nice_step(step: f64) -> f64 {
+    round_step(step, &[1.0, 2.0, 5.0, 10.0]).unwrap_or(step)
+}
+
+/// The smallest of these digits times a power of ten that is not below a step; `None` if the step
+/// is not positive, or outside of the range of numbers.
+pub(super) fn round_step(step: f64, digits: &[f64]) -> Option<f64> {
     let power = 10.0_f64.powf(step.log10().floor());
-    let [one, two, five, ten] = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power);
-    let enough = |nice: &f64| *nice >= step * (1.0 - 1e-9);
-    [one, two, five].into_iter().find(enough).unwrap_or(ten)
+    digits
+        .iter()
+        .map(|digit| digit * power)
+        .find(|round| *round >= step * (1.0 - 1e-9) && round.is_finite() && *round > 0.0)
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shots::instrument_deviation;
 use crate::statistics::extent;
 use crate::study::validation::{Case, Compared, Computation, LawScores, SetScores};
-use crate::units::{DisplayUnit, Quantity};
+use crate::units::Quantity;
 
 /// The independent law for comparison with the default law.
 pub(super) const ALTERNATIVE: &str = "ferguson";
@@ -54,8 +54,7 @@ fn drawn(sets: &[&SetScores]) -> Vec<&'static str> {
 /// Plot of the predicted against the measured carry with the default law, a series for each set.
 fn carry(sets: &[&SetScores]) -> Figure {
     let default = Law::default().name();
-    let measure =
-        |words: &str| NamedQuantity::new(format!("{words} carry"), Quantity::LENGTH, "yd");
+    let carry = |words: &str| NamedQuantity::new(format!("{words} carry"), Quantity::LENGTH, "yd");
     let points = |set: &&SetScores| -> Vec<[f64; 2]> {
         let law = set.laws.iter().find(|law| law.law == default);
         of_law(law, Compared::Carry)
@@ -69,8 +68,8 @@ fn carry(sets: &[&SetScores]) -> Figure {
     let mut figure = Figure::new(
         "validation-carry",
         format!("Carry as {default} predicts it"),
-        Axis::linear(measure("measured")),
-        Axis::linear(measure("predicted")),
+        Axis::linear(carry("measured")),
+        Axis::linear(carry("predicted")),
     );
     let exact = ends.map(|at| [at, at]);
     figure
@@ -94,7 +93,6 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure
         true => case.club_speed,
         false => case.ball_speed,
     };
-    let DisplayUnit { quantity, unit } = of.unit();
     let words = of.words();
     let series = |law: &&'static str| -> Vec<[f64; 2]> {
         let points = sets.iter().flat_map(|set| {
@@ -107,7 +105,10 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure
     let all: Vec<Vec<[f64; 2]>> = laws.iter().map(series).collect();
     let ends = ends(all.iter().flatten().map(|at| at[0]));
     let x = NamedQuantity::new(speed, Quantity::SPEED, "mph");
-    let y = NamedQuantity::new(format!("computed − published {words}"), quantity, unit);
+    let y = NamedQuantity {
+        label: format!("computed − published {words}"),
+        of: of.unit(),
+    };
     let name = match of {
         Compared::Carry => "validation-carry-residuals".into(),
         of => format!("validation-{}", of.name()),

@@ -1,6 +1,7 @@
 use super::figures::{ALTERNATIVE, best, figures};
 use crate::parameters::Law;
 use crate::report::document::{Detail, Document, DocumentTable};
+use crate::report::shown::NONE;
 use crate::study::validation::{Case, Compared, LawScores, SWEPT, SetScores};
 use crate::units::{System, counted, fixed, signed};
 
@@ -56,14 +57,14 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
                 .iter()
                 .find(|law| law.law == name)
                 .and_then(of)
-                .map_or("–".into(), |mean| shown(first(set), mean, system))
+                .map_or(NONE.into(), |mean| shown(first(set), mean, system))
         };
         vec![
             set.cases.len().to_string(),
             named(default),
             named(ALTERNATIVE),
-            best.map_or("–".into(), |(mean, _)| shown(first(set), mean, system)),
-            best.map_or("–".into(), |(_, law)| law.to_owned()),
+            best.map_or(NONE.into(), |(mean, _)| shown(first(set), mean, system)),
+            best.map_or(NONE.into(), |(_, law)| law.to_owned()),
             match first(set).words() {
                 CARRY => set.set.name.to_owned(),
                 other => format!("{}, {other}", set.set.name),
@@ -123,23 +124,23 @@ fn one(document: &mut Document, set: &SetScores, system: System) {
             cells.push(
                 score
                     .bias
-                    .map_or("–".into(), |bias| difference(score.of, bias, system)),
+                    .map_or(NONE.into(), |bias| difference(score.of, bias, system)),
             );
             cells.push(
                 score
                     .mean_absolute_error
-                    .map_or("–".into(), |mean| shown(score.of, mean, system)),
+                    .map_or(NONE.into(), |mean| shown(score.of, mean, system)),
             );
         }
         if is_averaged {
             cells.push(
                 law.averaged
-                    .map_or("–".into(), |bias| difference(first(set), bias, system)),
+                    .map_or(NONE.into(), |bias| difference(first(set), bias, system)),
             );
         }
         let biases = law.bias_in_other_air.map(|other| [other.cold, other.warm]);
         for bias in biases.into_iter().flatten() {
-            cells.push(bias.map_or("–".into(), |bias| difference(first(set), bias, system)));
+            cells.push(bias.map_or(NONE.into(), |bias| difference(first(set), bias, system)));
         }
         let computed = law.scores.first().map_or(0, |score| score.residuals.len());
         let is_published = |case: &&Case| case.published(first(set)).is_some();
