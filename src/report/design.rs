@@ -6,7 +6,7 @@ use super::optimum::{
 };
 use super::reply::Reply;
 use super::shown;
-use super::swings::{OverSwings, goals, notes};
+use super::swings::{OverSwings, goals, nominal, notes};
 use crate::optimize::Status;
 use crate::parameters::{Parameter, Setup};
 use crate::study::Optimum;
@@ -34,7 +34,7 @@ pub struct Designed<'a> {
 
 impl Designed<'_> {
     /// The reply of the command `design`: the reply of the search, with the rules and limits.
-    pub fn reply(&self, swings: Reply<OptimumReport>) -> Reply<OptimumReport> {
+    pub fn reply(&self, search: Reply<OptimumReport>) -> Reply<OptimumReport> {
         let before = self
             .best
             .search
@@ -55,12 +55,12 @@ impl Designed<'_> {
         };
         let body = OptimumReport {
             design: Some(design),
-            ..swings.body
+            ..search.body
         };
         Reply {
             command: Some("design"),
             body,
-            ..swings
+            ..search
         }
     }
 
@@ -95,7 +95,7 @@ impl Designed<'_> {
         );
         let mut ranges = Document::default();
         ranges.add(goals(self.best, over.price.as_ref(), system));
-        ranges.add(place(self.best, over, system));
+        ranges.add(place(self.best, nominal(over.price.as_ref()), system));
         document.append_detail(ranges, Detail::Rest);
         if is_converged {
             add_convergence(&mut document, self.best, system);
@@ -170,7 +170,7 @@ impl Designed<'_> {
             } else {
                 value
             };
-            shown::given(constraint.unit, value, system, 5)
+            shown::with_digits(constraint.unit, value, system, 5)
         };
         let goal = &self.best.search.of;
         let text = match (constraint.by, price, margin) {
@@ -226,7 +226,7 @@ fn goal_row(part: &Improvement, system: System) -> Vec<String> {
 /// The limits of a constraint: "≤ 6000 g cm²".
 fn limits_text(constraint: &DesignConstraint, system: System) -> String {
     let [low, high] = constraint.range;
-    let show = |value: f64| shown::given(constraint.unit, value, system, 5);
+    let show = |value: f64| shown::with_digits(constraint.unit, value, system, 5);
     match [low, high].map(f64::is_finite) {
         [true, true] if low == high => format!("= {}", show(low)),
         [true, true] => format!("{} .. {}", show(low), show(high)),

@@ -21,7 +21,7 @@ const RUN_WITHIN: f64 = 10.0 * YARD;
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct DriveReport<'a> {
     #[serde(skip)]
-    setup_in_si: &'a Setup<f64>,
+    drive_setup: &'a Setup<f64>,
     #[serde(skip)]
     drive: &'a Drive<f64>,
     /// Every parameter by its dotted name, and `aero.law`.
@@ -84,7 +84,7 @@ impl<'a> DriveReport<'a> {
     pub fn new(setup: &'a Setup<f64>, drive: &'a Drive<f64>) -> Self {
         let impact = drive.impact.as_ref();
         Self {
-            setup_in_si: setup,
+            drive_setup: setup,
             drive,
             setup: settings(setup),
             launch: launch(drive),
@@ -124,17 +124,17 @@ impl Report for DriveReport<'_> {
     /// then in the units of the other system.
     fn document(&self, system: System) -> Document {
         let Self {
-            setup_in_si, drive, ..
+            drive_setup, drive, ..
         } = self;
         let mut document = Document::default();
         document.add(outcomes("launch", OutcomeGroup::Launch, drive, system));
         document.list(bodies(drive, system));
-        let air = air(setup_in_si).map(|air| Line::note(air.in_units(system)));
+        let air = air(drive_setup).map(|air| Line::note(air.in_units(system)));
         match &drive.flight {
             Flight::Landed(landed) => {
                 document.add(outcomes("flight", OutcomeGroup::Flight, drive, system));
                 let run = on_the_run(landed.rest.as_ref()).in_units(system);
-                let beyond = extrapolated(setup_in_si, drive, system).map(Line::note);
+                let beyond = extrapolated(drive_setup, drive, system).map(Line::note);
                 let notes = beyond.into_iter().chain([Line::note(run)]).chain(air);
                 document.list(notes);
             }

@@ -221,7 +221,7 @@ fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> Documen
     };
     let row = |effect: &Effect| {
         let parameter = effect.parameter;
-        let gradient = shown::settled(effect.gradient, effects.value, of, &[parameter]);
+        let gradient = shown::zero_if_rounding(effect.gradient, effects.value, of, &[parameter]);
         let elasticity = effect.elasticity.map_or(shown::NONE.into(), |elasticity| {
             significant(if gradient == 0.0 { 0.0 } else { elasticity }, 4)
         });

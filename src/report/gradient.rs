@@ -130,9 +130,10 @@ fn outcome(
         value_in_si
     ))]);
 
-    let settled = |d: f64, by: &[&Parameter]| shown::settled(d, taylor.value, of, by);
+    let without_rounding =
+        |d: f64, by: &[&Parameter]| shown::zero_if_rounding(d, taylor.value, of, by);
     let rows = wrt.iter().zip(&taylor.gradient).map(|(parameter, slope)| {
-        let in_si = significant(settled(*slope, &[*parameter]), 12);
+        let in_si = significant(without_rounding(*slope, &[*parameter]), 12);
         vec![
             parameter.name.into(),
             shown::slope(of, taylor.value, parameter, *slope, system, 6),
@@ -150,7 +151,7 @@ fn outcome(
         let seconds = row
             .iter()
             .zip(wrt)
-            .map(|(d, by)| significant(settled(*d, &[*parameter, *by]), 10));
+            .map(|(d, by)| significant(without_rounding(*d, &[*parameter, *by]), 10));
         std::iter::once(parameter.name.to_owned())
             .chain(seconds)
             .collect()

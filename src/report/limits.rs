@@ -81,7 +81,7 @@ impl Objective {
         let by = by.into();
         let one = by.size();
         let change = change_of(self.sense, gain);
-        let change = shown::settled(change * one, self.value, self.of, &[]) / one;
+        let change = shown::zero_if_rounding(change * one, self.value, self.of, &[]) / one;
         signed(change, shown::price(self.of, change, by, system))
     }
 

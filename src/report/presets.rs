@@ -116,7 +116,7 @@ pub(super) fn sources(
             .parameter(name)
             .ok()
             .zip(system)
-            .map(|(row, system)| shown::set(row, base.value(row), system));
+            .map(|(row, system)| shown::setup_value(row, base.value(row), system));
         format!(
             "as given, instead of {}",
             number.unwrap_or_else(|| known.value.clone())
@@ -124,7 +124,7 @@ pub(super) fn sources(
         .into()
     };
     let set = |row: &Parameter, value: Option<f64>| match system {
-        Some(system) => shown::set(row, value, system),
+        Some(system) => shown::setup_value(row, value, system),
         None => row.show(value),
     };
     let number = |row: &'static Parameter| {
@@ -217,12 +217,12 @@ fn changed_number(
     }
     let short = [from, to].map(|value| {
         value.map_or(UNSET.into(), |value| {
-            shown::given(row, value, system, shown::IN_SUMMARY)
+            shown::with_digits(row, value, system, shown::IN_SUMMARY)
         })
     });
     // show all digits if the first four are equal
     let [from, to] = if short[0] == short[1] {
-        [from, to].map(|value| shown::set(row, value, system))
+        [from, to].map(|value| shown::setup_value(row, value, system))
     } else {
         short
     };

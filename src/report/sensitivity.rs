@@ -297,7 +297,7 @@ fn sensitivity_row(
 ) -> Vec<String> {
     let of = best.search.outcome();
     let per_unit = |of: DisplayUnit, value: f64, slope: f64| {
-        let slope = shown::settled(slope, value, of, &[parameter]);
+        let slope = shown::zero_if_rounding(slope, value, of, &[parameter]);
         let number = shown::quotient(of, parameter, slope, system, 4);
         with_unit(&number, system.unit(of.unit))
     };

@@ -126,9 +126,7 @@ fn stated(rows: Vec<SourcedValue>, setup: &Setup<f64>) -> impl Iterator<Item = S
 /// [`Error::Unknown`](crate::Error::Unknown) if there is no preset `name`.
 pub fn preset_toml(name: &str) -> Result<String> {
     let setup = Setup::preset(name)?;
-    let Some(preset) = Preset::named(name) else {
-        return Ok(String::new());
-    };
+    let preset = Preset::known(name)?;
     Ok(toml(
         preset,
         &[preset.name.into(), preset.about.into()],

@@ -198,7 +198,7 @@ pub(super) fn within(vary: &Vary, value: f64, system: System) -> String {
             .all(|(_, end)| number(text) != number(end))
     };
     let plain = self::parameter(parameter, value, system);
-    let finer = (2..=MOST_DIGITS).map(|digits| given(parameter, value, system, digits));
+    let finer = (2..=MOST_DIGITS).map(|digits| with_digits(parameter, value, system, digits));
     std::iter::once(plain.clone())
         .chain(finer)
         .find(is_apart)
@@ -221,7 +221,7 @@ pub(super) fn range(vary: &Vary, system: System) -> String {
 /// Two stated numbers, with enough digits to distinguish them.
 fn stated_apart(of: impl Into<DisplayUnit>, ends: [f64; 2], system: System) -> [String; 2] {
     let of = of.into();
-    let shown = |digits: usize| ends.map(|end| given(of, end, system, digits));
+    let shown = |digits: usize| ends.map(|end| with_digits(of, end, system, digits));
     let apart = (STATED..=MOST_DIGITS)
         .map(shown)
         .find(|[low, high]| ends[0] == ends[1] || low != high);
@@ -237,7 +237,7 @@ pub(super) const IN_SUMMARY: usize = 4;
 
 /// A stated value of a parameter, without trailing zeros.
 pub fn stated(parameter: &Parameter, value: f64, system: System) -> String {
-    given(parameter, value, system, STATED)
+    with_digits(parameter, value, system, STATED)
 }
 
 /// A stated difference or uncertainty of a parameter, without trailing zeros: 2.7 °F for 1.5 K.
@@ -266,12 +266,14 @@ pub(super) fn uncertainty(parameter: &Parameter, deviation: f64, system: System)
 }
 
 /// A value of a setup with up to seven significant digits, or "none".
-pub(super) fn set(parameter: &Parameter, value: Option<f64>, system: System) -> String {
-    value.map_or(UNSET.into(), |value| given(parameter, value, system, 7))
+pub(super) fn setup_value(parameter: &Parameter, value: Option<f64>, system: System) -> String {
+    value.map_or(UNSET.into(), |value| {
+        with_digits(parameter, value, system, 7)
+    })
 }
 
 /// A value with at most this number of significant digits.
-pub(super) fn given(
+pub(super) fn with_digits(
     of: impl Into<DisplayUnit>,
     value: f64,
     system: System,
@@ -335,7 +337,7 @@ const ROUNDING: f64 = 1e-12;
 /// depends neither on the displayed units nor on a parameter that happens to be 0. A flight has
 /// about a thousand operations with a relative rounding error of 1e-16 each, so that smaller
 /// derivatives have no correct digit. JSON and CSV keep all digits.
-pub(super) fn settled(
+pub(super) fn zero_if_rounding(
     slope: f64,
     value: f64,
     of: impl Into<DisplayUnit>,
@@ -361,13 +363,14 @@ pub(super) fn typical_size(parameter: &Parameter) -> f64 {
 
 /// True if `change` of an outcome with this value is a rounding error.
 pub(super) fn is_rounding(of: Outcome, value: f64, change: f64) -> bool {
-    settled(change, value, of, &[]) == 0.0
+    zero_if_rounding(change, value, of, &[]) == 0.0
 }
 
 /// True if an outcome with this value depends on the parameter: its first or second derivative is
 /// more than a rounding error.
 pub(super) fn depends(of: Outcome, value: f64, by: &Parameter, slope: f64, curvature: f64) -> bool {
-    settled(slope, value, of, &[by]) != 0.0 || settled(curvature, value, of, &[by, by]) != 0.0
+    zero_if_rounding(slope, value, of, &[by]) != 0.0
+        || zero_if_rounding(curvature, value, of, &[by, by]) != 0.0
 }
 
 /// The derivative `slope` of an outcome by a parameter, in the units of a system: "2.11 yd per
@@ -380,7 +383,13 @@ pub(super) fn slope(
     system: System,
     digits: usize,
 ) -> String {
-    ratio(of, by, settled(slope, value, of, &[by]), system, digits)
+    ratio(
+        of,
+        by,
+        zero_if_rounding(slope, value, of, &[by]),
+        system,
+        digits,
+    )
 }
 
 /// The gain for each unit by which a limit is relaxed: "2.11 yd for each degree".

@@ -60,4 +60,4 @@ pub use shot::{Club, Origin, Shot, StatedValue};
 pub(crate) use sizes::size;
 pub(crate) use source::is_json;
 pub use source::{Section, Shots};
-pub use statistics::{BANDS, Band, ClubShots, FLOOR, Refused, ShotStatistics, Sums};
+pub use statistics::{BANDS, Band, ClubShots, Refused, ShotStatistics, Sums, instrument_deviation};

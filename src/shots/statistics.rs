@@ -16,13 +16,20 @@ pub const BANDS: [f64; 6] = [80.0, 100.0, 120.0, 140.0, 160.0, 180.0];
 
 /// Standard deviation of the difference between two instruments on the same drives, with its unit:
 /// a TrackMan 4 and a FlightScope Mevo+ on 58 drives (Bliss & Langdown 2026).
-pub const FLOOR: [(Outcome, f64, &str); 5] = [
+const INSTRUMENTS: [(Outcome, f64, &str); 5] = [
     (Outcome::CarryDistance, 6.72, "yd"),
     (Outcome::Lateral, 10.7, "yd"),
     (Outcome::ApexHeight, 12.3, "ft"),
     (Outcome::DescentAngle, 3.9, "deg"),
     (Outcome::Spin, 513.0, "rpm"),
 ];
+
+/// Standard deviation of the difference between two instruments on the same drives, SI; `None` for
+/// an outcome without a published value.
+pub fn instrument_deviation(of: Outcome) -> Option<f64> {
+    let (_, deviation, unit) = INSTRUMENTS.iter().find(|(outcome, ..)| *outcome == of)?;
+    Some(deviation * of.quantity().size_of(unit)?)
+}
 
 /// Sums of residuals, SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

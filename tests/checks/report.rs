@@ -385,7 +385,7 @@ fn a_map_without_columns_is_an_empty_picture() {
         columns: 0,
         values: vec![],
         gradients: vec![],
-        beside: vec![],
+        common_values: vec![],
     };
     let map = Figure::new("empty", "t", axis(), axis()).with(Layer::Contours(field));
     whole(&figure_svg(&map, &Look::default()).unwrap());

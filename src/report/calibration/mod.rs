@@ -25,7 +25,7 @@ pub struct CalibrationReport<'a> {
     #[serde(skip)]
     found: &'a Calibration,
     #[serde(skip)]
-    held: &'a [(String, HeldOut)],
+    cross_validations: &'a [(String, HeldOut)],
     /// True if the fit, or a fit of the cross-validation, was interrupted.
     pub interrupted: bool,
     /// The data.
@@ -139,7 +139,7 @@ impl<'a> CalibrationReport<'a> {
         Self {
             table,
             found,
-            held: held_out,
+            cross_validations: held_out,
             interrupted: found.fit.status == FitStatus::Interrupted
                 || held_out.iter().any(|(_, held)| held.is_interrupted()),
             data: DataReport::new(table),
@@ -178,12 +178,15 @@ impl<'a> CalibrationReport<'a> {
     /// The status in a sentence.
     pub fn message(&self) -> String {
         let fit = &self.found.fit;
-        let (stopped, all) = self.held.iter().fold((0, 0), |(stopped, all), (_, held)| {
-            (
-                stopped + held.count(FitStatus::Interrupted),
-                all + held.ended.len(),
-            )
-        });
+        let (stopped, all) =
+            self.cross_validations
+                .iter()
+                .fold((0, 0), |(stopped, all), (_, held)| {
+                    (
+                        stopped + held.count(FitStatus::Interrupted),
+                        all + held.ended.len(),
+                    )
+                });
         let of_all = counted_of(stopped as u64, all as u64, ["fit", "fits"]);
         match stopped {
             0 => fit.message.clone(),
@@ -280,7 +283,10 @@ impl Report for CalibrationReport<'_> {
     /// prediction errors on held-out data.
     fn document(&self, system: System) -> Document {
         let Self {
-            table, found, held, ..
+            table,
+            found,
+            cross_validations,
+            ..
         } = *self;
         let mut document = Document::new(&text::title(table));
         document.paragraph(format!(
@@ -300,7 +306,7 @@ impl Report for CalibrationReport<'_> {
             document.figure(figure);
         }
         text::residuals(&mut document, found, system);
-        text::held_out(&mut document, held, system);
+        text::held_out(&mut document, cross_validations, system);
         document
     }
 }

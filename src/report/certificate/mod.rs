@@ -2,7 +2,7 @@
 
 mod text;
 
-pub(super) use text::settled;
+pub(super) use text::exact_for_display;
 
 use crate::derivative::check::{Check, Curve, Verdict};
 use crate::drive::Outcome;

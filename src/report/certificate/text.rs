@@ -215,7 +215,7 @@ pub(super) fn rows_table(rows: &[DerivativeRow]) -> DocumentTable {
         "Taylor slopes",
     ];
     let rows = rows.iter().map(|row| {
-        let (check, exact) = (&row.first, settled(row));
+        let (check, exact) = (&row.first, exact_for_display(row));
         let relative = |error: f64| {
             let error = if exact == 0.0 {
                 error
@@ -250,8 +250,8 @@ pub(super) fn rows_table(rows: &[DerivativeRow]) -> DocumentTable {
 }
 
 /// The exact derivative of a row for display: 0 if it is a rounding error.
-pub(in crate::report) fn settled(row: &DerivativeRow) -> f64 {
-    shown::settled(row.first.exact, row.ladder.size, row.of, &[row.parameter])
+pub(in crate::report) fn exact_for_display(row: &DerivativeRow) -> f64 {
+    shown::zero_if_rounding(row.first.exact, row.ladder.size, row.of, &[row.parameter])
 }
 
 /// A sentence on the agreement of the derivatives at the landing with finite differences of the
@@ -303,7 +303,7 @@ fn while_loop(loops: &[LoopRow]) -> Option<String> {
         })
     };
     let is_rounding = |row: &LoopRow| {
-        shown::settled(row.check.exact, 0.0, Outcome::Carry, &[row.parameter]) == 0.0
+        shown::zero_if_rounding(row.check.exact, 0.0, Outcome::Carry, &[row.parameter]) == 0.0
     };
     let comparable = loops
         .iter()

@@ -1,7 +1,7 @@
 use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shown::{self, capital};
-use crate::study::{Chart, ChartPoint, NamedDrive, Optimum, Vary};
+use crate::study::{BoundSide, Chart, ChartPoint, NamedDrive, Optimum, Vary};
 use crate::units::System;
 
 /// The optimum along a parameter, as small plots with a common horizontal axis.
@@ -29,7 +29,7 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
     let drawing = ChartDrawing::new(chart, own, system);
     for (i, vary) in search.vary.iter().enumerate() {
         match held(chart, i, vary) {
-            Some(end) => found.held.push((*vary, held_sentence(vary, end, system))),
+            Some(side) => found.held.push((*vary, held_sentence(vary, side, system))),
             None => found.drawn.push(drawing.parameter(i, vary)),
         }
     }
@@ -160,30 +160,36 @@ impl<'a> ChartDrawing<'a> {
 }
 
 /// A sentence about a parameter at a bound, which has no plot.
-fn held_sentence(vary: &Vary, end: &str, system: System) -> String {
-    let bound = if end == "lower" { vary.low } else { vary.high };
-    let at = shown::stated(vary.parameter, bound, system);
+fn held_sentence(vary: &Vary, side: BoundSide, system: System) -> String {
+    let at = shown::stated(vary.parameter, bound(vary, side), system);
     let why = if vary.low == vary.high {
         "the only value it may have".into()
     } else {
-        format!("its {end} bound")
+        format!("its {} bound", side.name())
     };
     let label = capital(&shown::words(vary.parameter.name));
     format!("{label}: {at}, {why}, in every optimum.")
 }
 
 /// The bound at which a varied parameter is in every optimum, if there is one.
-fn held(chart: &Chart, i: usize, vary: &Vary) -> Option<&'static str> {
+fn held(chart: &Chart, i: usize, vary: &Vary) -> Option<BoundSide> {
     // tolerance for rounding errors
-    let lies = |end: f64| {
-        let rounding = 1e-12 * (vary.high - vary.low);
+    let rounding = 1e-12 * (vary.high - vary.low);
+    let is_held = |side: &BoundSide| {
+        let end = bound(vary, *side);
         chart
             .points
             .iter()
             .all(|point| (point.best.solution.x[i] - end).abs() <= rounding)
     };
-    [("lower", vary.low), ("upper", vary.high)]
+    [BoundSide::Lower, BoundSide::Upper]
         .into_iter()
-        .find(|(_, end)| lies(*end))
-        .map(|(name, _)| name)
+        .find(is_held)
+}
+
+fn bound(vary: &Vary, side: BoundSide) -> f64 {
+    match side {
+        BoundSide::Lower => vary.low,
+        BoundSide::Upper => vary.high,
+    }
 }

@@ -32,7 +32,7 @@ pub fn strikes_figure(designs: &[(&str, &Face)], system: System) -> Option<Figur
                 face,
                 of,
                 Field {
-                    beside: all.clone(),
+                    common_values: all.clone(),
                     ..field
                 },
             );
@@ -96,13 +96,16 @@ fn note(designs: &[(&str, &Face)], system: System) -> String {
     /// Distance between the strikes whose effect the note states and the reference strike, m.
     const STEP: f64 = 1e-3;
     let text = |(name, face): &(&str, &Face)| {
-        let by_toe = face.by_toe?;
-        let change = |i: usize| shown::change(Face::OUTCOMES[i], STEP * by_toe[i], system);
+        let slopes = Face::OUTCOMES.into_iter().zip(face.by_toe?);
+        let change = |of: Outcome| {
+            let (_, slope) = slopes.clone().find(|(other, _)| *other == of)?;
+            Some(shown::change(of, STEP * slope, system))
+        };
         Some(format!(
             "{name}: spin axis {}, lateral {}, carry {}",
-            change(3),
-            change(1),
-            change(0)
+            change(Outcome::SpinAxis)?,
+            change(Outcome::Lateral)?,
+            change(Outcome::Carry)?
         ))
     };
     let text: Vec<String> = designs.iter().filter_map(text).collect();

@@ -70,6 +70,6 @@ pub(super) fn field_of(
         columns,
         values: values.to_vec(),
         gradients: vec![],
-        beside: vec![],
+        common_values: vec![],
     }
 }

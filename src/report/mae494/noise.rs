@@ -37,9 +37,9 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: PaperUnits) {
     );
     let rows = noise.shorter_steps.iter().map(|at| {
         let slope = shown.per_radian(at.overshot);
-        vec![format!("{} s", at.step), slope, String::new()]
+        vec![format!("{} s", at.step), slope]
     });
-    document.add(DocumentTable::new(["time step", "loop", ""], rows));
+    document.add(DocumentTable::new(["time step", "loop"], rows));
     document.paragraph(
         "Longer differences reach over several jumps, but have an error from the curvature \
          instead. The same loft and attack angle, with the original time step:",
@@ -86,17 +86,10 @@ fn add_longer_differences(document: &mut Document, noise: &Noise, shown: PaperUn
             shown.per_radian(slopes.overshot),
             shown.per_radian(slopes.interpolated),
             shown.per_radian(slopes.smooth),
-            String::new(),
         ]
     });
     document.add(DocumentTable::new(
-        [
-            "difference",
-            "loop",
-            "loop, interpolated",
-            "smooth landing",
-            "",
-        ],
+        ["difference", "loop", "loop, interpolated", "smooth landing"],
         rows,
     ));
 }

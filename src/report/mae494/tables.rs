@@ -18,7 +18,7 @@ pub(super) fn optimum(document: &mut Document, found: &Mae494, shown: PaperUnits
         shown.degrees(exact.loft),
         shown.degrees(exact.attack_angle),
         shown.length(exact.carry),
-        held(&found.optimum, shown),
+        active_bounds(&found.optimum, shown),
         shown.degrees(printed.loft),
         shown.degrees(printed.attack_angle),
         shown.printed(LENGTH, printed.carry),
@@ -53,7 +53,7 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: PaperUnits)
             shown.degrees(exact),
             shown.length(row.exact().carry),
             shown.length(row.cost()),
-            held(row, shown),
+            active_bounds(row, shown),
         ]
     };
     let head = |given: &'static str, best: &'static str, exact: &'static str| {
@@ -116,7 +116,7 @@ fn best_lofts(rows: &[RecomputedOptimum]) -> Figure {
 }
 
 /// The active bounds in words, such as "club.loft at its upper bound, 0.52 m per deg beyond it".
-fn held(row: &RecomputedOptimum, shown: PaperUnits) -> String {
+fn active_bounds(row: &RecomputedOptimum, shown: PaperUnits) -> String {
     let solution = &row.best.solution;
     let bounds = row.best.active().into_iter().filter_map(|active| {
         let i = row

@@ -8,6 +8,7 @@ use super::best_drive::{drive_lines, gain_lines};
 use super::bounds::bound_in_words;
 use super::surroundings::Surroundings;
 use crate::optimize::{Iteration, Status};
+use crate::study::swings::Nominal;
 use crate::study::{Optima, Optimum, Sample, Search};
 use crate::units::{DisplayUnit, System, counted, counted_of, fixed, with_unit};
 
@@ -62,7 +63,7 @@ pub fn optimum_document(
         document.list(drive_lines(optimum, value, drive, system));
     } else {
         document.add(goals(optimum, over.price.as_ref(), system));
-        document.add(place(optimum, over, system));
+        document.add(place(optimum, nominal(over.price.as_ref()), system));
         add_constraints(&mut document, optimum, system);
         document.list(notes(optimum, over, system));
     }
@@ -80,7 +81,7 @@ pub(in crate::report) fn add_place(
     around: Option<&Surroundings<'_>>,
     system: System,
 ) {
-    let mut place = place(optimum, &OverSwings::default(), system);
+    let mut place = place(optimum, None, system);
     for text in around
         .iter()
         .flat_map(|around| around.lines(optimum, system))
@@ -94,12 +95,11 @@ pub(in crate::report) fn add_place(
 /// The varied parameters as a table. For swings, a column has the best design for the mean swing.
 pub(in crate::report) fn place(
     optimum: &Optimum,
-    over: &OverSwings,
+    nominal: Option<&Nominal>,
     system: System,
 ) -> DocumentTable {
     let (search, solution) = (&optimum.search, &optimum.solution);
     let is_one_drive = search.scenarios.is_one_drive();
-    let nominal = nominal(over.price.as_ref());
     let rows = search.vary.iter().enumerate().map(|(i, vary)| {
         let mean_swing = nominal.map_or(shown::NONE.into(), |nominal| {
             shown::within(vary, nominal.design[i], system)

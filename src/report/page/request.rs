@@ -138,7 +138,7 @@ fn wanted(search: &Search) -> Markup {
     let varied = |system: System| {
         let range = |vary: &Vary| {
             let [low, high] = [vary.low, vary.high]
-                .map(|value| shown::given(vary.parameter, value, system, shown::IN_SUMMARY));
+                .map(|value| shown::with_digits(vary.parameter, value, system, shown::IN_SUMMARY));
             let name = shown::words(vary.parameter.name);
             format!("{name} {}", from_to(&low, &high).replace(" → ", " to "))
         };
@@ -167,7 +167,7 @@ fn stated(findings: &Findings, names: &[&str], system: System) -> String {
         Some(format!(
             "{} {}",
             shown::words(row.name),
-            shown::given(row, findings.stated.value(row)?, system, shown::IN_SUMMARY)
+            shown::with_digits(row, findings.stated.value(row)?, system, shown::IN_SUMMARY)
         ))
     };
     names.iter().filter_map(one).collect::<Vec<_>>().join(", ")

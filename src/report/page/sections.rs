@@ -5,7 +5,7 @@ use super::numbers::outcome;
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::parameters::{GOLFER, METHOD, Parameter, SPEED_OF};
-use crate::report::certificate::settled;
+use crate::report::certificate::exact_for_display;
 use crate::report::frame::{both, chosen, scrolled};
 use crate::report::limits::{ConstraintAtEnd, Objective, ended_at};
 use crate::report::optimum::{bound_in_words, window_end};
@@ -41,7 +41,7 @@ pub(super) fn panel(findings: &Findings) -> Markup {
         dl.panel {
             @for row in inputs {
                 @if let Some(value) = findings.setup.value(row) {
-                    div { dt { (shown::words(row.name)) } dd { (both(|system| shown::given(row, value, system, shown::IN_SUMMARY))) } }
+                    div { dt { (shown::words(row.name)) } dd { (both(|system| shown::with_digits(row, value, system, shown::IN_SUMMARY))) } }
                 }
             }
             @for of in SHOWN {
@@ -185,7 +185,7 @@ pub(super) fn verdicts(rows: &[DerivativeRow]) -> Markup {
                 @for row in rows {
                     tr {
                         td { "d " (row.of.name()) "/d " (row.parameter.name) }
-                        td.number { (label(EXACT)) (typeset(&significant(settled(row), 10))) }
+                        td.number { (label(EXACT)) (typeset(&significant(exact_for_display(row), 10))) }
                         td.number {
                             (label(NUMERICAL))
                             (row.first.best_difference.map_or(shown::NONE.into(), |found| typeset(&significant(found.value, 10))))

@@ -54,7 +54,7 @@ pub(super) fn contour_regions(field: &Field, system: System) -> Vec<ContourRegio
     let Some(refined) = Refined::new(field).map(|fine| fine.over(unit)) else {
         return vec![];
     };
-    let mut known: Vec<f64> = match &field.beside[..] {
+    let mut known: Vec<f64> = match &field.common_values[..] {
         [] => refined.known().collect(),
         all => all.iter().map(|value| value / unit).collect(),
     };
@@ -320,7 +320,7 @@ mod tests {
             columns: 13,
             values: vec![None; 13 * 9],
             gradients: vec![],
-            beside: vec![],
+            common_values: vec![],
         };
         let place = |i: usize| field.place((i % 13) as f64, (i / 13) as f64);
         field.values = (0..13 * 9).map(|i| f(place(i)[0], place(i)[1])).collect();

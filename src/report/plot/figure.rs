@@ -169,9 +169,10 @@ pub enum Layer {
         /// The coordinates of the label's middle.
         at: [f64; 2],
     },
-    /// Arrows.
+    /// Arrows. With a name they are a field of arrows, which omits arrows under labels; without a
+    /// name, each arrow is drawn.
     Arrows {
-        /// The name.
+        /// The name of the field; may be empty.
         name: String,
         /// The colour.
         hue: Hue,
@@ -273,7 +274,7 @@ pub struct Field {
     pub gradients: Vec<Option<[f64; 2]>>,
     /// The values of all fields with the same levels and colours as this field, SI; empty if this
     /// field has its own levels.
-    pub beside: Vec<f64>,
+    pub common_values: Vec<f64>,
 }
 
 impl Field {

@@ -160,9 +160,8 @@ fn continued(field: &Field) -> Vec<f64> {
                 (reach[side] >= n).then(|| before[node(side, n)?]).flatten()
             };
             let ahead = |side: usize| {
-                Some(known(side, 2).map_or(known(side, 1)?, |far| {
-                    2.0 * known(side, 1).unwrap_or(far) - far
-                }))
+                let near = known(side, 1)?;
+                Some(known(side, 2).map_or(near, |far| 2.0 * near - far))
             };
             let known: Vec<f64> = (0..4).filter_map(ahead).collect();
             if !known.is_empty() {
@@ -191,7 +190,7 @@ mod tests {
             columns: nodes,
             values: at.iter().map(|[value, ..]| Some(*value)).collect(),
             gradients: at.iter().map(|[_, x, y]| Some([*x, *y])).collect(),
-            beside: vec![],
+            common_values: vec![],
         }
     }
 

@@ -6,7 +6,7 @@ use super::figure::{Field, Figure, Hue, Layer};
 use super::hatching::hatching;
 use super::palette::{BAND_OPACITY, Color};
 use super::simplify::simplified;
-use super::ticks::Drawn;
+use super::ticks::DrawnAxis;
 use crate::units::{System, significant, with_unit};
 
 /// Distance of the first cross bar of a series along its line, pixels: the middle of the legend's
@@ -28,8 +28,8 @@ const HATCHES_APART: f64 = 11.0;
 
 /// The rectangle of the axes in the drawing area.
 pub(super) struct PlotArea {
-    pub x: Drawn,
-    pub y: Drawn,
+    pub x: DrawnAxis,
+    pub y: DrawnAxis,
     /// Left, top, right and bottom, pixels.
     pub frame: [f64; 4],
 }
@@ -38,7 +38,7 @@ impl PlotArea {
     /// The pixel of SI coordinates; `None` outside of the axes.
     pub fn pixel(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
         let [left, top, right, bottom] = self.frame;
-        let along = |drawn: &Drawn, value: f64, from: f64, to: f64| {
+        let along = |drawn: &DrawnAxis, value: f64, from: f64, to: f64| {
             let part = (drawn.place(value)? - drawn.low) / (drawn.high - drawn.low);
             (-1e-6..=1.0 + 1e-6)
                 .contains(&part)
@@ -77,7 +77,12 @@ pub(super) fn is_area(layer: &Layer) -> bool {
 }
 
 /// Draws one layer. `regions` are its contour regions. Contour lines and labels are drawn later.
-pub(super) fn draw(canvas: &mut Canvas, area: &PlotArea, layer: &Layer, regions: &[ContourRegion]) {
+pub(super) fn draw_layer(
+    canvas: &mut Canvas,
+    area: &PlotArea,
+    layer: &Layer,
+    regions: &[ContourRegion],
+) {
     let hue = layer.named().1.unwrap_or(Hue::Ink);
     let color = canvas.palette.of(hue);
     match layer {
@@ -146,7 +151,7 @@ fn pixels(area: &PlotArea, arrows: &[[[f64; 2]; 2]]) -> impl Iterator<Item = [[f
 }
 
 /// Writes the levels of contours where there is space.
-pub(super) fn label(
+pub(super) fn write_levels(
     labels: &mut Labels<'_>,
     area: &PlotArea,
     system: System,

@@ -9,7 +9,7 @@ use super::figure::{Figure, Layer};
 use super::layers::PlotArea;
 use super::legend::{LegendEntry, laid_out};
 use super::text_width::{text_width, wrapped};
-use super::ticks::Drawn;
+use super::ticks::DrawnAxis;
 use crate::error::{Error, Result};
 use crate::units::{System, typeset};
 
@@ -57,7 +57,7 @@ impl<'a> Layout<'a> {
         let titles = wrapped(&typeset(&figure.title), room, TITLE, true);
         let subtitles = wrapped(&typeset(&figure.subtitle), room, TEXT, false);
         let (legend, legend_height) = laid_out(figure, room);
-        let titled = |drawn: &Drawn| wrapped(&typeset(&drawn.title()), room, TEXT, false);
+        let titled = |drawn: &DrawnAxis| wrapped(&typeset(&drawn.title()), room, TEXT, false);
         let rows = BarRows::of(figure, width);
         let end_names = EndNames::of(figure, width);
         let mut area = axes(figure, system, width, rows.as_ref(), end_names.as_ref())
@@ -101,7 +101,7 @@ fn axes(
     let beside = end_names.map_or(0.0, |names| names.room);
     let mut found = Err("vertical");
     for count in (1..=MOST).rev() {
-        let y = Drawn::new(&figure.y, ys(), system, count).ok_or("vertical")?;
+        let y = DrawnAxis::new(&figure.y, ys(), system, count).ok_or("vertical")?;
         let left = rows.map_or(15.0 + y.widest(SMALL_TEXT), |rows| rows.left);
         let (x, left, right) = across(figure, system, left, width, beside).ok_or("horizontal")?;
         let tall = match (rows, end_names) {
@@ -132,7 +132,7 @@ fn across(
     left: f64,
     width: f64,
     beside: f64,
-) -> Option<(Drawn, f64, f64)> {
+) -> Option<(DrawnAxis, f64, f64)> {
     let xs = || coordinates(figure).map(|point| point[0]);
     let has_bars = figure
         .layers
@@ -141,7 +141,7 @@ fn across(
     let mut last = None;
     let most = ((width - left - beside) / APART).max(4.0) as usize;
     for count in (1..=most).rev() {
-        let x = Drawn::new(&figure.x, xs(), system, count)?;
+        let x = DrawnAxis::new(&figure.x, xs(), system, count)?;
         // the text of a tick is centred below it, and needs half its width on each side at the ends
         // of the axis too
         let half = 0.5 * x.widest(SMALL_TEXT) + 4.0;
@@ -152,7 +152,7 @@ fn across(
             None
         };
         let x = match widened {
-            Some(axis) => Drawn::new(&axis, xs(), system, count)?,
+            Some(axis) => DrawnAxis::new(&axis, xs(), system, count)?,
             None => x,
         };
         let is_apart = x.is_apart(right - left, |a, b| {

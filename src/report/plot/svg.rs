@@ -4,11 +4,11 @@ use super::canvas::{Anchor, Canvas, Font, LINE, Labels, SMALL_TEXT, Stroke, TEXT
 use super::contour::contour_regions;
 use super::figure::{Figure, Layer};
 use super::hover::write_tooltips;
-use super::layers::{PlotArea, contour_lines, draw, field_arrows, is_area, label};
+use super::layers::{PlotArea, contour_lines, draw_layer, field_arrows, is_area, write_levels};
 use super::layout::{Layout, MARGIN, TITLE};
 use super::marks::{write_line_names, write_marks, write_texts};
 use super::palette::{DARK, LIGHT};
-use super::ticks::Drawn;
+use super::ticks::DrawnAxis;
 use crate::error::Result;
 use crate::units::{System, typeset};
 use maud::{PreEscaped, html};
@@ -121,13 +121,13 @@ fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &La
     let layers = || figure.layers.iter().zip(&regions);
     let (areas, others): (Vec<_>, Vec<_>) = layers().partition(|(layer, _)| is_area(layer));
     for (layer, regions) in areas {
-        draw(canvas, area, layer, regions);
+        draw_layer(canvas, area, layer, regions);
     }
     for regions in &regions {
         contour_lines(canvas, area, regions);
     }
     for (layer, regions) in others {
-        draw(canvas, area, layer, regions);
+        draw_layer(canvas, area, layer, regions);
     }
     if let Some(rows) = &layout.rows {
         rows.draw(canvas, area);
@@ -145,7 +145,7 @@ fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &La
     if let Some(names) = &layout.end_names {
         names.draw(labels.canvas, area, figure);
     }
-    label(&mut labels, area, system, figure, &regions);
+    write_levels(&mut labels, area, system, figure, &regions);
     field_arrows(&mut labels, area, figure);
     write_tooltips(canvas, figure, area, system, &regions);
 }
@@ -188,7 +188,7 @@ fn draw_axes(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
     let font = Font::new(SMALL_TEXT, palette.ink);
     let is_map = |layer: &Layer| matches!(layer, Layer::Contours(_));
     let has_grid = !figure.layers.iter().any(is_map);
-    let part = |drawn: &Drawn, tick: f64| (tick - drawn.low) / (drawn.high - drawn.low);
+    let part = |drawn: &DrawnAxis, tick: f64| (tick - drawn.low) / (drawn.high - drawn.low);
     let x_of = |tick: &f64| left + part(&area.x, *tick) * (right - left);
     let y_of = |tick: &f64| bottom - part(&area.y, *tick) * (bottom - top);
     if has_grid {

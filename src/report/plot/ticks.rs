@@ -7,7 +7,7 @@ use crate::units::{System, significant};
 /// An axis with its ends and ticks, in the unit of a system. A logarithmic axis has the logarithms
 /// of ends and ticks.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Drawn {
+pub(super) struct DrawnAxis {
     axis: Axis,
     system: System,
     /// The size of the unit, SI.
@@ -21,7 +21,7 @@ pub(super) struct Drawn {
     decimals: usize,
 }
 
-impl Drawn {
+impl DrawnAxis {
     /// An axis for these SI values, with about `count` ticks. `None` if the axis can show none of
     /// the values.
     pub fn new(
@@ -118,13 +118,9 @@ impl Drawn {
     /// The text of a tick.
     pub fn text(&self, tick: f64) -> String {
         match &self.axis.scale {
-            AxisScale::Names(names) => names
-                .get(tick.round() as usize)
-                .cloned()
-                .unwrap_or_default(),
-            // a tick near zero is displayed as 0, not as "-0"
-            AxisScale::Linear => {
-                format!("{:.*}", self.decimals, tick + 0.0).replace('-', "\u{2212}")
+            // an axis of names has no ticks
+            AxisScale::Linear | AxisScale::Names(_) => {
+                format!("{tick:.*}", self.decimals).replace('-', "\u{2212}")
             }
             AxisScale::LeftRight => {
                 let side = if tick.abs() < 1e-9 {
@@ -188,7 +184,7 @@ pub(super) fn round_step(step: f64, digits: &[f64]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::super::axis::NamedQuantity;
-    use super::{Axis, Drawn, System, nice_step};
+    use super::{Axis, DrawnAxis, System, nice_step};
     use crate::units::Quantity;
 
     #[test]
@@ -208,17 +204,17 @@ mod tests {
     #[test]
     fn an_axis_ends_on_ticks_in_the_unit_read() {
         let axis = Axis::linear(NamedQuantity::new("carry", Quantity::LENGTH, "yd"));
-        let drawn = Drawn::new(&axis, [0.0, 255.3].into_iter(), System::Us, 6).unwrap();
+        let drawn = DrawnAxis::new(&axis, [0.0, 255.3].into_iter(), System::Us, 6).unwrap();
         assert_eq!(
             (drawn.low, drawn.high, drawn.text(50.0), drawn.title()),
             (0.0, 300.0, "50".into(), "carry [yd]".into())
         );
-        let drawn = Drawn::new(&axis, [0.0, 255.3].into_iter(), System::Metric, 6).unwrap();
+        let drawn = DrawnAxis::new(&axis, [0.0, 255.3].into_iter(), System::Metric, 6).unwrap();
         assert_eq!((drawn.high, drawn.title()), (300.0, "carry [m]".into()));
         let log = Axis::log(NamedQuantity::plain("error"));
-        let drawn = Drawn::new(&log, [3e-12, 0.0, 0.5].into_iter(), System::Us, 5).unwrap();
+        let drawn = DrawnAxis::new(&log, [3e-12, 0.0, 0.5].into_iter(), System::Us, 5).unwrap();
         assert_eq!((drawn.low, drawn.high), (-12.0, 0.0));
         assert_eq!(drawn.place(0.0), None);
-        assert!(Drawn::new(&log, [0.0].into_iter(), System::Us, 5).is_none());
+        assert!(DrawnAxis::new(&log, [0.0].into_iter(), System::Us, 5).is_none());
     }
 }

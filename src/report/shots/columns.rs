@@ -1,6 +1,6 @@
 //! Shots with the columns of a launch monitor, for any kind of source.
 
-use super::csv::Added;
+use super::csv::PredictionColumns;
 use crate::drive::Outcome;
 use crate::shots::{Flown, Origin, Shot};
 
@@ -35,7 +35,7 @@ const MEASURED: [(&str, Outcome); 6] = [
 const TEXTS: [&str; 2] = ["Spin Rate Type", "Condition"];
 
 /// The line of column heads.
-pub(super) fn head(added: &Added) -> Vec<u8> {
+pub(super) fn head(added: &PredictionColumns) -> Vec<u8> {
     let own = LAUNCH
         .iter()
         .chain(&CLUB)
@@ -73,7 +73,7 @@ pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
 }
 
 /// Appends the cells of a row.
-pub(super) fn row(added: &Added, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
+pub(super) fn row(added: &PredictionColumns, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
     let shot = &flown.shots[row];
     let measured = MEASURED.map(|(_, of)| shot.value(of).map(|value| value.value));
     let values = launch(shot)

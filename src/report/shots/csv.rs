@@ -13,14 +13,14 @@ const DECIMALS: f64 = 1e4;
 /// The added columns: line, status of the flight, reason for a missing flight, notes, predicted
 /// outcomes, and residuals.
 #[derive(Clone, Debug)]
-pub(super) struct Added {
+pub(super) struct PredictionColumns {
     pub of: Vec<Outcome>,
     pub system: System,
     pub separator: u8,
     pub has_decimal_comma: bool,
 }
 
-impl Added {
+impl PredictionColumns {
     /// The unit of an outcome.
     pub fn unit(&self, of: Outcome) -> &'static str {
         self.system.unit(of.unit())
@@ -85,16 +85,16 @@ impl Added {
 
 /// The rows of an export, unchanged, with the added columns.
 #[derive(Clone, Debug)]
-pub(super) struct Copied {
+pub(super) struct ExportRows {
     export: Arc<Export>,
-    added: Added,
+    added: PredictionColumns,
 }
 
-impl Copied {
+impl ExportRows {
     pub fn new(export: &Arc<Export>, of: &[Outcome], system: System) -> Self {
         Self {
             export: export.clone(),
-            added: Added {
+            added: PredictionColumns {
                 of: of.to_vec(),
                 system,
                 separator: export.separator,

@@ -151,24 +151,23 @@ impl Keys {
     }
 
     /// The keys of rows in a section of a table.
-    pub fn of_section(&self, section: Option<&Section>) -> Self {
-        let cells = section.map(|Section { export, .. }| {
-            let heads = &export.heads;
-            // a repeated column head gets a number
-            let key = |(at, head): (usize, &String)| {
-                let before = heads[..at].iter().filter(|other| *other == head).count();
-                if before == 0 {
-                    head.clone()
-                } else {
-                    format!("{head} ({})", before + 1)
-                }
-            };
-            (export.clone(), heads.iter().enumerate().map(key).collect())
-        });
+    pub fn of_section(&self, section: &Section) -> Self {
+        let export = &section.export;
+        let heads = &export.heads;
+        // a repeated column head gets a number
+        let key = |(at, head): (usize, &String)| {
+            let before = heads[..at].iter().filter(|other| *other == head).count();
+            if before == 0 {
+                head.clone()
+            } else {
+                format!("{head} ({})", before + 1)
+            }
+        };
+        let keys = heads.iter().enumerate().map(key).collect();
         Self {
             of: self.of.clone(),
             further: self.further.clone(),
-            cells,
+            cells: Some((export.clone(), keys)),
         }
     }
 

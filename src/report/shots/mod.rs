@@ -15,16 +15,16 @@ pub use json_lines::FlyRow;
 pub use open_connect::open_connect_answer;
 #[cfg(feature = "parquet")]
 pub use parquet::ShotParquet;
-pub(super) use summary::instrument_deviation;
 pub use summary::{
     BandReport, ClubOutcome, ClubShotsReport, OutcomeResiduals, ShotsReport, SumsReport,
 };
 
 use crate::drive::Outcome;
-use crate::shots::{Flown, Shots};
+use crate::shots::{Flown, Section, Shots};
 use crate::units::System;
-use csv::{Added, Copied};
+use csv::{ExportRows, PredictionColumns};
 use screen::Screen;
+use std::borrow::Cow;
 
 /// Formats flown shots.
 #[derive(Clone, Debug)]
@@ -34,8 +34,8 @@ pub struct ShotWriter {
 
 #[derive(Clone, Debug)]
 enum ShotFormat {
-    Copied(Copied),
-    Columns(Added),
+    Copied(ExportRows),
+    Columns(PredictionColumns),
     JsonLines(json_lines::Keys),
     OpenConnect,
     Screen(Screen),
@@ -47,7 +47,7 @@ impl ShotWriter {
     pub fn csv(shots: &Shots, of: &[Outcome], system: System) -> Self {
         match shots.export() {
             Some(export) => Self {
-                table: ShotFormat::Copied(Copied::new(export, of, system)),
+                table: ShotFormat::Copied(ExportRows::new(export, of, system)),
             },
             None => Self::launch_monitor(of, system),
         }
@@ -57,7 +57,7 @@ impl ShotWriter {
     /// predictions, in the units of a system.
     pub fn launch_monitor(of: &[Outcome], system: System) -> Self {
         Self {
-            table: ShotFormat::Columns(Added {
+            table: ShotFormat::Columns(PredictionColumns {
                 of: of.to_vec(),
                 system,
                 separator: b',',
@@ -103,32 +103,34 @@ impl ShotWriter {
     /// A line for each row. In CSV, column heads precede the rows if a section of the table begins.
     pub fn rows(&self, flown: &Flown) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(flown.rows() * 400);
-        let section = flown.section.as_ref();
-        let copied = match (&self.table, section) {
-            (ShotFormat::Copied(copied), Some(section)) => Some(copied.of_section(&section.export)),
-            _ => None,
-        };
-        if let (Some(copied), true) = (&copied, section.is_some_and(|section| section.begins)) {
+        let format = self.of_section(flown.section.as_ref());
+        let begins = flown.section.as_ref().is_some_and(|section| section.begins);
+        if let (ShotFormat::Copied(copied), true) = (&*format, begins) {
             bytes.extend(copied.head());
         }
-        let keys = match &self.table {
-            ShotFormat::JsonLines(keys) => Some(keys.of_section(section)),
-            _ => None,
-        };
         for row in 0..flown.rows() {
-            match &self.table {
-                ShotFormat::Copied(first) => {
-                    copied.as_ref().unwrap_or(first).row(flown, row, &mut bytes)
-                }
+            match &*format {
+                ShotFormat::Copied(copied) => copied.row(flown, row, &mut bytes),
                 ShotFormat::Columns(added) => columns::row(added, flown, row, &mut bytes),
-                ShotFormat::JsonLines(first) => {
-                    keys.as_ref().unwrap_or(first).row(flown, row, &mut bytes)
-                }
+                ShotFormat::JsonLines(keys) => keys.row(flown, row, &mut bytes),
                 ShotFormat::OpenConnect => open_connect::row(flown, row, &mut bytes),
                 ShotFormat::Screen(screen) => screen.row(flown, row, &mut bytes),
             }
             bytes.push(b'\n');
         }
         bytes
+    }
+
+    /// The format with the column heads of a section of the table.
+    fn of_section(&self, section: Option<&Section>) -> Cow<'_, ShotFormat> {
+        match (&self.table, section) {
+            (ShotFormat::Copied(copied), Some(section)) => {
+                Cow::Owned(ShotFormat::Copied(copied.of_section(&section.export)))
+            }
+            (ShotFormat::JsonLines(keys), Some(section)) => {
+                Cow::Owned(ShotFormat::JsonLines(keys.of_section(section)))
+            }
+            (format, _) => Cow::Borrowed(format),
+        }
     }
 }

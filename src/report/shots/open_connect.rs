@@ -56,17 +56,20 @@ struct OpenConnectAnswer<'a> {
 /// The launch, with the keys of the protocol. A missing value is omitted.
 fn ball(shot: &Shot) -> ByName<f64> {
     let [speed, angle, direction, spin, axis] = launch(shot);
-    let of_launch = |at: usize| shot.launch().map(|launch| launch[at]);
+    let [flown_direction, backspin, sidespin] = match shot.launch() {
+        Some(&[_, _, direction, back, side]) => [direction, back, side].map(Some),
+        _ => [None; 3],
+    };
     // a simulator needs the assumed values too; `Origins` identifies them
-    let direction = direction.or(of_launch(2));
-    let axis = axis.or(shot.launch().map(|_| 0.0));
+    let direction = direction.or(flown_direction);
+    let axis = axis.or(backspin.map(|_| 0.0));
     let carry = shot.value(Outcome::CarryDistance).map(|value| value.value);
     let values = [
         in_unit("Speed", speed, Outcome::BallSpeed, "mph"),
         in_unit("SpinAxis", axis, Outcome::SpinAxis, "deg"),
         in_unit("TotalSpin", spin, Outcome::Spin, "rpm"),
-        in_unit("BackSpin", of_launch(3), Outcome::Backspin, "rpm"),
-        in_unit("SideSpin", of_launch(4), Outcome::Sidespin, "rpm"),
+        in_unit("BackSpin", backspin, Outcome::Backspin, "rpm"),
+        in_unit("SideSpin", sidespin, Outcome::Sidespin, "rpm"),
         in_unit("HLA", direction, Outcome::LaunchDirection, "deg"),
         in_unit("VLA", angle, Outcome::LaunchAngle, "deg"),
         in_unit("CarryDistance", carry, Outcome::CarryDistance, "yd"),

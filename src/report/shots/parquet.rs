@@ -26,7 +26,7 @@ const MEASURED: [Outcome; 8] = [
 
 /// The source of a column.
 #[derive(Clone, Copy)]
-enum Of {
+enum ColumnSource {
     Line,
     Flight,
     Reason,
@@ -45,7 +45,7 @@ enum Of {
 /// Writes flown shots as Parquet, in row groups of some thousand rows.
 pub struct ShotParquet {
     table: ParquetTable,
-    columns: Vec<Of>,
+    columns: Vec<ColumnSource>,
     waiting: Vec<Flown>,
     placed: Vec<PlacedGroup>,
     /// Number of bytes returned so far.
@@ -58,38 +58,56 @@ impl ShotParquet {
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow the columns.
     pub fn new(shots: &Shots, of: &[Outcome]) -> Result<Self> {
-        let mut columns: Vec<(String, ColumnType, Of)> = vec![
-            ("line".into(), ColumnType::Number, Of::Line),
-            ("flight".into(), ColumnType::Text, Of::Flight),
-            ("reason".into(), ColumnType::SomeText, Of::Reason),
-            ("notes".into(), ColumnType::SomeText, Of::Notes),
+        let mut columns: Vec<(String, ColumnType, ColumnSource)> = vec![
+            ("line".into(), ColumnType::Number, ColumnSource::Line),
+            ("flight".into(), ColumnType::Text, ColumnSource::Flight),
+            ("reason".into(), ColumnType::SomeText, ColumnSource::Reason),
+            ("notes".into(), ColumnType::SomeText, ColumnSource::Notes),
         ];
-        let mut number = |name: String, of: Of| columns.push((name, ColumnType::SomeNumber, of));
+        let mut number =
+            |name: String, of: ColumnSource| columns.push((name, ColumnType::SomeNumber, of));
         LAUNCH
             .iter()
             .enumerate()
-            .for_each(|(at, (_, of))| number(of.name().into(), Of::Launch(at)));
+            .for_each(|(at, (_, of))| number(of.name().into(), ColumnSource::Launch(at)));
         Club::NAMES
             .iter()
             .enumerate()
-            .for_each(|(at, name)| number((*name).into(), Of::Club(at)));
+            .for_each(|(at, name)| number((*name).into(), ColumnSource::Club(at)));
         shots
             .further()
             .iter()
             .enumerate()
-            .for_each(|(at, row)| number(row.name.into(), Of::Further(at)));
-        MEASURED
-            .iter()
-            .for_each(|of| number(format!("measured_{}", of.name()), Of::Measured(*of)));
-        of.iter()
-            .enumerate()
-            .for_each(|(at, of)| number(format!("predicted_{}", of.name()), Of::Predicted(at)));
-        of.iter()
-            .enumerate()
-            .for_each(|(at, of)| number(format!("residual_{}", of.name()), Of::Residual(at)));
-        columns.push(("spin_origin".into(), ColumnType::SomeText, Of::SpinOrigin));
-        columns.push(("condition".into(), ColumnType::SomeText, Of::Condition));
-        columns.push(("row".into(), ColumnType::Text, Of::Row));
+            .for_each(|(at, row)| number(row.name.into(), ColumnSource::Further(at)));
+        MEASURED.iter().for_each(|of| {
+            number(
+                format!("measured_{}", of.name()),
+                ColumnSource::Measured(*of),
+            )
+        });
+        of.iter().enumerate().for_each(|(at, of)| {
+            number(
+                format!("predicted_{}", of.name()),
+                ColumnSource::Predicted(at),
+            )
+        });
+        of.iter().enumerate().for_each(|(at, of)| {
+            number(
+                format!("residual_{}", of.name()),
+                ColumnSource::Residual(at),
+            )
+        });
+        columns.push((
+            "spin_origin".into(),
+            ColumnType::SomeText,
+            ColumnSource::SpinOrigin,
+        ));
+        columns.push((
+            "condition".into(),
+            ColumnType::SomeText,
+            ColumnSource::Condition,
+        ));
+        columns.push(("row".into(), ColumnType::Text, ColumnSource::Row));
         let kinds: Vec<(String, ColumnType)> = columns
             .iter()
             .map(|(name, kind, _)| (name.clone(), *kind))
@@ -150,7 +168,7 @@ impl ShotParquet {
         Ok(group.bytes)
     }
 
-    fn cells(&self, of: Of) -> Cells {
+    fn cells(&self, of: ColumnSource) -> Cells {
         let rows = || {
             self.waiting
                 .iter()
@@ -165,36 +183,40 @@ impl ShotParquet {
             Cells::SomeTexts(rows().map(text).collect())
         };
         match of {
-            Of::Line => Cells::Numbers(
+            ColumnSource::Line => Cells::Numbers(
                 rows()
                     .map(|(flown, row)| flown.shots[row].line as f64)
                     .collect(),
             ),
-            Of::Flight => Cells::Texts(
+            ColumnSource::Flight => Cells::Texts(
                 rows()
                     .map(|(flown, row)| ByteArray::from(flown.flight(row)))
                     .collect(),
             ),
-            Of::Row => Cells::Texts(
+            ColumnSource::Row => Cells::Texts(
                 rows()
                     .map(|(flown, row)| flown.shots[row].text.as_str().into())
                     .collect(),
             ),
-            Of::Reason => texts(&|flown, row| flown.reason(row).map(str::to_owned)),
-            Of::Notes => texts(&|flown, row| {
+            ColumnSource::Reason => texts(&|flown, row| flown.reason(row).map(str::to_owned)),
+            ColumnSource::Notes => texts(&|flown, row| {
                 let notes = &flown.shots[row].notes;
                 (!notes.is_empty()).then(|| notes.join("; "))
             }),
-            Of::SpinOrigin => {
+            ColumnSource::SpinOrigin => {
                 texts(&|flown, row| Some(flown.shots[row].spin_origin()?.name().to_owned()))
             }
-            Of::Condition => texts(&|flown, row| flown.shots[row].condition.clone()),
-            Of::Launch(at) => numbers(&|flown, row| launch(&flown.shots[row])[at]),
-            Of::Club(at) => numbers(&|flown, row| flown.shots[row].club.values()[at]),
-            Of::Further(at) => numbers(&|flown, row| flown.shots[row].further().get(at).copied()),
-            Of::Measured(of) => numbers(&|flown, row| Some(flown.shots[row].value(of)?.value)),
-            Of::Predicted(at) => numbers(&|flown, row| flown.predicted(row, at)),
-            Of::Residual(at) => numbers(&|flown, row| flown.residual(row, at)),
+            ColumnSource::Condition => texts(&|flown, row| flown.shots[row].condition.clone()),
+            ColumnSource::Launch(at) => numbers(&|flown, row| launch(&flown.shots[row])[at]),
+            ColumnSource::Club(at) => numbers(&|flown, row| flown.shots[row].club.values()[at]),
+            ColumnSource::Further(at) => {
+                numbers(&|flown, row| flown.shots[row].further().get(at).copied())
+            }
+            ColumnSource::Measured(of) => {
+                numbers(&|flown, row| Some(flown.shots[row].value(of)?.value))
+            }
+            ColumnSource::Predicted(at) => numbers(&|flown, row| flown.predicted(row, at)),
+            ColumnSource::Residual(at) => numbers(&|flown, row| flown.residual(row, at)),
         }
     }
 }

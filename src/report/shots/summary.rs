@@ -4,7 +4,7 @@ use crate::drive::Outcome;
 use crate::report::document::{Document, DocumentTable, Line};
 use crate::report::reply::{Ending, Report};
 use crate::report::shown;
-use crate::shots::{Band, ClubShots, FLOOR, Refused, ShotStatistics, Sums, size};
+use crate::shots::{Band, ClubShots, Refused, ShotStatistics, Sums, instrument_deviation, size};
 use crate::units::{Message, System, counted, fixed, printed, signed};
 use serde::Serialize;
 
@@ -13,7 +13,7 @@ use serde::Serialize;
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ShotsReport<'a> {
     #[serde(skip)]
-    tally: &'a ShotStatistics,
+    statistics: &'a ShotStatistics,
     /// The status of the command.
     #[serde(skip)]
     pub ending: Ending,
@@ -141,30 +141,24 @@ impl SumsReport {
 }
 
 /// The clubs with their shots; none if all shots are of one club.
-fn several_clubs(tally: &ShotStatistics) -> impl Iterator<Item = (&String, &ClubShots)> {
-    let is_several = tally.clubs.len() > 1;
-    tally.clubs.iter().filter(move |_| is_several)
-}
-
-/// The standard deviation of the difference between two instruments for the same drives, SI.
-pub(in crate::report) fn instrument_deviation(of: Outcome) -> Option<f64> {
-    let (_, deviation, unit) = FLOOR.iter().find(|(outcome, ..)| *outcome == of)?;
-    Some(deviation * of.quantity().size_of(unit)?)
+fn several_clubs(statistics: &ShotStatistics) -> impl Iterator<Item = (&String, &ClubShots)> {
+    let is_several = statistics.clubs.len() > 1;
+    statistics.clubs.iter().filter(move |_| is_several)
 }
 
 impl<'a> ShotsReport<'a> {
     /// The report of these statistics.
     pub fn new(
-        tally: &'a ShotStatistics,
+        statistics: &'a ShotStatistics,
         source: Option<&'static str>,
         file: Option<String>,
         remarks: &[Message],
     ) -> Self {
         let residual = |(at, of): (usize, &Outcome)| OutcomeResiduals {
             of: *of,
-            all: SumsReport::new(&tally.all[at]),
+            all: SumsReport::new(&statistics.all[at]),
             instruments: instrument_deviation(*of),
-            bands: tally
+            bands: statistics
                 .bands
                 .iter()
                 .filter(|band| band.sums[at].count > 0)
@@ -176,19 +170,19 @@ impl<'a> ShotsReport<'a> {
                 .collect(),
         };
         Self {
-            tally,
+            statistics,
             ending: Ending::DONE,
             file,
             source,
-            rows: tally.rows,
-            flown: tally.flown,
-            refused: tally.refused.values().cloned().collect(),
-            noted: tally.noted,
-            spin_not_measured: tally.spin_not_measured,
-            normalized: tally.normalized,
-            residuals: tally.of.iter().enumerate().map(residual).collect(),
-            clubs: several_clubs(tally)
-                .map(|(club, shots)| ClubShotsReport::new(&tally.of, club, shots))
+            rows: statistics.rows,
+            flown: statistics.flown,
+            refused: statistics.refused.values().cloned().collect(),
+            noted: statistics.noted,
+            spin_not_measured: statistics.spin_not_measured,
+            normalized: statistics.normalized,
+            residuals: statistics.of.iter().enumerate().map(residual).collect(),
+            clubs: several_clubs(statistics)
+                .map(|(club, shots)| ClubShotsReport::new(&statistics.of, club, shots))
                 .collect(),
             remarks: remarks.to_vec(),
         }
@@ -207,12 +201,12 @@ impl Report for ShotsReport<'_> {
 
     /// The counts of rows, and the residuals of each outcome by ball speed.
     fn document(&self, system: System) -> Document {
-        let tally = self.tally;
-        let mut lines = counts(tally, self.source);
+        let statistics = self.statistics;
+        let mut lines = counts(statistics, self.source);
         let mut rows = vec![];
-        for (at, of) in tally.of.iter().enumerate() {
-            if tally.all[at].count > 0 {
-                rows.extend(residual_rows(tally, at, *of, system));
+        for (at, of) in statistics.of.iter().enumerate() {
+            if statistics.all[at].count > 0 {
+                rows.extend(residual_rows(statistics, at, *of, system));
             }
         }
         let mut document = Document::default();
@@ -221,7 +215,7 @@ impl Report for ShotsReport<'_> {
                 "no row has a measured value of these outcomes to compare with",
             ));
             document.list(lines);
-            add_clubs(&mut document, tally, system);
+            add_clubs(&mut document, statistics, system);
             return document;
         }
         document.list(lines);
@@ -241,11 +235,11 @@ impl Report for ShotsReport<'_> {
             "sd of instruments: of the differences of two launch monitors on the same 58 drives (Bliss \
              & Langdown 2026); their spins differ by 513 rpm",
         ));
-        if tally.of.iter().any(|of| of.is_lateral()) {
+        if statistics.of.iter().any(|of| of.is_lateral()) {
             table.line(Line::flush("lateral: + is right of the target line"));
         }
         document.add(table);
-        add_clubs(&mut document, tally, system);
+        add_clubs(&mut document, statistics, system);
         document
     }
 }
@@ -302,8 +296,8 @@ impl ResidualFormat {
 }
 
 /// Adds a table of the first outcome by club, if there are several clubs.
-fn add_clubs(document: &mut Document, tally: &ShotStatistics, system: System) {
-    let Some(of) = tally.of.first().filter(|_| tally.clubs.len() > 1) else {
+fn add_clubs(document: &mut Document, statistics: &ShotStatistics, system: System) {
+    let Some(of) = statistics.of.first().filter(|_| statistics.clubs.len() > 1) else {
         return;
     };
     let format = ResidualFormat::new(*of, system);
@@ -318,22 +312,26 @@ fn add_clubs(document: &mut Document, tally: &ShotStatistics, system: System) {
         ]
     };
     let head = ["club", "rows", "predicted", "bias", "MAE"];
-    let table = DocumentTable::new(head, several_clubs(tally).map(row))
+    let table = DocumentTable::new(head, several_clubs(statistics).map(row))
         .right(1..=4)
         .with_caption(&format!("{} by club:", format.title(*of)));
     document.add(table);
 }
 
 /// The numbers of rows that were flown, that were not flown (by kind of reason), and with remarks.
-fn counts(tally: &ShotStatistics, source: Option<&'static str>) -> Vec<Line> {
+fn counts(statistics: &ShotStatistics, source: Option<&'static str>) -> Vec<Line> {
     let from = source.map_or(String::new(), |source| format!(" ({source})"));
-    let refused: u64 = tally.refused.values().map(|refused| refused.count).sum();
+    let refused: u64 = statistics
+        .refused
+        .values()
+        .map(|refused| refused.count)
+        .sum();
     let mut lines = vec![Line::flush(format!(
         "{}{from}: {} flown, {refused} not flown",
-        counted(tally.rows, "row"),
-        tally.flown
+        counted(statistics.rows, "row"),
+        statistics.flown
     ))];
-    for (kind, refused) in &tally.refused {
+    for (kind, refused) in &statistics.refused {
         lines.push(Line::item(format!(
             "{kind}: {}, the first in line {}: {}",
             counted(refused.count, "row"),
@@ -343,15 +341,15 @@ fn counts(tally: &ShotStatistics, source: Option<&'static str>) -> Vec<Line> {
     }
     let remarks = [
         (
-            tally.noted,
+            statistics.noted,
             "with values that are assumed or not compared (see the notes of these rows)",
         ),
         (
-            tally.spin_not_measured,
+            statistics.spin_not_measured,
             "whose spin is estimated or modelled, as the export says",
         ),
         (
-            tally.normalized,
+            statistics.normalized,
             "whose values are normalized to other conditions, as the export says",
         ),
     ];
@@ -365,7 +363,7 @@ fn counts(tally: &ShotStatistics, source: Option<&'static str>) -> Vec<Line> {
 
 /// The residuals of an outcome: a row for each band of ball speed, and one for all rows.
 fn residual_rows(
-    tally: &ShotStatistics,
+    statistics: &ShotStatistics,
     at: usize,
     of: Outcome,
     system: System,
@@ -382,8 +380,11 @@ fn residual_rows(
             format.number(instruments),
         ]
     };
-    let bands = tally.bands.iter().filter(|band| band.sums[at].count > 0);
+    let bands = statistics
+        .bands
+        .iter()
+        .filter(|band| band.sums[at].count > 0);
     let bands = bands.map(|band| row(speeds(band, system), &band.sums[at], None));
-    let all = row("all".into(), &tally.all[at], instrument_deviation(of));
+    let all = row("all".into(), &statistics.all[at], instrument_deviation(of));
     bands.chain([all]).collect()
 }

@@ -3,9 +3,9 @@
 use crate::drive::Outcome;
 use crate::parameters::Law;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
-use crate::report::shots::instrument_deviation;
+use crate::shots::instrument_deviation;
 use crate::statistics::extent;
-use crate::study::validation::{Case, Compared, Computation, LawScores, SetScores};
+use crate::study::validation::{Case, Compared, LawScores, SetScores};
 use crate::units::Quantity;
 
 /// The independent law for comparison with the default law.
@@ -27,7 +27,7 @@ const OPTIMUM: &str =
 /// Plots of the predicted against the measured carry, and of the residuals of carry, apex, descent
 /// and spin.
 pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
-    let measured: Vec<&SetScores> = found.iter().filter(|set| set.set.is_measured()).collect();
+    let measured: Vec<&SetScores> = found.iter().filter(|set| set.set.is_measured).collect();
     let optima: Vec<&SetScores> = found.iter().filter(|set| set.set.name == OPTIMA).collect();
     let laws = drawn(&measured);
     let mut figures = vec![carry(&measured)];
@@ -167,15 +167,6 @@ fn floor(of: Compared) -> Option<f64> {
         Compared::Curve | Compared::Gain | Compared::LaunchAngle => return None,
     };
     instrument_deviation(outcome)
-}
-
-impl crate::study::validation::Set {
-    /// True if the drives of the set were measured and are computed from their launch. Results of
-    /// models, gains and optima are not measured.
-    fn is_measured(&self) -> bool {
-        self.computation == Computation::Launch
-            && !["chart-launches", "simulations"].contains(&self.name)
-    }
 }
 
 /// The smallest mean absolute error of a set's first quantity, with its law.
