@@ -35,7 +35,7 @@ fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
     };
     for (i, of) in Face::OUTCOMES.into_iter().enumerate() {
         let pair = [field(views[2 * i]), field(views[2 * i + 1])];
-        assert_eq!(pair[0].beside, pair[1].beside);
+        assert_eq!(pair[0].common_values, pair[1].common_values);
         for (field, setup, side) in [(&pair[0], &setup, -1.0), (&pair[1], &flat, 1.0)] {
             for node in (3..field.values.len()).step_by(53) {
                 let at = field.place((node % field.columns) as f64, (node / field.columns) as f64);

@@ -130,7 +130,7 @@ fn mixed(from: Color, to: Color, part: f64) -> Color {
 
 #[cfg(test)]
 mod tests {
-    use super::{Color, DARK, LIGHT, STEPS};
+    use super::{BAND_OPACITY, Color, DARK, LIGHT, STEPS};
 
     /// The contrast ratio of two colours, 1 to 21 (WCAG 2.1, relative luminance).
     fn contrast(a: Color, b: Color) -> f64 {
