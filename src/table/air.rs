@@ -89,7 +89,7 @@ pub(super) fn air_as_given(head: &str) -> String {
 pub(crate) fn replace_air_remark(remarks: &mut [Message], head: &str) {
     let replaced = air_of_rows(head);
     for remark in remarks {
-        if remark.to_string() == replaced {
+        if remark.to_string().ends_with(&replaced) {
             *remark = air_as_given(head).into();
         }
     }

@@ -9,8 +9,8 @@ use longdrive::launch::Launch;
 use longdrive::optimize::least_squares::{FitObserver, FitStatus, Loss, Rows};
 use longdrive::report::{CalibrationReport, Reply, Report};
 use longdrive::study::calibrate::{
-    Calibration, FitPlan, FitRange, FitStatistics, MeasuredShot, ShotTable, Uncertainties,
-    calibrate, held_out,
+    Calibration, FitPlan, FitRange, FitStatistics, MeasuredShot, ShotTable, SigmaOrigin, calibrate,
+    held_out,
 };
 use longdrive::units::System;
 use longdrive::{Drive, Outcome, Setup};
@@ -90,7 +90,7 @@ fn shots(noise: &mut Noise, size: f64) -> String {
 
 fn fitted(text: &str, setup: &Setup<f64>, names: &[&str], loss: Loss) -> Calibration {
     let table = ShotTable::read(setup, "shots.csv", text.as_bytes()).unwrap();
-    assert!(table.is_launched && table.uncertainties == Uncertainties::Stated);
+    assert!(table.is_launched && table.sigma_origin == SigmaOrigin::Stated);
     let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
     let mut plan = FitPlan::read(setup, &names).unwrap();
     plan.options.loss = loss;
@@ -143,8 +143,8 @@ fn sampled_coverage_of_intervals_over_200_draws_of_noise() {
         let found = fitted(&shots(&mut noise, 1.0), &truth(), &LAW, Loss::Squares);
         for (i, truth) in [0.27, 1.3].into_iter().enumerate() {
             let estimate = found.estimates[i];
-            let reach = found.statistics.reach * estimate.standard_error.unwrap();
-            covered[i] += usize::from((estimate.value - truth).abs() <= reach);
+            let half_width = found.statistics.coverage_factor * estimate.standard_error.unwrap();
+            covered[i] += usize::from((estimate.value - truth).abs() <= half_width);
         }
         assert_eq!(found.statistics.degrees_of_freedom, 22);
         chi_square += found.statistics.chi_square / 200.0;
@@ -227,7 +227,7 @@ fn differences_of_fits_match_the_covariance_with_measured_and_stationary_rows() 
         assert!(
             found.statistics.is_exact,
             "{attack} {carry} {time}: {:?}",
-            found.remainders
+            found.residuals
         );
         found
     };
@@ -928,7 +928,7 @@ fn interrupted_folds_are_omitted_and_counted() {
         (
             whole.count(FitStatus::Converged),
             whole.is_interrupted(),
-            whole.remainders.len()
+            whole.residuals.len()
         ),
         (4, false, 24)
     );
@@ -942,14 +942,14 @@ fn interrupted_folds_are_omitted_and_counted() {
     for after in 2..40 {
         let part = held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap();
         let done = 4 - part.count(FitStatus::Interrupted);
-        assert_eq!(part.remainders.len(), 6 * done, "after {after}");
+        assert_eq!(part.residuals.len(), 6 * done, "after {after}");
         // the result equals the result of the uninterrupted fit
-        for remainder in &part.remainders {
+        for residual in &part.residuals {
             let same = whole
-                .remainders
+                .residuals
                 .iter()
-                .find(|r| (r.row, r.outcome) == (remainder.row, remainder.outcome));
-            assert_eq!(same.unwrap().residual, remainder.residual);
+                .find(|r| (r.row, r.outcome) == (residual.row, residual.outcome));
+            assert_eq!(same.unwrap().residual, residual.residual);
         }
         partly += usize::from(done > 0 && part.is_interrupted());
     }
@@ -1165,7 +1165,7 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
     let setup = Setup::default();
     let read = |text: &str| ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
     let expected = read(own);
-    assert_eq!(expected.uncertainties, Uncertainties::Instruments);
+    assert_eq!(expected.sigma_origin, SigmaOrigin::Instruments);
     for text in [trackman, garmin, foresight, words] {
         let table = read(text);
         assert!(table.is_launched && table.shots.len() == 3, "{table:?}");
@@ -1404,7 +1404,7 @@ fn statistics_of_a_ragged_jacobian_panic_and_of_nan_are_refused() {
             residuals: residuals.to_vec(),
             jacobian,
         };
-        FitStatistics::new(&rows, &fitted, Uncertainties::Stated, 0.0, Loss::Squares)
+        FitStatistics::new(&rows, &fitted, SigmaOrigin::Stated, 0.0, Loss::Squares)
     };
     for (jacobian, rows) in [
         (&[&[1.0, 0.0][..]][..], "[2]"),

@@ -3,7 +3,7 @@
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
 use crate::shots::flown;
-use longdrive::study::calibrate::ShotTable;
+use longdrive::study::calibrate::{MeasuredShot, ShotTable};
 use longdrive::{Drive, Outcome, Setup};
 use serde_json::Value;
 use std::fs;
@@ -136,6 +136,36 @@ fn same_air_of_each_row_in_calibrate_and_fly() {
         "{}",
         remarks(&table)
     );
+}
+
+#[test]
+fn the_air_that_only_a_second_section_states_is_reported_and_overridden() {
+    let with_air = garmin(&["0.9,77,77.0,50"]);
+    let without_air: String = with_air
+        .replace("Air Density", "Note 2")
+        .trim_start_matches('\u{feff}')
+        .into();
+    let text = format!("{without_air}{with_air}").replace('\u{feff}', "");
+    let mut table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
+    let has_air = |table: &ShotTable| -> Vec<bool> {
+        let is_air = |shot: &MeasuredShot| {
+            let mut inputs = shot.inputs.iter();
+            inputs.any(|(parameter, _)| parameter.name == "air.density")
+        };
+        table.shots.iter().map(is_air).collect()
+    };
+    let remarks = |table: &ShotTable| {
+        let texts: Vec<String> = table.remarks.iter().map(ToString::to_string).collect();
+        texts.join("\n")
+    };
+    assert_eq!(has_air(&table), [false, true]);
+    let stated = "from line 4 on: each shot flies in the air that the export states for its row: \
+                  Air Density";
+    assert!(remarks(&table).contains(stated), "{}", remarks(&table));
+    table.in_given_air();
+    assert_eq!(has_air(&table), [false, false]);
+    let given = "the given air replaces the air that the export states for each row: Air Density";
+    assert!(remarks(&table).contains(given), "{}", remarks(&table));
 }
 
 #[test]

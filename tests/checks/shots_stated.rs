@@ -223,6 +223,53 @@ fn lateral_is_not_fitted_where_the_direction_or_the_tilt_is_not_measured() {
 }
 
 #[test]
+fn assumed_uncertainties_of_every_section_are_reported() {
+    let launch = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate \
+                  [rpm],Spin Axis [deg]";
+    let text = format!(
+        "{launch},Carry [yds]\n150,12,1,2500,3,240\n{launch},Hang Time [s],Offline \
+         [yds]\n150,12,1,2500,3,6.1,5\n"
+    );
+    let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
+    let remarks: Vec<String> = table.remarks.iter().map(ToString::to_string).collect();
+    let remarks = remarks.join("\n");
+    let count = |of: &str| {
+        remarks
+            .matches(&format!("has no column 'sigma {of}'"))
+            .count()
+    };
+    let counts = ["carry_distance", "flight_time", "lateral"].map(count);
+    assert_eq!((table.shots.len(), counts), (2, [1; 3]), "{remarks}");
+    assert!(
+        remarks.contains("from line 3 on: Offline has no column 'sigma lateral'"),
+        "{remarks}"
+    );
+}
+
+#[test]
+fn every_lateral_value_that_is_not_compared_is_named() {
+    let head = "ball_speed [mph],launch_angle [deg],spin [rpm],lateral [yd],lateral_total [yd]";
+    let read = |head: &str, row: &str| {
+        let text = format!("{head}\n{row}\n");
+        ShotTable::read(&Setup::default(), "a.csv", text.as_bytes())
+    };
+    let error = read(head, "150,12,2500,5,6").unwrap_err().to_string();
+    assert!(
+        error.contains("the only measured values are lateral, lateral_total"),
+        "{error}"
+    );
+    let table = read(&format!("{head},carry [yd]"), "150,12,2500,5,6,240").unwrap();
+    let remarks: Vec<String> = table.remarks.iter().map(ToString::to_string).collect();
+    for of in ["lateral", "lateral_total"] {
+        let remark = format!("{of} is not compared in rows without a measured launch direction");
+        assert!(
+            remarks.iter().any(|said| said.starts_with(&remark)),
+            "{remarks:?}"
+        );
+    }
+}
+
+#[test]
 fn numbers_from_1e38_are_missing_values() {
     let head = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Axis [deg],Carry [yds]\n";
     for cell in [

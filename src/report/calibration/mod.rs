@@ -11,7 +11,7 @@ use super::shown::as_declared;
 use crate::error::Result;
 use crate::optimize::least_squares::{FitStatus, RejectedPoints};
 use crate::parameters::SetupFile;
-use crate::study::calibrate::{Calibration, Estimate, HeldOut, Remainder, ShotTable, Starts};
+use crate::study::calibrate::{Calibration, Estimate, FitResidual, HeldOut, ShotTable, Starts};
 use crate::units::{Message, System, counted, counted_of, typed};
 use serde::Serialize;
 use text::{by_outcome, to_its_error};
@@ -60,7 +60,7 @@ pub struct CalibrationReport<'a> {
     /// The results of the searches from several starts.
     pub starts: &'a Starts,
     /// The residual of each measured value.
-    pub residuals: Vec<Remainder>,
+    pub residuals: Vec<FitResidual>,
     /// The prediction errors on held-out data.
     pub held_out: Vec<HeldOutReport>,
     /// Every parameter of the fitted setup by its dotted name.
@@ -155,7 +155,7 @@ impl<'a> CalibrationReport<'a> {
             evaluations: found.fit.evaluations,
             refused: &found.fit.rejected,
             starts: &found.starts,
-            residuals: found.remainders.clone(),
+            residuals: found.residuals.clone(),
             held_out: held_out
                 .iter()
                 .map(|(fit, held)| HeldOutReport::new(fit, held))

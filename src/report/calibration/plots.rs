@@ -2,7 +2,7 @@ use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shown::capital;
 use crate::statistics::extent;
-use crate::study::calibrate::{Calibration, Remainder, ShotTable};
+use crate::study::calibrate::{Calibration, FitResidual, ShotTable};
 
 /// A measured value with the computed value.
 struct MeasuredPoint {
@@ -16,13 +16,13 @@ struct MeasuredPoint {
 /// values, and the residuals.
 pub(super) fn figures(table: &ShotTable, found: &Calibration) -> Vec<Figure> {
     let mut outcomes: Vec<Outcome> = vec![];
-    for remainder in found
-        .remainders
+    for residual in found
+        .residuals
         .iter()
-        .filter(|remainder| remainder.stationary.is_none())
+        .filter(|residual| residual.stationary.is_none())
     {
-        if !outcomes.contains(&remainder.outcome) {
-            outcomes.push(remainder.outcome);
+        if !outcomes.contains(&residual.outcome) {
+            outcomes.push(residual.outcome);
         }
     }
     let two = |of: Outcome| {
@@ -33,25 +33,25 @@ pub(super) fn figures(table: &ShotTable, found: &Calibration) -> Vec<Figure> {
 }
 
 fn points(table: &ShotTable, found: &Calibration, of: Outcome) -> Vec<MeasuredPoint> {
-    let remainders = found
-        .remainders
+    let residuals = found
+        .residuals
         .iter()
-        .filter(|remainder| remainder.outcome == of);
-    let point = |remainder: &Remainder| {
-        let measured = remainder.measured?;
-        let shot = table.shots.iter().find(|shot| shot.row == remainder.row)?;
+        .filter(|residual| residual.outcome == of);
+    let point = |residual: &FitResidual| {
+        let measured = residual.measured?;
+        let shot = table.shots.iter().find(|shot| shot.row == residual.row)?;
         let sigma = shot
             .measured
             .iter()
             .find(|measurement| measurement.outcome == of)?
             .sigma;
         Some(MeasuredPoint {
-            computed: measured + remainder.difference,
+            computed: measured + residual.difference,
             measured,
             sigma,
         })
     };
-    remainders.filter_map(point).collect()
+    residuals.filter_map(point).collect()
 }
 
 /// Plot of the measured against the computed values, with the line where both are equal.

@@ -2,7 +2,7 @@ use crate::optimize::least_squares::FitStatus;
 use crate::report::document::{Document, DocumentTable};
 use crate::report::shown;
 use crate::study::calibrate::{
-    Calibration, Estimate, FitStatistics, HeldOut, Remainder, ShotTable, Starts, Uncertainties,
+    Calibration, Estimate, FitResidual, FitStatistics, HeldOut, ShotTable, SigmaOrigin, Starts,
     Undetermined,
 };
 use crate::units::{
@@ -117,7 +117,7 @@ pub(super) fn estimates(
             .iter()
             .map(|estimate| estimated(estimate, system)),
     ));
-    document.paragraph(chi_square(statistics, table.uncertainties));
+    document.paragraph(chi_square(statistics, table.sigma_origin));
     for undetermined in &statistics.undetermined {
         document.paragraph(format!(
             "The data do not determine {}.",
@@ -129,10 +129,7 @@ pub(super) fn estimates(
 /// Adds each residual to a document.
 pub(super) fn residuals(document: &mut Document, found: &Calibration, system: System) {
     let head = ["row", "measured", "computed − measured", "in σ", "what"];
-    let rows = found
-        .remainders
-        .iter()
-        .map(|remainder| row(remainder, system));
+    let rows = found.residuals.iter().map(|residual| row(residual, system));
     document.add(DocumentTable::new(head, rows));
 }
 
@@ -200,7 +197,7 @@ fn estimated(estimate: &Estimate, system: System) -> Vec<String> {
 }
 
 /// χ² in words, and the origin of the standard errors.
-fn chi_square(statistics: &FitStatistics, stated: Uncertainties) -> String {
+fn chi_square(statistics: &FitStatistics, stated: SigmaOrigin) -> String {
     let chi = significant(statistics.chi_square, 5);
     let dof = statistics.degrees_of_freedom;
     let freedom = match dof {
@@ -213,7 +210,7 @@ fn chi_square(statistics: &FitStatistics, stated: Uncertainties) -> String {
             "Standard errors are scaled by √(χ²/{dof}) = {}, since not every uncertainty is stated",
             significant(scale, 4)
         ),
-        (Some(_), Uncertainties::Stated) => {
+        (Some(_), SigmaOrigin::Stated) => {
             "Standard errors follow from the stated uncertainties".into()
         }
         (Some(_), _) => {
@@ -312,15 +309,15 @@ pub(super) fn correlations(document: &mut Document, found: &Calibration) {
 }
 
 /// The cells of a residual.
-fn row(remainder: &Remainder, system: System) -> Vec<String> {
-    let Remainder {
+fn row(residual: &FitResidual, system: System) -> Vec<String> {
+    let FitResidual {
         row,
         outcome,
         stationary,
         measured,
         difference,
         residual,
-    } = remainder;
+    } = residual;
     let (what, measured, difference) = match stationary {
         Some(parameter) => (
             format!("optimum in {}", parameter.name),
@@ -356,16 +353,16 @@ pub(super) struct OutcomeError {
 pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
     // before the loop ends, `rms` is the sum of squares
     let mut all: Vec<(OutcomeError, usize)> = vec![];
-    for remainder in &held.remainders {
-        let of = remainder.outcome;
-        let (name, of) = match remainder.stationary {
+    for residual in &held.residuals {
+        let of = residual.outcome;
+        let (name, of) = match residual.stationary {
             Some(parameter) => (
                 format!("optimum in {}", parameter.name),
                 DisplayUnit::from(parameter),
             ),
             None => (of.name().to_owned(), of.into()),
         };
-        let square = remainder.difference.powi(2);
+        let square = residual.difference.powi(2);
         if let Some((other, count)) = all.iter_mut().find(|(other, _)| other.name == name) {
             other.rms += square;
             *count += 1;

@@ -83,7 +83,7 @@ fn fit(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
          the residuals are \
          {scale:.1} times as large, and the standard errors here are scaled by that factor.",
         fit.estimates.len(),
-        fit.remainders.len(),
+        fit.residuals.len(),
         significant(found.setup.aero.spin_decay, 3),
         typed(
             &significant(shown.length_number(WEIGHT), 2),

@@ -38,7 +38,8 @@ pub struct Estimate {
 /// A residual, with the row and the outcome to which it belongs.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Remainder {
+#[cfg_attr(test, schemars(rename = "Remainder"))]
+pub struct FitResidual {
     /// The row of the table.
     pub row: usize,
     /// The measured outcome; carry if `parameter` is not `null`.
@@ -93,7 +94,7 @@ pub struct Calibration {
     /// Covariance, degrees of freedom and χ².
     pub statistics: FitStatistics,
     /// The residuals, row by row.
-    pub remainders: Vec<Remainder>,
+    pub residuals: Vec<FitResidual>,
     /// Number of times that the curvatures of carry in the stationary parameters were computed
     /// anew.
     pub renewals: usize,

@@ -70,8 +70,9 @@ impl ShotTable {
         };
         let (mut table, head) = TextTable::open(text, setup, &wanted)?;
         let mut reading = Reading::of_head(setup, &table, head, club)?;
-        let first = reading.clone();
+        let is_launched = reading.is_launched;
         let mut rows = ShotRows::new(&file);
+        rows.begin(None, &reading);
         while let Some(entry) = table.next_entry()? {
             match entry {
                 TableEntry::Row(record) => rows.take(&reading, &record, table.separator)?,
@@ -81,7 +82,7 @@ impl ShotTable {
                         continue;
                     };
                     reading = Reading::of_head(setup, &table, head, club)?;
-                    if reading.is_launched != first.is_launched {
+                    if reading.is_launched != is_launched {
                         let reason = "launches and deliveries are mixed: the rows of this section \
                                       are of another kind than the rows before it; use a separate \
                                       file for each kind";
@@ -89,11 +90,11 @@ impl ShotTable {
                             .name
                             .refused(format!(", line {}", record.line), reason));
                     }
-                    rows.begin(record.line, &reading);
+                    rows.begin(Some(record.line), &reading);
                 }
             }
         }
-        rows.table(first, &table.filter)
+        rows.table(&table.filter)
     }
 
     /// Shots from messages of GSPro Open Connect, or from lines that `fly` wrote.
@@ -107,9 +108,10 @@ impl ShotTable {
         let shots = shots.all()?;
         let reading = Reading::of_shots(setup, &shots, &further, club);
         let mut rows = ShotRows::new(file);
+        rows.begin(None, &reading);
         for shot in &shots {
             rows.take_shot(&reading, shot, &further);
         }
-        rows.table(reading, &RowFilter::default())
+        rows.table(&RowFilter::default())
     }
 }

@@ -3,17 +3,14 @@
 use super::calibration::{Calibration, Estimate};
 use super::residuals::at_shot;
 use super::shot_table::{MeasuredShot, ShotTable};
-use super::statistics::Uncertainties;
+use super::statistics::SigmaOrigin;
+use super::verdict::{WARNED_MISFIT, misfit_text};
 use crate::drive::{CheckScope, ExceededCount, exceeded_in_flight};
 use crate::optimize::least_squares::FitStatus;
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
-use crate::units::{Digits, Message, counted, significant};
+use crate::units::{Digits, Message};
 use std::sync::atomic::AtomicBool;
-
-/// A fit gets a warning if the root mean square of its residuals, in standard uncertainties,
-/// exceeds this number. Noise alone gives 1.
-const MUCH: f64 = 3.0;
 
 impl Calibration {
     /// Warnings about the fit: rows that are read as deliveries, residuals too large for noise,
@@ -48,31 +45,14 @@ impl Calibration {
 
     /// Warning for residuals far larger than their uncertainties.
     fn misfit_warning(&self, table: &ShotTable) -> Option<Message> {
-        let (chi, freedom) = (
-            self.statistics.chi_square,
-            self.statistics.degrees_of_freedom,
-        );
-        // no warning if the status already reports a misfit or an outlier
-        let is_told = !matches!(
+        let is_unreported = !matches!(
             self.fit.status,
             FitStatus::DominatedByOneResidual | FitStatus::Misfit
         );
-        let is_told = is_told && table.uncertainties != Uncertainties::Weights;
-        let off = self
-            .statistics
-            .misfit()
-            .filter(|off| is_told && *off > MUCH)?;
-        Some(
-            format!(
-                "the values miss the fit by {} of their standard uncertainties (root mean square; \
-                 χ² = {} with {} of freedom), where noise alone gives 1: the fitted model does not \
-                 describe them, or their uncertainties are too small; look at the largest residuals",
-                significant(off, 3),
-                significant(chi, 5),
-                counted(freedom as u64, "degree")
-            )
-            .into(),
-        )
+        let is_judged = table.sigma_origin != SigmaOrigin::Weights;
+        misfit_text(&self.statistics, WARNED_MISFIT)
+            .filter(|_| is_unreported && is_judged)
+            .map(Message::from)
     }
 }
 

@@ -1,4 +1,4 @@
-use super::calibration::{Calibration, Estimate, Remainder, Starts};
+use super::calibration::{Calibration, Estimate, FitResidual, Starts};
 use super::refusal::no_answer;
 use super::residuals::ShotResiduals;
 use super::shot_table::{MeasuredShot, ShotTable};
@@ -215,20 +215,30 @@ pub fn calibrate(
     let mut searches =
         RepeatedSearches::run(&mut problem, &domain, &own, from, &options, observer)?;
     let starts = searches.by_end(plan.starts);
-    let (stopped, is_minimum) = verdict::of_searches(
+    let stopped = searches.stopped();
+    let is_minimum = searches.is_minimum();
+    verdict::set_status_of_searches(
         &mut searches.fits,
         searches.is_settled,
         observer.is_interrupted(),
     );
-    let mut found = finished(&problem, &domain, table, &own, searches.fits, &options)?;
-    verdict::of_data(&mut found, options.loss, table.uncertainties);
-    Ok(Calibration {
+    let fit = searches.fits.swap_remove(0);
+    let ranges = ranges_of(&fit.x, &own, &domain);
+    let (origin, rounding, loss) = (table.sigma_origin, options.rounding, options.loss);
+    let statistics = FitStatistics::new(&fit.rows, &ranges, origin, rounding, loss)?;
+    let mut found = Calibration {
+        setup: problem.moved(&fit.x)?,
         starts,
         stopped,
         is_minimum,
+        estimates: estimates(&problem.fitted, &fit.x, &ranges, &statistics),
+        residuals: residuals(&table.shots, &fit.rows.residuals),
+        statistics,
         renewals: searches.renewals,
-        ..found
-    })
+        fit,
+    };
+    verdict::set_status_of_data(&mut found, loss, origin);
+    Ok(found)
 }
 
 /// Starting points of the searches. From at least one of them every row can be computed.
@@ -334,6 +344,18 @@ impl RepeatedSearches {
         }
     }
 
+    /// Number of interrupted searches.
+    fn stopped(&self) -> usize {
+        let fits = self.fits.iter();
+        fits.filter(|fit| fit.status == FitStatus::Interrupted)
+            .count()
+    }
+
+    /// True if the best search converged to a minimum, even if other searches were interrupted.
+    fn is_minimum(&self) -> bool {
+        self.is_settled && self.fits[0].status == FitStatus::Converged
+    }
+
     /// Number of completed searches by their result; `made` starts were requested.
     fn by_end(&self, made: usize) -> Starts {
         let best = self.fits[0].cost;
@@ -379,58 +401,28 @@ fn missing(what: &str, problem: &ShotResiduals<'_>, at: &[f64]) -> Error {
     }
 }
 
-fn finished(
-    problem: &ShotResiduals<'_>,
-    domain: &Domain,
-    table: &ShotTable,
-    own: &[f64],
-    fits: Vec<Fit>,
-    options: &FitOptions,
-) -> Result<Calibration> {
-    let fit = fits.into_iter().next().ok_or(Error::Nothing {
-        doing: "fit",
-        what: "start",
-    })?;
-    let fitted = ranges_of(&fit.x, own, domain);
-    let statistics = FitStatistics::new(
-        &fit.rows,
-        &fitted,
-        table.uncertainties,
-        options.rounding,
-        options.loss,
-    )?;
+/// The estimates of the fitted parameters, whose values are `x`.
+fn estimates(
+    fitted: &[&'static Parameter],
+    x: &[f64],
+    ranges: &[FitRange],
+    statistics: &FitStatistics,
+) -> Vec<Estimate> {
     let estimate = |(i, parameter): (usize, &&'static Parameter)| {
-        let (value, standard_error) = (fit.x[i], statistics.standard_error(i));
+        let (value, standard_error) = (x[i], statistics.standard_error(i));
         Estimate {
             parameter,
             value,
             standard_error,
             interval_95: standard_error.map(|error| {
-                let reach = statistics.reach * error;
-                [value - reach, value + reach]
+                let half_width = statistics.coverage_factor * error;
+                [value - half_width, value + half_width]
             }),
-            is_at_bound: !fitted[i].is_free,
+            is_at_bound: !ranges[i].is_free,
             is_determined: statistics.determines(i),
         }
     };
-    let estimates = problem.fitted.iter().enumerate().map(estimate).collect();
-    let remainders = remainders(&table.shots, &fit.rows.residuals);
-    let setup = problem.moved(&fit.x)?;
-    Ok(Calibration {
-        setup,
-        fit,
-        starts: Starts {
-            made: 1,
-            same: 1,
-            elsewhere: vec![],
-        },
-        stopped: 0,
-        is_minimum: false,
-        estimates,
-        statistics,
-        remainders,
-        renewals: 0,
-    })
+    fitted.iter().enumerate().map(estimate).collect()
 }
 
 /// For each fitted parameter: true if its value in `x` lies inside its range, and the width of the
@@ -456,7 +448,7 @@ fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<FitRange> {
 }
 
 /// The residuals with their rows and outcomes.
-pub(super) fn remainders(shots: &[MeasuredShot], residuals: &[f64]) -> Vec<Remainder> {
+pub(super) fn residuals(shots: &[MeasuredShot], residuals: &[f64]) -> Vec<FitResidual> {
     let of = |shot: &MeasuredShot| {
         let row = shot.row;
         let measured = shot
@@ -471,7 +463,7 @@ pub(super) fn remainders(shots: &[MeasuredShot], residuals: &[f64]) -> Vec<Remai
     };
     let all = shots.iter().flat_map(of).zip(residuals);
     all.map(
-        |((row, outcome, stationary, measured, sigma), residual)| Remainder {
+        |((row, outcome, stationary, measured, sigma), residual)| FitResidual {
             row,
             outcome,
             stationary,
@@ -488,7 +480,7 @@ pub(super) fn flown(
     setup: &Setup<f64>,
     shots: &[MeasuredShot],
     stop: &AtomicBool,
-) -> Result<Option<Vec<Remainder>>> {
+) -> Result<Option<Vec<FitResidual>>> {
     let mut problem = ShotResiduals {
         setup: *setup,
         shots,
@@ -511,5 +503,5 @@ pub(super) fn flown(
         Err(_) if stop.load(Ordering::Relaxed) => return Ok(None),
         rows => rows.map_err(|reason| Error::Calibration { reason })?,
     };
-    Ok(Some(remainders(shots, &rows.residuals)))
+    Ok(Some(residuals(shots, &rows.residuals)))
 }

@@ -1,6 +1,6 @@
 //! Cross-validation: prediction errors of shots that were not used in the fit.
 
-use super::calibration::Remainder;
+use super::calibration::FitResidual;
 use super::estimate::{FitPlan, calibrate, flown};
 use super::shot_table::ShotTable;
 use crate::error::{Error, Result};
@@ -16,7 +16,7 @@ pub struct HeldOut {
     /// Status of the fit of each fold. An interrupted fit gives no residuals.
     pub ended: Vec<FitStatus>,
     /// Residuals of the held-out rows.
-    pub remainders: Vec<Remainder>,
+    pub residuals: Vec<FitResidual>,
 }
 
 impl HeldOut {
@@ -24,11 +24,11 @@ impl HeldOut {
     /// fit was interrupted.
     pub fn mean_square(&self) -> Option<f64> {
         let sum: f64 = self
-            .remainders
+            .residuals
             .iter()
-            .map(|remainder| remainder.residual.powi(2))
+            .map(|residual| residual.residual.powi(2))
             .sum();
-        (!self.remainders.is_empty()).then(|| sum / self.remainders.len() as f64)
+        (!self.residuals.is_empty()).then(|| sum / self.residuals.len() as f64)
     }
 
     /// Number of fits with this status.
@@ -60,7 +60,7 @@ impl HeldOut {
         Ok(Self {
             folds: 0,
             ended,
-            remainders: flown.unwrap_or_default(),
+            residuals: flown.unwrap_or_default(),
         })
     }
 }
@@ -120,7 +120,7 @@ pub fn held_out(
     observer: &FitObserver,
 ) -> Result<HeldOut> {
     check_folds(table, plan, folds)?;
-    let (mut remainders, mut ended) = (vec![], vec![]);
+    let (mut residuals, mut ended) = (vec![], vec![]);
     for fold in 0..folds {
         if observer.is_interrupted() {
             ended.push(FitStatus::Interrupted);
@@ -151,12 +151,12 @@ pub fn held_out(
             .filter(|_| held_out.is_some())
             .map_or(FitStatus::Interrupted, |found| found.fit.status);
         ended.push(status);
-        remainders.extend(held_out.into_iter().flatten());
+        residuals.extend(held_out.into_iter().flatten());
     }
-    remainders.sort_by_key(|remainder| remainder.row);
+    residuals.sort_by_key(|residual| residual.row);
     Ok(HeldOut {
         folds,
         ended,
-        remainders,
+        residuals,
     })
 }

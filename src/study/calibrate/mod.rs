@@ -14,9 +14,9 @@ mod shot_table;
 mod statistics;
 mod verdict;
 
-pub use calibration::{Calibration, Estimate, Remainder, Starts};
+pub use calibration::{Calibration, Estimate, FitResidual, Starts};
 pub use diagnostics::validity_warnings;
 pub use estimate::{FitPlan, calibrate};
 pub use folds::{HeldOut, check_folds, held_out};
 pub use shot_table::{MeasuredShot, Measurement, ShotTable, Stationary, ranges};
-pub use statistics::{FitRange, FitStatistics, Uncertainties, Undetermined};
+pub use statistics::{FitRange, FitStatistics, SigmaOrigin, Undetermined};

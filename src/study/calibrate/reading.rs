@@ -1,7 +1,7 @@
 //! Reads the rows of a table of measured shots.
 
 use super::shot_table::{MeasuredShot, Measurement, Stationary};
-use super::statistics::Uncertainties;
+use super::statistics::SigmaOrigin;
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
@@ -40,9 +40,9 @@ pub(super) struct Reading {
 /// A row that was read successfully.
 pub(super) struct ReadRow {
     pub shot: MeasuredShot,
-    /// Column head of a measured value that is not compared because launch direction or spin axis
+    /// Column heads of measured values that are not compared because launch direction or spin axis
     /// is assumed.
-    pub not_compared: Option<String>,
+    pub not_compared: Vec<String>,
     /// Message on contradictory spins.
     pub contradiction: Option<String>,
     /// Messages on implausible measured values.
@@ -63,7 +63,7 @@ impl ReadRow {
                 measured: vec![],
                 stationary: vec![],
             },
-            not_compared: None,
+            not_compared: vec![],
             contradiction: None,
             implausible: vec![],
             no_air: None,
@@ -79,13 +79,19 @@ impl ReadRow {
         if !self.implausible.is_empty() {
             return Err(RowError::new(None, self.implausible.join("; ")));
         }
-        let why = match &self.not_compared {
-            None => "the row has no measured value; give an outcome, or remove the row".into(),
-            Some(head) => format!(
-                "the only measured value is {head}, which is compared only if launch direction and \
-                 spin axis (or sidespin) are given; add them, or remove the row"
-            ),
+        let heads = self.not_compared.join(", ");
+        let only = match self.not_compared.len() {
+            0 => {
+                let why = "the row has no measured value; give an outcome, or remove the row";
+                return Err(RowError::incomplete(None, why));
+            }
+            1 => format!("the only measured value is {heads}, which is"),
+            _ => format!("the only measured values are {heads}, which are"),
         };
+        let why = format!(
+            "{only} compared only if launch direction and spin axis (or sidespin) are given; add \
+             them, or remove the row"
+        );
         Err(RowError::incomplete(None, why))
     }
 }
@@ -334,12 +340,10 @@ impl Reading {
     /// Reads the shot of a row.
     pub fn shot(&self, row: usize, record: Values<'_>) -> Result<ReadRow, RowError> {
         let stated = self.stated(record)?;
-        if let Some(wrong) = self.refused(&stated) {
-            return Err(wrong);
-        }
+        self.check_launch(&stated)?;
         let stated = self.is_launched.then_some(stated);
         let is_straight = stated.as_ref().is_some_and(is_straight_by_assumption);
-        let is_still = self.club == ClubColumns::Read && self.is_still(record);
+        let has_no_club = self.club == ClubColumns::Read && self.has_no_club(record);
         let mut row = ReadRow::new(row);
         let mut at_shot = self.setup;
         for (at, column) in self.columns.iter().enumerate() {
@@ -354,9 +358,7 @@ impl Reading {
                 Content::Input(parameter)
                     if self.club == ClubColumns::Read && column.is_of_the_strike() =>
                 {
-                    let stated = self.cell(record, column.content);
-                    let stated = if is_still { Ok(None) } else { stated };
-                    match self.usable(column, parameter, stated) {
+                    match self.club_value(column, parameter, record, has_no_club) {
                         Ok(value) => row.shot.inputs.push((parameter, value)),
                         Err(why) => row.not_stated.push(why),
                     }
@@ -431,7 +433,7 @@ impl Reading {
             return Err(RowError::new(here(), why));
         }
         if is_straight && outcome.is_lateral() {
-            row.not_compared = here();
+            row.not_compared.push(column.head.clone());
             return Ok(());
         }
         let assumed = outcome.measurement_uncertainty().unwrap_or(column.one());
@@ -463,7 +465,7 @@ impl Reading {
     }
 
     /// True if the club was not measured.
-    fn is_still(&self, record: Values<'_>) -> bool {
+    fn has_no_club(&self, record: Values<'_>) -> bool {
         let stated = ClubOfShot::NAMES.map(|name| {
             let parameter = self.setup.parameter(name).ok()?;
             self.cell(record, Content::Input(parameter)).ok().flatten()
@@ -475,15 +477,21 @@ impl Reading {
     ///
     /// # Errors
     /// The reason why the value is missing.
-    fn usable(
+    fn club_value(
         &self,
         column: &Column,
         parameter: &'static Parameter,
-        stated: Result<Option<f64>, RowError>,
+        record: Values<'_>,
+        has_no_club: bool,
     ) -> Result<f64, String> {
         let head = &column.head;
-        let value = stated.map_err(|wrong| format!("{head}: {}", wrong.why))?;
-        let value = value.ok_or_else(|| format!("{head}: not stated"))?;
+        let stated = match has_no_club {
+            true => None,
+            false => self
+                .cell(record, column.content)
+                .map_err(|wrong| format!("{head}: {}", wrong.why))?,
+        };
+        let value = stated.ok_or_else(|| format!("{head}: not stated"))?;
         if let Some(why) = implausible_club(parameter.name, value, head) {
             return Err(why);
         }
@@ -492,6 +500,18 @@ impl Reading {
             .set_value(parameter, Some(value))
             .map_err(|error| format!("{head}: {error}"))?;
         Ok(value)
+    }
+
+    /// Head of the column that names the club of each shot.
+    pub fn club_head(&self) -> Option<&str> {
+        Some(&self.columns[self.club_name?].head)
+    }
+
+    /// Head of the column that states the air of each row of an export.
+    pub fn air_head(&self) -> Option<&str> {
+        let mut columns = self.columns.iter();
+        let column = columns.find(|column| column.is_stated_air())?;
+        Some(&column.head)
     }
 
     /// Column heads of the launch and of the club, if the table has club columns and a complete
@@ -527,23 +547,24 @@ impl Reading {
         Ok(values)
     }
 
-    /// Error for an implausible launch, by the rules of `fly`.
-    fn refused(&self, stated: &Launch) -> Option<RowError> {
+    /// Refuses an implausible launch, by the rules of `fly`.
+    fn check_launch(&self, stated: &Launch) -> Result<(), RowError> {
         let mut looked_at = *stated;
         for (value, of) in looked_at.iter_mut().zip(CONDITIONS) {
             *value = value.filter(|value| !self.may_be_none(of, *value));
         }
         if let Some(why) = implausible_launch(&looked_at, |of| self.head(of)) {
-            return Some(RowError::new(None, why));
+            return Err(RowError::new(None, why));
         }
         if !self.is_export {
-            return None;
+            return Ok(());
         }
         // if the table has all columns of a launch, a delivery needs a complete launch
         let is_whole = self.club == ClubColumns::Read && has_whole_launch(&self.columns);
-        self.launch(*stated)
-            .err()
-            .filter(|wrong| !wrong.is_incomplete || is_whole)
+        match self.launch(*stated) {
+            Err(wrong) if !wrong.is_incomplete || is_whole => Err(wrong),
+            _ => Ok(()),
+        }
     }
 
     /// Message for an implausible measured value.
@@ -611,12 +632,12 @@ impl Reading {
         Ok(all)
     }
 
-    /// Remarks on assumed standard uncertainties, and the quality of all uncertainties.
-    pub fn assumed(&self, shots: &[MeasuredShot]) -> (Vec<Message>, Uncertainties) {
+    /// Remarks on assumed standard uncertainties, and the origin of the least known one.
+    pub fn assumed(&self, shots: &[MeasuredShot]) -> (Vec<Message>, SigmaOrigin) {
         let has = |content: Content| self.column(content).is_some();
         let measured = || shots.iter().flat_map(|shot| &shot.measured);
         let is_measured = |outcome| measured().any(|measured| measured.outcome == outcome);
-        let mut worth = Uncertainties::Stated;
+        let mut origin = SigmaOrigin::Stated;
         let mut remarks = vec![];
         for column in &self.columns {
             match column.content {
@@ -625,11 +646,10 @@ impl Reading {
                 Content::Outcome(outcome) if !is_measured(outcome) => {}
                 Content::Outcome(outcome) if !has(Content::Sigma(outcome)) => {
                     remarks.push(assumed_sigma(column, outcome));
-                    if outcome.measurement_uncertainty().is_none() {
-                        worth = Uncertainties::Weights;
-                    } else if worth == Uncertainties::Stated {
-                        worth = Uncertainties::Instruments;
-                    }
+                    origin = origin.max(match outcome.measurement_uncertainty() {
+                        Some(_) => SigmaOrigin::Instruments,
+                        None => SigmaOrigin::Weights,
+                    });
                 }
                 Content::Stationary if !has(Content::SigmaStationary) => {
                     remarks.push(
@@ -637,12 +657,12 @@ impl Reading {
                          row, as a weight"
                             .into(),
                     );
-                    worth = Uncertainties::Weights;
+                    origin = SigmaOrigin::Weights;
                 }
                 _ => {}
             }
         }
-        (remarks, worth)
+        (remarks, origin)
     }
 }
 

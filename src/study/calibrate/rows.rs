@@ -2,6 +2,7 @@
 
 use super::reading::{ReadRow, Reading, RowError, Values};
 use super::shot_table::{MeasuredShot, ShotTable};
+use super::statistics::SigmaOrigin;
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::shots::Shot;
@@ -11,6 +12,25 @@ use crate::table::{
 };
 use crate::units::{Message, counted};
 use std::collections::BTreeMap;
+
+/// A part of a table under its own column heads.
+struct Section {
+    /// Line of the column heads; `None` for the first section.
+    line: Option<u64>,
+    reading: Reading,
+    /// Index of the section's first shot.
+    first_shot: usize,
+}
+
+impl Section {
+    /// The remark; in a later section it begins with the line of the column heads.
+    fn remark(&self, remark: &Message) -> Message {
+        match self.line {
+            Some(line) => remark_from_line(line, remark),
+            None => remark.clone(),
+        }
+    }
+}
 
 /// Rows read so far.
 #[derive(Default)]
@@ -33,7 +53,7 @@ pub(super) struct ShotRows {
     contradictions: Vec<String>,
     implausible: Vec<String>,
     airless: Vec<String>,
-    of_sections: Vec<Message>,
+    sections: Vec<Section>,
     /// Error of the first incomplete row of a table that is not an export.
     first_incomplete: Option<Error>,
     marks: DecimalMarkCheck,
@@ -55,11 +75,14 @@ impl ShotRows {
         }
     }
 
-    /// Begins a section of the table with new column heads.
-    pub fn begin(&mut self, line: u64, reading: &Reading) {
-        let remarks = reading.remarks.iter();
-        self.of_sections
-            .extend(remarks.map(|remark| remark_from_line(line, remark)));
+    /// Begins a section of the table. `line` is the line of its column heads; `None` for the first
+    /// section.
+    pub fn begin(&mut self, line: Option<u64>, reading: &Reading) {
+        self.sections.push(Section {
+            line,
+            reading: reading.clone(),
+            first_shot: self.shots.len(),
+        });
     }
 
     /// Adds a row of text.
@@ -137,11 +160,10 @@ impl ShotRows {
         let implausible = row.implausible.into_iter();
         self.implausible
             .extend(implausible.map(|why| format!("{number}: not compared: {why}")));
-        if let Some(head) = row
-            .not_compared
-            .filter(|_| reading.club == ClubColumns::Ignored)
-        {
-            self.sideways.entry(head).or_default().push(number.clone());
+        if reading.club == ClubColumns::Ignored {
+            for head in row.not_compared {
+                self.sideways.entry(head).or_default().push(number.clone());
+            }
         }
         for why in row.not_stated {
             self.not_stated.entry(why).or_default().push(number.clone());
@@ -216,9 +238,12 @@ impl ShotRows {
 
     /// Remarks in this order: on columns, rejected rows, values that are not compared, values that
     /// the prior replaces, implausible values, and contradictory spins.
-    fn remarks(&mut self, reading: &Reading, left_out: Vec<Message>) -> Vec<Message> {
-        let mut remarks = reading.remarks.clone();
-        remarks.append(&mut self.of_sections);
+    fn remarks(&mut self, left_out: Vec<Message>) -> Vec<Message> {
+        let mut remarks: Vec<Message> = vec![];
+        for section in &self.sections {
+            let of_section = section.reading.remarks.iter();
+            remarks.extend(of_section.map(|remark| section.remark(remark)));
+        }
         remarks.extend(left_out);
         for (head, rows) in std::mem::take(&mut self.sideways) {
             let why = "in rows without a measured launch direction, or without a measured spin \
@@ -235,8 +260,9 @@ impl ShotRows {
     }
 
     /// Warning about shots of several clubs, unless the filter selects shots by the club.
-    fn clubs_warning(&self, reading: &Reading, filter: &RowFilter) -> Option<Message> {
-        let head = &reading.columns[reading.club_name?].head;
+    fn clubs_warning(&self, filter: &RowFilter) -> Option<Message> {
+        let mut readings = self.sections.iter().map(|section| &section.reading);
+        let head = readings.find_map(Reading::club_head)?;
         if self.clubs.len() < 2 || filter.names(head) {
             return None;
         }
@@ -261,32 +287,73 @@ impl ShotRows {
         )
     }
 
-    /// Builds the table. `reading` describes the columns of the table's first section.
+    /// Column heads that state the air. Adds a remark on each.
+    fn stated_air(&self, remarks: &mut Vec<Message>) -> Vec<String> {
+        let mut heads: Vec<String> = vec![];
+        for section in &self.sections {
+            let Some(head) = section.reading.air_head() else {
+                continue;
+            };
+            if !heads.iter().any(|other| other == head) {
+                remarks.push(section.remark(&air_of_rows(head).into()));
+                heads.push(head.into());
+            }
+        }
+        heads
+    }
+
+    /// Origin of the standard uncertainties. Adds a remark on each assumed one.
+    fn sigma_origin(&self, remarks: &mut Vec<Message>) -> SigmaOrigin {
+        let mut origin = SigmaOrigin::Stated;
+        let mut assumed: Vec<Message> = vec![];
+        let next = self.sections.iter().skip(1);
+        let ends = next.map(|next| next.first_shot).chain([self.shots.len()]);
+        for (section, end) in self.sections.iter().zip(ends) {
+            let shots = &self.shots[section.first_shot..end];
+            let (of_section, origin_of_section) = section.reading.assumed(shots);
+            origin = origin.max(origin_of_section);
+            for remark in of_section {
+                if !assumed.contains(&remark) {
+                    remarks.push(section.remark(&remark));
+                    assumed.push(remark);
+                }
+            }
+        }
+        origin
+    }
+
+    /// Error of a table without a usable shot.
+    fn without_shots(self, left_out: &[String]) -> Error {
+        // the first incomplete row shows best which columns are missing, except in an export
+        if let Some(first) = self.first_incomplete {
+            return first;
+        }
+        let reason = match left_out.is_empty() {
+            true => "it has no rows; give one row for each shot".into(),
+            false => format!(
+                "it has no usable shot ({}); give a row for each shot",
+                left_out.join("; ")
+            ),
+        };
+        Error::Table {
+            file: self.file,
+            place: String::new(),
+            reason,
+        }
+    }
+
+    /// Builds the table.
     ///
     /// # Errors
     /// [`Error::Table`] if the table has no usable shot.
-    pub fn table(mut self, reading: Reading, filter: &RowFilter) -> Result<ShotTable> {
+    pub fn table(mut self, filter: &RowFilter) -> Result<ShotTable> {
         let left_out = self.rejected();
         if self.shots.is_empty() {
-            // the first incomplete row shows best which columns are missing, except in an export
-            if let Some(first) = self.first_incomplete {
-                return Err(first);
-            }
-            let reason = match left_out.is_empty() {
-                true => "it has no rows; give one row for each shot".into(),
-                false => format!(
-                    "it has no usable shot ({}); give a row for each shot",
-                    left_out.join("; ")
-                ),
-            };
-            return Err(Error::Table {
-                file: self.file,
-                place: String::new(),
-                reason,
-            });
+            return Err(self.without_shots(&left_out));
         }
         let left_out: Vec<Message> = left_out.into_iter().map(Message::from).collect();
-        let mut warnings = if reading.is_export {
+        let readings = || self.sections.iter().map(|section| &section.reading);
+        let mut warnings = if readings().any(|reading| reading.is_export) {
             vec![]
         } else {
             left_out
@@ -295,27 +362,22 @@ impl ShotRows {
                 .chain(self.contradiction_warning())
                 .collect()
         };
-        warnings.extend(self.clubs_warning(&reading, filter));
-        let mut remarks = self.remarks(&reading, left_out);
+        warnings.extend(self.clubs_warning(filter));
+        let is_launched = readings().any(|reading| reading.is_launched);
+        let launch_beside_club = readings().find_map(Reading::launch_beside_club);
+        let mut remarks = self.remarks(left_out);
         remarks.extend(filter.remark());
-        let stated_air = reading
-            .columns
-            .iter()
-            .find(|column| column.is_stated_air())
-            .map(|column| column.head.clone());
-        remarks.extend(stated_air.iter().map(|head| air_of_rows(head).into()));
-        remarks.extend(self.airless.into_iter().map(Message::from));
-        let (assumed, uncertainties) = reading.assumed(&self.shots);
-        remarks.extend(assumed);
-        let launch_beside_club = reading.launch_beside_club();
+        let stated_air = self.stated_air(&mut remarks);
+        remarks.extend(self.airless.drain(..).map(Message::from));
+        let sigma_origin = self.sigma_origin(&mut remarks);
         Ok(ShotTable {
             file: self.file,
             shots: self.shots,
-            is_launched: reading.is_launched,
+            is_launched,
             remarks,
             warnings,
             launch_beside_club,
-            uncertainties,
+            sigma_origin,
             stated_air,
         })
     }

@@ -1,6 +1,6 @@
 //! A table of measured shots.
 
-use super::statistics::Uncertainties;
+use super::statistics::SigmaOrigin;
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::table::replace_air_remark;
@@ -34,18 +34,20 @@ pub struct ShotTable {
     /// deliveries.
     pub(super) launch_beside_club: Option<[String; 2]>,
     /// Origin of the standard uncertainties: the table, instruments, or mere weights.
-    pub uncertainties: Uncertainties,
-    /// Head of the column that states the air of each row of an export.
-    pub(super) stated_air: Option<String>,
+    pub sigma_origin: SigmaOrigin,
+    /// Heads of the columns that state the air of each row of an export.
+    pub(super) stated_air: Vec<String>,
 }
 
 impl ShotTable {
     /// Discards the air that an export states, because the setup gives it explicitly.
     pub fn in_given_air(&mut self) {
-        let Some(head) = self.stated_air.take() else {
+        if self.stated_air.is_empty() {
             return;
-        };
-        replace_air_remark(&mut self.remarks, &head);
+        }
+        for head in self.stated_air.drain(..) {
+            replace_air_remark(&mut self.remarks, &head);
+        }
         for shot in &mut self.shots {
             shot.inputs
                 .retain(|(parameter, _)| parameter.name != "air.density");

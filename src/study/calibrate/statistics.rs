@@ -12,9 +12,10 @@ const SINGULAR: f64 = 1e-8;
 /// rounding.
 const PART: f64 = 1e-3;
 
-/// Origin of the standard uncertainties of the measured values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Uncertainties {
+/// Origin of the standard uncertainties of the measured values. The order is from the best known to
+/// the least known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum SigmaOrigin {
     /// The table states all standard uncertainties.
     Stated,
     /// The table lacks some standard uncertainties; the known uncertainties of instruments replace
@@ -54,12 +55,12 @@ pub struct FitStatistics {
     /// Factor applied to standard errors. If the table does not state every uncertainty, it is
     /// √(χ²/ν) with ν degrees of freedom, unless ν = 0 or all residuals are rounding errors.
     /// Otherwise it is 1 if all uncertainties are known, and `None` if one is unknown
-    /// ([`Uncertainties::Weights`]).
+    /// ([`SigmaOrigin::Weights`]).
     pub scale: Option<f64>,
     /// True if the scale is √(χ²/ν).
     pub is_scaled: bool,
     /// Half-width of a 95 % interval, in multiples of the standard error.
-    pub reach: f64,
+    pub coverage_factor: f64,
 }
 
 /// A combination of parameters that the data do not determine: the residuals do not change along
@@ -70,6 +71,13 @@ pub struct Undetermined {
     pub parts: Vec<(usize, f64)>,
     /// Standard error in multiples of these changes; `None` if the residuals do not change at all.
     pub standard_error: Option<f64>,
+}
+
+impl Undetermined {
+    /// True if a change along the direction changes the parameter with index `at`.
+    fn contains(&self, at: usize) -> bool {
+        self.parts.iter().any(|(part, _)| *part == at)
+    }
 }
 
 /// Singular value decomposition of the Jacobian's columns of some parameters, scaled to unit
@@ -205,7 +213,7 @@ impl FitStatistics {
     pub fn new(
         rows: &Rows,
         fitted: &[FitRange],
-        uncertainties: Uncertainties,
+        origin: SigmaOrigin,
         rounding: f64,
         loss: Loss,
     ) -> Result<Self> {
@@ -223,11 +231,10 @@ impl FitStatistics {
         let is_exact = rows.residuals.iter().all(|r| r.abs() <= rounding);
         let free = ScaledColumns::new(&jacobian, (0..n).filter(|&i| fitted[i].is_free).collect())?;
         let degrees_of_freedom = m.saturating_sub(free.rank());
-        let is_scaled =
-            uncertainties != Uncertainties::Stated && degrees_of_freedom > 0 && !is_exact;
-        let scale = match uncertainties {
+        let is_scaled = origin != SigmaOrigin::Stated && degrees_of_freedom > 0 && !is_exact;
+        let scale = match origin {
             _ if is_scaled => Some((chi_square / degrees_of_freedom as f64).sqrt()),
-            Uncertainties::Weights => None,
+            SigmaOrigin::Weights => None,
             _ => Some(1.0),
         };
         let is_loose = |i: usize| fitted[i].is_free || !is_pressed(rows, &weights, fitted[i], i);
@@ -236,7 +243,7 @@ impl FitStatistics {
             .filter_map(|k| loose.undetermined(k, scale, fitted))
             .collect();
         let covariance = covariance(&free, n, &undetermined, scale);
-        let is_stated = uncertainties == Uncertainties::Stated;
+        let is_stated = origin == SigmaOrigin::Stated;
         Ok(Self {
             covariance,
             undetermined,
@@ -251,7 +258,7 @@ impl FitStatistics {
             is_exact,
             scale,
             is_scaled,
-            reach: reach(degrees_of_freedom, is_scaled),
+            coverage_factor: coverage_factor(degrees_of_freedom, is_scaled),
         })
     }
 
@@ -260,7 +267,7 @@ impl FitStatistics {
         !self
             .undetermined
             .iter()
-            .any(|undetermined| undetermined.parts.iter().any(|(part, _)| *part == at))
+            .any(|direction| direction.contains(at))
     }
 
     /// Standard error of a parameter; `None` if its covariance is `None`.
@@ -321,11 +328,7 @@ fn covariance(
     undetermined: &[Undetermined],
     scale: Option<f64>,
 ) -> Vec<Vec<Option<f64>>> {
-    let is_determined = |at: usize| {
-        !undetermined
-            .iter()
-            .any(|u| u.parts.iter().any(|(part, _)| *part == at))
-    };
+    let is_determined = |at: usize| !undetermined.iter().any(|direction| direction.contains(at));
     let mut covariance = vec![vec![None; n]; n];
     for a in (0..free.at.len()).filter(|&a| is_determined(free.at[a])) {
         for b in (0..free.at.len()).filter(|&b| is_determined(free.at[b])) {
@@ -337,7 +340,7 @@ fn covariance(
 }
 
 /// The 97.5 % quantile of the normal distribution, or of Student's t if `is_scaled`.
-fn reach(degrees_of_freedom: usize, is_scaled: bool) -> f64 {
+fn coverage_factor(degrees_of_freedom: usize, is_scaled: bool) -> f64 {
     let normal = Normal::standard().inverse_cdf(0.975);
     if !is_scaled {
         return normal;
@@ -348,11 +351,11 @@ fn reach(degrees_of_freedom: usize, is_scaled: bool) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{FitRange, FitStatistics, Uncertainties};
+    use super::{FitRange, FitStatistics, SigmaOrigin};
     use crate::optimize::least_squares::{Loss, Rows};
 
-    fn of(rows: &Rows, fitted: &[FitRange], uncertainties: Uncertainties) -> FitStatistics {
-        FitStatistics::new(rows, fitted, uncertainties, 1e-12, Loss::Squares).unwrap()
+    fn of(rows: &Rows, fitted: &[FitRange], origin: SigmaOrigin) -> FitStatistics {
+        FitStatistics::new(rows, fitted, origin, 1e-12, Loss::Squares).unwrap()
     }
 
     fn free(width: f64) -> FitRange {
@@ -372,7 +375,7 @@ mod tests {
             residuals: vec![0.5, -1.0, 0.5],
             jacobian,
         };
-        let line = of(&rows, &[free(1e9); 2], Uncertainties::Stated);
+        let line = of(&rows, &[free(1e9); 2], SigmaOrigin::Stated);
         let expected = [(0, 0, 5.0 / 6.0), (0, 1, -0.5), (1, 0, -0.5), (1, 1, 0.5)];
         for (a, b, exact) in expected {
             assert!((line.covariance[a][b].unwrap() - exact).abs() < 1e-12);
@@ -380,9 +383,9 @@ mod tests {
         assert_eq!((line.degrees_of_freedom, line.chi_square), (1, 1.5));
         // P(χ²₁ > 1.5) = erfc(√0.75)
         assert!((line.probability.unwrap() - 0.220_671_361_916_928_7).abs() < 1e-9);
-        let scaled = of(&rows, &[free(1e9); 2], Uncertainties::Instruments);
+        let scaled = of(&rows, &[free(1e9); 2], SigmaOrigin::Instruments);
         assert!((scaled.covariance[1][1].unwrap() - 0.75).abs() < 1e-12);
-        assert!((scaled.reach - 12.706_204_736).abs() < 1e-6); // Student's t, one degree of freedom
+        assert!((scaled.coverage_factor - 12.706_204_736).abs() < 1e-6); // Student's t, one degree of freedom
 
         let doubled = rows
             .jacobian
@@ -393,7 +396,7 @@ mod tests {
             jacobian: doubled,
             ..rows
         };
-        let both = of(&rows, &[free(1e9); 3], Uncertainties::Stated);
+        let both = of(&rows, &[free(1e9); 3], SigmaOrigin::Stated);
         assert_eq!(both.undetermined.len(), 1);
         let places: Vec<usize> = both.undetermined[0]
             .parts
@@ -415,9 +418,9 @@ mod tests {
             jacobian: vec![vec![1.0, 0.0], vec![1.0, 1.0]],
         };
         for (uncertainties, scale) in [
-            (Uncertainties::Stated, Some(1.0)),
-            (Uncertainties::Instruments, Some(1.0)),
-            (Uncertainties::Weights, None),
+            (SigmaOrigin::Stated, Some(1.0)),
+            (SigmaOrigin::Instruments, Some(1.0)),
+            (SigmaOrigin::Weights, None),
         ] {
             let line = of(&rows, &[free(1e9); 2], uncertainties);
             assert!(
@@ -449,13 +452,13 @@ mod tests {
                 vec![1.0, 1.0],
             ],
         };
-        let wide = of(&rows, &[free(1e6); 2], Uncertainties::Stated);
+        let wide = of(&rows, &[free(1e6); 2], SigmaOrigin::Stated);
         assert!(
             wide.undetermined.is_empty()
                 && (wide.standard_error(1).unwrap() / 7071.0 - 1.0).abs() < 1e-3,
             "{wide:?}"
         );
-        let narrow = of(&rows, &[free(3.0); 2], Uncertainties::Stated);
+        let narrow = of(&rows, &[free(3.0); 2], SigmaOrigin::Stated);
         assert_eq!(narrow.undetermined.len(), 1);
         assert!(
             narrow.undetermined[0].standard_error.unwrap() > 1e3,
@@ -475,12 +478,12 @@ mod tests {
             residuals: vec![0.3, -0.3],
             jacobian: vec![vec![1.0, 0.6], vec![0.0, 0.8]],
         };
-        let wide = of(&rows, &[free(1.3), free(100.0)], Uncertainties::Stated);
+        let wide = of(&rows, &[free(1.3), free(100.0)], SigmaOrigin::Stated);
         assert!(
             wide.determines(0) && (wide.standard_error(0).unwrap() - 1.25).abs() < 1e-12,
             "{wide:?}"
         );
-        let narrow = of(&rows, &[free(1.2), free(100.0)], Uncertainties::Stated);
+        let narrow = of(&rows, &[free(1.2), free(100.0)], SigmaOrigin::Stated);
         assert!(
             !narrow.determines(0) && narrow.undetermined.len() == 1,
             "{narrow:?}"
@@ -497,7 +500,7 @@ mod tests {
             residuals: vec![0.5, -0.5],
             jacobian: vec![vec![1.0, 0.0], vec![1.0, 0.0]],
         };
-        let found = of(&blind, &[free(1e9), held], Uncertainties::Stated);
+        let found = of(&blind, &[free(1e9), held], SigmaOrigin::Stated);
         assert!(found.determines(0) && !found.determines(1), "{found:?}");
         // the gradient presses this parameter against its bound
         let pressed = Rows {
@@ -505,7 +508,7 @@ mod tests {
             jacobian: vec![vec![1.0, 40.0], vec![1.0, -40.0]],
         };
         assert!(
-            of(&pressed, &[free(1e9), held], Uncertainties::Stated)
+            of(&pressed, &[free(1e9), held], SigmaOrigin::Stated)
                 .undetermined
                 .is_empty()
         );

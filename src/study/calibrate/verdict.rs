@@ -1,32 +1,23 @@
 //! Final status of a fit, with regard to the data: a converged search may leave parameters
 //! undetermined.
 
-use super::calibration::{Calibration, Remainder};
-use super::statistics::{Uncertainties, Undetermined};
+use super::calibration::{Calibration, FitResidual};
+use super::statistics::{FitStatistics, SigmaOrigin, Undetermined};
 use crate::optimize::least_squares::{Fit, FitStatus, Loss};
 use crate::units::{counted, significant};
 
-/// Sets the status of the best of several searches. `is_settled`: the curvatures of carry in the
-/// stationary parameters no longer change. Returns the number of interrupted searches, and true if
-/// the best search converged to a minimum.
-pub(super) fn of_searches(
-    fits: &mut [Fit],
-    is_settled: bool,
-    is_interrupted: bool,
-) -> (usize, bool) {
-    let (all, stopped) = (
-        fits.len(),
-        fits.iter()
-            .filter(|fit| fit.status == FitStatus::Interrupted)
-            .count(),
-    );
+/// Sets the status of the best of several searches, if another one was interrupted, or if the
+/// curvatures of carry in the stationary parameters still change (`is_settled` is false).
+pub(super) fn set_status_of_searches(fits: &mut [Fit], is_settled: bool, is_interrupted: bool) {
+    let all = fits.len();
+    let stopped = fits
+        .iter()
+        .filter(|fit| fit.status == FitStatus::Interrupted)
+        .count();
     let Some(best) = fits.first_mut() else {
-        return (stopped, false);
+        return;
     };
-    let (ended, is_minimum) = (
-        best.status,
-        best.status == FitStatus::Converged && is_settled,
-    );
+    let ended = best.status;
     if stopped > 0 && ended != FitStatus::Interrupted {
         best.status = FitStatus::Interrupted;
         best.message = format!(
@@ -47,21 +38,39 @@ pub(super) fn of_searches(
             best.message
         );
     }
-    (stopped, is_minimum)
 }
 
-/// A fit counts as a misfit if the root mean square of its residuals, in standard uncertainties,
-/// exceeds this number.
+/// A fit gets a warning if the root mean square of its residuals, in standard uncertainties, exceeds
+/// this number. Noise alone gives 1. The number is a choice: an uncertainty may well be stated too
+/// small by a factor of 2.
+pub(super) const WARNED_MISFIT: f64 = 3.0;
+
+/// A fit has the status [`FitStatus::Misfit`] if the root mean square exceeds this number, twice
+/// that of the warning: too much for an uncertainty stated too small.
 const MISFIT: f64 = 6.0;
+
+/// Text on residuals whose root mean square exceeds `most` standard uncertainties; `None` up to
+/// `most`.
+pub(super) fn misfit_text(statistics: &FitStatistics, most: f64) -> Option<String> {
+    let misfit = statistics.misfit().filter(|misfit| *misfit > most)?;
+    Some(format!(
+        "the values miss the fit by {} of their standard uncertainties (root mean square; χ² = {} \
+         with {} of freedom), where noise alone gives 1: the fitted model does not describe them, \
+         or their uncertainties are too small; look at the largest residuals",
+        significant(misfit, 3),
+        significant(statistics.chi_square, 5),
+        counted(statistics.degrees_of_freedom as u64, "degree")
+    ))
+}
 
 /// Sets the status for undetermined parameters, a dominating row, or a model that does not describe
 /// the data.
-pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncertainties) {
+pub(super) fn set_status_of_data(found: &mut Calibration, loss: Loss, origin: SigmaOrigin) {
     // a search also stalls if the data hardly depend on the parameters
     if !matches!(found.fit.status, FitStatus::Converged | FitStatus::Stalled) {
         return;
     }
-    if let Some(row) = outweighing(&found.remainders, loss) {
+    if let Some(row) = outweighing(&found.residuals, loss) {
         found.fit.status = FitStatus::DominatedByOneResidual;
         found.fit.message = format!(
             "row {}: {} differs by {:.1e} of its standard uncertainties from every fit. All other \
@@ -90,20 +99,10 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
         return;
     }
     // Huber's loss expects rows that the model does not describe
-    let is_judged = loss == Loss::Squares && uncertainties != Uncertainties::Weights;
-    if let Some(off) = found
-        .statistics
-        .misfit()
-        .filter(|off| is_judged && *off > MISFIT)
-    {
+    let is_judged = loss == Loss::Squares && origin != SigmaOrigin::Weights;
+    if let Some(text) = misfit_text(&found.statistics, MISFIT).filter(|_| is_judged) {
         found.fit.status = FitStatus::Misfit;
-        found.fit.message = format!(
-            "the values miss the fit by {} of their standard uncertainties (root mean square, with \
-             {} of freedom), where noise alone gives 1: the fitted model does not describe them, \
-             or their uncertainties are too small; look at the largest residuals",
-            significant(off, 3),
-            counted(found.statistics.degrees_of_freedom as u64, "degree")
-        );
+        found.fit.message = text;
     }
 }
 
@@ -111,20 +110,18 @@ pub(super) fn of_data(found: &mut Calibration, loss: Loss, uncertainties: Uncert
 /// 1e-6 of the row's, and the row's residual exceeds 1000 standard uncertainties. With Huber's
 /// loss, which limits the gradient of each row, a row dominates only if its loss hides the other
 /// rows by rounding.
-fn outweighing(remainders: &[Remainder], loss: Loss) -> Option<&Remainder> {
+fn outweighing(residuals: &[FitResidual], loss: Loss) -> Option<&FitResidual> {
     /// Threshold for the squared gradient of all other rows, as a fraction of the largest row's
     /// squared gradient.
     const PART: f64 = 1e-6;
     /// If the loss of all other rows is below this fraction of the largest row's loss, rounding
     /// hides the other rows. This holds for any loss function.
     const ROUNDING: f64 = 1e-15;
-    let most = remainders
+    let most = residuals
         .iter()
         .max_by(|a, b| a.residual.abs().total_cmp(&b.residual.abs()))?;
     let outweighs = |part: f64, of: &dyn Fn(f64) -> f64| {
-        let others = remainders
-            .iter()
-            .filter(|other| !std::ptr::eq(*other, most));
+        let others = residuals.iter().filter(|other| !std::ptr::eq(*other, most));
         let rest: f64 = others.map(|other| of(other.residual)).sum();
         of(most.residual) * part > rest.max(1.0)
     };
