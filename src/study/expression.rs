@@ -321,14 +321,12 @@ fn summands(sum: Piece<'_>) -> Vec<(f64, Piece<'_>)> {
     let mut depth = 0;
     let mut from = 0;
     let mut sign = 1.0;
-    let mut before = None;
     let mut terms = vec![];
     for (at, c) in sum.text.char_indices() {
         match c {
             '(' => depth += 1,
             ')' => depth -= 1,
-            // skip the sign of an exponent, and of a power
-            '+' | '-' if depth == 0 && !matches!(before, Some('e' | 'E' | '^')) => {
+            '+' | '-' if depth == 0 && !is_before_exponent(&sum.text[..at]) => {
                 let term = sum.slice(from..at);
                 if !(term.text.is_empty() && terms.is_empty()) {
                     terms.push((sign, term));
@@ -338,10 +336,17 @@ fn summands(sum: Piece<'_>) -> Vec<(f64, Piece<'_>)> {
             }
             _ => {}
         }
-        before = Some(c).filter(|c| !c.is_whitespace());
     }
     terms.push((sign, sum.slice(from..sum.text.len())));
     terms
+}
+
+/// True if a sign after this text belongs to an exponent: after `^`, or after the `e` of a number.
+fn is_before_exponent(text: &str) -> bool {
+    let text = text.trim_end();
+    let is_end_of_number =
+        |mantissa: &str| mantissa.ends_with(|c: char| c.is_ascii_digit() || c == '.');
+    text.ends_with('^') || text.strip_suffix(['e', 'E']).is_some_and(is_end_of_number)
 }
 
 impl Scope<'_> {
@@ -358,9 +363,7 @@ impl Scope<'_> {
         match self {
             Self::Drive => Outcome::named(text).is_ok(),
             Self::Swings(_) => text.contains('(') || Outcome::named(text).is_ok(),
-            Self::Relation { setup, .. } => {
-                text.contains('*') || text.contains(" + ") || setup.parameter(text).is_ok()
-            }
+            Self::Relation { .. } => Amount::read(text).is_err(),
         }
     }
 

@@ -316,6 +316,28 @@ fn a_relation_is_read_or_refused_with_its_position() {
 }
 
 #[test]
+fn a_relation_is_read_with_any_spaces_and_on_either_side_of_its_sign() {
+    let setup = Setup::default();
+    let read = |text: &str| {
+        let relation = Constraint::read_relation(&setup, text).unwrap();
+        (relation.goal.terms, relation.low, relation.high)
+    };
+    let expected = read("face: 1*swing.attack_angle - 0.5*club.loft <= 10 deg");
+    assert_eq!(expected.0[1].0, -0.5);
+    for text in [
+        "face: 1*swing.attack_angle-0.5*club.loft <= 10 deg",
+        "face: swing.attack_angle-0.5*club.loft<=10deg",
+        "face: 10 deg >= swing.attack_angle - 0.5*club.loft",
+        "face: 10deg>=swing.attack_angle-0.5*club.loft",
+        "face: 1e+1 deg >= 1e+0*swing.attack_angle-5.E-1*club.loft",
+    ] {
+        assert_eq!(read(text), expected, "{text}");
+    }
+    let expected = read("mass: club.mass+1 g >= 200 g");
+    assert_eq!(read("mass: 200 g <= club.mass+1 g"), expected);
+}
+
+#[test]
 fn designs_outside_the_rules_or_the_face_are_refused_by_name() {
     let cases: [(&[&str], &[&str]); 9] = [
         (
