@@ -4,7 +4,7 @@ use super::Vary;
 use super::optimum::{Optimum, local_optimum, optimum};
 use super::search::Search;
 use super::sensitivity::sensitivity;
-use super::verdict::Active;
+use super::verdict::{Active, only_in};
 use crate::drive::{CheckScope, ExceededCount, ExceededLimits};
 use crate::error::{Error, Result};
 use crate::optimize::continuation::{
@@ -64,16 +64,9 @@ pub enum ChartEvent {
 impl ChartEvent {
     /// The change from the active set `before` to `after`.
     pub(super) fn between(before: &[Active], after: &[Active]) -> Self {
-        let only = |these: &[Active], others: &[Active]| {
-            let these = these.iter();
-            these
-                .filter(|active| !others.contains(active))
-                .cloned()
-                .collect()
-        };
         Self::Changed {
-            begins: only(after, before),
-            ends: only(before, after),
+            begins: only_in(after, before),
+            ends: only_in(before, after),
         }
     }
 

@@ -119,6 +119,16 @@ impl From<&Goal> for DisplayUnit {
 }
 
 impl Constraint {
+    /// A goal with infinite limits: it is computed, but not limited.
+    pub(super) fn unlimited(goal: Goal) -> Self {
+        Self {
+            expression: goal.expression.clone(),
+            goal,
+            low: f64::NEG_INFINITY,
+            high: f64::INFINITY,
+        }
+    }
+
     /// True if both limits are equal.
     pub fn is_equation(&self) -> bool {
         self.low == self.high

@@ -1,7 +1,7 @@
 use super::optimum::{Optimum, optimum};
 use super::search::Search;
 use super::sigma::amount_of;
-use super::verdict::Active;
+use super::verdict::only_in;
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::{Event, first_event, response};
 use crate::optimize::{Observer, Status};
@@ -243,16 +243,9 @@ fn differences(before: &Optimum, after: &Optimum) -> Vec<Message> {
         return vec![why.message(after.message()).words(")")];
     }
     let (was, is) = (before.active(), after.active());
-    let only = |these: &[Active], others: &[Active], words: &str| -> Vec<Message> {
-        these
-            .iter()
-            .filter(|one| !others.contains(one))
-            .map(|one| format!("{one} {words}").into())
-            .collect()
-    };
-    [
-        only(&was, &is, "is no longer active"),
-        only(&is, &was, "has become active"),
-    ]
-    .concat()
+    let ends = only_in(&was, &is).into_iter();
+    let begins = only_in(&is, &was).into_iter();
+    ends.map(|one| format!("{one} is no longer active").into())
+        .chain(begins.map(|one| format!("{one} has become active").into()))
+        .collect()
 }

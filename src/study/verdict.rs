@@ -45,6 +45,15 @@ impl fmt::Display for Active {
     }
 }
 
+/// The active bounds and constraints of `these` that are not in `others`.
+pub(super) fn only_in(these: &[Active], others: &[Active]) -> Vec<Active> {
+    let these = these.iter();
+    these
+        .filter(|active| !others.contains(active))
+        .cloned()
+        .collect()
+}
+
 /// The active bounds and constraints. `is_lower` selects the bound of a variable.
 pub(super) fn active(
     vary: &[Vary],
@@ -79,34 +88,50 @@ pub(super) fn status_name(status: Status) -> &'static str {
     }
 }
 
-/// Text on the constraints that the design of `found` violates, with the exact `goals` of this
-/// design.
+/// Text on the constraints that the end of a search violates, with the exact `goals` at this end.
+/// If the exact goals meet all limits, the text is on the smoothed goals of the search.
 pub(super) fn violated(
     constraints: &[Constraint],
     found: &Solution,
     goals: Option<&[f64]>,
-) -> String {
-    let all = constraints.iter().zip(&found.constraints).enumerate();
-    let missed = all.filter(|(_, (_, at))| at.violation != 0.0);
-    let missed = missed.map(|(j, (constraint, at))| {
-        let value = goals.map_or(at.value, |goals| goals[1 + j]);
-        let [value, outside] = [value, constraint.violation(value).abs()]
-            .map(|value| DisplayUnit::from(&constraint.goal).show(value));
-        let is_fixed = found.jacobian[j].iter().all(|slope| *slope == 0.0);
-        let fixed = if is_fixed {
-            "no varied parameter changes it at this design: "
-        } else {
-            ""
-        };
-        format!(
-            "{} ({fixed}it is {value}, outside by {outside})",
-            constraint.expression
-        )
-    });
-    format!(
-        "no design was found that meets the limits; the nearest one violates {}",
-        missed.collect::<Vec<_>>().join(" and ")
-    )
+) -> Message {
+    let is_violated =
+        |(constraint, value): (&Constraint, &f64)| constraint.violation(*value) != 0.0;
+    let exact = goals
+        .map(|goals| &goals[1..])
+        .filter(|values| constraints.iter().zip(*values).any(is_violated));
+    let value = |j: usize| exact.map_or(found.constraints[j].value, |values| values[j]);
+    let missed = constraints
+        .iter()
+        .enumerate()
+        .filter_map(|(j, constraint)| {
+            let violation = constraint.violation(value(j));
+            let (quantity, unit) = (constraint.goal.quantity, constraint.goal.unit);
+            let is_fixed = found.jacobian[j].iter().all(|slope| *slope == 0.0);
+            let fixed = if is_fixed {
+                "no varied parameter changes it here: "
+            } else {
+                ""
+            };
+            (violation != 0.0).then(|| {
+                Message::from(format!("{} ({fixed}its value is ", constraint.expression))
+                    .quantity(quantity, unit, value(j), Digits::Fine)
+                    .words(", outside by ")
+                    .quantity(quantity, unit, violation.abs(), Digits::Difference)
+                    .words(")")
+            })
+        });
+    Message::joined(missed, " and ")
+}
+
+/// Text on the limits that the nearest design over swings violates.
+pub(super) fn violated_by_design(
+    constraints: &[Constraint],
+    found: &Solution,
+    goals: Option<&[f64]>,
+) -> Message {
+    Message::from("no design was found that meets the limits; the nearest one violates ")
+        .message(violated(constraints, found, goals))
 }
 
 impl LocalOptimum {
@@ -131,7 +156,7 @@ impl Optimum {
     /// Result of the search in a sentence, in terms of the drive or the design.
     pub fn message(&self) -> Message {
         if !self.search.scenarios.is_one_drive() {
-            return self.message_over_swings().into();
+            return self.message_over_swings();
         }
         let found = &self.solution.message;
         match (&self.solution.kink, self.solution.status) {
@@ -148,7 +173,7 @@ impl Optimum {
         }
     }
 
-    fn message_over_swings(&self) -> String {
+    fn message_over_swings(&self) -> Message {
         let found = &self.solution.message;
         match self.solution.status {
             Status::Undefined => {
@@ -157,8 +182,9 @@ impl Optimum {
                     "no design was found with which every swing flies; at the start: {}",
                     start.unwrap_or("no drive flies")
                 )
+                .into()
             }
-            Status::Infeasible => violated(
+            Status::Infeasible => violated_by_design(
                 &self.search.subject_to,
                 &self.solution,
                 self.goals.as_deref(),
@@ -169,9 +195,10 @@ impl Optimum {
             Status::Converged if self.is_flat() => format!(
                 "{} depends on no varied parameter here: every design is equally good",
                 self.search.of.expression
-            ),
+            )
+            .into(),
             Status::Converged => self.idle_parameters_over_swings(),
-            _ => found.clone(),
+            _ => found.as_str().into(),
         }
     }
 
@@ -206,20 +233,6 @@ impl Optimum {
 
     /// Text on the constraints that the drive at the end of the search violates.
     fn violated_by_drive(&self) -> Message {
-        let all = self.search.subject_to.iter();
-        let missed: Vec<_> = all
-            .zip(&self.solution.constraints)
-            .filter(|(_, at)| at.violation != 0.0)
-            .map(|(constraint, at)| {
-                let (quantity, unit) = (constraint.goal.quantity, constraint.goal.unit);
-                let outside = at.violation.abs();
-                Message::from(format!("{} (its value is ", constraint.expression))
-                    .quantity(quantity, unit, at.value, Digits::Fine)
-                    .words(", outside by ")
-                    .quantity(quantity, unit, outside, Digits::Difference)
-                    .words(")")
-            })
-            .collect();
         let tried = self.sample.map_or(String::new(), |sample| {
             format!(
                 " (the search and {} other points in the ranges were tried)",
@@ -229,7 +242,11 @@ impl Optimum {
         Message::from(format!(
             "no point was found that meets the constraints{tried}; the nearest one violates "
         ))
-        .message(Message::joined(missed, " and "))
+        .message(violated(
+            &self.search.subject_to,
+            &self.solution,
+            self.goals.as_deref(),
+        ))
     }
 
     /// Message for a search in which no drive flies, with the reason at the start.
@@ -282,7 +299,7 @@ impl Optimum {
         }
     }
 
-    fn idle_parameters_over_swings(&self) -> String {
+    fn idle_parameters_over_swings(&self) -> Message {
         let little = match self.search.of.quantity {
             Quantity::LENGTH => "1 mm",
             _ => "a millionth of it",
@@ -290,16 +307,18 @@ impl Optimum {
         let found = &self.solution.message;
         let goal = &self.search.of.expression;
         match self.idle().as_slice() {
-            [] => found.clone(),
+            [] => found.as_str().into(),
             [one] => format!(
                 "{found}; {one} has a negligible effect: within its range it changes {goal} by \
                  less than {little}"
-            ),
+            )
+            .into(),
             all => format!(
                 "{found}; {} have a negligible effect: within its own range each of them changes \
                  {goal} by less than {little}",
                 all.join(" and ")
-            ),
+            )
+            .into(),
         }
     }
 

@@ -211,6 +211,34 @@ fn speeds_and_limits_in_messages_have_the_chosen_units() {
 }
 
 #[test]
+fn violated_limits_over_swings_have_the_chosen_units() {
+    let limited = [
+        "optimize",
+        "modern-driver",
+        "--distribution=swing.speed=normal(100mph,2mph)",
+        "--vary=club.loft=8deg..14deg",
+        "--subject-to=mean(carry) >= 400 yd",
+        "--subject-to=head_moi <= 3000 g cm^2",
+    ];
+    for (units, unit) in [("us", " yd"), ("metric", " m")] {
+        let output = longdrive(&[&limited[..], &["--units", units]].concat());
+        let text = on_one_line(&output.out);
+        let (_, message) = text
+            .split_once("mean(carry) >= 400 yd (its value is ")
+            .unwrap();
+        let (carry, rest) = message
+            .split_once(") and head_moi <= 3000 g cm^2 (")
+            .unwrap();
+        let (value, outside) = carry.split_once(", outside by ").unwrap();
+        assert!(value.ends_with(unit) && outside.ends_with(unit), "{carry}");
+        assert!(
+            rest.starts_with("no varied parameter changes it here: its value is "),
+            "{rest}"
+        );
+    }
+}
+
+#[test]
 fn notes_of_plots_are_in_the_chosen_system() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.svg").display().to_string();

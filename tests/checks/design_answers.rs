@@ -153,7 +153,7 @@ fn the_nearest_design_is_no_further_than_the_one_set_up() {
     let (_, found) = json(&[&TWO[..], &["--subject-to=head_moi <= 3000 g cm^2"]].concat());
     let message = found["message"].as_str().unwrap();
     assert!(
-        message.contains("no varied parameter changes it at this design: it is 5679 g cm^2"),
+        message.contains("no varied parameter changes it here: its value is 5679.0 g cm^2"),
         "{message}"
     );
 }

@@ -439,13 +439,13 @@ fn bad_goals_of_a_front_have_a_message() {
     ] {
         // the value, and its distance from the range
         let output = message
-            .split(&format!("{expression} (it is "))
+            .split(&format!("{expression} (its value is "))
             .nth(1)
             .unwrap_or_else(|| panic!("{message}"));
         let [found, outside] = ["", "outside by "].map(|before| {
             let at = output.find(before).unwrap_or_else(|| panic!("{output}")) + before.len();
             output[at..]
-                .split(' ')
+                .split([' ', '°'])
                 .next()
                 .unwrap()
                 .parse::<f64>()

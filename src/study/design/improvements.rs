@@ -4,7 +4,7 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Setup;
 use crate::study::problem::SearchProblem;
-use crate::study::{Goal, Optimum, Search};
+use crate::study::{Constraint, Goal, Optimum, Search};
 use serde::Serialize;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -15,13 +15,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Improvement {
     /// The statistic.
     pub goal: Goal,
-    /// Value for the initial design, SI; missing if a swing does not fly.
+    /// Value for the initial design, SI; `null` if a swing does not fly.
     pub as_set_up: Option<f64>,
-    /// Value for the best design, SI; missing if a swing does not fly.
+    /// Value for the best design, SI; `null` if a swing does not fly.
     pub best: Option<f64>,
 }
 
-const PARTS: [&str; 3] = ["mean(carry)", "std(carry)", "rms(lateral)"];
+const STATISTICS: [&str; 3] = ["mean(carry)", "std(carry)", "rms(lateral)"];
 
 /// Mean carry, standard deviation of carry, and root mean square distance from the target line;
 /// empty once `stop` is true.
@@ -33,36 +33,53 @@ pub fn improvements(
     best: &Optimum,
     stop: &Arc<AtomicBool>,
 ) -> Result<Vec<Improvement>> {
-    let part = |text: &&str| {
-        let goal = Goal::read(text, None)?;
-        let value = |setup: &Setup<f64>| value(setup, &goal, &best.search, stop);
-        Ok(Improvement {
-            as_set_up: value(setup)?,
-            best: value(&best.setup)?,
-            goal,
-        })
-    };
-    let found = PARTS.iter().map(part).collect::<Result<Vec<_>>>();
+    let found = before_and_after(setup, best, stop);
     if stop.load(Ordering::Relaxed) {
         return Ok(vec![]);
     }
     found
 }
 
-/// Value of a goal over the swings at a setup's own design, SI. `None` if the ball does not fly in
-/// one of the swings, and once `stop` is true.
-fn value(
+/// Computes [`improvements`]; the result is incomplete once `stop` is true.
+fn before_and_after(
     setup: &Setup<f64>,
-    goal: &Goal,
+    best: &Optimum,
+    stop: &Arc<AtomicBool>,
+) -> Result<Vec<Improvement>> {
+    let goals = STATISTICS.iter().map(|text| Goal::read(text, None));
+    let goals = goals.collect::<Result<Vec<_>>>()?;
+    let as_set_up = values(setup, &goals, &best.search, stop)?;
+    let at_best = values(&best.setup, &goals, &best.search, stop)?;
+    let value = |values: &Option<Vec<f64>>, k: usize| Some(values.as_ref()?[k]);
+    let goals = goals.into_iter().enumerate();
+    let improvement = |(k, goal): (usize, Goal)| Improvement {
+        goal,
+        as_set_up: value(&as_set_up, k),
+        best: value(&at_best, k),
+    };
+    Ok(goals.map(improvement).collect())
+}
+
+/// Values of goals over the swings at a setup's own design, SI. `None` if the ball does not fly in
+/// one of the swings, and once `stop` is true.
+fn values(
+    setup: &Setup<f64>,
+    goals: &[Goal],
     search: &Search,
     stop: &Arc<AtomicBool>,
-) -> Result<Option<f64>> {
+) -> Result<Option<Vec<f64>>> {
     let search = Search {
-        of: goal.clone(),
+        of: goals[0].clone(),
         vary: search.vary.clone(),
+        subject_to: goals[1..]
+            .iter()
+            .cloned()
+            .map(Constraint::unlimited)
+            .collect(),
         scenarios: search.scenarios.clone(),
         ..Search::largest(Outcome::Carry)
     };
-    let problem = SearchProblem::of_goals(setup, search, stop)?;
-    Ok(problem.as_set_up().ok().map(|values| values[0]))
+    Ok(SearchProblem::of_goals(setup, search, stop)?
+        .as_set_up()
+        .ok())
 }

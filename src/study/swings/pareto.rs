@@ -6,8 +6,9 @@ use crate::optimize::{Observers, Options, Problem, Status};
 use crate::parameters::{Setup, Vary};
 use crate::study::cancellable::stopped;
 use crate::study::problem::SearchProblem;
-use crate::study::verdict::{Active, active, status_name, violated};
+use crate::study::verdict::{Active, active, status_name, violated_by_design};
 use crate::study::{ChartEvent, Constraint, Goal, Search, Sense};
+use crate::units::Message;
 use std::sync::atomic::Ordering;
 
 /// A search for the best compromises between two goals.
@@ -160,17 +161,12 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, follow: &Observers) -> R
 }
 
 impl ParetoSearch {
-    /// The search for the best first goal. The second goal is the last constraint, with infinite
-    /// limits, so that it is computed but not restricted.
+    /// The search for the best first goal. The second goal is the last constraint, without
+    /// limits.
     fn first_goal(&self) -> Search {
         let [(first, sense), (second, _)] = self.goals.clone();
         let mut subject_to = self.subject_to.clone();
-        subject_to.push(Constraint {
-            expression: second.expression.clone(),
-            goal: second,
-            low: f64::NEG_INFINITY,
-            high: f64::INFINITY,
-        });
+        subject_to.push(Constraint::unlimited(second));
         Search {
             of: first,
             sense,
@@ -217,16 +213,16 @@ fn named(none: FrontError, search: &ParetoSearch, problem: &SearchProblem) -> Er
     };
     let (goal, sense) = &search.goals[function];
     let why = match (&found.undefined_at_start, found.status) {
-        (Some(why), Status::Undefined) => why.clone(),
-        (_, Status::Infeasible) => violated(
+        (Some(why), Status::Undefined) => why.as_str().into(),
+        (_, Status::Infeasible) => violated_by_design(
             &search.subject_to,
             &found,
             problem.values(&found.x).ok().as_deref(),
         ),
-        _ => found.message.clone(),
+        _ => found.message.as_str().into(),
     };
     Error::NotConverged {
         status: status_name(found.status),
-        message: format!("for the {}: {why}", sense.best_of(goal)).into(),
+        message: Message::from(format!("for the {}: ", sense.best_of(goal))).message(why),
     }
 }
