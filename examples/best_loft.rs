@@ -4,10 +4,11 @@
 //! `cargo run --release --example best_loft`
 
 use longdrive::optimize::Observer;
-use longdrive::study::swings::{Rule, Scenarios, Swings, price};
+use longdrive::study::swings::{Rule, Scenarios, Swings, analyse_over_swings};
 use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Goal, Search, Sense, Vary, optimum};
 use longdrive::{Outcome, Result, Setup};
+use std::sync::Arc;
 
 fn main() -> Result<()> {
     // assumed spreads; `longdrive delivery --shots` computes yours from launch-monitor data
@@ -40,7 +41,8 @@ fn main() -> Result<()> {
             ..Search::largest(Outcome::Carry)
         };
         let best = optimum(&setup, search, Observer::default())?;
-        let alone = price(&setup, &swings, &best)?.nominal;
+        let analysis = analyse_over_swings(&setup, &swings, &best, &Arc::default())?;
+        let nominal = analysis.expect("nothing interrupts it").nominal;
         let show = |x: &[f64]| {
             x.first()
                 .map_or("none".into(), |x| format!("{:.2} deg", x.to_degrees()))
@@ -48,7 +50,7 @@ fn main() -> Result<()> {
         println!(
             "{golfer}: best loft {} over all swings, {} for the mean swing",
             show(&best.solution.x),
-            alone.map_or_else(|why| why, |nominal| show(&nominal.design))
+            nominal.map_or_else(|why| why, |nominal| show(&nominal.design))
         );
     }
     Ok(())

@@ -11,7 +11,8 @@ use crate::optimize::Status;
 use crate::parameters::Vary;
 use crate::report::{OptimumReport, OverSwings, Reply, optimize_document};
 use crate::study::swings::{
-    Correlation, Rule, Scenarios, Strokes, Swings, price_until, resampled as optima_of_resamples,
+    Correlation, Rule, Scenarios, Strokes, Swings, analyse_over_swings,
+    resampled as optima_of_resamples,
 };
 use crate::study::uncertainty::Uncertain;
 use crate::study::{Constraint, Goal, Optima, Search, Sense};
@@ -184,10 +185,10 @@ pub fn found(
     let (optima, stop) = args.searched(&setup, &search)?;
     let best = &optima.best;
     let is_found = best.solution.status == Status::Converged;
-    let mut price = None;
+    let mut analysis = None;
     let mut resampled = None;
     if is_found {
-        price = price_until(&setup, &swings, best, &stop)?;
+        analysis = analyse_over_swings(&setup, &swings, best, &stop)?;
         if let Swings::Recorded { .. } = swings {
             let seed = u64::from(args.swings.seed.unwrap_or(0));
             resampled = optima_of_resamples(&setup, best, RESAMPLES, seed, &stop)?;
@@ -206,7 +207,10 @@ pub fn found(
     Ok(SwingsOptimum {
         setup,
         optima,
-        over: OverSwings { price, resampled },
+        over: OverSwings {
+            analysis,
+            resampled,
+        },
         stop,
         file,
     })

@@ -94,8 +94,8 @@ impl Designed<'_> {
                 .chain(assumptions),
         );
         let mut ranges = Document::default();
-        ranges.add(goals(self.best, over.price.as_ref(), system));
-        ranges.add(place(self.best, nominal(over.price.as_ref()), system));
+        ranges.add(goals(self.best, over.analysis.as_ref(), system));
+        ranges.add(place(self.best, nominal(over.analysis.as_ref()), system));
         document.append_detail(ranges, Detail::Rest);
         if is_converged {
             add_convergence(&mut document, self.best, system);

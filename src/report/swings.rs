@@ -7,15 +7,17 @@ use super::limits::ended_at;
 use super::shown;
 use crate::optimize::Status;
 use crate::study::Optimum;
-use crate::study::swings::{GoalError, Nominal, Price, Resampled, Rule, SamplingError, Scenarios};
+use crate::study::swings::{
+    GoalError, Nominal, Resampled, Rule, SamplingError, Scenarios, SwingsAnalysis,
+};
 use crate::units::{System, counted};
 use serde::Serialize;
 
 /// Additional results over swings; empty for a single drive.
 #[derive(Clone, Debug, Default)]
 pub struct OverSwings {
-    /// The loss of a design that ignores the variation of the swings.
-    pub price: Option<Price>,
+    /// The best design for the mean swing, and the errors of the goals.
+    pub analysis: Option<SwingsAnalysis>,
     /// The optima of resamples of recorded swings.
     pub resampled: Option<Resampled>,
 }
@@ -105,16 +107,16 @@ impl StudiesReport {
             let names = search.goals().map(|goal| goal.expression.clone());
             names.zip(values.iter().copied()).collect()
         };
-        let error = over.price.as_ref().and_then(Price::error);
+        let error = over.analysis.as_ref().and_then(SwingsAnalysis::error);
         Some(Self {
             scenarios: ScenariosReport::new(&search.scenarios),
             as_set_up: best.as_set_up.as_deref().map(goals),
-            nominal: nominal(over.price.as_ref()).map(|nominal| NominalReport {
+            nominal: nominal(over.analysis.as_ref()).map(|nominal| NominalReport {
                 optimum: ByName::of_varied(&search.vary, &nominal.design),
-                promised: goals(&nominal.promised),
-                kept: nominal.kept.as_deref().map(goals),
+                promised: goals(&nominal.for_mean_swing),
+                kept: nominal.over_swings.as_deref().map(goals),
             }),
-            unknown: unknown(over.price.as_ref()),
+            unknown: unknown(over.analysis.as_ref()),
             quadrature_error: match error {
                 Some(GoalError::Quadrature(size)) => Some(*size),
                 _ => None,
@@ -130,18 +132,20 @@ impl StudiesReport {
 }
 
 /// The best design for the mean swing.
-pub(super) fn nominal(price: Option<&Price>) -> Option<&Nominal> {
-    price?.nominal.as_ref().ok()
+pub(super) fn nominal(analysis: Option<&SwingsAnalysis>) -> Option<&Nominal> {
+    analysis?.nominal.as_ref().ok()
 }
 
 /// Sentences about results that could not be computed.
-fn unknown(price: Option<&Price>) -> Vec<String> {
-    let Some(price) = price else { return vec![] };
-    let nominal = price.nominal.as_ref().err();
+fn unknown(analysis: Option<&SwingsAnalysis>) -> Vec<String> {
+    let Some(analysis) = analysis else {
+        return vec![];
+    };
+    let nominal = analysis.nominal.as_ref().err();
     let nominal = nominal.map(|why| {
         format!("there is no best design for the mean swing, because its ball does not fly: {why}")
     });
-    let error = match price.error() {
+    let error = match analysis.error() {
         Some(GoalError::Unknown(why)) => Some(format!(
             "the uncertainty of the best value is not known: the ball does not fly in one of the \
              golfer's other swings ({why})"
@@ -155,9 +159,13 @@ fn unknown(price: Option<&Price>) -> Vec<String> {
 const BROKEN: &str = "(broken)";
 
 /// The goals over the swings as a table with a column for each design.
-pub(super) fn goals(best: &Optimum, price: Option<&Price>, system: System) -> DocumentTable {
+pub(super) fn goals(
+    best: &Optimum,
+    analysis: Option<&SwingsAnalysis>,
+    system: System,
+) -> DocumentTable {
     let search = &best.search;
-    let nominal = nominal(price);
+    let nominal = nominal(analysis);
     let expressions = std::iter::once(&search.of.expression)
         .chain(search.subject_to.iter().map(|limit| &limit.expression));
     let rows = search.goals().zip(expressions).enumerate();
@@ -181,8 +189,8 @@ pub(super) fn goals(best: &Optimum, price: Option<&Price>, system: System) -> Do
             best.goals
                 .as_ref()
                 .map_or(shown::NONE.into(), |goals| show(goals[k])),
-            of(nominal.and_then(|nominal| nominal.kept.as_ref())),
-            of(nominal.map(|nominal| &nominal.promised)),
+            of(nominal.and_then(|nominal| nominal.over_swings.as_ref())),
+            of(nominal.map(|nominal| &nominal.for_mean_swing)),
             of(best.as_set_up.as_ref()),
         ]
     });
@@ -198,7 +206,7 @@ pub(super) fn goals(best: &Optimum, price: Option<&Price>, system: System) -> Do
 
 /// Notes on the designs and on the uncertainty of the answer.
 pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Line> {
-    let mut notes = unknown(over.price.as_ref());
+    let mut notes = unknown(over.analysis.as_ref());
     let strikes = best.search.scenarios.parameters.iter();
     let mut strikes = strikes.filter(|parameter| parameter.name.starts_with("strike."));
     if strikes.next().is_some() || best.setup.strike.toe != 0.0 {
@@ -207,9 +215,9 @@ pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Li
             shown::GEAR_EFFECT
         ));
     }
-    notes.extend(designs(best, nominal(over.price.as_ref())));
+    notes.extend(designs(best, nominal(over.analysis.as_ref())));
     notes.extend(smoothed_limits(best, system));
-    notes.push(sampling(best, over.price.as_ref(), system));
+    notes.push(sampling(best, over.analysis.as_ref(), system));
     if best.search.scenarios.rule == Rule::Recorded
         && over.resampled.is_none()
         && best.solution.status == Status::Converged
@@ -228,7 +236,7 @@ pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Li
 
 /// Notes on designs that violate a limit, or with which the ball does not fly in one of the swings.
 fn designs(best: &Optimum, nominal: Option<&Nominal>) -> Vec<String> {
-    let kept = nominal.map(|nominal| nominal.kept.as_ref());
+    let kept = nominal.map(|nominal| nominal.over_swings.as_ref());
     let as_set_up = best.as_set_up.as_ref();
     let mut notes = vec![];
     let missed = |with: &str| format!("with {with} the ball does not fly in some of the swings");
@@ -276,7 +284,7 @@ fn smoothed_limits(best: &Optimum, system: System) -> Vec<String> {
 }
 
 /// The number of swings, the rule that chose them, and the uncertainty of the objective.
-fn sampling(best: &Optimum, price: Option<&Price>, system: System) -> String {
+fn sampling(best: &Optimum, analysis: Option<&SwingsAnalysis>, system: System) -> String {
     let goal = &best.search.of;
     let all = &best.search.scenarios;
     let swings = counted(all.points.len() as u64, "swing");
@@ -285,7 +293,7 @@ fn sampling(best: &Optimum, price: Option<&Price>, system: System) -> String {
         Rule::Quadrature(_) => "by Gauss's rules",
         Rule::Sequence { .. } => "of a quasi-random sequence",
     };
-    match price.and_then(Price::error) {
+    match analysis.and_then(SwingsAnalysis::error) {
         Some(GoalError::Quadrature(error)) => format!(
             "{swings} by Gauss's rules; the error of {} is about {}",
             goal.expression,

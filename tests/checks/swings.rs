@@ -4,7 +4,7 @@ use crate::command_line::{json, longdrive, number};
 use crate::common::close;
 use longdrive::derivative::{Order, Taylor, hessian};
 use longdrive::optimize::Observer;
-use longdrive::study::swings::{GoalFunction, Rule, Scenarios, Swings, resampled};
+use longdrive::study::swings::{GoalFunction, Rule, Scenarios, Strokes, Swings, resampled};
 use longdrive::study::uncertainty::{Distribution, Uncertain};
 use longdrive::study::{Goal, Optimum, Search, Sense, Vary, optimum};
 use longdrive::{Drive, Outcome, Setup};
@@ -800,6 +800,44 @@ fn swings_that_reach_far_have_an_answer() {
 }
 
 #[test]
+fn a_table_of_strokes_is_read_in_any_dialect_and_its_errors_name_line_and_unit() {
+    let folder = tempfile::tempdir().unwrap();
+    let read = |text: &str| {
+        let file = folder.path().join("strokes.csv");
+        std::fs::write(&file, text).unwrap();
+        Strokes::open(&file, false)
+    };
+    let expected = read("distance [yd],strokes\n10,2.2\n60,3\n").unwrap();
+    for text in [
+        "\u{feff}distance [yd];strokes\r\n10;2.2\r\n60;3\r\n",
+        "sep=;\ndistance [yd];strokes\n10;2,2\n60;3\n",
+        "distance [yd]\tstrokes\n10\t2.2\n60\t3\n",
+        "distance [yd],strokes\n10,2.2\n\n60,3\n,\n",
+    ] {
+        assert_eq!(read(text).unwrap(), expected, "{text}");
+    }
+    for (text, says) in [
+        (
+            "distance [yd],strokes\n\n10,2.2\n60,x\n",
+            "strokes.csv, line 4",
+        ),
+        (
+            "distance [yd],hits\n10,2.2\n",
+            "its columns are distance [yd], hits",
+        ),
+        (
+            "distance,strokes\n10,2.2\n",
+            "'distance' names no unit of length",
+        ),
+        ("distance [yd],strokes\n30,2.2\n20,3\n", "row 2: 20 yd"),
+        ("distance [yd],strokes\n10,2.2\n60\n", "line 3"),
+    ] {
+        let error = read(text).unwrap_err().to_string();
+        assert!(error.contains(says), "{text}: {error}");
+    }
+}
+
+#[test]
 fn parameters_without_swings_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     let written = |name: &str, text: &str| {
@@ -923,6 +961,29 @@ fn documents_say_the_best_lofts_of_a_beginner_and_of_a_professional() {
         assert!(
             document.contains(&message),
             "docs/swings.md has no row '{message}'"
+        );
+    }
+}
+
+#[test]
+fn scenarios_by_a_rule_that_does_not_fit_the_swings_are_refused() {
+    let setup = Setup::default();
+    let distributed = swings(&setup, &["swing.speed=normal(100mph,2mph)"]);
+    let recorded = Swings::recorded(
+        vec![setup.variable("swing.speed").unwrap()],
+        vec![vec![45.0], vec![46.0]],
+    )
+    .unwrap();
+    let sequence = Rule::Sequence { count: 4, seed: 0 };
+    for (swings, rule) in [
+        (&distributed, Rule::Recorded),
+        (&recorded, Rule::Quadrature(4)),
+        (&recorded, sequence),
+    ] {
+        let error = Scenarios::new(swings, rule).unwrap_err().to_string();
+        assert!(
+            error.contains("the rule of the scenarios"),
+            "{rule:?}: {error}"
         );
     }
 }

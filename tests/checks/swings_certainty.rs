@@ -4,13 +4,14 @@ use crate::command_line::{json, number};
 use crate::common::{RIGID, SET_RIGID};
 use longdrive::batch::Batch;
 use longdrive::optimize::Observer;
-use longdrive::study::swings::{GoalError, Measure, Rule, Scenarios, Swings, price};
+use longdrive::study::swings::{GoalError, Measure, Rule, Scenarios, Swings, analyse_over_swings};
 use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Constraint, Goal, Optimum, Search, Sense, Vary, optimum};
 use longdrive::{Outcome, Setup};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// The drives of a setup with some swings.
 struct Flown {
@@ -192,7 +193,8 @@ fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
         goals.push(format!("within(lateral, {}yd)", between(3.0, 25.0)));
         goals.rotate_left(round % 3);
         let best = searched(&setup, &goals, scenarios.clone());
-        let errors = price(&setup, &swings, &best).unwrap().errors;
+        let analysis = analyse_over_swings(&setup, &swings, &best, &Arc::default());
+        let errors = analysis.unwrap().unwrap().errors;
         let outcomes = [
             Outcome::Carry,
             Outcome::Lateral,

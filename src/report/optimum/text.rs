@@ -62,8 +62,8 @@ pub fn optimum_document(
         add_place(&mut document, optimum, around, system);
         document.list(drive_lines(optimum, value, drive, system));
     } else {
-        document.add(goals(optimum, over.price.as_ref(), system));
-        document.add(place(optimum, nominal(over.price.as_ref()), system));
+        document.add(goals(optimum, over.analysis.as_ref(), system));
+        document.add(place(optimum, nominal(over.analysis.as_ref()), system));
         add_constraints(&mut document, optimum, system);
         document.list(notes(optimum, over, system));
     }

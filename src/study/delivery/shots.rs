@@ -37,7 +37,7 @@ pub struct Spread {
     pub parameter: &'static Parameter,
     /// Mean of the most probable values.
     pub mean: f64,
-    /// Standard deviation of the most probable values; missing for a single shot.
+    /// Standard deviation of the most probable values; `null` for a single shot.
     pub deviation: Option<f64>,
 }
 

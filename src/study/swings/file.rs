@@ -190,13 +190,13 @@ fn correlation(setup: &Setup<f64>, value: &DeValue<'_>) -> Result<Correlation> {
             .ok_or_else(|| refuse(format!("{name} is missing; {how}")))
     };
     let names = match get("between")? {
-        DeValue::Array(names) => names
-            .iter()
-            .filter_map(|name| name.get_ref().as_str())
-            .collect(),
-        _ => vec![],
+        DeValue::Array(names) => {
+            let names = names.iter().map(|name| name.get_ref().as_str());
+            names.collect::<Option<Vec<_>>>()
+        }
+        _ => None,
     };
-    let [one, other] = names.as_slice() else {
+    let Some([one, other]) = names.as_deref() else {
         return Err(refuse(format!("between must be two names; {how}")));
     };
     let coefficient = match get("coefficient")? {
@@ -258,6 +258,12 @@ mod tests {
             (
                 "[distributions]\nswing.path = 'normal(0 deg, 1 deg)'\n[[correlations]]\nbetween = \
                  ['swing.path']\ncoefficient = 0.5\n",
+                "two names",
+            ),
+            (
+                "[distributions]\nswing.path = 'normal(0 deg, 1 deg)'\n'swing.speed' = \
+                 'normal(110 mph, 3 mph)'\n[[correlations]]\nbetween = ['swing.path', 3, \
+                 'swing.speed']\ncoefficient = 0.5\n",
                 "two names",
             ),
             (

@@ -9,7 +9,7 @@
 //!                   part, hits ──▶ answer
 //! ```
 
-mod beyond;
+mod analysis;
 mod file;
 pub(super) mod flown;
 mod function;
@@ -17,19 +17,18 @@ mod golfer;
 mod measure;
 mod pareto;
 pub(super) mod part;
-mod price;
 mod quadrature;
 mod resampled;
 mod robust;
 mod scenarios;
 mod strokes;
+mod warnings;
 
-pub use beyond::beyond_share;
+pub use analysis::{GoalError, Nominal, SamplingError, SwingsAnalysis, analyse_over_swings};
 pub use function::GoalFunction;
 pub use golfer::{Correlation, Swings};
 pub use measure::Measure;
 pub use pareto::{Pareto, ParetoPoint, ParetoSearch, pareto};
-pub use price::{GoalError, Nominal, Price, SamplingError, price, price_until};
 pub use resampled::{Resampled, resampled};
 pub use robust::{Model, ModelLimit, Robust, robust};
 pub use scenarios::{Rule, Scenarios};

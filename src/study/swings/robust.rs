@@ -297,8 +297,9 @@ pub fn robust(
     let starts = losses.starts(&designs, count)?;
     let is_stopped = || follow.interrupt.load(Ordering::Relaxed);
     if starts.is_empty() && !is_stopped() {
-        let message = "the best design of each model has a swing that does not fly with another model; vary \
-             fewer parameters, or over smaller ranges";
+        let message = "no design that was tried flies with every model in every swing: not the best \
+                       designs, their mean, the setup's own design and the designs spread over \
+                       the ranges; vary fewer parameters, or over smaller ranges";
         return Err(Error::NotConverged {
             status: "no-flight",
             message: message.into(),

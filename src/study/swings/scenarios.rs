@@ -85,17 +85,6 @@ impl Rule {
             (_, Some(count)) if !(2..=MOST_SCENARIOS).contains(&count) => {
                 refuse(count, format!("give a number from 2 to {MOST_SCENARIOS}"))
             }
-            (Swings::Distributed { inputs, .. }, Some(_))
-                if inputs.len() > sobol::MOST_VARIABLES =>
-            {
-                refuse(
-                    inputs.len(),
-                    format!(
-                        "at most {} parameters can be distributed",
-                        sobol::MOST_VARIABLES
-                    ),
-                )
-            }
             (_, Some(count)) => Ok(Self::Sequence { count, seed }),
             (Swings::Distributed { inputs, .. }, None) => Ok(match inputs.len() {
                 n @ 1..=MOST_INTEGRATED => Self::Quadrature(NODES[n - 1]),
@@ -170,15 +159,16 @@ impl Scenarios {
     /// The scenarios of some swings.
     ///
     /// # Errors
-    /// The errors of [`Uncertain::check`]; [`Error::Unreadable`] for a value outside the allowed
-    /// range. A `truncated` distribution with bounds inside this range avoids such values.
+    /// The errors of [`Uncertain::check`]; [`Error::Unreadable`] for a rule of other swings, and for
+    /// a value outside the allowed range. A `truncated` distribution with bounds inside this range
+    /// avoids such values.
     pub fn new(swings: &Swings, rule: Rule) -> Result<Self> {
         if let Swings::Distributed { inputs, .. } = swings {
             inputs.iter().try_for_each(Uncertain::check)?;
         }
         let parameters = swings.parameters();
         let (points, weights) = match (swings, rule) {
-            (Swings::Recorded { rows, .. }, _) => equally_weighted(rows.clone()),
+            (Swings::Recorded { rows, .. }, Rule::Recorded) => equally_weighted(rows.clone()),
             (Swings::Distributed { inputs, factor }, Rule::Sequence { count, seed }) => {
                 let point = |k: usize| sequence_point(inputs, factor, k as u64, seed);
                 equally_weighted((0..count).into_par_iter().map(point).collect())
@@ -186,8 +176,14 @@ impl Scenarios {
             (Swings::Distributed { inputs, factor }, Rule::Quadrature(nodes)) => {
                 quadrature_points(inputs, factor, nodes)
             }
-            (Swings::Distributed { inputs, factor }, Rule::Recorded) => {
-                quadrature_points(inputs, factor, NODES[0])
+            (Swings::Distributed { .. }, Rule::Recorded) => {
+                let source = "distributed swings have no recorded ones; give a quadrature or a \
+                              sequence";
+                return Err(Error::unreadable("the rule of the scenarios", source));
+            }
+            (Swings::Recorded { .. }, _) => {
+                let source = "recorded swings are the scenarios themselves; give Rule::Recorded";
+                return Err(Error::unreadable("the rule of the scenarios", source));
             }
         };
         for point in &points {

@@ -1,8 +1,12 @@
+use crate::csv_dialect::detect_separator;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::input_file::InputFile;
+use crate::external_errors::csv_row_error_text;
 use crate::number::Taylor;
+use crate::table::Text;
 use crate::units::Quantity;
+use csv::{ReaderBuilder, StringRecord, Trim};
+use std::io::Read;
 use std::path::Path;
 
 /// Expected strokes to hole out as a function of the distance to the hole: a natural cubic spline
@@ -26,15 +30,14 @@ impl Strokes {
     /// [`Error::Unreadable`] for fewer than two rows, distances that are not ascending, or negative
     /// numbers.
     pub fn new(rows: &[(f64, f64)], runs: bool) -> Result<Self> {
-        let refuse = |source: String| Error::Unreadable {
-            name: "the table of strokes".into(),
-            source: source.into(),
-        };
+        Self::of_rows(rows, "m", runs)
+    }
+
+    /// Like [`new`](Self::new); errors show distances in `unit`.
+    fn of_rows(rows: &[(f64, f64)], unit: &str, runs: bool) -> Result<Self> {
+        let refuse = |source: String| Err(Error::unreadable("the table of strokes", source));
         if rows.len() < 2 {
-            return Err(refuse(format!(
-                "it has {} rows; it needs at least 2",
-                rows.len()
-            )));
+            return refuse(format!("it has {} rows; it needs at least 2", rows.len()));
         }
         for (i, (distance, strokes)) in rows.iter().enumerate() {
             let is_sound =
@@ -42,10 +45,11 @@ impl Strokes {
             if !is_sound || i > 0 && *distance <= rows[i - 1].0 {
                 let reason = "distances must be 0 or more and rise from row to row, and strokes be \
                               0 or more";
-                return Err(refuse(format!(
-                    "row {}: {distance} m, {strokes} strokes; {reason}",
-                    i + 1
-                )));
+                return refuse(format!(
+                    "row {}: {}, {strokes} strokes; {reason}",
+                    i + 1,
+                    Quantity::LENGTH.show(*distance, unit)
+                ));
             }
         }
         let (distance, strokes): (Vec<f64>, Vec<f64>) = rows.iter().copied().unzip();
@@ -69,62 +73,42 @@ impl Strokes {
     /// [`Error::Table`] for a file that cannot be read or lacks one of these columns; the errors of
     /// [`Strokes::new`].
     pub fn open(path: &Path, runs: bool) -> Result<Self> {
-        let file = path.display().to_string();
-        let refuse = |place: String, reason: String| Error::Table {
-            file: file.clone(),
-            place,
-            reason,
+        let Text {
+            name, mut source, ..
+        } = Text::of_file(path)?;
+        let mut text = String::new();
+        name.io(source.read_to_string(&mut text))?;
+        let (separator, rest) = detect_separator(&text);
+        let skipped = text[..text.len() - rest.len()].matches('\n').count() as u64;
+        let place = |at: Option<&csv::Position>| {
+            format!(", line {}", at.map_or(0, csv::Position::line) + skipped)
         };
-        let source =
-            InputFile::open(path).map_err(|error| refuse(String::new(), error.to_string()))?;
-        let mut reader = csv::ReaderBuilder::new()
-            .trim(csv::Trim::All)
-            .from_reader(source);
-        let heads = reader
-            .headers()
-            .map_err(|error| refuse(String::new(), error.to_string()))?
-            .clone();
-        let how = "the table of strokes has the columns 'distance [yd]' (or another unit of \
-                   length) and 'strokes'";
-        let place = |wanted: &str| {
-            heads
-                .iter()
-                .position(|head| head.split([' ', '[']).next() == Some(wanted))
+        let unreadable = |error: csv::Error| {
+            let reason = csv_row_error_text(&error, text.as_bytes());
+            name.refused(place(error.position()), reason)
         };
-        let (Some(distance), Some(strokes)) = (place("distance"), place("strokes")) else {
-            return Err(refuse(
-                ":1".into(),
-                format!(
-                    "its columns are {}; {how}",
-                    heads.iter().collect::<Vec<_>>().join(", ")
-                ),
-            ));
-        };
-        let unit = heads[distance]
-            .split_once('[')
-            .and_then(|(_, rest)| rest.strip_suffix(']'))
-            .map(str::trim);
-        let size = unit.and_then(|unit| Quantity::LENGTH.size_of(unit));
-        let Some(size) = size else {
-            return Err(refuse(
-                ":1".into(),
-                format!(
-                    "the column head '{}' names no unit of length; {how}",
-                    &heads[distance]
-                ),
-            ));
-        };
+        let mut reader = ReaderBuilder::new()
+            .trim(Trim::All)
+            .delimiter(separator)
+            .from_reader(rest.as_bytes());
+        let heads = reader.headers().map_err(unreadable)?;
+        let columns =
+            StrokesColumns::of(heads).map_err(|reason| name.refused(String::new(), reason))?;
         let mut rows = vec![];
-        for (line, record) in (2..).zip(reader.records()) {
-            let record = record.map_err(|error| refuse(format!(":{line}"), error.to_string()))?;
+        for record in reader.records() {
+            let record = record.map_err(unreadable)?;
+            // spreadsheets end a table with rows of empty cells
+            if record.iter().all(str::is_empty) {
+                continue;
+            }
             let number = |at: usize| {
-                let cell = record.get(at).unwrap_or_default();
-                cell.parse::<f64>()
-                    .map_err(|_| refuse(format!(":{line}"), format!("'{cell}' is not a number")))
+                number(&record[at], separator)
+                    .map_err(|reason| name.refused(place(record.position()), reason))
             };
-            rows.push((number(distance)? * size, number(strokes)?));
+            let distance = number(columns.distance)? * columns.unit_size;
+            rows.push((distance, number(columns.strokes)?));
         }
-        Self::new(&rows, runs)
+        Self::of_rows(&rows, &columns.unit, runs)
     }
 
     /// True if the distance is within the range of the table.
@@ -192,6 +176,64 @@ impl Strokes {
         };
         distance.chained(self.at(left))
     }
+}
+
+/// The columns of a table of strokes.
+struct StrokesColumns {
+    /// Index of the column of distances.
+    distance: usize,
+    /// Unit of the distances.
+    unit: String,
+    /// Size of this unit, m.
+    unit_size: f64,
+    /// Index of the column of strokes.
+    strokes: usize,
+}
+
+impl StrokesColumns {
+    /// The columns by their heads.
+    ///
+    /// # Errors
+    /// The reason: a column is missing, or the distance has no unit of length.
+    fn of(heads: &StringRecord) -> std::result::Result<Self, String> {
+        const HOW: &str = "the table of strokes has the columns 'distance [yd]' (or another unit \
+                           of length) and 'strokes'";
+        let place = |wanted: &str| {
+            let mut heads = heads.iter();
+            heads.position(|head| head.split([' ', '[']).next() == Some(wanted))
+        };
+        let (Some(distance), Some(strokes)) = (place("distance"), place("strokes")) else {
+            let heads: Vec<&str> = heads.iter().collect();
+            return Err(format!("its columns are {}; {HOW}", heads.join(", ")));
+        };
+        let head = &heads[distance];
+        let written = head
+            .split_once('[')
+            .and_then(|(_, rest)| rest.strip_suffix(']'));
+        let unit = written.unwrap_or_default().trim();
+        let Some(unit_size) = Quantity::LENGTH.size_of(unit) else {
+            return Err(format!(
+                "the column head '{head}' names no unit of length; {HOW}"
+            ));
+        };
+        Ok(Self {
+            distance,
+            unit: unit.into(),
+            unit_size,
+            strokes,
+        })
+    }
+}
+
+/// Parses a number, with a decimal comma unless the comma separates cells.
+fn number(cell: &str, separator: u8) -> std::result::Result<f64, String> {
+    let plain = match separator {
+        b',' => cell.to_owned(),
+        _ => cell.replacen(',', ".", 1),
+    };
+    plain
+        .parse()
+        .map_err(|_| format!("'{cell}' is not a number"))
 }
 
 /// The second derivatives of the natural cubic spline.

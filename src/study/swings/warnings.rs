@@ -13,7 +13,7 @@ use std::sync::atomic::AtomicBool;
 
 /// For each validity limit of the model: the share of the swings that exceed it, with the design of
 /// `setup`. Swings that do not land are not counted. `None` once `stop` is true.
-pub fn beyond_share(
+fn beyond_share(
     setup: &Setup<f64>,
     scenarios: &Scenarios,
     of: &[Outcome],

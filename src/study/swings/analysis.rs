@@ -13,9 +13,9 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Loss of a design that is optimized for the mean swing only, and the accuracy of the goals.
+/// The best design for the mean swing, and the accuracy of the goals at the best design.
 #[derive(Clone, Debug)]
-pub struct Price {
+pub struct SwingsAnalysis {
     /// The best design for the mean swing, or the reason why it was not found.
     pub nominal: std::result::Result<Nominal, String>,
     /// The error of each goal at the best design (first the objective, then the limited goals),
@@ -23,7 +23,7 @@ pub struct Price {
     pub errors: Vec<GoalError>,
 }
 
-impl Price {
+impl SwingsAnalysis {
     /// The error of the objective; `None` without other scenarios.
     pub fn error(&self) -> Option<&GoalError> {
         self.errors.first()
@@ -36,10 +36,10 @@ pub struct Nominal {
     /// The design.
     pub design: Vec<f64>,
     /// The values of the goals at this design for the mean swing.
-    pub promised: Vec<f64>,
+    pub for_mean_swing: Vec<f64>,
     /// The values of the goals at this design over all swings; `None` if the ball does not fly in
     /// one of the swings.
-    pub kept: Option<Vec<f64>>,
+    pub over_swings: Option<Vec<f64>>,
 }
 
 /// The error of a goal, estimated by other scenarios with the same design.
@@ -67,27 +67,22 @@ pub struct SamplingError {
 
 /// The quantile of Student's distribution for an interval of 99 %.
 const QUANTILE: f64 = 0.995;
+/// Safety factor of the quadrature error, for the neglected error of the finer rule.
+const SAFETY: f64 = 2.0;
 
 /// Computes the best design for the mean swing and the errors of the goals. If the mean swing or
-/// another scenario does not fly, the corresponding field contains the reason.
+/// another scenario does not fly, the corresponding field contains the reason. `None` if `stop`
+/// became true before the end.
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).
-pub fn price(setup: &Setup<f64>, swings: &Swings, best: &Optimum) -> Result<Price> {
-    computed(setup, swings, best, &Arc::default())
-}
-
-/// Like [`price`]; `None` if `stop` became true before the end.
-///
-/// # Errors
-/// The errors of [`price`].
-pub fn price_until(
+pub fn analyse_over_swings(
     setup: &Setup<f64>,
     swings: &Swings,
     best: &Optimum,
     stop: &Arc<AtomicBool>,
-) -> Result<Option<Price>> {
-    let found = computed(setup, swings, best, stop);
+) -> Result<Option<SwingsAnalysis>> {
+    let found = analysed(setup, swings, best, stop);
     if stop.load(Ordering::Relaxed) {
         Ok(None)
     } else {
@@ -95,43 +90,41 @@ pub fn price_until(
     }
 }
 
-/// Computes [`price`]; the result is incomplete once `stop` is true.
-fn computed(
+/// Computes [`analyse_over_swings`]; the result is incomplete once `stop` is true.
+fn analysed(
     setup: &Setup<f64>,
     swings: &Swings,
     best: &Optimum,
     stop: &Arc<AtomicBool>,
-) -> Result<Price> {
+) -> Result<SwingsAnalysis> {
     let search = &best.search;
     let mean_swing = over(search, Scenarios::mean(swings));
-    let alone = SearchProblem::new(setup, mean_swing, stop)?;
+    let mean_swing = SearchProblem::new(setup, mean_swing, stop)?;
+    let all_swings = SearchProblem::new(setup, search.clone(), stop)?;
     let observer = Observer {
         interrupt: Arc::clone(stop),
         ..Observer::default()
     };
     let design = minimize_observed(
-        &alone,
-        &alone.domain,
-        &alone.start(),
+        &mean_swing,
+        &mean_swing.domain,
+        &mean_swing.start(),
         &search.options,
         observer,
     )?
     .x;
-    let kept = SearchProblem::new(setup, search.clone(), stop)?
-        .values(&design)
-        .ok();
-    let nominal = alone.values(&design).map(|promised| Nominal {
+    let nominal = mean_swing.values(&design).map(|for_mean_swing| Nominal {
+        for_mean_swing,
+        over_swings: all_swings.values(&design).ok(),
         design,
-        promised,
-        kept,
     });
     let nominal = nominal.map_err(|error| error.to_string());
     let errors = match best.goals.as_deref() {
-        Some(goals) => errors_of(setup, swings, best, goals, stop)
+        Some(goals) => errors_of(&all_swings, swings, &best.solution.x, goals)
             .unwrap_or_else(|error| vec![GoalError::Unknown(error.to_string()); goals.len()]),
         None => vec![],
     };
-    Ok(Price { nominal, errors })
+    Ok(SwingsAnalysis { nominal, errors })
 }
 
 /// `search` with other scenarios.
@@ -142,36 +135,29 @@ fn over(search: &Search, scenarios: Scenarios) -> Search {
     }
 }
 
-/// The quadrature or sampling error of each goal at the best design.
+/// The quadrature or sampling error of each goal at the best design `x`.
 fn errors_of(
-    setup: &Setup<f64>,
+    problem: &SearchProblem,
     swings: &Swings,
-    best: &Optimum,
+    x: &[f64],
     goals: &[f64],
-    stop: &Arc<AtomicBool>,
 ) -> Result<Vec<GoalError>> {
-    let (search, x) = (&best.search, &best.solution.x);
+    let search = &problem.search;
     let of: Vec<&Goal> = search.goals().collect();
-    let finer = match best
-        .search
-        .scenarios
-        .rule
-        .finer()
-        .filter(|_| !of.iter().all(|goal| goal.has_edge()))
-    {
-        Some(rule) => {
+    let has_smooth_goal = !of.iter().all(|goal| goal.has_edge());
+    let finer = match search.scenarios.rule.finer() {
+        Some(rule) if has_smooth_goal => {
             let finer = over(search, Scenarios::new(swings, rule)?);
-            Some(SearchProblem::new(setup, finer, stop)?.values(x)?)
+            Some(SearchProblem::new(&problem.set_up, finer, &problem.stop)?.values(x)?)
         }
-        None => None,
+        _ => None,
     };
     let replications = match finer.is_none() || of.iter().any(|goal| goal.has_edge()) {
-        true => SearchProblem::new(setup, search.clone(), stop)?.replications(x)?,
+        true => problem.replications(x)?,
         false => vec![],
     };
     let error = |(k, (goal, value)): (usize, (&&Goal, &f64))| match &finer {
-        // neglect the error of the finer rule
-        Some(finer) if !goal.has_edge() => GoalError::Quadrature(2.0 * (finer[k] - value).abs()),
+        Some(finer) if !goal.has_edge() => GoalError::Quadrature(SAFETY * (finer[k] - value).abs()),
         _ => {
             let others: Vec<f64> = replications.iter().map(|values| values[k]).collect();
             GoalError::Sampling(SamplingError {
