@@ -2,13 +2,14 @@
 
 use super::constraints::{ConstraintState, DesignConstraint, Enforcement};
 use super::rules::{GolfRule, LimitedQuantity, RULES};
+use crate::derivative::{Order, evaluate};
 use crate::drive::{Outcome, is_outside_any_face};
 use crate::error::{Error, Result};
-use crate::impact::Head;
-use crate::parameters::{Parameter, Setup, Vary};
+use crate::impact::{FacePoint, Head};
+use crate::parameters::{Parameter, Setup, Strike, Vary};
 use crate::study::swings::Scenarios;
 use crate::study::{Constraint, Optimum, Search};
-use crate::units::{Amount, DisplayUnit, Quantity, counted};
+use crate::units::{DisplayUnit, Quantity, counted};
 
 /// Default variables: the face.
 const USUAL: [&str; 3] = [
@@ -71,31 +72,18 @@ impl Design {
                 Outcome::HeadMinor3,
             ] {
                 let expression = format!("{} >= 0 g cm^2", of.name());
-                design.limit("a rigid body", expression, of, [0.0, f64::INFINITY], None);
+                let k = design.limit(expression, of, [0.0, f64::INFINITY]);
+                design.list_limit("a rigid body", k);
             }
         }
         design.budget(setup);
         let is_listed =
             |constraint: &DesignConstraint, k: usize| constraint.by == Enforcement::Limit(k);
         for k in 0..requested {
-            if !design
-                .constraints
-                .iter()
-                .any(|constraint| is_listed(constraint, k))
-            {
-                let limit = &design.search.subject_to[k];
-                let (name, goal) = (limit.goal.expression.clone(), &limit.goal);
-                let unit = DisplayUnit::from(goal);
-                let (expression, range) = (limit.expression.clone(), [limit.low, limit.high]);
-                design.constraints.push(DesignConstraint {
-                    name,
-                    expression,
-                    rule: None,
-                    by: Enforcement::Limit(k),
-                    range,
-                    unit,
-                    step: unit.size(),
-                });
+            let mut listed = design.constraints.iter();
+            if !listed.any(|constraint| is_listed(constraint, k)) {
+                let name = design.search.subject_to[k].goal.expression.clone();
+                design.list_limit(&name, k);
             }
         }
         Ok(design)
@@ -130,10 +118,7 @@ impl Design {
             }
             LimitedQuantity::Outcome(of) => match self.of_head(setup, scenarios, rule, of)? {
                 Some(by) => by,
-                None => {
-                    self.limit(rule.name, rule.expression(), of, rule.range(), Some(rule));
-                    return Ok(());
-                }
+                None => Enforcement::Limit(self.limit(rule.expression(), of, rule.range())),
             },
             LimitedQuantity::Relation(name, _) => {
                 let stated = self
@@ -185,6 +170,9 @@ impl Design {
             .filter(|k| moves(scenarios.parameters[*k]))
             .collect();
         let swung = places.first().map(|k| scenarios.parameters[*k]);
+        let value = |setup: &Setup<f64>| -> Result<f64> {
+            Ok(evaluate(setup, &[of], &[], Order::Value)?[0].value)
+        };
         match (self.varies(moves), swung) {
             (true, Some(swung)) => {
                 let source = format!(
@@ -201,23 +189,18 @@ impl Design {
             }
             (true, None) => Ok(None),
             (false, Some(_)) => {
-                let inertia = |point: Vec<f64>| -> Result<f64> {
-                    let club = setup.with_values(&scenarios.parameters, &point)?.club;
-                    Ok(Head::new(&club).inertia[0][0])
-                };
                 let each = scenarios
                     .and_ends(&places)
-                    .map(inertia)
+                    .map(|point| value(&setup.with_values(&scenarios.parameters, &point)?))
                     .collect::<Result<Vec<f64>>>()?;
-                let worst = each.into_iter().reduce(f64::max).unwrap_or(rule.bound());
+                let worst = rule.worst(each).unwrap_or(rule.bound());
                 self.note_endless(scenarios, rule, &places);
                 let advice = "limit the distribution to values that the rule allows";
                 let value = checked(rule, worst, REACHED, advice)?;
                 Ok(Some(Enforcement::Value(value)))
             }
             (false, None) => {
-                let value = Head::new(&setup.club).inertia[0][0];
-                let value = checked(rule, value, "the setup has", "change the setup")?;
+                let value = checked(rule, value(setup)?, "the setup has", "change the setup")?;
                 Ok(Some(Enforcement::Value(value)))
             }
         }
@@ -285,9 +268,7 @@ impl Design {
             .position(|swung| *swung == parameter)
         {
             let values = scenarios.and_ends(&[k]).map(|point| point[k]);
-            let worst = values
-                .reduce(if rule.is_greatest { f64::max } else { f64::min })
-                .unwrap_or(bound);
+            let worst = rule.worst(values).unwrap_or(bound);
             self.note_endless(scenarios, rule, &[k]);
             return Ok(Enforcement::Value(checked(
                 rule,
@@ -362,33 +343,29 @@ impl Design {
         }
     }
 
-    /// Adds a constraint on an outcome of the head.
-    fn limit(
-        &mut self,
-        name: &str,
-        expression: String,
-        of: Outcome,
-        [low, high]: [f64; 2],
-        rule: Option<&'static GolfRule>,
-    ) {
-        let by = Enforcement::Limit(self.search.subject_to.len());
+    /// Limits an outcome of the head in the search, and returns the index of the limit.
+    fn limit(&mut self, expression: String, of: Outcome, [low, high]: [f64; 2]) -> usize {
         self.search.subject_to.push(Constraint {
-            expression: expression.clone(),
+            expression,
             goal: of.into(),
             low,
             high,
         });
-        let unit = DisplayUnit::from(of);
-        let step = rule.map_or(unit.unit, |rule| rule.step);
-        let step = Amount::read(step).map_or_else(|_| unit.size(), |amount| amount.value);
+        self.search.subject_to.len() - 1
+    }
+
+    /// Appends the limit of the search with index `k` to the list. It is no rule.
+    fn list_limit(&mut self, name: &str, k: usize) {
+        let limit = &self.search.subject_to[k];
+        let unit = DisplayUnit::from(&limit.goal);
         self.constraints.push(DesignConstraint {
             name: name.into(),
-            expression,
-            rule,
-            by,
-            range: [low, high],
+            expression: limit.expression.clone(),
+            rule: None,
+            by: Enforcement::Limit(k),
+            range: [limit.low, limit.high],
             unit,
-            step,
+            step: unit.size(),
         });
     }
 
@@ -407,13 +384,12 @@ impl Design {
             "the mass of the head is limited to the setup's, {shown}; for another limit use \
              `subject_to \"head_mass <= 205 g\"`"
         ));
-        self.limit(
-            "mass budget",
+        let k = self.limit(
             format!("head_mass <= {shown}"),
             Outcome::HeadMass,
             [f64::NEG_INFINITY, most],
-            None,
         );
+        self.list_limit("mass budget", k);
     }
 }
 
@@ -483,8 +459,7 @@ fn check_strikes(setup: &Setup<f64>, scenarios: &Scenarios, vary: &[Vary]) -> Re
         }
         let club = &widest.club;
         let (bulge, roll) = (club.bulge_radius, club.roll_radius);
-        let third = club.face_semi_axis.unwrap_or((bulge * roll).sqrt());
-        if (high * high / roll + toe * toe / bulge) / third >= 1.0 {
+        if FacePoint::new(club, &Strike { high, toe }).is_err() {
             let (bulge, roll) = (mm(bulge), mm(roll));
             return refuse(format!(
                 "beyond the edge of a face with a bulge of {bulge} and a roll of {roll}"

@@ -154,12 +154,22 @@ impl GolfRule {
         }
     }
 
+    /// The value that is nearest to breaking the rule, or breaks it most.
+    pub(super) fn worst(&self, values: impl IntoIterator<Item = f64>) -> Option<f64> {
+        let values = values.into_iter();
+        values.reduce(if self.is_greatest { f64::max } else { f64::min })
+    }
+
     /// Expression: `head_moi <= 5900 g cm^2 + 100 g cm^2`.
     pub fn expression(&self) -> String {
-        let sign = if self.is_greatest { "<=" } else { ">=" };
+        let (sign, outward) = if self.is_greatest {
+            ("<=", '+')
+        } else {
+            (">=", '-')
+        };
         let tolerance = self
             .tolerance
-            .map_or(String::new(), |tolerance| format!(" + {tolerance}"));
+            .map_or(String::new(), |tolerance| format!(" {outward} {tolerance}"));
         format!("{} {sign} {}{tolerance}", self.limited(), self.limit)
     }
 
@@ -179,11 +189,11 @@ impl GolfRule {
 
 #[cfg(test)]
 mod tests {
-    use super::RULES;
+    use super::{GolfRule, RULES};
 
     #[test]
     fn exact_limits_with_their_tolerances() {
-        let bounds = RULES.iter().map(super::GolfRule::bound).collect::<Vec<_>>();
+        let bounds = RULES.iter().map(GolfRule::bound).collect::<Vec<_>>();
         for (bound, expected) in bounds
             .iter()
             .zip([6000e-7, 470e-6, 0.83, 0.04593, 0.04267 / 2.0])
@@ -200,5 +210,11 @@ mod tests {
             RULES[0].expression(),
             "head_moi <= 5900 g cm^2 + 100 g cm^2"
         );
+        let least = GolfRule {
+            tolerance: Some("0.335 mm"),
+            ..RULES[4]
+        };
+        assert!((least.bound() - 0.021).abs() < 1e-15, "{}", least.bound());
+        assert_eq!(least.expression(), "ball.radius >= 21.335 mm - 0.335 mm");
     }
 }
