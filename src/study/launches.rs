@@ -5,6 +5,7 @@ use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::parameters::{LaunchConditions, Setup};
 use crate::statistics::extent;
+use crate::units::{DEGREE, RPM};
 
 /// Carry as a function of launch angle and backspin at constant ball speed.
 #[derive(Clone, Debug)]
@@ -55,8 +56,6 @@ impl NamedLaunch {
 /// are rounded to multiples of `ENDS`.
 const BEYOND: [f64; 2] = [7.0 * DEGREE, 1250.0 * RPM];
 const ENDS: [f64; 2] = [DEGREE, 250.0 * RPM];
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
-const RPM: f64 = std::f64::consts::PI / 30.0;
 
 /// Nodes per side of [`Launches::plane`].
 const NODES: usize = 61;

@@ -6,15 +6,13 @@ use crate::derivative::Order;
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
+use crate::units::DEGREE;
 
 /// Numbers of nodes: attack angles across, lofts up.
 const NODES: [usize; 2] = [5, 7];
 
 /// Minimum steps of attack angle and loft, degrees.
 const LEAST_STEPS: [f64; 2] = [2.0, 1.0];
-
-/// Size of a degree, rad.
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// The outcomes of [`lofts`], in order.
 pub const LOFT_OUTCOMES: [Outcome; 2] = [Outcome::Carry, Outcome::Total];

@@ -24,7 +24,9 @@ pub(crate) use expression::Unit;
 pub use message::{Digits, Message};
 pub(crate) use spelling::{leading_number, typed, with_unit};
 pub use spelling::{one, per, printed, ratio, typeset};
-pub(crate) use symbols::{MPH, YARD};
+#[cfg(feature = "studies")]
+pub(crate) use symbols::DEGREE;
+pub(crate) use symbols::{MPH, RPM, YARD};
 pub use system::{System, TableUnits};
 
 use expression::read_unit;

@@ -5,6 +5,10 @@ use std::sync::LazyLock;
 pub const YARD: f64 = 0.9144;
 /// A mile per hour, m/s.
 pub const MPH: f64 = 0.44704;
+/// A degree, rad.
+pub const DEGREE: f64 = TAU / 360.0;
+/// A revolution per minute, rad/s.
+pub const RPM: f64 = TAU / 60.0;
 
 /// Powers of length, mass, time, angle and temperature. The angle is a dimension, so that 10 rpm
 /// are not 10 per minute.
@@ -100,9 +104,9 @@ fn symbols() -> Vec<Symbol> {
         symbol(&["h", "hour", "hours"], 3600.0, D::TIME),
         symbol(&["rad", "radian", "radians"], 1.0, D::ANGLE),
         symbol(&["mrad"], 1e-3, D::ANGLE),
-        symbol(&["deg", "°", "degree", "degrees"], TAU / 360.0, D::ANGLE),
+        symbol(&["deg", "°", "degree", "degrees"], DEGREE, D::ANGLE),
         symbol(&["rev"], TAU, D::ANGLE),
-        symbol(&["rpm"], TAU / 60.0, D::ANGLE.times(D::TIME, -1)),
+        symbol(&["rpm"], RPM, D::ANGLE.times(D::TIME, -1)),
         symbol(&["mph"], MPH, speed),
         symbol(&["kph", "kmh"], 1.0 / 3.6, speed),
         symbol(&["kn", "kt", "knot", "knots"], 1852.0 / 3600.0, speed),

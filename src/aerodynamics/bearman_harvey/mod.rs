@@ -6,12 +6,9 @@ use crate::number::Numbers;
 use crate::parameters::{
     AxisVariable, BearmanHarvey, Cell, CoefficientGrid, LawTableAxis, Surface, cells_of,
 };
+use crate::units::RPM;
 use grid::{DRAG, LIFT, SPEEDS, SPINS};
-use std::f64::consts::PI;
 use std::sync::LazyLock;
-
-/// 1 rpm, rad/s.
-const RPM: f64 = PI / 30.0;
 
 /// Widths of the lower and the upper clamp of the speed beyond the grid, m/s. The lower clamps of
 /// speed and spin are narrow, because the coefficients are steep there: at 13.7 m/s and 2000 rpm

@@ -23,11 +23,7 @@ impl HeldOut {
     /// Mean of the squares of the residuals, which are in standard uncertainties; `None` if every
     /// fit was interrupted.
     pub fn mean_square(&self) -> Option<f64> {
-        let sum: f64 = self
-            .residuals
-            .iter()
-            .map(|residual| residual.residual.powi(2))
-            .sum();
+        let sum: f64 = self.residuals.iter().map(|one| one.residual.powi(2)).sum();
         (!self.residuals.is_empty()).then(|| sum / self.residuals.len() as f64)
     }
 

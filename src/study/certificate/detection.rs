@@ -1,5 +1,5 @@
 use super::agreement::Agreement;
-use super::landing::AT_LANDING;
+use super::landing::{AT_LANDING, changes_per_time};
 use super::rows::{DerivativeRow, demand};
 use crate::derivative::check::Verdict;
 use crate::derivative::gradient;
@@ -62,7 +62,7 @@ impl LandingTerms {
         let time = gradient(setup, Outcome::FlightTime, wrt).ok()?;
         let times = wrt.iter().copied().zip(time.gradient).collect();
         Some(Self {
-            per_time: [velocity.z, velocity.y, 1.0],
+            per_time: changes_per_time(velocity),
             times,
         })
     }

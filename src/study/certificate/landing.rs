@@ -22,6 +22,11 @@ use serde::Serialize;
 /// Outcomes whose derivative contains a landing term.
 pub(super) const AT_LANDING: [Outcome; 3] = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime];
 
+/// Changes of the outcomes [`AT_LANDING`] per landing time, for a velocity at landing.
+pub(super) fn changes_per_time(velocity: Vector<f64>) -> [f64; 3] {
+    [velocity.z, velocity.y, 1.0]
+}
+
 /// Depth to which the ground is lowered, m, so that all sampled flights are airborne at the landing
 /// time T.
 const LOWERED_BY: f64 = 2000.0;
@@ -44,13 +49,15 @@ pub struct AtLanding {
     pub landing_term: f64,
 }
 
-/// Tests the derivatives of a landing by each parameter. Empty in a logarithmic wind, which depends
-/// on the height above ground, so the ground cannot be lowered.
+/// Tests the derivatives of a landing by each parameter. Empty if the ground cannot be lowered: in
+/// a logarithmic wind, which depends on the height above ground, and below the range of the ground.
 ///
 /// # Errors
 /// The errors of [`jacobian`].
 pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Result<Vec<AtLanding>> {
-    if setup.wind.roughness.is_some() || setup.ground.height - LOWERED_BY < -1e4 {
+    let mut lowered = *setup;
+    lowered.ground.height -= LOWERED_BY;
+    if setup.wind.roughness.is_some() || lowered.validate().is_err() {
         return Ok(vec![]);
     }
     let (setup, landed) = ending_with_a_step(setup)?;
@@ -78,7 +85,7 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
                 demand(&setup),
             )
         };
-        let per_time = [landed.velocity.z, landed.velocity.y, 1.0];
+        let per_time = changes_per_time(landed.velocity);
         for (i, check) in in_few_steps(sample, judge, Check::failed)
             .into_iter()
             .enumerate()

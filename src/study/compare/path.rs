@@ -239,17 +239,20 @@ impl SetupPath {
     /// another, first in their order and then in the reverse order. A share is the mean of both
     /// results, so that the reverse path gives the negative shares.
     pub fn halfway(&self, of: Outcome) -> Result<Vec<Share>> {
-        let last = self.discrete.len();
+        let count = self.discrete.len();
         let mut shares: Vec<Share> = self
             .discrete
             .iter()
             .map(|cause| self.share(*cause, 0.0))
             .collect();
-        if last == 0 {
+        if count == 0 {
             return Ok(shares);
         }
-        let orders: [Vec<usize>; 2] = [(0..last).collect(), (0..last).rev().collect()];
-        for order in &orders[..last.min(2)] {
+        let mut orders: Vec<Vec<usize>> = vec![(0..count).collect()];
+        if count > 1 {
+            orders.push((0..count).rev().collect());
+        }
+        for order in &orders {
             let mut setup = self.ends[0];
             let middle = self.values(0.5);
             setup.put(&self.continuous, |i| middle[i]);
@@ -257,7 +260,7 @@ impl SetupPath {
             for &place in order {
                 self.change(&mut setup, self.discrete[place]);
                 let after = value(&setup, of)?;
-                shares[place].amount += of.change(before, after) / last.min(2) as f64;
+                shares[place].amount += of.change(before, after) / orders.len() as f64;
                 before = after;
             }
         }

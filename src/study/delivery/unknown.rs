@@ -78,19 +78,14 @@ impl Unknown {
             (Some(_), Some(stated)) => (stated, Some(CLUB)),
             _ => (sigma, source),
         };
-        let Some([least, most]) = search_range(parameter, value, sigma) else {
-            return Self {
-                prior: value,
-                sigma,
-                source,
-                ..self
-            };
-        };
+        let range = search_range(parameter, value, sigma).map_or([low, high], |[least, most]| {
+            [low.min(least), high.max(most)]
+        });
         Self {
             prior: value,
             sigma,
             source,
-            range: [low.min(least), high.max(most)],
+            range,
             parameter,
         }
     }

@@ -70,11 +70,11 @@ fn cut(mean: f64, deviation: f64) -> Distribution {
     let (mut narrow, mut wide) = (1.0, 4.0);
     for _ in 0..f64::MANTISSA_DIGITS {
         let middle = 0.5 * (narrow + wide);
-        *(if of(0.0, 1.0, middle).deviation() < 1.0 {
-            &mut narrow
+        if of(0.0, 1.0, middle).deviation() < 1.0 {
+            narrow = middle;
         } else {
-            &mut wide
-        }) = middle;
+            wide = middle;
+        }
     }
     of(mean, deviation, narrow)
 }

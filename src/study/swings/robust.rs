@@ -57,21 +57,18 @@ impl Model {
     /// [`Error::Unreadable`] for a text that is not such a list, and for a change of the club if
     /// the launch is given; the errors of [`Setup::set_all`] and [`Setup::validate`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
-        let pair = |part: &'_ str| {
-            part.split_once('=')
-                .map(|(name, value)| (name.trim().to_owned(), value.trim().to_owned()))
-        };
-        let pairs = text.split(',').map(pair).collect::<Option<Vec<_>>>();
-        let pairs = pairs.ok_or_else(|| Error::Unreadable {
-            name: format!("`model` {}", text.trim()),
-            source: "write NAME=VALUE, several of them with commas between, for example \
-                     aero.law=ferguson,impact.gear_scale=0.5"
-                .into(),
-        })?;
-        let pairs: Vec<(&str, &str)> = pairs
-            .iter()
-            .map(|(name, value)| (name.as_str(), value.as_str()))
-            .collect();
+        let mut pairs: Vec<(&str, &str)> = vec![];
+        for part in text.split(',') {
+            let Some((name, value)) = part.split_once('=') else {
+                let source = "write NAME=VALUE, several of them with commas between, for example \
+                              aero.law=ferguson,impact.gear_scale=0.5";
+                return Err(Error::unreadable(
+                    format!("`model` {}", text.trim()),
+                    source,
+                ));
+            };
+            pairs.push((name.trim(), value.trim()));
+        }
         let mut changed = *setup;
         changed.set_all(pairs.iter().copied())?;
         changed.validate()?;
@@ -372,6 +369,25 @@ fn shares(solution: &Solution, limits: usize) -> Vec<f64> {
     losses.map(|at| at.multiplier.max(0.0)).collect()
 }
 
+/// The best end of the searches for the minimax design.
+///
+/// # Errors
+/// [`Error::NotConverged`] if no point of the searches has a value.
+fn least_loss(ends: Vec<LocalMinimum>) -> Result<Solution> {
+    let best = ends.into_iter().next().ok_or(Error::Nothing {
+        doing: "search from",
+        what: "start",
+    })?;
+    let solution = best.solution;
+    if solution.value.is_some() {
+        return Ok(solution);
+    }
+    Err(Error::NotConverged {
+        status: solution.status.name(),
+        message: solution.message.into(),
+    })
+}
+
 /// The losses of the models as functions of the design x: fₖ(x) − f*ₖ with the goal fₖ, which is
 /// minimized, and its smallest value f*ₖ.
 ///
@@ -477,28 +493,7 @@ impl<'a> Losses<'a> {
         let all = goals.iter().enumerate();
         all.map(|(model, goals)| self.loss(model, goals)).collect()
     }
-}
 
-/// The best end of the searches for the minimax design.
-///
-/// # Errors
-/// [`Error::NotConverged`] if no point of the searches has a value.
-fn least_loss(ends: Vec<LocalMinimum>) -> Result<Solution> {
-    let best = ends.into_iter().next().ok_or(Error::Nothing {
-        doing: "search from",
-        what: "start",
-    })?;
-    let solution = best.solution;
-    if solution.value.is_some() {
-        return Ok(solution);
-    }
-    Err(Error::NotConverged {
-        status: solution.status.name(),
-        message: solution.message.into(),
-    })
-}
-
-impl Losses<'_> {
     /// The domain of the variables (x, t) and of the functions.
     fn domain(&self) -> Result<Domain> {
         let Bounds { mut low, mut high } = self.problems[0].domain.variables.clone();

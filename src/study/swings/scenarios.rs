@@ -159,9 +159,9 @@ impl Scenarios {
     /// The scenarios of some swings.
     ///
     /// # Errors
-    /// The errors of [`Uncertain::check`]; [`Error::Unreadable`] for a rule of other swings, and for
-    /// a value outside the allowed range. A `truncated` distribution with bounds inside this range
-    /// avoids such values.
+    /// The errors of [`Uncertain::check`]; [`Error::Unreadable`] for a rule of other swings, and
+    /// for a value outside the allowed range. A `truncated` distribution with bounds inside this
+    /// range avoids such values.
     pub fn new(swings: &Swings, rule: Rule) -> Result<Self> {
         if let Swings::Distributed { inputs, .. } = swings {
             inputs.iter().try_for_each(Uncertain::check)?;

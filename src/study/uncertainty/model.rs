@@ -135,11 +135,8 @@ impl SaltelliDesign {
     /// # Panics
     /// If the number of values differs from the number of points in a set.
     pub fn statistics(&self, values: &[Vec<Option<f64>>]) -> Option<Statistics> {
-        let lengths = |sets: &mut dyn Iterator<Item = usize>| sets.collect::<Vec<_>>();
-        let [requested, given] = [
-            lengths(&mut self.points.iter().map(Vec::len)),
-            lengths(&mut values.iter().map(Vec::len)),
-        ];
+        let requested: Vec<usize> = self.points.iter().map(Vec::len).collect();
+        let given: Vec<usize> = values.iter().map(Vec::len).collect();
         assert!(
             requested == given,
             "the sets of the design have {requested:?} points, and there are {given:?} values"

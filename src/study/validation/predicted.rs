@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::optimize::{Observer, Status};
 use crate::parameters::{Law, Method, Setup, Vary};
 use crate::study::{Search, optimum};
-use crate::units::MPH;
+use crate::units::{DEGREE, MPH, RPM};
 use std::collections::HashMap;
 
 /// Values of the quantities of a case, SI, computed with a law in the stated air, or else at sea
@@ -89,13 +89,11 @@ fn launched(mut setup: Setup<f64>, case: &Case) -> Setup<f64> {
 pub const SCATTER: [(&str, f64); 6] = [
     ("launch.ball_speed", 5.5 * MPH),
     ("launch.launch_angle", 2.0 * DEGREE),
-    ("launch.spin", 400.0 * std::f64::consts::TAU / 60.0),
+    ("launch.spin", 400.0 * RPM),
     ("launch.spin_axis", 9.0 * DEGREE),
     ("wind.right", 4.0 * std::f64::consts::FRAC_1_SQRT_2),
     ("wind.downrange", 4.0 * std::f64::consts::FRAC_1_SQRT_2),
 ];
-
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// Mean carry of drives scattered by [`SCATTER`], minus the carry of the average launch: to second
 /// order, half the second derivatives times the variances.
