@@ -11,8 +11,8 @@
 //! ([`impact`]) and that flies through air with drag, lift and spin decay ([`flight`]). Both are
 //! written once, generic over a [`Number`](number::Number): `f64` gives values, dual numbers give
 //! exact gradients and Hessians ([`derivative`]), which the optimizer ([`optimize`]) and every
-//! study ([`study`]) use. Without default features the library has the modules up to the optimizer;
-//! the features `studies` and `reports` add the others.
+//! study ([`study`]) use. Without default features the library has the modules up to
+//! [`integration`]; the features `studies` and `reports` add the others.
 //!
 //! ```
 //! use longdrive::{Outcome, Setup, derivative};

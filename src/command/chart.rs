@@ -45,13 +45,11 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let setup = request.setup_with_starts(&args.search.vary)?;
+    let setup = request.partial_setup;
     let (along, at) = args.places(&setup)?;
-    let setup = request.with_values(
-        setup,
-        [(along.parameter, 0.5 * (along.low + along.high))],
-        "begins at",
-    )?;
+    let mut starts = request.starts(&setup, &args.search.vary)?;
+    starts.push((along.parameter, 0.5 * (along.low + along.high)));
+    let setup = request.with_values(setup, starts, "begins at")?;
     let search = args
         .search
         .search_beside(&request, &setup, Some(along.parameter))?;

@@ -92,7 +92,8 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Result<Answer> {
-    refuse_step(&args.setup_args)?;
+    args.setup_args
+        .refuse_step("delivery computes only the impact and no flight")?;
     let requests = Requests::new(args)?;
     let outputs = DeliveryFiles::new(args, &requests.club)?;
     let setup = requests.setup_of_club()?;
@@ -307,9 +308,11 @@ impl DeliveryFiles {
                 let base = &request.source.content;
                 let toml = delivery_toml(setup, &found.all, base, &found.from)?;
                 let file = request.write_setup(output, toml)?;
+                note(&format!("wrote the setup with this delivery into {file}"));
+                let optimize = ["optimize", &file, "--vary", "club.loft=4deg..20deg"];
                 note(&format!(
-                    "wrote the setup with this delivery into {file}; 'longdrive optimize {file} \
-                     --vary club.loft=4deg..20deg' finds the loft of the longest carry for it"
+                    "the loft of the longest carry for it: {}",
+                    command_line(&optimize.map(OsString::from))
                 ));
                 return Ok(true);
             }
@@ -503,16 +506,4 @@ impl Requests {
         }
         Ok(launched)
     }
-}
-
-/// Refuses options for the accuracy of the flight: this command computes only the impact.
-fn refuse_step(args: &SetupArgs) -> Result<()> {
-    let option = match (&args.tolerance, args.own_step) {
-        (Some(_), _) => "`tolerance`",
-        (None, true) => "`own_step`",
-        (None, false) => return Ok(()),
-    };
-    let source = "delivery computes only the impact and no flight, so this has no effect; leave it \
-                  out";
-    Err(Error::unreadable(option, source))
 }

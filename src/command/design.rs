@@ -5,7 +5,7 @@ use crate::command::interrupt;
 use crate::command::output::Answer;
 use crate::command::ranges::{DefaultRanges, held};
 use crate::command::request::Request;
-use crate::command::swings::{found, sought};
+use crate::command::swings::{optimize_and_write, search_with_defaults};
 use crate::parameters::Parameter;
 use crate::report::Designed;
 use crate::study::design::{Design, GOLFER, golfer, improvements, usual_vary};
@@ -76,7 +76,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         swings.parameters().into_iter().zip(swings.means()),
         "varies about",
     )?;
-    let requested = sought(
+    let requested = search_with_defaults(
         &search.search,
         &search.swings,
         &request.with_starts(setup, &search.search.vary)?,
@@ -92,7 +92,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     let design = Design::new(&setup, requested, args.rules == "golf")?;
     notes.extend(design.notes.iter().cloned());
-    let found = found(search, &request, setup, swings, design.search.clone())?;
+    let found = optimize_and_write(search, &request, setup, swings, design.search.clone())?;
     let improvements = if found.optima.best.value().is_some() {
         improvements(&found.setup, &found.optima.best, &found.stop)?
     } else {

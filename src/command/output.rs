@@ -215,15 +215,11 @@ pub fn say_error(message: &str) {
 
 /// Reports an error and returns the exit status: 1 for a valid request without an answer, 2 for bad
 /// input. With `--json`, standard output also contains the error.
-pub fn complain(error: &Error, command: &'static str, is_json: bool) -> u8 {
+pub fn complain(error: &Error, command: Option<&'static str>, is_json: bool) -> u8 {
     note_error(error);
     // after an output error, no further output
     if is_json && !matches!(error, Error::Output(_)) {
-        say(Reply::refused(
-            Some(command),
-            error.status(),
-            error.to_string(),
-        ));
+        say(Reply::refused(command, error.status(), error.to_string()));
     }
     if error.has_valid_input() { 1 } else { 2 }
 }
@@ -231,7 +227,7 @@ pub fn complain(error: &Error, command: &'static str, is_json: bool) -> u8 {
 /// Reports an error in the arguments, or shows the help.
 pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: bool) -> u8 {
     if error.kind() == ErrorKind::InvalidUtf8 {
-        return complain(&not_utf8(), command.unwrap_or_default(), is_json);
+        return complain(&not_utf8(), command, is_json);
     }
     in_own_words(&mut error);
     let rendered = error.render();
@@ -239,7 +235,7 @@ pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: b
     if !error.use_stderr() {
         return match running().host.print(&shown) {
             Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-                complain(&Error::Output(error), command.unwrap_or_default(), false)
+                complain(&Error::Output(error), command, false)
             }
             _ => 0,
         };

@@ -18,6 +18,7 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let (setup_args, word) = args.setup_and_word();
+    setup_args.refuse_step("parameters computes no flight")?;
     let request = setup_args.request()?;
     let setup = request.setup()?;
     let report = ParametersReport::new(&setup);

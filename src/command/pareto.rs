@@ -1,6 +1,6 @@
 //! The trade-off between two objectives: `pareto` and `plot pareto`.
 
-use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, whole};
+use crate::command::args::{SetupArgs, SwingsArgs, whole};
 use crate::command::files::{Destination, OutputRule, ending, refused};
 use crate::command::interrupt;
 use crate::command::names::note_the_run;
@@ -10,12 +10,12 @@ use crate::command::ranges::{DefaultRanges, held, varied};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::search::{of_a_drive, options};
-use crate::command::swings::{goal, limit, refuse_idle_strokes, swing_ranges};
+use crate::command::swings::{SwingsRequest, goal, limit, refuse_idle_strokes, swing_ranges};
 use crate::optimize::{Iteration, Observers};
 use crate::report::figures::pareto_figure;
 use crate::report::{ParetoReport, Report, pareto_csv, pareto_toml};
-use crate::study::swings::{Pareto, ParetoSearch, pareto};
-use crate::study::{Goal, Sense};
+use crate::study::swings::{Pareto, ParetoSearch, Scenarios, pareto};
+use crate::study::{Constraint, Goal, Sense};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
@@ -155,11 +155,9 @@ fn followed(request: &Request, args: &GoalArgs) -> Result<FollowedFront> {
     } else {
         of_one_drive(request, args)?
     };
-    let outcomes: Vec<Outcome> = search
-        .goals
-        .iter()
-        .flat_map(|(goal, _)| goal.outcomes())
-        .collect();
+    let goals = search.goals.iter().map(|(goal, _)| goal);
+    let limited = search.subject_to.iter().map(|limit| &limit.goal);
+    let outcomes: Vec<Outcome> = goals.chain(limited).flat_map(Goal::outcomes).collect();
     note_the_run(&outcomes);
     request.note_starts(&setup, &search.vary);
     let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
@@ -198,12 +196,14 @@ fn followed(request: &Request, args: &GoalArgs) -> Result<FollowedFront> {
 
 /// Objectives over many swings.
 fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
-    let (set_up, _, scenarios) = args.swings.taken(request, false)?;
-    let setup = request.with_starts(set_up, &args.vary)?;
+    let SwingsRequest {
+        setup, scenarios, ..
+    } = args.swings.request(request, false)?;
+    let started = request.with_starts(setup, &args.vary)?;
     let strokes = args.swings.strokes()?;
     let strokes = strokes.as_ref();
     let goals = args.goals(|option, text| goal(option, text, strokes))?;
-    let read = |text: &String| limit(&setup, text, strokes);
+    let read = |text: &String| limit(&started, text, strokes);
     let subject_to = args
         .subject_to
         .iter()
@@ -214,8 +214,8 @@ fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Pareto
         .map(|(goal, _)| goal)
         .chain(subject_to.iter().map(|limit| &limit.goal));
     refuse_idle_strokes(strokes, all)?;
-    let vary = varied(&args.vary, &setup, || {
-        DefaultRanges::loft(request, &setup)?.vary()
+    let vary = varied(&args.vary, &started, || {
+        DefaultRanges::loft(request, &started)?.vary()
     })?;
     let search = ParetoSearch {
         goals,
@@ -225,29 +225,24 @@ fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Pareto
         points: args.points,
         options: options(args.max_iterations),
     };
-    Ok((set_up, search))
+    Ok((setup, search))
 }
 
 /// Objectives of a single drive with this setup.
 fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
     let setup = request.setup_with_starts(&args.vary)?;
     let goals = args.goals(|option, text| Ok(of_a_drive(option, text)?.into()))?;
-    let (vary, subject_to) = (args.vary.clone(), args.subject_to.clone());
-    let one = SearchArgs {
-        maximize: None,
-        minimize: None,
-        vary,
-        subject_to,
-        max_iterations: args.max_iterations,
-    };
-    let one = one.search(request, &setup)?;
+    let vary = varied(&args.vary, &setup, || {
+        DefaultRanges::longest_drive(request, &setup)?.vary()
+    })?;
+    let subject_to = args.subject_to.iter().map(|text| Constraint::read(text));
     let search = ParetoSearch {
         goals,
-        vary: one.vary,
-        subject_to: one.subject_to,
-        scenarios: one.scenarios,
+        vary,
+        subject_to: subject_to.collect::<Result<_>>()?,
+        scenarios: Scenarios::one_drive(),
         points: args.points,
-        options: one.options,
+        options: options(args.max_iterations),
     };
     Ok((setup, search))
 }

@@ -129,8 +129,7 @@ struct ReportRequest {
     setup: Setup<f64>,
     /// The outcome that the report is about.
     of: Outcome,
-    /// The search, and the parameter along which the chart runs.
-    sought: Option<(Search, Vary)>,
+    search: Option<ReportSearch>,
     /// The reason why there is no search.
     reason: Option<String>,
     /// The stated uncertainties.
@@ -139,21 +138,29 @@ struct ReportRequest {
     sigmas: Vec<Sigma>,
 }
 
+/// The search of a report.
+struct ReportSearch {
+    search: Search,
+    /// The parameter along which the chart runs; `None` if the search varies the default one.
+    along: Option<Vary>,
+}
+
 impl ReportRequest {
     fn new(args: &Args, request: &Request) -> Result<Self> {
         let stated = request.setup()?;
-        let of = args.search.sought()?.0;
+        let of = args.search.objective()?.0;
         let reason = args.search.nothing_to_vary(request, &stated)?;
-        let sought = match &reason {
-            None => Some(args.sought(request, &stated)?),
+        let search = match &reason {
+            None => Some(args.search_and_along(request, &stated)?),
             Some(_) => {
                 args.refuse_idle_search()?;
                 None
             }
         };
-        let ranges: Vec<_> = sought
+        let ranges: Vec<_> = search
             .iter()
-            .flat_map(|(search, along)| search.vary.iter().copied().chain([*along]))
+            .flat_map(|ReportSearch { search, along }| search.vary.iter().chain(along))
+            .copied()
             .collect();
         let setup = request.for_many(stated, &ranges)?;
         let given = sigmas(&setup, &args.sigma)?;
@@ -162,7 +169,7 @@ impl ReportRequest {
             stated,
             setup,
             of,
-            sought,
+            search,
             reason,
             given,
             sigmas,
@@ -176,7 +183,7 @@ fn add_sections(
     inputs: &ReportRequest,
     bar: &SharedProgress,
 ) -> Result<()> {
-    let search = inputs.sought.as_ref().map(|(search, _)| search);
+    let search = inputs.search.as_ref().map(|report| &report.search);
     let mut remarks = vec![];
     add_drives(findings, search, bar, &mut remarks)?;
     let why_none = why_none(findings, inputs.reason.as_deref());
@@ -185,8 +192,9 @@ fn add_sections(
     bar.inc(1);
     add_map(findings, search, &mut remarks)?;
     bar.inc(1);
-    if let (Some((search, along)), Some(_)) = (&inputs.sought, findings.best()) {
-        findings.chart = chart_of(&findings.setup, search, *along, bar, &mut remarks)?;
+    let along = inputs.search.as_ref().and_then(|report| report.along);
+    if let (Some(search), Some(along), Some(_)) = (search, along, findings.best()) {
+        findings.chart = chart_of(&findings.setup, search, along, bar, &mut remarks)?;
     }
     add_derivatives(findings, search, &inputs.sigmas, bar, &mut remarks)?;
     let in_words = |message: Message| message.map_words(in_host_syntax);
@@ -325,7 +333,7 @@ fn add_map(
     Ok(())
 }
 
-/// The chart of the optimum along a parameter; `None` if the search itself varies that parameter.
+/// The chart of the optimum along a parameter.
 fn chart_of(
     setup: &Setup<f64>,
     search: &Search,
@@ -333,10 +341,6 @@ fn chart_of(
     bar: &SharedProgress,
     remarks: &mut Vec<Message>,
 ) -> Result<Option<Chart>> {
-    let mut varied = search.vary.iter();
-    if varied.any(|vary| vary.parameter == along.parameter) {
-        return Ok(None);
-    }
     let observer = counted_points(bar);
     let chart = or_remark(chart(setup, search, along, &[], &observer), remarks)?;
     remarks.extend(chart.as_ref().map_or_else(Vec::new, Chart::warnings));
@@ -375,12 +379,24 @@ fn add_derivatives(
 
 impl Args {
     /// The search, and the parameter along which the chart runs.
-    fn sought(&self, request: &Request, setup: &Setup<f64>) -> Result<(Search, Vary)> {
-        let along = match &self.along {
-            Some(given) => Vary::read(setup, given)?,
-            None => usual_speeds(setup)?,
-        };
-        Ok((self.search.search(request, setup)?, along))
+    fn search_and_along(&self, request: &Request, setup: &Setup<f64>) -> Result<ReportSearch> {
+        if let Some(given) = &self.along {
+            let along = Vary::read(setup, given)?;
+            let search = self
+                .search
+                .search_beside(request, setup, Some(along.parameter))?;
+            return Ok(ReportSearch {
+                search,
+                along: Some(along),
+            });
+        }
+        let search = self.search.search(request, setup)?;
+        let along = usual_speeds(setup)?;
+        let is_varied = search.parameters().any(|varied| varied == along.parameter);
+        Ok(ReportSearch {
+            search,
+            along: (!is_varied).then_some(along),
+        })
     }
 
     /// Refuses options of a search if there is nothing to vary.

@@ -7,7 +7,7 @@ use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, note_detail, spinner, warn};
 use crate::command::ranges::{DefaultRanges, held};
 use crate::command::request::Request;
-use crate::command::swings::{searched, swing_ranges};
+use crate::command::swings::{SwingsRequest, search_over_swings, swing_ranges};
 use crate::optimize::Observers;
 use crate::report::{RobustReport, robust_toml};
 use crate::study::swings::{Model, robust};
@@ -126,14 +126,16 @@ impl Args {
     /// The setup, and the search with its objective and swings.
     fn search(&self, request: &Request) -> Result<(Setup<f64>, Search)> {
         if self.swings.is_given() {
-            let (set_up, _, scenarios) = self.swings.taken(request, false)?;
-            let setup = request.with_starts(set_up, &self.search.vary)?;
+            let SwingsRequest {
+                setup, scenarios, ..
+            } = self.swings.request(request, false)?;
+            let started = request.with_starts(setup, &self.search.vary)?;
             let search = Search {
                 scenarios,
-                ..searched(request, &self.search, &self.swings, &setup)?
+                ..search_over_swings(request, &self.search, &self.swings, &started)?
             };
-            note_the_run(&search.of.outcomes());
-            return Ok((set_up, search));
+            note_the_run(&search.outcomes());
+            return Ok((setup, search));
         }
         let setup = request.setup_with_starts(&self.search.vary)?;
         let search = self.search.search(request, &setup)?;

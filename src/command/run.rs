@@ -41,7 +41,7 @@ pub fn call(call: &Call, host: Arc<dyn Host>) -> u8 {
     match call.command_line() {
         Ok(line) => run_words(line.words, host, &line.bare_angles),
         Err(error) => within(program(), host, OutputOptions::default(), &[], || {
-            complain(&error, "", true)
+            complain(&error, None, true)
         }),
     }
 }
@@ -67,7 +67,7 @@ fn run_words(words: Vec<OsString>, host: Arc<dyn Host>, bare_angles: &[f64]) -> 
         Err(Error::Output(error)) if error.kind() == ErrorKind::BrokenPipe => 0,
         Err(error) => {
             let error = with_degrees(with_argument(error), bare_angles);
-            complain(&error, name, is_json)
+            complain(&error, Some(name), is_json)
         }
     };
     let options = request.output.clone();

@@ -39,7 +39,7 @@ impl SearchArgs {
                 None => ranges.vary(),
             }
         })?;
-        let (of, sense) = self.sought()?;
+        let (of, sense) = self.objective()?;
         let search = Search {
             of: of.into(),
             sense,
@@ -71,7 +71,7 @@ impl SearchArgs {
     ///
     /// # Errors
     /// The errors of [`refuse_two_goals`](Self::refuse_two_goals) and of [`of_a_drive`].
-    pub fn sought(&self) -> Result<(Outcome, Sense)> {
+    pub fn objective(&self) -> Result<(Outcome, Sense)> {
         self.refuse_two_goals()?;
         Ok(match (&self.maximize, &self.minimize) {
             (_, Some(of)) => (of_a_drive("`minimize`", of)?, Sense::Minimize),
@@ -110,14 +110,14 @@ impl SearchArgs {
 impl OptimizeArgs {
     /// Runs the search, with its progress on standard error.
     pub fn optima(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
-        let found = self.searched(setup, search);
+        let found = self.run_search(setup, search);
         interrupt::ends();
         Ok(found?.0)
     }
 
     /// Runs the search, which Ctrl-C can stop. Also returns the flag that Ctrl-C sets. The caller
     /// calls [`interrupt::ends`] afterwards.
-    pub fn searched(
+    pub fn run_search(
         &self,
         setup: &Setup<f64>,
         search: &Search,
@@ -138,7 +138,7 @@ impl OptimizeArgs {
         let checkpoint = match &self.checkpoint {
             Some(path) => Some(Arc::new(Checkpoint::open(
                 path,
-                &question(setup, search, self.starts),
+                &checkpoint_identity(setup, search, self.starts),
             )?)),
             None => None,
         };
@@ -148,14 +148,14 @@ impl OptimizeArgs {
             ..Observers::default()
         };
         let bar = match self.starts {
-            1 => one(search, &mut follow),
-            _ => self.many(search, &mut follow),
+            1 => show_iterations(search, &mut follow),
+            _ => self.show_searches(search, &mut follow),
         };
         Ok((follow, bar))
     }
 
     /// A bar with the number of completed searches and the best value so far.
-    fn many(&self, search: &Search, follow: &mut Observers) -> SharedProgress {
+    fn show_searches(&self, search: &Search, follow: &mut Observers) -> SharedProgress {
         let (of, sign, system) = (search.of.clone(), search.sense.sign(), system());
         let show = move |value: f64| goal_text(&of, sign * value, system);
         let bar = shown(Work::Searches(u64::from(self.starts)));
@@ -231,7 +231,7 @@ pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
 
 /// The identity of a search for its checkpoint: setup, search and number of starts in debug form,
 /// with all digits, but without the iteration limit.
-fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
+fn checkpoint_identity(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
     let options = Options {
         max_iterations: 0,
         ..search.options.clone()
@@ -244,7 +244,7 @@ fn question(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
 }
 
 /// The last iteration in one line; with `--verbose`, a line for each iteration.
-fn one(search: &Search, follow: &mut Observers) -> SharedProgress {
+fn show_iterations(search: &Search, follow: &mut Observers) -> SharedProgress {
     let (followed, running) = (search.clone(), running());
     let bar = match running.is_verbose() {
         true => Arc::new(()),

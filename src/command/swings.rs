@@ -25,6 +25,14 @@ use std::sync::atomic::AtomicBool;
 /// Number of resamples of recorded swings.
 const RESAMPLES: usize = 200;
 
+/// The swings of a request, with the setup that they vary.
+pub struct SwingsRequest {
+    /// The setup, with a value for each parameter that varies from swing to swing.
+    pub setup: Setup<f64>,
+    pub swings: Swings,
+    pub scenarios: Scenarios,
+}
+
 impl SwingsArgs {
     /// True if swings are given, by a file or by distributions.
     pub fn is_given(&self) -> bool {
@@ -59,14 +67,9 @@ impl SwingsArgs {
         Ok(rule)
     }
 
-    /// The swings and their scenarios, and the setup with a value for each parameter that varies
-    /// from swing to swing.
-    pub fn taken(
-        &self,
-        request: &Request,
-        is_resampled: bool,
-    ) -> Result<(Setup<f64>, Swings, Scenarios)> {
-        let setup = request.setup()?;
+    /// The swings of a request.
+    pub fn request(&self, request: &Request, is_resampled: bool) -> Result<SwingsRequest> {
+        let setup = request.partial_setup;
         let swings = self.read(&setup)?;
         request.refuse_stated(&swings.parameters(), "the swings have values of it")?;
         let setup = request.with_values(
@@ -75,7 +78,11 @@ impl SwingsArgs {
             "varies about",
         )?;
         let scenarios = Scenarios::new(&swings, self.rule(&swings, is_resampled)?)?;
-        Ok((setup, swings, scenarios))
+        Ok(SwingsRequest {
+            setup,
+            swings,
+            scenarios,
+        })
     }
 
     /// The table of expected strokes, if one is given.
@@ -150,14 +157,18 @@ impl SwingsOptimum {
 /// Searches over swings.
 pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let (setup, swings, scenarios) = args.swings.taken(&request, true)?;
+    let SwingsRequest {
+        setup,
+        swings,
+        scenarios,
+    } = args.swings.request(&request, true)?;
     let started = request.with_starts(setup, &args.search.vary)?;
     let search = Search {
         scenarios,
-        ..searched(&request, &args.search, &args.swings, &started)?
+        ..search_over_swings(&request, &args.search, &args.swings, &started)?
     };
     request.note_starts(&setup, &search.vary);
-    let found = found(args, &request, setup, swings, search)?;
+    let found = optimize_and_write(args, &request, setup, swings, search)?;
     interrupt::ends();
     // the default search varies the loft alone, and refuses a stated loft: no parameter is held
     let origin = request.origin_of_search(&found.optima.best.search.vary);
@@ -172,17 +183,17 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
 
 /// Runs the search, which Ctrl-C can stop, and writes the setup if a file is given. The caller
 /// calls [`interrupt::ends`] afterwards.
-pub fn found(
+pub fn optimize_and_write(
     args: &OptimizeArgs,
     request: &Request,
     setup: Setup<f64>,
     swings: Swings,
     search: Search,
 ) -> Result<SwingsOptimum> {
-    note_the_run(&search.of.outcomes());
+    note_the_run(&search.outcomes());
     let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
     let output = args.destination(request)?;
-    let (optima, stop) = args.searched(&setup, &search)?;
+    let (optima, stop) = args.run_search(&setup, &search)?;
     let best = &optima.best;
     let is_found = best.solution.status == Status::Converged;
     let mut analysis = None;
@@ -218,14 +229,14 @@ pub fn found(
 
 /// The search over swings. By default it maximizes the mean carry and varies the loft: the attack
 /// angle belongs to the golfer and varies from swing to swing.
-pub fn searched(
+pub fn search_over_swings(
     request: &Request,
     search: &SearchArgs,
     swings: &SwingsArgs,
     setup: &Setup<f64>,
 ) -> Result<Search> {
     let loft = |setup: &Setup<f64>| DefaultRanges::loft(request, setup)?.vary();
-    sought(
+    search_with_defaults(
         search,
         swings,
         setup,
@@ -235,7 +246,7 @@ pub fn searched(
 }
 
 /// The search over swings, with a default objective and default ranges.
-pub fn sought(
+pub fn search_with_defaults(
     search: &SearchArgs,
     swings: &SwingsArgs,
     setup: &Setup<f64>,

@@ -57,7 +57,7 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let setup = request.setup()?;
+    let setup = request.partial_setup;
     let of = outcomes(&args.of)?;
     let inputs = inputs(&request, &setup, args, &of)?;
     let means = inputs

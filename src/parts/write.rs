@@ -35,7 +35,7 @@ pub enum PartResult {
 
 impl Dataset {
     /// Divides the sweep of `batch` over `points` into `parts` parts. The footer of each part has
-    /// the histograms and the best rows that `histograms` and `best` request; both must be empty.
+    /// the histograms and the best rows that `histograms` and `best` request; each may be empty.
     ///
     /// # Errors
     /// [`Error::Together`] if there are more parts than blocks of rows, and errors of

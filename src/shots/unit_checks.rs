@@ -35,14 +35,17 @@ const MISTAKEN: [(Quantity, &str, &str); 6] = [
     (Quantity::SPEED, "m/s", "mph"),
 ];
 
-/// Largest plausible ratio of carry to ball speed, s. The ratio is larger if speeds in m/s were
-/// read as mph.
+/// Largest plausible ratio of carry to ball speed, s. The ratio is computed up to 3.8 s at sea level,
+/// and 4.4 s at an altitude of 2500 m. If speeds in m/s were read as mph, it is 4.8 s or more for
+/// launches of a driver (49 to 90 m/s, up to 5000 rpm).
 const MOST_CARRY_PER_SPEED: f64 = 4.6;
 
-/// Range of predicted/measured carry if speeds in km/h were read as mph.
+/// Range of predicted/measured carry if speeds in km/h were read as mph: at 1.609 times the ball
+/// speed a driver's carry (50 to 75 m/s, 10° to 12°) is computed 1.5 to 2.1 times as long.
 const IN_KMH: std::ops::Range<f64> = 1.45..2.0;
 
-/// Minimum ball speed of the rows in `carries`, m/s.
+/// Minimum ball speed of the rows in `carries`, m/s: 49 m/s read as mph. For slower balls the ratio
+/// is below [`MOST_CARRY_PER_SPEED`] with either unit.
 const SLOW: f64 = 22.0;
 
 /// Ratios and sides of predicted and measured values.
@@ -55,6 +58,14 @@ pub(super) struct UnitChecks {
     sides: [usize; 2],
     /// Ratios of measured carry to ball speed, s.
     carries: Vec<f64>,
+}
+
+/// A contradiction between carries and ball speeds.
+struct SpeedFault {
+    /// The carries, compared with the speeds.
+    carry: &'static str,
+    /// The unit that explains them, if the speeds were read in mph.
+    meant: &'static str,
 }
 
 impl UnitChecks {
@@ -113,10 +124,18 @@ impl UnitChecks {
     pub fn warnings(&self, of: &[Outcome], shots: &Shots) -> Vec<Message> {
         let name = |of| shots.name_of(of);
         let mut warnings = vec![];
-        if let Some(speed) = self.speed(of) {
+        if let Some(fault) = self.speed_fault(of) {
+            let mph = Quantity::SPEED.size_of("mph");
+            let read = shots.unit_of(Outcome::BallSpeed);
+            let is_mph = read.is_some_and(|unit| Quantity::SPEED.size_of(unit) == mph);
+            let as_if = match is_mph {
+                true => format!(", as if they were in {} and read in mph", fault.meant),
+                false => String::new(),
+            };
             warnings.push(format!(
-                "{}: {speed}; state the unit in the head",
-                name(Outcome::BallSpeed)
+                "{}: the balls carry {}{as_if}; check the unit in the head",
+                name(Outcome::BallSpeed),
+                fault.carry
             ));
         } else {
             let units = of.iter().zip(&self.ratios).filter_map(|(of, ratios)| {
@@ -125,7 +144,7 @@ impl UnitChecks {
                 Some(format!(
                     "{}: predicted values are {ratio:.2} times the measured ones in the median, as \
                      if these were in {meant} and read in {read}; \
-                     state the unit in the head",
+                     check the unit in the head",
                     name(*of)
                 ))
             });
@@ -145,22 +164,22 @@ impl UnitChecks {
 
     /// Reason to suspect another unit of the ball speed, from the carries; `None` if the carries
     /// fit the unit or are too few.
-    fn speed(&self, of: &[Outcome]) -> Option<&'static str> {
+    fn speed_fault(&self, of: &[Outcome]) -> Option<SpeedFault> {
         if self.carries.len() < LEAST {
             return None;
         }
         if median(&self.carries)? > MOST_CARRY_PER_SPEED {
-            return Some(
-                "the balls carry farther than such speeds allow, as if they were in m/s and read \
-                 in mph",
-            );
+            return Some(SpeedFault {
+                carry: "farther than such speeds allow",
+                meant: "m/s",
+            });
         }
         let carry = of.iter().position(|of| *of == Outcome::CarryDistance)?;
         let ratio = median(&self.ratios[carry])?;
-        IN_KMH.contains(&ratio).then_some(
-            "the balls carry less far than such speeds give, as if they were in km/h \
-                        and read in mph",
-        )
+        IN_KMH.contains(&ratio).then_some(SpeedFault {
+            carry: "less far than such speeds give",
+            meant: "km/h",
+        })
     }
 }
 

@@ -561,6 +561,24 @@ fn a_check_names_missing_double_damaged_and_foreign_parts() {
         (1, 4),
         "{answer}"
     );
+    // without the swept parameters there is nothing to compare the other options with
+    for (more, option) in [
+        (&["--set", "gravity=9.8 m/s^2"][..], "set"),
+        (&["--speed", "90mph"], "speed"),
+        (&["--outcomes", "lateral"], "outcomes"),
+        (&["--gradient"], "gradient"),
+        (&["--wrt", "gravity"], "wrt"),
+        (&["--highest", "carry:5"], "highest"),
+        (&["--instructions", "baseline"], "instructions"),
+        (&["mae494"], "the setup mae494"),
+    ] {
+        let (status, answer) = checked(SET.path(), more);
+        let message = answer["message"].as_str().unwrap();
+        assert!(
+            status == 2 && message.contains(option) && message.contains("--over"),
+            "{answer}"
+        );
+    }
     let empty = tempfile::tempdir().unwrap();
     let (status, answer) = checked(empty.path(), &[]);
     assert!(

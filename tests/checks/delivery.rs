@@ -252,7 +252,7 @@ fn a_parameter_at_its_bound_is_unidentified_and_has_no_uncertainty() {
 #[test]
 fn a_launch_on_the_command_line_becomes_a_setup_for_a_search() {
     let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("golfer.toml");
+    let file = folder.path().join("my golfer.toml");
     let file = file.to_str().unwrap();
     let launch = [
         "delivery",
@@ -272,6 +272,9 @@ fn a_launch_on_the_command_line_becomes_a_setup_for_a_search() {
         "{}",
         ran.err
     );
+    let remark = ran.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    let command = format!("longdrive optimize '{file}' --vary club.loft=4deg..20deg");
+    assert!(remark.contains(&command), "{remark}");
     let golfer = Setup::from_file(std::path::Path::new(file)).unwrap();
     let drive = Drive::new(&golfer).unwrap();
     for (outcome, measured) in [

@@ -75,3 +75,20 @@ fn a_report_leads_to_the_explorer_of_its_drive() {
         assert!(!file.exists());
     }
 }
+
+/// The command of a page gives `--launch` as it was given: `--set launch.backspin` is refused for a
+/// file that states the spin in its other form.
+#[cfg(not(feature = "explore"))]
+#[test]
+fn the_command_for_the_explorer_has_the_launch_of_the_report() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("launch.toml");
+    let launch = "[launch]\nball_speed = '167 mph'\nlaunch_angle = '10.9 deg'\n\
+                  spin = '2700 rpm'\nspin_axis = '2 deg'\n";
+    std::fs::write(&file, launch).unwrap();
+    let file = file.to_str().unwrap();
+    let args = [file, "--launch", "backspin=2600rpm"];
+    let page = report(&folder.path().join("drive"), &args);
+    let line = format!("<code>longdrive explore {file} --launch backspin=2600rpm</code>");
+    assert!(page.contains(&line), "{page}");
+}

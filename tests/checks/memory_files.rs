@@ -81,6 +81,17 @@ fn ask(command: &str, arguments: &[(&str, ArgumentValue)], host: &Arc<InMemory>)
     host.answer()
 }
 
+/// Before a command is known there is none in the answer.
+#[test]
+fn exact_command_of_an_answer_to_an_unknown_request() {
+    let host = InMemory::new(&[], &[]);
+    let answer = ask("simulation", &[], &host);
+    assert_eq!(
+        (&answer["command"], &answer["status"]),
+        (&Json::Null, &"error".into())
+    );
+}
+
 #[test]
 fn same_fit_of_shots_in_memory_and_on_disk() {
     let folder = tempfile::tempdir().unwrap();

@@ -398,3 +398,27 @@ fn an_ellipse_that_reaches_to_infinity_is_not_shown() {
         "{text}"
     );
 }
+
+/// The note on the uncertainty of the run is printed once, also if only a constraint needs the run.
+#[test]
+fn a_front_has_one_note_on_the_run() {
+    let distribution = "swing.attack_angle=normal(0deg,1deg)";
+    let one_drive = ["--maximize", "total", "--subject-to", "run <= 60 yd"];
+    let swings = [
+        "--maximize",
+        "mean(carry)",
+        "--subject-to",
+        "mean(total) >= 150 m",
+        "--distribution",
+        distribution,
+        "--scenarios",
+        "4",
+    ];
+    for (minimize, args) in [("apex_height", &one_drive[..]), ("std(carry)", &swings[..])] {
+        let command = ["pareto", "--points", "2", "--minimize", minimize];
+        let (_, text) = both_streams(&[&command[..], args].concat());
+        assert_eq!(text.matches("are known within").count(), 1, "{text}");
+    }
+    let (_, text) = both_streams(&[&["optimize"], &swings[..]].concat());
+    assert_eq!(text.matches("are known within").count(), 1, "{text}");
+}

@@ -794,6 +794,7 @@ fn bad_plots_and_folders_get_messages_that_help() {
     std::fs::write(&file, "").unwrap();
     let missing = path(&folder, "no/such/x.svg");
     let beneath = format!("{file}/report");
+    let page = path(&folder, "page");
     for (args, status, says) in [
         (
             vec!["plot", "trajectory", "-o", "x.jpg"],
@@ -874,6 +875,24 @@ fn bad_plots_and_folders_get_messages_that_help() {
             vec!["cannot be written", &beneath],
         ),
         (vec!["report"], 2, vec!["--output"]),
+        (
+            vec![
+                "report",
+                "-o",
+                &page,
+                "--vary",
+                "swing.speed=45..50m/s",
+                "--along",
+                "swing.speed=40..50m/s",
+            ],
+            2,
+            vec!["swing.speed is a varied parameter"],
+        ),
+        (
+            vec!["plot", "laws", "-o", &svg, "--tolerance"],
+            2,
+            vec!["--tolerance: plot laws computes no flight, so this has no effect"],
+        ),
     ] {
         let output = longdrive(&args);
         assert_eq!(output.status, status, "{args:?}: {}", output.err);

@@ -471,9 +471,9 @@ fn implausible_units_are_warned_of() {
         .map(|k| [150.0 + 4.0 * f64::from(k), 12.0, 0.0, 2600.0, 2.0])
         .collect();
     let carries: Vec<f64> = plain(&launches).iter().map(|landed| landed[0]).collect();
-    let text = |speed: f64, carry: f64, side: f64| {
+    let text_with_head = |head: &str, speed: f64, carry: f64, side: f64| {
         let mut text = String::from(
-            "Ball Speed,Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis \
+            ",Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis \
              [deg],Carry [yd],Side [yd]\n",
         );
         for ([mph, angle, direction, spin, axis], metres) in launches.iter().zip(&carries) {
@@ -488,8 +488,9 @@ fn implausible_units_are_warned_of() {
             ];
             text += &(cells.map(|cell| cell.to_string()).join(",") + "\n");
         }
-        text
+        head.to_owned() + &text
     };
+    let text = |speed, carry, side| text_with_head("Ball Speed", speed, carry, side);
     let warned = |text: String| {
         let (shots, _, tally) = flown(Cursor::new(text));
         let warnings = tally.unit_warnings(&shots);
@@ -517,6 +518,17 @@ fn implausible_units_are_warned_of() {
         (
             warned(text(1.609_344, yards, 7.0)),
             "as if they were in km/h and read in mph",
+        ),
+        // a stated unit other than mph explains nothing
+        (
+            warned(text_with_head("Ball Speed [m/s]", 0.719_435, yards, 7.0)),
+            "Ball Speed: the balls carry less far than such speeds give; check the unit in \
+             the head",
+        ),
+        (
+            warned(text_with_head("Ball Speed [km/h]", 0.719_435, yards, 7.0)),
+            "Ball Speed: the balls carry farther than such speeds allow; check the unit in \
+             the head",
         ),
         (
             warned(text(1.0, yards, -7.0)),

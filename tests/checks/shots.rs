@@ -825,6 +825,10 @@ fn the_command_writes_rows_and_their_prediction_errors() {
             vec!["fly", &shots, "--of", "ball_speed"],
             "it is a launch condition, which each row states already",
         ),
+        (
+            vec!["fly", &shots, "--of", "all,ball_speed"],
+            "ball_speed: it is a launch condition, which each row states already",
+        ),
         (vec!["fly", &shots, "--of", "cary"], "did you mean 'carry'?"),
         (
             vec!["fly", &shots, "--set", "club.loft=10deg"],
@@ -848,6 +852,10 @@ fn the_command_writes_rows_and_their_prediction_errors() {
         (
             vec!["fly", &shots, "mae494", "--listen", "0"],
             "a setup is given after it); to fly the shots",
+        ),
+        (
+            vec!["fly", "--listen", "0", "--threads", "2"],
+            "'--listen [<PORT>]' cannot be used with '--threads <N>'",
         ),
         (
             vec!["fly", "--listen", "x"],

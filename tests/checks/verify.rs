@@ -885,6 +885,23 @@ fn published_while_loop_has_derivatives_of_the_wrong_sign() {
     assert!(longdrive::reproduce::while_loop(&windy, &certificate.rows).is_empty());
 }
 
+/// The loop begins with the strike, which a stated launch replaces.
+#[test]
+fn the_while_loop_is_not_compared_with_a_stated_launch() {
+    let mut setup = Setup::preset("mae494").unwrap();
+    for (condition, value) in [
+        ("launch.ball_speed", "70 m/s"),
+        ("launch.launch_angle", "12 deg"),
+        ("launch.backspin", "2600 rpm"),
+    ] {
+        setup.set(condition, value).unwrap();
+    }
+    let density = setup.variable("air.density").unwrap();
+    let certificate = certify(&setup, &[Outcome::Carry], &[density], &|_, _| true).unwrap();
+    assert!(!certificate.rows.is_empty());
+    assert!(longdrive::reproduce::while_loop(&setup, &certificate.rows).is_empty());
+}
+
 /// Zero spin: carry has a kink and lateral has none; its derivatives are correct though their own
 /// derivatives jump.
 #[test]

@@ -805,3 +805,34 @@ fn weather_beyond_the_equation_of_the_density_has_a_warning() {
             .contains("air.altitude = 16404 ft is above 13780 ft")
     );
 }
+
+/// `--set air.density=none` is accepted if the command itself varies the temperature.
+#[test]
+fn a_varied_temperature_replaces_the_density_of_the_setup() {
+    let range = "air.temperature=0degC..30degC";
+    let normal = "air.temperature=normal(20degC,5degC)";
+    let swings = [
+        "optimize",
+        "--vary",
+        "club.loft=8deg..14deg",
+        "--distribution",
+        normal,
+    ];
+    for args in [
+        &["optimize", "--vary", range][..],
+        &["uncertainty", "--samples", "8", "--distribution", normal],
+        &["chart", "--along", "air.temperature", "--at", "10degC"],
+        &swings,
+    ] {
+        let args = [args, &["--set", "air.density=none"]].concat();
+        let output = crate::command_line::longdrive(&args);
+        assert_eq!(output.status, 0, "{args:?}: {}", output.err);
+    }
+    let idle = ["optimize", "--set", "air.density=none"];
+    let output = crate::command_line::longdrive(&idle);
+    assert!(
+        output.status == 2 && output.err.contains("it cannot be unset"),
+        "{}",
+        output.err
+    );
+}

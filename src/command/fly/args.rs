@@ -58,6 +58,7 @@ pub struct Args {
         long,
         value_name = "N",
         default_value_t = 0,
+        conflicts_with = "listen",
         value_parser = whole::<usize>(0..=u64::MAX, "`threads 4`"),
         allow_negative_numbers = true,
     )]

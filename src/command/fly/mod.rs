@@ -37,7 +37,10 @@ pub fn run(args: &Args) -> Result<Answer> {
 
 fn fly(args: &Args) -> Result<Answer> {
     let Some(file) = &args.shots else {
-        return listen::run(args, 0);
+        return Err(Error::Nothing {
+            doing: "fly",
+            what: "file of shots",
+        });
     };
     refuse_preset(file)?;
     refuse_threads(args.threads)?;

@@ -9,15 +9,10 @@ use crate::{Outcome, Result, Setup};
 
 /// The outcomes to compute; "all" means all outcomes of the flight.
 pub fn requested_outcomes(args: &Args) -> Result<Vec<Outcome>> {
-    let is_all = args.of.iter().any(|name| name.trim() == "all");
-    let of = outcomes(&args.of)?;
-    Ok(if is_all {
-        of.into_iter()
-            .filter(|of| of.group() == OutcomeGroup::Flight)
-            .collect()
-    } else {
-        of
-    })
+    let is_named = |of: &Outcome| args.of.iter().any(|name| name.trim() == of.name());
+    let mut of = outcomes(&args.of)?;
+    of.retain(|of| of.group() == OutcomeGroup::Flight || is_named(of));
+    Ok(of)
 }
 
 /// The setup with ball, air and law. The rows state the launches.

@@ -153,7 +153,6 @@ impl Request {
         &self,
         ranges: impl IntoIterator<Item = &'a String>,
     ) -> Result<Setup<f64>> {
-        self.refuse_idle_unset(&self.partial_setup, &[])?;
         self.with_starts(self.partial_setup, ranges)
     }
 
@@ -166,6 +165,19 @@ impl Request {
         setup: Setup<f64>,
         ranges: impl IntoIterator<Item = &'a String>,
     ) -> Result<Setup<f64>> {
+        let starts = self.starts(&setup, ranges)?;
+        self.with_values(setup, starts, "begins at")
+    }
+
+    /// The start values of the varied parameters that have no value in this setup.
+    ///
+    /// # Errors
+    /// The errors of [`Vary::read_column`].
+    pub fn starts<'a>(
+        &self,
+        setup: &Setup<f64>,
+        ranges: impl IntoIterator<Item = &'a String>,
+    ) -> Result<Vec<(&'static Parameter, f64)>> {
         let mut starts = vec![];
         for text in ranges {
             // ignore errors in the text here: the code that reads the search reports them
@@ -175,11 +187,11 @@ impl Request {
             if parameter.is_some_and(|parameter| {
                 !parameter.is_of_launch() && setup.value(parameter).is_none()
             }) {
-                let vary = Vary::read_column(&setup, text)?;
-                starts.push((vary.parameter, vary.start(&setup)));
+                let vary = Vary::read_column(setup, text)?;
+                starts.push((vary.parameter, vary.start(setup)));
             }
         }
-        self.with_values(setup, starts, "begins at")
+        Ok(starts)
     }
 
     /// Adds these values to a setup, each only if its parameter has no value. A note reports each
@@ -277,17 +289,14 @@ impl Request {
     /// The arguments that give this setup to another command: the source and its settings, except
     /// the settings of the parameters `without`.
     pub fn as_arguments(&self, without: &[&Parameter]) -> Vec<String> {
-        let mut words = vec![self.source.argument.clone()];
-        for setting in &self.settings {
-            if without
-                .iter()
-                .all(|parameter| parameter.name != setting.parameter)
-            {
-                words.push("--set".into());
-                words.push(format!("{}={}", setting.parameter, setting.value));
-            }
-        }
-        words
+        let is_kept = |setting: &&CommandSetting| {
+            let mut without = without.iter();
+            without.all(|parameter| parameter.name != setting.parameter)
+        };
+        let settings = self.settings.iter().filter(is_kept);
+        std::iter::once(self.source.argument.clone())
+            .chain(settings.flat_map(CommandSetting::as_argument))
+            .collect()
     }
 
     /// Refuses a setup that gives the launch; `why` is the reason, with advice.

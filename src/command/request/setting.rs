@@ -83,8 +83,9 @@ impl CommandSetting {
         self.parameter.starts_with("launch.")
     }
 
-    /// Returns true for `--launch` and options such as `--ball-speed`, which replace the whole
-    /// launch of the setup. `--set launch.ball_speed=…` changes only one condition.
+    /// Returns true for `--launch` and options such as `--ball-speed`: a condition of the spin
+    /// replaces the spin of the setup in its other form (total spin with axis, or backspin with
+    /// sidespin). `--set launch.…` refuses a second form.
     pub fn replaces_launch(&self) -> bool {
         self.is_of_launch() && self.name != self.parameter
     }
@@ -98,6 +99,15 @@ impl CommandSetting {
     /// weather determines the air density, for example.
     pub fn is_reset(&self) -> bool {
         is_reset(&self.parameter, &self.value)
+    }
+
+    /// The option and its value that give this setting to another command.
+    pub fn as_argument(&self) -> [String; 2] {
+        let condition = self.parameter.strip_prefix("launch.");
+        match condition.filter(|_| self.replaces_launch()) {
+            Some(condition) => ["--launch".into(), format!("{condition}={}", self.value)],
+            None => ["--set".into(), format!("{}={}", self.parameter, self.value)],
+        }
     }
 
     /// The argument with the parameter name, for messages: `--set club.loft`.
@@ -193,6 +203,24 @@ mod tests {
             all.map(CommandSetting::replaces_launch),
             [false, true, true],
             "--set changes one condition of the setup's launch"
+        );
+    }
+
+    #[test]
+    fn exact_options_for_another_command() {
+        let set = CommandSetting::read_all("set_b", &["launch.spin=2700rpm".into()]).unwrap();
+        let launch = CommandSetting::read_all_launch("launch_a", &["spin=2700rpm".into()]).unwrap();
+        let own = CommandSetting::of_launch("ball_speed", "ball_speed", "70m/s").unwrap();
+        let short = CommandSetting::by_short_name("speed", "swing.speed", "95mph");
+        assert_eq!(
+            [&set[0], &launch[0], &own, &short].map(CommandSetting::as_argument),
+            [
+                ["--set", "launch.spin=2700rpm"],
+                ["--launch", "spin=2700rpm"],
+                ["--launch", "ball_speed=70m/s"],
+                ["--set", "swing.speed=95mph"],
+            ]
+            .map(|words| words.map(String::from))
         );
     }
 

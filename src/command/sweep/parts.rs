@@ -3,17 +3,19 @@
 use super::args::{Args, PartOf};
 use super::request::SweepRequest;
 use crate::batch::Run;
+use crate::command::args::stated;
 use crate::command::files::{refused, unwritable};
 use crate::command::interrupt;
 use crate::command::output::{Answer, bar, note, system, text_of, warn, warnings};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::input_file::is_in_memory;
+use crate::parameters::DEFAULT_PRESET;
 use crate::parts::{self, Checked, Dataset, Manifest, PartResult, SweepDefinition};
 use crate::report::{Reply, summary_document};
 use crate::statistics::{Histogram, Ranking};
 use crate::units::{Message, counted};
-use crate::{Error, Result};
+use crate::{Error, Outcome, Result};
 use serde::Serialize;
 use std::io::ErrorKind;
 use std::path::Path;
@@ -197,16 +199,7 @@ pub fn check(args: &Args, folder: &Path) -> Result<Answer> {
 /// The definition of the sweep that the options describe; `None` without points.
 fn wanted(args: &Args) -> Result<Option<SweepDefinition>> {
     if args.over.is_empty() && args.points.is_none() {
-        return match args.instructions {
-            None => Ok(None),
-            Some(_) => Err(Error::Together {
-                given: "`check` with `instructions`".into(),
-                reason:
-                    "give the swept parameters too (`over` or `points`), or leave `instructions` \
-                     out: the answer names them"
-                        .into(),
-            }),
-        };
+        return refuse_without_points(args).map(|()| None);
     }
     let SweepRequest { points, batch, .. } = SweepRequest::of(args, &args.setup_args.request()?)?;
     // 1 is a placeholder: the files state the number of parts
@@ -215,6 +208,42 @@ fn wanted(args: &Args) -> Result<Option<SweepDefinition>> {
             .question()
             .clone(),
     ))
+}
+
+/// Refuses options of the sweep without its points: the parts are not compared with them.
+fn refuse_without_points(args: &Args) -> Result<()> {
+    let drive = &args.setup_args.drive;
+    let options = [
+        ("`set`", !drive.set.is_empty()),
+        ("`launch`", !drive.launch.is_empty()),
+        ("`sample`", args.sample.is_some()),
+        ("`outcomes`", args.outcomes != [Outcome::Carry.name()]),
+        ("`gradient`", args.gradient),
+        ("`wrt`", !args.wrt.is_empty()),
+        ("`histogram`", !args.histogram.is_empty()),
+        ("`highest`", !args.highest.is_empty()),
+        ("`lowest`", !args.lowest.is_empty()),
+        ("`instructions`", args.instructions.is_some()),
+        ("`tolerance`", args.setup_args.tolerance.is_some()),
+        ("`own_step`", args.setup_args.own_step),
+    ];
+    let short_name = drive.short_names().next();
+    let short_name = short_name.map(|(option, ..)| format!("`{option}`"));
+    let setup = (drive.setup != DEFAULT_PRESET).then(|| format!("the setup {}", drive.setup));
+    let mut unused = stated(options)
+        .map(str::to_owned)
+        .chain(short_name)
+        .chain(setup);
+    match unused.next() {
+        None => Ok(()),
+        Some(unused) => Err(Error::Together {
+            given: format!("`check` with {unused}"),
+            reason: format!(
+                "give the swept parameters too (`over` or `points`), or leave {unused} out: the \
+                 answer has the definition of the sweep"
+            ),
+        }),
+    }
 }
 
 /// The present and missing parts, as sentences.

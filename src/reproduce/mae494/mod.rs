@@ -6,7 +6,6 @@
 //! report's constants are used in Winfield & Tan's equations (preset `mae494`), and every printed
 //! optimum is compared with the exact optimum.
 
-mod average;
 mod launches;
 mod lbfgs;
 mod noise;
@@ -17,7 +16,6 @@ mod regression;
 mod searches;
 mod while_loop;
 
-pub use average::Average;
 pub use launches::{ByLaunch, Energy, Launched, Subsystems};
 pub use noise::{Landings, LongerDifference, Noise, Sawtooth, ShorterStep, Slopes};
 pub use objective::{LandingDefinition, SearchMethod};
@@ -28,8 +26,8 @@ pub use while_loop::{LoopLanding, LoopRow, loop_landing, while_loop};
 
 use crate::error::Result;
 use crate::parameters::Setup;
-use crate::reproduce::RecomputedOptimum;
 use crate::reproduce::delivery::{ATTACK_ANGLE, DeliveryCarry, LOFT};
+use crate::reproduce::{Average, RecomputedOptimum};
 use crate::units::System;
 
 /// Reproduction of the report.
@@ -98,7 +96,12 @@ pub fn mae494(mut progress: impl FnMut(&str)) -> Result<Mae494> {
     let noise = Noise::new(&setup, &mut progress)?;
     progress("the parametric study");
     Ok(Mae494 {
-        average: Average::new(&setup, &printed::AVERAGED_LOFTS, printed::AVERAGE_LOFT)?,
+        average: Average::new(
+            &setup,
+            &printed::AVERAGED_LOFTS,
+            printed::AVERAGE_LOFT,
+            printed::RANGES.loft,
+        )?,
         parametric: Parametric::new(&optimum)?,
         optimum,
         table1,

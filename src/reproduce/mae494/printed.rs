@@ -55,8 +55,6 @@ pub const REGRESSION: [[f64; 2]; 5] = [
 /// The swing elevation of [`REGRESSION`], deg.
 pub const REGRESSION_ATTACK: f64 = 10.0;
 
-/// Attack angles of the third study, deg.
-pub const AVERAGED: [f64; 11] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0];
 /// Lofts of the third study, deg.
 pub const AVERAGED_LOFTS: [f64; 11] = [
     8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0, 18.0,

@@ -116,12 +116,15 @@ impl LoopRow {
 /// few points of the flight.
 const LOOP_STEPS: [f64; 2] = [1e-4, 1.0];
 
-/// True for a setup that the report's loop models: no wind, no spin damping, and a ground at the
-/// height of the tee.
+/// True for a setup that the report's loop models: a launch computed from a swing, no wind, no spin
+/// damping, and a ground at the height of the tee.
 fn is_modelled(setup: &Setup<f64>) -> bool {
     let wind = in_effect(setup).wind;
     let is_calm = [wind.up, wind.right, wind.downrange] == [0.0; 3];
-    is_calm && setup.aero.spin_damping.is_none() && setup.ground.height == 0.0
+    !setup.launch.is_given()
+        && is_calm
+        && setup.aero.spin_damping.is_none()
+        && setup.ground.height == 0.0
 }
 
 /// The landing of the report's loop in steps of `step` s.
@@ -148,7 +151,7 @@ pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
             advice: "the report's step is 0.01 s".into(),
         });
     }
-    if setup.launch.is_given() || !is_modelled(setup) {
+    if !is_modelled(setup) {
         return Err(Error::Undefined {
             what: "the while-loop".into(),
             reason: "it models a swing, without wind, spin damping or a ground below the tee; \
@@ -161,8 +164,8 @@ pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
 }
 
 /// Finite differences of the report's loop for the carry rows of a certificate, except derivatives
-/// by wind and by the height of the ground. Empty if the setup has wind, spin damping, or a ground
-/// that is not level with the tee, which the loop does not model.
+/// by wind and by the height of the ground. Empty if the setup has a stated launch, wind, spin
+/// damping, or a ground that is not level with the tee, which the loop does not model.
 pub fn while_loop(setup: &Setup<f64>, rows: &[DerivativeRow]) -> Vec<LoopRow> {
     if !is_modelled(setup) {
         return vec![];

@@ -1,4 +1,4 @@
-use super::printed;
+use super::{RANGES, printed};
 use crate::error::{Error, Result};
 use crate::parameters::Setup;
 use crate::reproduce::Average;
@@ -24,7 +24,7 @@ pub struct Mean {
 impl Mean {
     pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
         let [loft, carry] = printed::AVERAGE;
-        let average = Average::new(setup, &printed::AVERAGED_LOFTS, loft)?;
+        let average = Average::new(setup, &printed::AVERAGED_LOFTS, loft, RANGES.loft)?;
         let printed = LoftCarry {
             loft: loft.to_radians(),
             carry: carry * YARD,

@@ -1,13 +1,17 @@
-use super::printed;
+//! Mean carry over the attack angles 0, 1 … 10°, which both reproduced studies optimize.
+
+use super::delivery::{ATTACK_ANGLE, LOFT, LoftCarry};
 use crate::derivative::{Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::{Domain, Evaluation, Options, Status, Taylor, minimize};
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{ATTACK_ANGLE, LOFT, LoftCarry};
 use serde::Serialize;
 
-/// Third study of the report: mean carry over the attack angles 0, 1 … 10°, by loft.
+/// Attack angles of the mean, deg.
+const AVERAGED: [f64; 11] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0];
+
+/// Mean carry over the attack angles 0, 1 … 10°, by loft.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Average {
@@ -17,39 +21,27 @@ pub struct Average {
     /// The best loft and its average carry.
     #[serde(flatten)]
     pub best: LoftCarry,
-    /// The average carry of each loft of the report.
+    /// The average carry of each loft of the study.
     pub rows: Vec<LoftCarry>,
 }
 
 impl Average {
-    /// The study for the lofts `lofts`, deg, compared with a printed best loft, deg.
-    pub(in crate::reproduce) fn new(
+    /// The study for the lofts `lofts`, deg, compared with a printed best loft, deg. The best loft
+    /// is searched for in `range`, deg.
+    pub(super) fn new(
         setup: &Setup<f64>,
         lofts: &[f64],
         printed_loft: f64,
+        range: [f64; 2],
     ) -> Result<Self> {
         let loft = setup.variable(LOFT)?;
-        let evaluators = printed::AVERAGED.map(|degrees| {
+        let evaluators = AVERAGED.map(|degrees| {
             let mut at = *setup;
             at.set_value(setup.variable(ATTACK_ANGLE)?, Some(degrees.to_radians()))?;
             Evaluator::new(&at, &[Outcome::Carry], &[loft], Order::Second)
         });
         let evaluators = evaluators.into_iter().collect::<Result<Vec<_>>>()?;
-        let average = |x: &[f64]| -> Result<Taylor> {
-            let mut mean = Taylor {
-                value: 0.0,
-                gradient: vec![0.0],
-                hessian: vec![vec![0.0]],
-            };
-            for evaluator in &evaluators {
-                let carry = &evaluator.at(x)?[0];
-                let part = 1.0 / evaluators.len() as f64;
-                mean.value += part * carry.value;
-                mean.gradient[0] += part * carry.gradient[0];
-                mean.hessian[0][0] += part * carry.hessian[0][0];
-            }
-            Ok(mean)
-        };
+        let average = |x: &[f64]| average(&evaluators, x);
         let rows = lofts.iter().map(|degrees| {
             let loft = degrees.to_radians();
             let carry = average(&[loft])?.value;
@@ -61,7 +53,7 @@ impl Average {
             let mean = average(x).map_err(|error| error.to_string())?;
             Ok(Evaluation::unconstrained(mean.negated()))
         };
-        let [low, high] = printed::RANGES.loft.map(f64::to_radians);
+        let [low, high] = range.map(f64::to_radians);
         let printed = printed_loft.to_radians();
         let found = minimize(
             &problem,
@@ -84,4 +76,21 @@ impl Average {
             }),
         }
     }
+}
+
+/// The mean carry of the evaluators at the loft `x`, with its derivatives.
+fn average(evaluators: &[Evaluator], x: &[f64]) -> Result<Taylor> {
+    let mut mean = Taylor {
+        value: 0.0,
+        gradient: vec![0.0],
+        hessian: vec![vec![0.0]],
+    };
+    for evaluator in evaluators {
+        let carry = &evaluator.at(x)?[0];
+        let part = 1.0 / evaluators.len() as f64;
+        mean.value += part * carry.value;
+        mean.gradient[0] += part * carry.gradient[0];
+        mean.hessian[0][0] += part * carry.hessian[0][0];
+    }
+    Ok(mean)
 }
