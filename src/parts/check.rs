@@ -1,6 +1,5 @@
-use super::definition::SweepDefinition;
+use super::definition::{SweepDefinition, hex};
 use super::footer::{Footer, Manifest};
-use super::hash::hex;
 use super::share::{file_name, rows_of};
 use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
@@ -47,7 +46,8 @@ pub struct Fault {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Checked {
     /// The definition of the sweep, which each file contains under the key `longdrive`.
-    pub question: SweepDefinition,
+    #[serde(rename = "question")]
+    pub definition: SweepDefinition,
     /// Number of valid parts.
     pub present: u64,
     /// Numbers of the missing parts, from 1.
@@ -84,7 +84,7 @@ impl Checked {
         contents: bool,
     ) {
         let mut hashes = Sha256::default();
-        for number in 1..=self.question.parts {
+        for number in 1..=self.definition.parts {
             let Some((name, footer)) = parts.remove(&number) else {
                 self.missing.push(number);
                 continue;
@@ -146,7 +146,7 @@ pub fn check(folder: &Path, wanted: Option<&SweepDefinition>, contents: bool) ->
         .collect();
     let mut faults = vec![];
     let found = footers(folder, names, &mut faults);
-    let Some(question) = question(&found, wanted) else {
+    let Some(definition) = definition_of_most(&found, wanted) else {
         let reason = match faults.first() {
             Some(fault) => format!(
                 "none of the files in it can be read as a part of a sweep; {}: {}",
@@ -158,9 +158,9 @@ pub fn check(folder: &Path, wanted: Option<&SweepDefinition>, contents: bool) ->
         };
         return Err(refuse(reason));
     };
-    let parts = valid_parts(&question, found, &mut faults);
+    let parts = valid_parts(&definition, found, &mut faults);
     let mut checked = Checked {
-        question,
+        definition,
         present: 0,
         missing: vec![],
         faults,
@@ -209,28 +209,28 @@ fn footers(folder: &Path, names: Vec<String>, faults: &mut Vec<Fault>) -> Vec<(S
 
 /// Valid parts of the sweep by number; other files become faults.
 fn valid_parts(
-    question: &SweepDefinition,
+    definition: &SweepDefinition,
     found: Vec<(String, Footer)>,
     faults: &mut Vec<Fault>,
 ) -> BTreeMap<u64, (String, Footer)> {
     let (mut valid, mut misnamed) = (BTreeMap::new(), vec![]);
-    let hash = question.hash();
+    let hash = definition.hash();
     for (name, footer) in found {
         let number = footer.part.part;
-        if let Some((kind, reason)) = fault(question, &hash, &footer) {
+        if let Some((kind, reason)) = fault(definition, &hash, &footer) {
             faults.push(Fault {
                 file: name,
                 kind,
                 reason,
             });
-        } else if name == file_name(number, question.parts) {
+        } else if name == file_name(number, definition.parts) {
             valid.insert(number, (name, footer));
         } else {
             misnamed.push((number, name));
         }
     }
     for (part, file) in misnamed {
-        let name = file_name(part, question.parts);
+        let name = file_name(part, definition.parts);
         faults.push(match valid.contains_key(&part) {
             true => Fault {
                 file,
@@ -249,7 +249,7 @@ fn valid_parts(
 
 /// The definition of the sweep that most files belong to. Considers only files that agree with
 /// `wanted`.
-fn question(
+fn definition_of_most(
     found: &[(String, Footer)],
     wanted: Option<&SweepDefinition>,
 ) -> Option<SweepDefinition> {
@@ -268,7 +268,7 @@ fn question(
     for (_, footer) in found {
         counts
             .entry(footer.part.question.clone())
-            .or_insert((0, &footer.question))
+            .or_insert((0, &footer.definition))
             .0 += 1;
     }
     let most = counts
@@ -276,19 +276,19 @@ fn question(
         .filter(|(_, of)| like_wanted(of))
         .max_by_key(|(count, _)| *count);
     // no file agrees with `wanted`: the first file determines what the files determine
-    let of_none = || wanted_as(&found.first()?.1.question);
+    let of_none = || wanted_as(&found.first()?.1.definition);
     most.map(|(_, of)| (*of).clone()).or_else(of_none)
 }
 
 /// The fault of a file that is a part of some sweep; `None` for a valid part.
-fn fault(question: &SweepDefinition, hash: &str, footer: &Footer) -> Option<(FaultKind, String)> {
+fn fault(definition: &SweepDefinition, hash: &str, footer: &Footer) -> Option<(FaultKind, String)> {
     if footer.part.question != hash {
-        let theirs = &footer.question;
-        let difference = question.difference(theirs).unwrap_or_default();
+        let theirs = &footer.definition;
+        let difference = definition.difference(theirs).unwrap_or_default();
         let kind = match () {
-            () if theirs.version != question.version => FaultKind::OtherVersion,
+            () if theirs.version != definition.version => FaultKind::OtherVersion,
             () if (&theirs.instructions, &theirs.functions)
-                != (&question.instructions, &question.functions) =>
+                != (&definition.instructions, &definition.functions) =>
             {
                 FaultKind::OtherInstructions
             }
@@ -297,7 +297,7 @@ fn fault(question: &SweepDefinition, hash: &str, footer: &Footer) -> Option<(Fau
         return Some((kind, format!("it belongs to another sweep ({difference})")));
     }
     let part = footer.part.part;
-    let expected = rows_of(part, question.parts, question.rows).ok();
+    let expected = rows_of(part, definition.parts, definition.rows).ok();
     let is_off = |rows: std::ops::Range<u64>| {
         rows.start != footer.part.first_row || rows.end - rows.start != footer.part.rows
     };
@@ -306,7 +306,7 @@ fn fault(question: &SweepDefinition, hash: &str, footer: &Footer) -> Option<(Fau
             FaultKind::Damaged,
             format!(
                 "its rows are not those of part {part} of {}, which its footer claims",
-                question.parts
+                definition.parts
             ),
         )
     })

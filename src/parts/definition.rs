@@ -1,4 +1,3 @@
-use super::hash::hex;
 use crate::batch::{Batch, Points};
 use crate::fingerprint::Fingerprint;
 use crate::statistics::SummarySpec;
@@ -101,6 +100,14 @@ impl SweepDefinition {
         let differ: Vec<_> = differ.collect();
         (!differ.is_empty()).then(|| format!("different {}", differ.join(", ")))
     }
+}
+
+/// Hexadecimal digits of a finished hash, like the output of `sha256sum`.
+pub(super) fn hex(hash: Sha256) -> String {
+    hash.finalize()
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
 }
 
 /// Hash of values of the C library's elementary functions that drives use. Their rounding depends

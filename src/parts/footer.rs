@@ -1,15 +1,14 @@
-use super::definition::SweepDefinition;
-use super::hash::of_file;
+use super::definition::{SweepDefinition, hex};
 use crate::external_errors::{parquet_error_text, read_error_text};
+use crate::report::DEFINITION_KEY;
 use crate::statistics::Summary;
 use parquet::file::metadata::{KeyValue, ParquetMetaDataReader};
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 use std::fs::File;
-use std::io::{Read, Seek, SeekFrom};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 
-/// Metadata key of the definition of the sweep.
-pub(super) const QUESTION: &str = "longdrive";
 /// Metadata key of the description of the part.
 pub(super) const PART: &str = "longdrive.part";
 
@@ -54,7 +53,7 @@ pub struct Manifest {
 
 /// The footer of a file, read without its rows.
 pub(super) struct Footer {
-    pub question: SweepDefinition,
+    pub definition: SweepDefinition,
     pub part: Part,
     pub bytes: u64,
     /// Number of bytes before the footer.
@@ -74,8 +73,8 @@ impl Footer {
             .key_value_metadata()
             .map(Vec::as_slice)
             .unwrap_or_default();
-        let (Some(question), Some(part)) = (
-            note::<SweepDefinition>(notes, QUESTION),
+        let (Some(definition), Some(part)) = (
+            note::<SweepDefinition>(notes, DEFINITION_KEY),
             note::<Part>(notes, PART),
         ) else {
             return Err("it is not a part of a sweep of longdrive".into());
@@ -94,14 +93,14 @@ impl Footer {
                 let (at, length) = column.byte_range();
                 at + length
             });
-        if part.question != question.hash()
+        if part.question != definition.hash()
             || u64::try_from(rows) != Ok(part.rows)
             || ends.max() != Some(data)
         {
             return Err("its rows do not match its footer".into());
         }
         Ok(Self {
-            question,
+            definition,
             part,
             bytes,
             data,
@@ -110,9 +109,9 @@ impl Footer {
 
     /// The manifest of the file. Reads and hashes the whole file.
     pub fn manifest(self, path: &Path) -> Result<Manifest, String> {
-        let file = File::open(path).map_err(|error| read_error_text(&error))?;
-        let (data, sha256) = of_file(file, self.data).map_err(|error| read_error_text(&error))?;
-        if data != self.part.data {
+        let hashes = File::open(path).and_then(|file| FileHashes::of(&file, self.data));
+        let hashes = hashes.map_err(|error| read_error_text(&error))?;
+        if hashes.data != self.part.data {
             return Err(
                 "its rows have changed: their SHA-256 differs from the SHA-256 in its footer"
                     .into(),
@@ -126,9 +125,45 @@ impl Footer {
         Ok(Manifest {
             file: name,
             bytes: self.bytes,
-            sha256,
+            sha256: hashes.file,
             part: self.part,
         })
+    }
+}
+
+/// SHA-256 in hexadecimal.
+struct FileHashes {
+    /// Of the bytes before the footer.
+    data: String,
+    /// Of the whole file.
+    file: String,
+}
+
+impl FileHashes {
+    /// Reads a file, in which `data` bytes precede the footer.
+    fn of(file: &File, data: u64) -> io::Result<Self> {
+        let mut hash = Sha256::default();
+        add(&mut hash, file.take(data))?;
+        let of_data = hex(hash.clone());
+        add(&mut hash, file)?;
+        Ok(Self {
+            data: of_data,
+            file: hex(hash),
+        })
+    }
+}
+
+/// Adds the bytes of a source to a hash.
+fn add(hash: &mut Sha256, source: impl Read) -> io::Result<()> {
+    let mut source = BufReader::with_capacity(1 << 20, source);
+    loop {
+        let bytes = source.fill_buf()?;
+        if bytes.is_empty() {
+            return Ok(());
+        }
+        hash.update(bytes);
+        let read = bytes.len();
+        source.consume(read);
     }
 }
 
@@ -139,7 +174,7 @@ fn note<T: for<'de> Deserialize<'de>>(notes: &[KeyValue], key: &str) -> Option<T
 
 /// Size of a file, and number of bytes before its footer. The last eight bytes of the file begin
 /// with the length of the footer (four bytes).
-fn lengths(file: &mut File) -> std::io::Result<(u64, u64)> {
+fn lengths(file: &mut File) -> io::Result<(u64, u64)> {
     let mut tail = [0; 4];
     let bytes = file.seek(SeekFrom::End(0))?;
     file.seek(SeekFrom::Start(bytes.saturating_sub(8)))?;

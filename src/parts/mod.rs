@@ -41,7 +41,6 @@
 mod check;
 mod definition;
 mod footer;
-mod hash;
 mod share;
 mod write;
 

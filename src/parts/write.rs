@@ -1,6 +1,5 @@
-use super::definition::SweepDefinition;
+use super::definition::{SweepDefinition, hex};
 use super::footer::{Footer, Manifest, PART, Part};
-use super::hash::hex;
 use super::share::{file_name, rows_of};
 use crate::atomic_file::{create_beside, folder_of, persist};
 use crate::batch::{Batch, Block, Points, Run};
@@ -18,7 +17,7 @@ use std::path::Path;
 pub struct Dataset {
     batch: Batch,
     summary_spec: SummarySpec,
-    question: SweepDefinition,
+    definition: SweepDefinition,
     table: SweepParquet,
 }
 
@@ -49,19 +48,19 @@ impl Dataset {
     ) -> Result<Self> {
         rows_of(parts, parts, points.rows())?;
         let summary_spec = SummarySpec::new(&batch, histograms, best)?;
-        let question = SweepDefinition::new(&batch, points, &summary_spec, parts);
-        let table = SweepParquet::new(&batch, &question.text())?;
+        let definition = SweepDefinition::new(&batch, points, &summary_spec, parts);
+        let table = SweepParquet::new(&batch, &definition.text())?;
         Ok(Self {
             batch,
             summary_spec,
-            question,
+            definition,
             table,
         })
     }
 
     /// Definition of the sweep.
-    pub fn question(&self) -> &SweepDefinition {
-        &self.question
+    pub fn definition(&self) -> &SweepDefinition {
+        &self.definition
     }
 
     /// The rows of a part, counted from 0.
@@ -69,7 +68,7 @@ impl Dataset {
     /// # Errors
     /// [`Error::Together`] if `part` is not from 1 to the number of parts.
     pub fn rows_of(&self, part: u64) -> Result<Range<u64>> {
-        rows_of(part, self.question.parts, self.question.rows)
+        rows_of(part, self.definition.parts, self.definition.rows)
     }
 
     /// Computes and writes a part into an existing folder, unless the part exists. The file is
@@ -90,7 +89,7 @@ impl Dataset {
         mut progress: impl FnMut(u64),
     ) -> Result<PartResult> {
         let rows = self.rows_of(part)?;
-        let name = file_name(part, self.question.parts);
+        let name = file_name(part, self.definition.parts);
         let path = folder.join(&name);
         let results = |reason: String| Error::Results {
             file: path.display().to_string(),
@@ -125,16 +124,7 @@ impl Dataset {
         if !self.write_rows(&mut file, points, &run, &mut progress, unwritten)? {
             return Ok(PartResult::Stopped);
         }
-        let part = Part {
-            part,
-            parts: self.question.parts,
-            first_row: rows.start,
-            rows: file.summary.rows(),
-            question: self.question.hash(),
-            instructions: self.question.instructions.clone(),
-            data: hex(file.hash.clone()),
-            summary: std::mem::take(&mut file.summary),
-        };
+        let part = self.part(part, rows.start, &mut file);
         // serialisation cannot fail: the description has only strings and finite numbers
         let note = serde_json::to_string(&part).unwrap_or_default();
         let foot = self.table.foot(&file.groups, &[(PART, note)])?;
@@ -146,6 +136,20 @@ impl Dataset {
             sha256,
             part,
         }))
+    }
+
+    /// The description of a file that has all its rows.
+    fn part(&self, part: u64, first_row: u64, file: &mut Unfinished) -> Part {
+        Part {
+            part,
+            parts: self.definition.parts,
+            first_row,
+            rows: file.summary.rows(),
+            question: self.definition.hash(),
+            instructions: self.definition.instructions.clone(),
+            data: hex(file.hash.clone()),
+            summary: std::mem::take(&mut file.summary),
+        }
     }
 
     /// Computes the rows of `run` and writes them to the file. Returns false if the run was
@@ -201,7 +205,7 @@ impl Dataset {
     fn found(&self, part: u64, path: &Path) -> Result<Manifest, String> {
         let advice = "take another folder, or give `overwrite` to replace the file";
         let footer = Footer::read(path).map_err(|reason| format!("{reason}; {advice}"))?;
-        if let Some(difference) = self.question.difference(&footer.question) {
+        if let Some(difference) = self.definition.difference(&footer.definition) {
             return Err(format!(
                 "it exists and belongs to another sweep ({difference}); {advice}"
             ));
@@ -237,7 +241,7 @@ impl Dataset {
         else {
             return Ok(());
         };
-        match self.question.difference(&footer.question) {
+        match self.definition.difference(&footer.definition) {
             None => Ok(()),
             Some(difference) => Err(Error::Results {
                 file: other.display().to_string(),

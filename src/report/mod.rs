@@ -72,6 +72,8 @@ pub use origin::SetupOrigin;
 pub use parameters::{ParameterReport, ParametersReport};
 pub use pareto::{ParetoGoalReport, ParetoPointReport, ParetoReport, pareto_csv, pareto_toml};
 #[cfg(feature = "parquet")]
+pub(crate) use parquet::DEFINITION_KEY;
+#[cfg(feature = "parquet")]
 pub use parquet::{ParquetGroup, PlacedGroup};
 pub use presets::{ChangedSetting, PresetReport, PresetsReport, changes};
 pub use reply::{Empty, Ending, Reply, Report};

@@ -73,8 +73,11 @@ fn failed(_: ParquetError) -> Error {
     Error::Output(std::io::Error::other(reason))
 }
 
+/// Metadata key of the definition of a sweep.
+pub(crate) const DEFINITION_KEY: &str = "longdrive";
+
 impl ParquetTable {
-    /// A table of these columns. The file stores `question` under the key `longdrive`.
+    /// A table of these columns. The file stores `question` under the key [`DEFINITION_KEY`].
     ///
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `columns`.
@@ -117,7 +120,7 @@ impl ParquetTable {
         Ok(Self {
             schema: Arc::new(schema),
             properties: Arc::new(properties.build()),
-            notes: vec![KeyValue::new("longdrive".into(), question.to_owned())],
+            notes: vec![KeyValue::new(DEFINITION_KEY.into(), question.to_owned())],
         })
     }
 

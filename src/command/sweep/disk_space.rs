@@ -2,6 +2,7 @@
 
 use super::args::Args;
 use super::rows::{FormattedRows, RowFormatter};
+use crate::atomic_file::folder_of;
 use crate::batch::{Batch, Points};
 use crate::units::counted;
 use crate::{Error, Result};
@@ -32,43 +33,22 @@ pub fn check(
         },
         (None, None) => return Ok(()),
     };
-    let rows = points.rows();
-    points.seek(rows / 2)?;
-    let mut values = vec![];
-    let tried = points.read(TRIED, &mut values)?;
-    if tried == 0 {
+    let rows = points.rows() as f64;
+    let Some(row) = RowCost::measure(args, batch, points, formatter)? else {
         return Ok(());
-    }
-    let begun = Instant::now();
-    let content = formatter.rows(batch.evaluate(0, values));
-    let seconds = begun.elapsed().as_secs_f64();
-    let row = match content {
-        FormattedRows::Text { bytes, .. } => bytes.len() as f64 / tried as f64,
-        #[cfg(feature = "parquet")]
-        FormattedRows::Block(_) => {
-            // a grid stores each swept value once for many rows, so its size is neglected
-            let is_grid = args.sample.is_none() && args.points.is_none();
-            let swept = if is_grid {
-                0
-            } else {
-                points.parameters().len()
-            };
-            let computed = batch.outcomes().len() * (1 + batch.wrt().len());
-            // 8.5 bytes for each number, and 1 byte for the status
-            8.5 * (swept + computed) as f64 + 1.0
-        }
     };
-    let bytes = row * rows as f64;
+    let bytes = row.bytes * rows;
     if bytes <= most {
         return Ok(());
     }
+    let processors = || std::thread::available_parallelism().map(usize::from);
     let threads = match args.threads {
-        0 => std::thread::available_parallelism().map_or(1, usize::from),
-        threads => threads.min(std::thread::available_parallelism().map_or(threads, usize::from)),
+        0 => processors().unwrap_or(1),
+        threads => threads.min(processors().unwrap_or(threads)),
     };
-    let time = duration(seconds / tried as f64 * rows as f64 / threads as f64);
+    let time = duration(row.seconds * rows / threads as f64);
     Err(Error::TooLarge {
-        rows: rows.to_string(),
+        rows: points.rows().to_string(),
         size: format!("{} and about {time}", size(bytes)),
         limit,
         advice: "take fewer values or outcomes, `sample` points of the same ranges, or a larger \
@@ -77,12 +57,55 @@ pub fn check(
     })
 }
 
+/// The size of a row, bytes, and the time that one thread needs for it, s.
+struct RowCost {
+    bytes: f64,
+    seconds: f64,
+}
+
+impl RowCost {
+    /// Measures rows in the middle of the sweep; `None` if there are no rows.
+    fn measure(
+        args: &Args,
+        batch: &Batch,
+        points: &mut dyn Points,
+        formatter: &RowFormatter,
+    ) -> Result<Option<Self>> {
+        points.seek(points.rows() / 2)?;
+        let mut values = vec![];
+        let tried = points.read(TRIED, &mut values)?;
+        if tried == 0 {
+            return Ok(None);
+        }
+        let begun = Instant::now();
+        let content = formatter.rows(batch.evaluate(0, values));
+        let seconds = begun.elapsed().as_secs_f64() / tried as f64;
+        let bytes = match content {
+            FormattedRows::Text { bytes, .. } => bytes.len() as f64 / tried as f64,
+            #[cfg(feature = "parquet")]
+            FormattedRows::Block(_) => bytes_in_parquet(args, batch, points),
+        };
+        Ok(Some(Self { bytes, seconds }))
+    }
+}
+
+/// The estimated size of a row in Parquet, bytes.
+#[cfg(feature = "parquet")]
+fn bytes_in_parquet(args: &Args, batch: &Batch, points: &dyn Points) -> f64 {
+    // a grid stores each swept value once for many rows, so its size is neglected
+    let is_grid = args.sample.is_none() && args.points.is_none();
+    let swept = match is_grid {
+        true => 0,
+        false => points.parameters().len(),
+    };
+    let computed = batch.outcomes().len() * (1 + batch.wrt().len());
+    // 8.5 bytes for each number, and 1 byte for the status
+    8.5 * (swept + computed) as f64 + 1.0
+}
+
 /// The number of bytes available for a file (its present size included), and its folder.
 fn free(path: &Path) -> Option<(f64, String)> {
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
+    let folder = folder_of(path);
     let there = std::fs::metadata(path).map_or(0, |found| found.len());
     Some((
         (available_space(folder)? + there) as f64,

@@ -31,6 +31,13 @@ pub struct Journal {
     _replaced: Option<File>,
 }
 
+/// The path with a text after its whole name.
+pub fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(suffix);
+    name.into()
+}
+
 /// The rows at the beginning of a file of rows; an entry of the journal.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct WrittenRows {
@@ -47,9 +54,7 @@ pub struct WrittenRows {
 impl Journal {
     /// The path of the journal for a file.
     pub fn path(of: &Path) -> PathBuf {
-        let mut name = of.as_os_str().to_owned();
-        name.push(".resume");
-        name.into()
+        with_suffix(of, ".resume")
     }
 
     /// Returns true for the journal of a sweep, whose first line is an identity.

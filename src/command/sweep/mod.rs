@@ -14,7 +14,7 @@ pub use args::Args;
 
 use crate::batch::{Batch, Points, Run, Status, StatusCounts};
 use crate::command::args::{refuse_threads, stated};
-use crate::command::files::DestinationKind;
+use crate::command::files::{Destination, DestinationKind};
 use crate::command::interrupt;
 use crate::command::output::{Answer, bar, note, say_error, warn, warnings};
 use crate::drive::CheckScope;
@@ -32,9 +32,14 @@ use target::{SweepOutput, destination, format_of};
 
 pub fn run(args: &Args) -> Result<Answer> {
     let folder = args.part.and(Some(args.output.as_path()));
-    if let Some(folder) = args.check.as_deref().or(folder) {
-        return of_parts(args, folder);
+    match args.check.as_deref().or(folder) {
+        Some(folder) => of_parts(args, folder),
+        None => whole_sweep(args),
     }
+}
+
+/// Writes all rows into one file, or to standard output.
+fn whole_sweep(args: &Args) -> Result<Answer> {
     refuse_options_of_parts(args)?;
     refuse_threads(args.threads)?;
     // interruptible from here on: reading a long table takes time before the first drive
@@ -70,12 +75,9 @@ pub fn run(args: &Args) -> Result<Answer> {
     )?;
     let counts = output.status_counts();
     // an incomplete file has another name
-    let part = destination.file().map(part_of);
-    let file = part
-        .clone()
-        .filter(|_| !is_complete)
-        .unwrap_or_else(|| args.output.clone());
-    let summary = SweepSummary::new(total, counts, notes, &file);
+    let part = destination.file().filter(|_| !is_complete).map(part_of);
+    let file = part.as_deref().unwrap_or(&args.output);
+    let summary = SweepSummary::new(total, counts, notes, file);
     warn(counts.exceeded().warnings(
         &setup.law,
         ["drive that landed", "drives that landed"],
@@ -86,25 +88,42 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let nothing = (is_complete && !counts.has_any(batch.outcomes()))
         .then(|| no_outcome(&summary, counts, batch.outcomes()));
+    let is_json = request.is_json;
+    Ok(answer(
+        is_json,
+        &summary,
+        &destination,
+        is_complete,
+        nothing,
+    ))
+}
+
+/// The answer; `nothing` is the reason if no drive has an outcome.
+fn answer(
+    is_json: bool,
+    summary: &SweepSummary,
+    destination: &Destination,
+    is_complete: bool,
+    nothing: Option<String>,
+) -> Answer {
     if let Some(nothing) = &nothing {
         say_error(nothing);
     }
     let is_answered = is_complete && nothing.is_none();
     let is_standard_output = destination.kind == DestinationKind::StandardOutput;
     // standard output has the rows, so the counts of drives that did not land are a note
-    let all_landed = counts.count(Status::Landed) == counts.total();
-    if is_answered && !all_landed && is_standard_output {
+    if is_answered && is_standard_output && !summary.all_landed() {
         note(&summary.text(None));
     }
-    let answer = if request.is_json {
-        let reply = Reply::done("sweep", warnings(), &summary);
+    let answer = if is_json {
+        let reply = Reply::done("sweep", warnings(), summary);
         Answer::json(&ended(reply, is_complete, nothing))
     } else if is_complete && !is_standard_output {
         Answer::text(summary.text(destination.file()) + "\n")
     } else {
         Answer::text(String::new())
     };
-    Ok(answer.found(is_answered))
+    answer.found(is_answered)
 }
 
 /// The reply with its status; `nothing` is the reason if no drive has an outcome.
@@ -249,6 +268,10 @@ impl SweepSummary {
             statuses: status_counts.counts().collect(),
             remarks,
         }
+    }
+
+    fn all_landed(&self) -> bool {
+        self.statuses.get(&Status::Landed) == Some(&self.written)
     }
 
     fn text(&self, file: Option<&Path>) -> String {

@@ -167,11 +167,11 @@ pub fn check(args: &Args, folder: &Path) -> Result<Answer> {
     let wanted = wanted(args)?;
     let checked = parts::check(folder, wanted.as_ref(), args.hash)?;
     if let (Some(wanted), Some(_)) = (&wanted, args.instructions)
-        && wanted.instructions != checked.question.instructions
+        && wanted.instructions != checked.definition.instructions
     {
         let reason = format!(
             "its parts are computed with the instructions {}, and not {}",
-            checked.question.instructions, wanted.instructions
+            checked.definition.instructions, wanted.instructions
         );
         return Err(refused(folder, reason));
     }
@@ -205,7 +205,7 @@ fn wanted(args: &Args) -> Result<Option<SweepDefinition>> {
     // 1 is a placeholder: the files state the number of parts
     Ok(Some(
         dataset_of(args, batch, points.as_ref(), 1)?
-            .question()
+            .definition()
             .clone(),
     ))
 }
@@ -249,7 +249,7 @@ fn refuse_without_points(args: &Args) -> Result<()> {
 /// The present and missing parts, as sentences.
 fn sentences(checked: &Checked) -> Vec<String> {
     let Checked {
-        question,
+        definition,
         present,
         missing,
         faults,
@@ -264,16 +264,16 @@ fn sentences(checked: &Checked) -> Vec<String> {
             "complete: {} of {} with the instructions {}, {bytes} bytes",
             counted(*present, "part"),
             counted(*rows, "drive"),
-            question.instructions
+            definition.instructions
         ),
-        false if *present == question.parts => format!(
+        false if *present == definition.parts => format!(
             "{} are present and valid, but not alone: remove the files that are no part of the \
              sweep",
             counted(*present, "part")
         ),
         false => format!(
             "not complete: {present} of {} are present and valid",
-            counted(question.parts, "part")
+            counted(definition.parts, "part")
         ),
     }];
     if !missing.is_empty() {

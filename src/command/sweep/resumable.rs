@@ -1,4 +1,4 @@
-use super::journal::{Journal, WrittenRows};
+use super::journal::{Journal, WrittenRows, with_suffix};
 use super::rows::{FormattedRows, Identity, RowFormatter};
 use crate::atomic_file::persist;
 #[cfg(feature = "parquet")]
@@ -58,13 +58,11 @@ struct WrittenGroup {
 
 /// The path of an incomplete file, `FILE.part`.
 pub fn part_of(path: &Path) -> PathBuf {
-    let mut part = path.as_os_str().to_owned();
-    part.push(".part");
-    part.into()
+    with_suffix(path, ".part")
 }
 
 /// Refuses to lose the rows of an earlier sweep, or to replace a file that no sweep wrote.
-pub fn check(path: &Path, resume: bool, overwrite: bool) -> Result<()> {
+pub fn refuse_unfinished_sweep(path: &Path, resume: bool, overwrite: bool) -> Result<()> {
     let journal = Journal::path(path);
     if !journal.exists() {
         let part = part_of(path);

@@ -2,7 +2,7 @@
 
 use super::args::{Args, SweepFormat};
 use super::journal::Journal;
-use super::resumable::{ResumableFile, check};
+use super::resumable::{ResumableFile, refuse_unfinished_sweep};
 use super::rows::{FormattedRows, Identity, RowFormatter};
 use crate::batch::StatusCounts;
 use crate::command::files::{
@@ -77,7 +77,7 @@ pub fn destination(args: &Args, request: &Request, format: SweepFormat) -> Resul
         );
     }
     if let Some(file) = destination.file() {
-        check(file, args.resume, args.overwrite)?;
+        refuse_unfinished_sweep(file, args.resume, args.overwrite)?;
     }
     Ok(destination)
 }
