@@ -119,12 +119,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(setup.warnings());
     let table = read_shots(args, &request, &setup)?;
     warn(table.warnings.clone());
-    let mut plan = FitPlan::read(&setup, &args.fit)?;
-    plan.starts = args.starts as usize;
-    plan.options.max_iterations = args.max_iterations;
-    if args.huber {
-        plan.options.loss = Loss::HUBER;
-    }
+    let plan = args.plan(&setup)?;
     let setup = request.for_many(setup, &ranges(&table, &plan.fit))?;
     let validation = CrossValidation::new(args, &setup, &table, &plan)?;
     warn(table.one_drive(&setup, &plan.fit));
@@ -164,6 +159,19 @@ pub fn run(args: &Args) -> Result<Answer> {
     report.folder = args.plot.as_ref().map(named);
     let answer = Answer::report(&report, &request.origin(), request.is_json);
     Ok(answer.found(report.is_found()))
+}
+
+impl Args {
+    /// The fitted parameters and the settings of the fit.
+    fn plan(&self, setup: &Setup<f64>) -> Result<FitPlan> {
+        let mut plan = FitPlan::read(setup, &self.fit)?;
+        plan.starts = self.starts as usize;
+        plan.options.max_iterations = self.max_iterations;
+        if self.huber {
+            plan.options.loss = Loss::HUBER;
+        }
+        Ok(plan)
+    }
 }
 
 /// Reads the measured shots, and refuses settings of parameters that the shots state.

@@ -4,7 +4,7 @@ use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{
     Answer, note, note_detail, note_error, once_a_second, spinner, stated_system, system, warn,
 };
-use crate::command::ranges::{DefaultRanges, held};
+use crate::command::ranges::DefaultRanges;
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
 use crate::statistics::extent;
@@ -62,12 +62,12 @@ pub fn run(args: &Args) -> Result<Answer> {
     if !at.is_sorted_by(|a, b| a < b) {
         note("the values of `at` are used in ascending order, each once");
     }
-    let held = held(&args.search.vary, || {
-        DefaultRanges::longest_drive(&request, &setup)
-    })?;
-    let origin = request
-        .origin_of_search(&search.vary)
-        .with_held(&held, &setup);
+    let origin = request.origin_with_held(
+        &args.search.vary,
+        &search.vary,
+        &setup,
+        DefaultRanges::longest_drive,
+    )?;
     let chart = follow(&setup, &search, along, &at, &stop);
     interrupt::ends();
     let chart = match chart {

@@ -1,6 +1,6 @@
 //! The `design` command: the best head and face.
 
-use crate::command::args::OptimizeArgs;
+use crate::command::args::{OptimizeArgs, SwingsArgs};
 use crate::command::interrupt;
 use crate::command::output::Answer;
 use crate::command::ranges::{DefaultRanges, held};
@@ -11,7 +11,7 @@ use crate::report::Designed;
 use crate::study::design::{Design, GOLFER, golfer, improvements, usual_vary};
 use crate::study::swings::{Scenarios, Swings};
 use crate::study::{Goal, Search, Sense};
-use crate::{Error, Result};
+use crate::{Error, Result, Setup};
 
 /// The default objective.
 const GOAL: &str = "mean(carry) - 0.5*rms(lateral)";
@@ -62,14 +62,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         "it gives the launch, so no club strikes the ball and there is nothing to design; leave it \
          out, or give the swing",
     )?;
-    let swings = if search.swings.is_given() {
-        search.swings.read(&setup)?
-    } else {
-        if !search.swings.correlation.is_empty() {
-            search.swings.refuse_stray()?;
-        }
-        golfer(&setup)?
-    };
+    let swings = read_swings(&search.swings, &setup)?;
     request.refuse_stated(&distributed(args, &swings), "the swings have values of it")?;
     let setup = request.with_values(
         setup,
@@ -128,6 +121,17 @@ fn refuse_unnamed_preset(request: &Request) -> Result<()> {
     let source = "it names no preset; name the one that it starts from in its first line, as in \
                   preset = \"modern-driver\"";
     Err(Error::unreadable(request.source.name(), source))
+}
+
+/// The stated swings; without any, those of a golfer whose drives were measured.
+fn read_swings(args: &SwingsArgs, setup: &Setup<f64>) -> Result<Swings> {
+    if args.is_given() {
+        return args.read(setup);
+    }
+    if !args.correlation.is_empty() {
+        args.refuse_stray()?;
+    }
+    golfer(setup)
 }
 
 /// Notes on the defaults that replace unstated arguments: swings, goal and varied parameters.

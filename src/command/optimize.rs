@@ -3,7 +3,7 @@ pub use crate::command::args::OptimizeArgs as Args;
 use crate::Result;
 use crate::command::files::{Destination, OutputRule};
 use crate::command::output::{Answer, note, warn};
-use crate::command::ranges::{DefaultRanges, held};
+use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::search::write;
 use crate::optimize::Status;
@@ -30,12 +30,12 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(best.warnings(&AtomicBool::new(false)));
     let written = write(output.as_ref(), &request, &optima, None)?;
     let over = OverSwings::default();
-    let held = held(&args.search.vary, || {
-        DefaultRanges::longest_drive(&request, &setup)
-    })?;
-    let origin = request
-        .origin_of_search(&best.search.vary)
-        .with_held(&held, &setup);
+    let origin = request.origin_with_held(
+        &args.search.vary,
+        &best.search.vary,
+        &setup,
+        DefaultRanges::longest_drive,
+    )?;
     let is_converged = best.solution.status == Status::Converged;
     let loss = usual_loss(best);
     let windows = is_converged.then(|| windows(best, loss)).transpose()?;

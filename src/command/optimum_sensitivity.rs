@@ -1,7 +1,7 @@
 use crate::command::args::{OptimizeArgs, SwingsArgs};
 use crate::command::names::variables;
 use crate::command::output::{Answer, note, note_error, spinner, warn, with_bar};
-use crate::command::ranges::{DefaultRanges, held};
+use crate::command::ranges::DefaultRanges;
 use crate::command::search::write;
 use crate::parameters::Parameter;
 use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_document};
@@ -53,12 +53,12 @@ pub fn run(args: &Args) -> Result<Answer> {
     let setup = request.for_many(own, &search.vary)?;
     let requested = AnalysisRequest::new(args, &setup, &search)?;
     let output = args.optimize.destination(&request)?;
-    let held = held(&args.optimize.search.vary, || {
-        DefaultRanges::longest_drive(&request, &setup)
-    })?;
-    let origin = request
-        .origin_of_search(&search.vary)
-        .with_held(&held, &setup);
+    let origin = request.origin_with_held(
+        &args.optimize.search.vary,
+        &search.vary,
+        &setup,
+        DefaultRanges::longest_drive,
+    )?;
     let optima = args.optimize.optima(&setup, &search)?;
     let best = &optima.best;
     let written = write(output.as_ref(), &request, &optima, None)?;

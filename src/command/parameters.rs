@@ -1,8 +1,9 @@
 use crate::Result;
-use crate::command::args::{SETUP, SetupArgs};
+use crate::command::args::SetupArgs;
 use crate::command::output::Answer;
 use crate::command::request::Source;
 use crate::command::running::running;
+use crate::parameters::DEFAULT_PRESET;
 use crate::report::ParametersReport;
 
 #[derive(clap::Args)]
@@ -40,7 +41,7 @@ impl Args {
         if self.word.is_some() || Source::is_named_by(&setup_args.drive.setup) {
             return (setup_args, self.word.clone());
         }
-        let word = std::mem::replace(&mut setup_args.drive.setup, SETUP.into());
+        let word = std::mem::replace(&mut setup_args.drive.setup, DEFAULT_PRESET.into());
         (setup_args, Some(word))
     }
 }

@@ -6,7 +6,7 @@ use crate::command::interrupt;
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, once_a_second, spinner, stated_system, system, warn};
 use crate::command::picture::{PictureArgs, PlotDestination};
-use crate::command::ranges::{DefaultRanges, held, varied};
+use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::search::{of_a_drive, options};
@@ -112,14 +112,12 @@ pub fn run(args: &Args) -> Result<Answer> {
     report.lacks_file = output.is_some() && written.is_none();
     report.file = written;
     let is_whole = report.ending().status == "done";
-    let usual = match args.goals.swings.is_given() {
-        true => DefaultRanges::loft,
-        false => DefaultRanges::longest_drive,
-    };
-    let held = held(&args.goals.vary, || usual(&request, &setup))?;
-    let origin = request
-        .origin_of_search(&found.search.vary)
-        .with_held(&held, &setup);
+    let origin = request.origin_with_held(
+        &args.goals.vary,
+        &found.search.vary,
+        &setup,
+        |request, setup| args.goals.swings.default_ranges(request, setup),
+    )?;
     let answer = Answer::report(&report, &origin, request.is_json);
     Ok(answer.found(is_whole))
 }

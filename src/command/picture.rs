@@ -9,7 +9,7 @@ use crate::features::how_to_get;
 use crate::report::Reply;
 use crate::report::plot::{Figure, Look, figure_csv, figure_svg};
 use crate::units::Message;
-use crate::{Drive, Error, Result, Setup};
+use crate::{Error, Result, Setup};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -124,8 +124,7 @@ impl<'a> PlotDestination<'a> {
         figure: &Figure,
         of_optima: Vec<Message>,
     ) -> Result<Answer> {
-        let mut warnings =
-            Drive::new(setup).map_or_else(|_| setup.warnings(), |drive| drive.warnings(setup));
+        let mut warnings = setup.drive_warnings(&[]);
         warnings.extend(of_optima);
         self.put(request.is_json, figure, warnings)
     }

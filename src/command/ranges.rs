@@ -1,7 +1,9 @@
 //! The default ranges of a search: the parameters that a command varies without `--vary`.
 
+use crate::command::args::SwingsArgs;
 use crate::command::request::Request;
 use crate::parameters::{Parameter, Vary};
+use crate::report::SetupOrigin;
 use crate::study::Search;
 use crate::{Error, Result, Setup};
 
@@ -32,6 +34,37 @@ pub fn held(
     match given {
         [] => Ok(usual()?.held),
         _ => Ok(vec![]),
+    }
+}
+
+impl Request {
+    /// The setup that the answer of a search over `vary` is about, with the parameters that the
+    /// search keeps. `given` are the texts of `--vary`, `usual` the ranges without it.
+    ///
+    /// # Errors
+    /// The errors of `usual`.
+    pub fn origin_with_held(
+        &self,
+        given: &[String],
+        vary: &[Vary],
+        setup: &Setup<f64>,
+        usual: impl FnOnce(&Self, &Setup<f64>) -> Result<DefaultRanges>,
+    ) -> Result<SetupOrigin> {
+        let held = held(given, || usual(self, setup))?;
+        Ok(self.origin_of_search(vary).with_held(&held, setup))
+    }
+}
+
+impl SwingsArgs {
+    /// The default ranges of a search: over swings the loft alone.
+    ///
+    /// # Errors
+    /// The errors of [`Search::longest_drive`].
+    pub fn default_ranges(&self, request: &Request, setup: &Setup<f64>) -> Result<DefaultRanges> {
+        match self.is_given() {
+            true => DefaultRanges::loft(request, setup),
+            false => DefaultRanges::longest_drive(request, setup),
+        }
     }
 }
 

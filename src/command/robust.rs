@@ -5,7 +5,6 @@ use crate::command::files::OutputRule;
 use crate::command::interrupt;
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, note_detail, spinner, warn};
-use crate::command::ranges::{DefaultRanges, held};
 use crate::command::request::Request;
 use crate::command::swings::{SwingsRequest, search_over_swings, swing_ranges};
 use crate::optimize::Observers;
@@ -99,14 +98,12 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(warnings);
     let mut report = RobustReport::new(&found, within);
     report.file = written;
-    let usual = match args.swings.is_given() {
-        true => DefaultRanges::loft,
-        false => DefaultRanges::longest_drive,
-    };
-    let held = held(&args.search.vary, || usual(&request, &setup))?;
-    let origin = request
-        .origin_of_search(&found.search.vary)
-        .with_held(&held, &setup);
+    let origin = request.origin_with_held(
+        &args.search.vary,
+        &found.search.vary,
+        &setup,
+        |request, setup| args.swings.default_ranges(request, setup),
+    )?;
     let answer = Answer::report(&report, &origin, request.is_json);
     Ok(answer.found(is_found))
 }

@@ -8,14 +8,10 @@ use crate::{Drive, Outcome, Result};
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.request()?;
     let setup = request.within_tolerance(request.setup()?)?;
-    let drive = Drive::new(&setup);
-    let mut warnings = drive.as_ref().map_or_else(
-        |_| setup.warnings(),
-        |drive| drive.warnings_about(&setup, Outcome::ALL),
-    );
+    let mut warnings = setup.drive_warnings(Outcome::ALL);
     warnings.extend(setup.wind_profile_warning());
     warn(warnings);
-    let drive = drive?;
+    let drive = Drive::new(&setup)?;
     let report = DriveReport::new(&setup, &drive);
     let answer = Answer::report(&report, &request.origin(), request.is_json);
     Ok(answer.found(matches!(drive.flight, Flight::Landed(_))))

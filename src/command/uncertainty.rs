@@ -5,7 +5,7 @@ use crate::command::request::Request;
 use crate::report::{UncertaintyReport, parameter_difference_text};
 use crate::study::uncertainty::{SamplePlan, Uncertain, uncertainty};
 use crate::study::{refuse_given_twice, with_defaults};
-use crate::{Drive, Outcome, Result, Setup};
+use crate::{Outcome, Result, Setup};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -68,10 +68,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         setup,
         &inputs.iter().map(Uncertain::range).collect::<Vec<_>>(),
     )?;
-    warn(Drive::new(&setup).map_or_else(
-        |_| setup.warnings(),
-        |drive| drive.warnings_about(&setup, &of),
-    ));
+    warn(setup.drive_warnings(&of));
     let plan = SamplePlan {
         samples: args.samples as usize,
         seed: args.seed,

@@ -1,3 +1,4 @@
+use crate::Result;
 use crate::command::args::SetupArgs;
 use crate::command::interrupt;
 use crate::command::names::{outcomes, variables};
@@ -5,7 +6,6 @@ use crate::command::output::{Answer, note, system, warn, with_bar};
 use crate::report::{CertificateReport, by_reason};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{Certificate, StepError, certify};
-use crate::{Drive, Result};
 use std::sync::atomic::Ordering;
 
 #[derive(clap::Args)]
@@ -33,7 +33,7 @@ pub struct Args {
 }
 
 /// Reports the excluded outcomes, with the reasons.
-pub fn note_left_out(certificate: &Certificate) {
+pub fn note_missing_outcomes(certificate: &Certificate) {
     let missing = certificate
         .missing
         .iter()
@@ -60,12 +60,8 @@ pub fn run(args: &Args) -> Result<Answer> {
         .iter()
         .filter_map(StepError::warning)
         .collect();
-    let of_drive = Drive::new(&setup).map_or_else(
-        |_| setup.warnings(),
-        |drive| drive.warnings_about(&setup, &of),
-    );
-    warn([of_drive, of_step].concat());
-    note_left_out(&certificate);
+    warn([setup.drive_warnings(&of), of_step].concat());
+    note_missing_outcomes(&certificate);
     // do not continue after an interruption
     let loops = if certificate.stopped.is_none() {
         while_loop(&setup, &certificate.rows)

@@ -60,6 +60,14 @@ pub struct FlownRange {
     pub outside: f64,
 }
 
+impl Setup<f64> {
+    /// The [warnings](Drive::warnings_about) about the setup and its drive, if the outcomes `of`
+    /// are requested. Without a drive, the warnings are about the setup only.
+    pub fn drive_warnings(&self, of: &[Outcome]) -> Vec<Message> {
+        Drive::new(self).map_or_else(|_| self.warnings(), |drive| drive.warnings_about(self, of))
+    }
+}
+
 impl Drive<f64> {
     /// All warnings about a setup and its drive:
     ///

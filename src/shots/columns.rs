@@ -1,14 +1,14 @@
 //! Meaning of the columns of an export.
 
 use super::interpretation::Interpretation;
-use super::shot::{Club as ClubOfShot, Further, Origin};
+use super::shot::{Club, Origin, RowParameter};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
     Column, Content, DecimalMark, OF_FLOWN, TableFormat, TableHead, TextTable, air_of_rows,
-    air_of_setup, cells, club_column, columns_remark, given_air, heads_of, missing_of_launch,
-    near_known, replace_air_remark, rest_of_head, split_unit, with_nearest, words,
+    air_of_setup, cells, club_column, columns_remark, given_air, in_degrees, is_condition_head,
+    missing_of_launch, near_known, rest_of_head, split_unit, with_nearest, words,
 };
 use crate::units::Message;
 use std::borrow::Cow;
@@ -26,7 +26,7 @@ pub(super) struct MeasuredColumn {
 
 /// The column heads of an export, interpreted.
 #[derive(Clone, Debug)]
-pub struct Export {
+pub struct ShotColumns {
     /// Cell separator.
     pub separator: u8,
     /// The column heads as written.
@@ -37,7 +37,7 @@ pub struct Export {
     pub(super) read: Vec<MeasuredColumn>,
     /// Columns of the club: speed, attack angle, path, face angle.
     pub(super) club: [Option<(usize, Column)>; 4],
-    pub(super) further: Vec<Further>,
+    pub(super) further: Vec<RowParameter>,
     /// Column with the origin of the spin.
     pub(super) spin_type: Option<usize>,
     /// Column that states the conditions for which the values hold, such as normalized weather.
@@ -54,7 +54,7 @@ pub struct Export {
     pub(super) remarks: Vec<Message>,
 }
 
-impl Export {
+impl ShotColumns {
     /// True if numbers have decimal commas.
     pub fn has_decimal_comma(&self) -> bool {
         self.decimal_mark == Some(DecimalMark::Comma)
@@ -65,13 +65,22 @@ impl Export {
         cells(text, self.separator)
     }
 
-    /// Interprets the column heads of a table for shots.
+    /// Interprets the column heads of a table for shots. If the air is given, the air of the export
+    /// is not used.
     ///
     /// # Errors
     /// [`Error::Table`] if a launch column is missing, or if a unit has the wrong dimension.
-    pub(super) fn read(setup: &Setup<f64>, mut head: TableHead, table: &TextTable) -> Result<Self> {
+    pub(super) fn read(
+        setup: &Setup<f64>,
+        mut head: TableHead,
+        table: &TextTable,
+        is_air_given: bool,
+    ) -> Result<Self> {
         add_totals(setup, &mut head)?;
         let meant = Interpretation::of(Some(setup), &mut head, table);
+        if is_air_given {
+            ignore_air(&mut head.columns);
+        }
         let TableHead {
             line,
             heads,
@@ -143,7 +152,7 @@ impl Export {
             "spin source",
             "drehratentyp",
         ]);
-        self.condition = named(&["condition", "conditions"]);
+        self.condition = plain.iter().position(|head| is_condition_head(head));
     }
 
     /// Sorts the parameters other than the launch in the order of another section. Drops
@@ -153,7 +162,7 @@ impl Export {
     /// The name of a parameter that has no column in this section.
     pub(super) fn align(&mut self, other: &Self) -> std::result::Result<(), &'static str> {
         let mut aligned = vec![];
-        for Further { parameter, .. } in &other.further {
+        for RowParameter { parameter, .. } in &other.further {
             let mut own = self.further.iter();
             let found = own.find(|own| own.parameter == *parameter);
             aligned.push(found.cloned().ok_or(parameter.name)?);
@@ -176,7 +185,7 @@ impl Export {
             }
             Content::Input(parameter) if !parameter.is_of_strike() && !parameter.is_of_launch() => {
                 column.check_unit()?;
-                self.further.push(Further {
+                self.further.push(RowParameter {
                     at,
                     parameter,
                     column: column.clone(),
@@ -193,7 +202,7 @@ impl Export {
                     return Ok(());
                 };
                 if let Content::Input(parameter) = again.content
-                    && let Some(club) = ClubOfShot::place(parameter)
+                    && let Some(club) = Club::place(parameter)
                     && self.club[club].is_none()
                     && again.clone().in_unit("mph").check_unit().is_ok()
                 {
@@ -261,9 +270,7 @@ impl Export {
             }
         });
         let not_read: Vec<String> = not_read.collect();
-        let in_degrees = heads_of(columns, |column| {
-            self.is_export && column.is_in_assumed_degrees()
-        });
+        let in_degrees = self.is_export.then(|| in_degrees(columns)).flatten();
         let stated_air = self.stated_air().map(|air| air_of_rows(&air.column.head));
         let of_air = stated_air.or_else(|| given_air(columns));
         let replaced = (!self.added.is_empty())
@@ -271,10 +278,7 @@ impl Export {
         let remarks = without_unit
             .map(Message::from)
             .into_iter()
-            .chain(columns_remark(
-                "angles without a unit are read in degrees",
-                &in_degrees,
-            ))
+            .chain(in_degrees.map(Message::from))
             .chain(of_air.map(Message::from))
             .chain(self.given_twice(columns))
             .chain(replaced.map(Message::from))
@@ -312,21 +316,11 @@ impl Export {
 }
 
 /// The air of the rows.
-impl Export {
+impl ShotColumns {
     /// The air column; `None` if the export states no air.
-    fn stated_air(&self) -> Option<&Further> {
+    fn stated_air(&self) -> Option<&RowParameter> {
         let mut further = self.further.iter();
         further.find(|further| further.column.is_stated_air())
-    }
-
-    /// Ignores the air of the export, because the setup gives the air.
-    pub(super) fn ignore_air(&mut self) {
-        let mut further = self.further.iter();
-        let at = further.position(|further| further.column.is_stated_air());
-        if let Some(at) = at {
-            let head = self.further.remove(at).column.head;
-            replace_air_remark(&mut self.remarks, &head);
-        }
     }
 
     /// Message for a row without usable air.
@@ -334,6 +328,13 @@ impl Export {
         let air = self.stated_air()?;
         let stated = air.column.stated_air(&row[air.at]);
         stated.err().map(|why| air_of_setup(&why))
+    }
+}
+
+/// Ignores the columns in which the export states the air.
+fn ignore_air(columns: &mut [Column]) {
+    for column in columns.iter_mut().filter(|column| column.is_stated_air()) {
+        (column.content, column.is_of_given_air) = (Content::Note, true);
     }
 }
 

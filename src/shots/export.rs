@@ -1,10 +1,10 @@
 //! Reads the rows of an export as shots.
 
-use super::head::{Export, MeasuredColumn};
-use super::shot::{Club, Further, Origin, REFUSED, Shot, StatedValue, within};
+use super::columns::{MeasuredColumn, ShotColumns};
+use super::shot::{Club, Origin, REFUSED, RowParameter, Shot, StatedValue, within};
 use crate::drive::Outcome;
 use crate::table::{
-    CONDITIONS, DecimalMark, Record, Refusal, RowFault, Stated as Conditions, cells, conditions,
+    CONDITIONS, DecimalMark, Record, Refusal, RowFault, StatedConditions, cells, conditions,
     contradiction, implausible, implausible_launch,
 };
 use std::borrow::Cow;
@@ -18,7 +18,7 @@ pub(super) const OF_SPIN: [Outcome; 4] = [
     Outcome::SpinAxis,
 ];
 
-impl Export {
+impl ShotColumns {
     /// Reads the shot of a record.
     pub(super) fn shot(&self, record: Record) -> Shot {
         let row = cells(&record.text, self.separator);
@@ -114,13 +114,13 @@ impl Export {
     }
 
     /// Values of a row: the launch parameters, then the other parameters of the table.
-    fn point(&self, stated: &Conditions, row: &[Cow<'_, str>]) -> Result<Vec<f64>, Refusal> {
+    fn point(&self, stated: &StatedConditions, row: &[Cow<'_, str>]) -> Result<Vec<f64>, Refusal> {
         let mut point = launch(
             stated,
             |of| self.name_of(of),
             |of| self.column_of(of).is_some(),
         )?;
-        for Further {
+        for RowParameter {
             at,
             parameter,
             column,
@@ -155,7 +155,7 @@ fn says_normalized(text: &str) -> bool {
 
 /// The launch parameters of the conditions, in the order of [`LAUNCH`](super::shot::LAUNCH).
 pub(super) fn launch(
-    values: &Conditions,
+    values: &StatedConditions,
     name: impl Fn(Outcome) -> String,
     has: impl Fn(Outcome) -> bool,
 ) -> Result<Vec<f64>, Refusal> {
@@ -179,7 +179,11 @@ pub(super) fn launch(
 }
 
 /// Adds notes to a shot: values assumed to be 0, and contradictory spins.
-pub(super) fn add_notes(shot: &mut Shot, stated: &Conditions, name: impl Fn(Outcome) -> String) {
+pub(super) fn add_notes(
+    shot: &mut Shot,
+    stated: &StatedConditions,
+    name: impl Fn(Outcome) -> String,
+) {
     let Some(&[_, _, _, back, side]) = shot.launch() else {
         return;
     };

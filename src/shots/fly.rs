@@ -24,12 +24,12 @@ pub struct Flying {
 /// Range of launches for which the integration method and step are chosen. It does not depend on
 /// the table, so that the prediction for a row does not depend on other rows. A drive outside the
 /// range is computed with a smaller step if necessary.
-const USUAL: [(&str, f64, f64, &str); 5] = [
-    ("launch.ball_speed", 60.0, 200.0, "mph"),
-    ("launch.launch_angle", 2.0, 35.0, "deg"),
-    ("launch.launch_direction", -10.0, 10.0, "deg"),
-    ("launch.backspin", 1000.0, 7000.0, "rpm"),
-    ("launch.sidespin", -1500.0, 1500.0, "rpm"),
+const USUAL: [&str; 5] = [
+    "launch.ball_speed=60mph..200mph",
+    "launch.launch_angle=2deg..35deg",
+    "launch.launch_direction=-10deg..10deg",
+    "launch.backspin=1000rpm..7000rpm",
+    "launch.sidespin=-1500rpm..1500rpm",
 ];
 
 impl Flying {
@@ -77,17 +77,9 @@ impl Flying {
     /// Ranges of launches for which the integration method and step are chosen.
     ///
     /// # Errors
-    /// [`Error::Unknown`] if a launch parameter is unknown, which does not occur.
+    /// The errors of [`Vary::read_column`], which do not occur.
     pub fn usual(setup: &Setup<f64>) -> Result<Vec<Vary>> {
-        let range = |(name, low, high, unit): &(&str, f64, f64, &str)| {
-            let parameter = setup.parameter(name)?;
-            let size = parameter.quantity.size_of(unit).unwrap_or(1.0);
-            Ok(Vary {
-                parameter,
-                low: low * size,
-                high: high * size,
-            })
-        };
+        let range = |text: &&str| Vary::read_column(setup, text);
         USUAL.iter().map(range).collect()
     }
 

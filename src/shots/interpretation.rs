@@ -4,7 +4,8 @@ use super::sign_conventions::turn_spins;
 use crate::drive::Outcome;
 use crate::parameters::Setup;
 use crate::table::{
-    Column, Content, TableHead, TextTable, assume_units, density_in, split_unit, words,
+    Column, Content, TableHead, TextTable, assume_units, density_in, is_condition_head, split_unit,
+    words,
 };
 
 /// Makers with column heads (in lower case) that occur together only in their exports. Sources:
@@ -108,7 +109,7 @@ fn weather_of_rows(
     {
         return;
     }
-    let is_condition = |at: &usize| ["condition", "conditions"].contains(&plain[*at].as_str());
+    let is_condition = |at: &usize| is_condition_head(&plain[*at]);
     let states_weather = |at: &usize| rows.iter().any(|row| density_in(&row[*at]).is_some());
     if let Some(at) = (0..columns.len()).filter(is_condition).find(states_weather) {
         let column = &mut columns[at];

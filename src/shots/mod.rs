@@ -33,10 +33,10 @@
 //! assert_eq!((statistics.rows, statistics.flown), (2, 1));
 //! ```
 
+mod columns;
 mod export;
 mod flown;
 mod fly;
-mod head;
 mod interpretation;
 mod objects;
 mod open_connect;
@@ -50,9 +50,9 @@ mod unit_checks;
 mod written;
 
 pub use crate::table::Refusal;
+pub use columns::ShotColumns;
 pub use flown::Flown;
 pub use fly::Flying;
-pub use head::Export;
 pub(crate) use interpretation::Interpretation;
 pub use objects::Objects;
 pub(crate) use open_connect::ASSUMED;

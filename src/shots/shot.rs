@@ -2,7 +2,7 @@
 
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
-use crate::table::{CONDITIONS, Column, Refusal, Stated, implausible_club};
+use crate::table::{CONDITIONS, Column, Refusal, StatedConditions, implausible_club};
 
 /// Flight status of a row that was not flown.
 pub(super) const REFUSED: &str = "refused";
@@ -195,7 +195,7 @@ impl Shot {
     }
 
     /// Stated launch conditions in the order of [`CONDITIONS`].
-    pub(super) fn conditions(&self) -> Stated {
+    pub(super) fn conditions(&self) -> StatedConditions {
         CONDITIONS.map(|of| self.value(of).map(|value| value.value))
     }
 
@@ -229,7 +229,7 @@ pub(super) const LAUNCH: [&str; 5] = [
 /// A parameter of a table that is not part of the launch, with its column and the index of the
 /// column.
 #[derive(Clone, Debug)]
-pub(super) struct Further {
+pub(super) struct RowParameter {
     pub at: usize,
     pub parameter: &'static Parameter,
     pub column: Column,

@@ -1,6 +1,6 @@
 //! Source of shots: an export, or messages of GSPro Open Connect.
 
-use super::head::Export;
+use super::columns::ShotColumns;
 use super::objects::Objects;
 use super::open_connect;
 use super::shot::Shot;
@@ -24,7 +24,7 @@ const PIECE: usize = 1 << 16;
 /// Shots in a file.
 pub struct Shots {
     /// The column heads of the table's first section; `None` for messages.
-    export: Option<Arc<Export>>,
+    columns: Option<Arc<ShotColumns>>,
     pub(super) rows: UnreadRows,
     /// Parameters of every row other than the launch.
     pub(super) further: Vec<&'static Parameter>,
@@ -43,7 +43,7 @@ pub(super) struct TableRows {
     table: TextTable,
     setup: Setup<f64>,
     /// Column heads of the current section.
-    export: Arc<Export>,
+    columns: Arc<ShotColumns>,
     is_begun: bool,
     is_air_given: bool,
     /// Remarks on later sections.
@@ -54,7 +54,7 @@ pub(super) struct TableRows {
 #[derive(Clone, Debug)]
 pub struct Section {
     /// The column heads of the section.
-    pub export: Arc<Export>,
+    pub columns: Arc<ShotColumns>,
     /// True if a section other than the first begins with this chunk.
     pub begins: bool,
 }
@@ -68,20 +68,26 @@ pub(super) struct Chunk {
 
 impl Shots {
     /// Opens a file ("-" is standard input). Reads the rows of its table that `filter` selects, by
-    /// default all rows.
+    /// default all rows. If the air is given, every row has the air of the setup, even if the
+    /// export states other air.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read), and [`Error::Table`](crate::Error::Table) if the file
     /// cannot be opened, or if it is not a table and `filter` is not empty. If the filter selects
     /// no row, an error follows the last row.
-    pub fn open(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
+    pub fn open(
+        setup: &Setup<f64>,
+        path: &Path,
+        filter: RowFilter,
+        is_air_given: bool,
+    ) -> Result<Self> {
         let mut text = if path == Path::new("-") {
             Text::open("standard input", io::stdin())?
         } else {
             Text::of_file(path)?
         };
         text.filter = filter;
-        Self::of_text(setup, text)
+        Self::in_air(setup, text, is_air_given)
     }
 
     /// Reads CSV with column heads, or JSON, in UTF-8, UTF-16 or Windows-1252.
@@ -102,6 +108,10 @@ impl Shots {
     /// # Errors
     /// The errors of [`read`](Self::read).
     pub(crate) fn of_text(setup: &Setup<f64>, text: Text) -> Result<Self> {
+        Self::in_air(setup, text, false)
+    }
+
+    fn in_air(setup: &Setup<f64>, text: Text, is_air_given: bool) -> Result<Self> {
         if is_json(&text.beginning) {
             if !text.filter.is_empty() {
                 let reason = "`only` selects rows of a table by a column, but these are JSON \
@@ -112,7 +122,7 @@ impl Shots {
             let is_written = written::begins(&text.beginning);
             let rows = UnreadRows::Objects(text.source, Objects::default(), text.name);
             return Ok(Self {
-                export: None,
+                columns: None,
                 rows,
                 further,
                 is_written,
@@ -124,18 +134,18 @@ impl Shots {
             ..*setup
         };
         let (table, head) = TextTable::open(text, &setup, &TableOptions::LAUNCHES)?;
-        let export = Arc::new(Export::read(&setup, head, &table)?);
+        let columns = Arc::new(ShotColumns::read(&setup, head, &table, is_air_given)?);
         let rows = TableRows {
             table,
             setup,
-            export: export.clone(),
+            columns: columns.clone(),
             is_begun: false,
-            is_air_given: false,
+            is_air_given,
             remarks: vec![],
         };
         Ok(Self {
-            further: export.further(),
-            export: Some(export),
+            further: columns.further(),
+            columns: Some(columns),
             rows: UnreadRows::Table(Box::new(rows)),
             is_written: false,
         })
@@ -154,14 +164,14 @@ impl Shots {
     }
 
     /// The column heads of the table's first section; `None` for messages of GSPro Open Connect.
-    pub fn export(&self) -> Option<&Arc<Export>> {
-        self.export.as_ref()
+    pub fn columns(&self) -> Option<&Arc<ShotColumns>> {
+        self.columns.as_ref()
     }
 
     /// Maker of the export, if its column heads identify it; for JSON, the name of the format.
     pub fn maker(&self) -> Option<&'static str> {
-        match &self.export {
-            Some(export) => export.maker,
+        match &self.columns {
+            Some(columns) => columns.maker,
             None if self.is_written => Some("JSON lines of longdrive fly"),
             None => Some("GSPro Open Connect"),
         }
@@ -180,12 +190,14 @@ impl Shots {
 
     /// Remarks on the columns.
     pub fn remarks(&self) -> &[Message] {
-        self.export.as_ref().map_or(&[], |export| &export.remarks)
+        self.columns
+            .as_ref()
+            .map_or(&[], |columns| &columns.remarks)
     }
 
     /// The column of an outcome.
     fn column_of(&self, of: Outcome) -> Option<&Column> {
-        self.export.as_ref()?.column_of(of)
+        self.columns.as_ref()?.column_of(of)
     }
 
     /// True if the table has a column of this outcome.
@@ -195,8 +207,8 @@ impl Shots {
 
     /// Column head of an outcome.
     pub fn name_of(&self, of: Outcome) -> String {
-        match &self.export {
-            Some(export) => export.name_of(of),
+        match &self.columns {
+            Some(columns) => columns.name_of(of),
             None => of.name().into(),
         }
     }
@@ -204,17 +216,6 @@ impl Shots {
     /// Unit in which the column of an outcome is read; `None` without such a column.
     pub fn unit_of(&self, of: Outcome) -> Option<&str> {
         self.column_of(of).map(Column::unit)
-    }
-
-    /// Uses the setup's air for every row, even if the export states other air.
-    pub fn in_given_air(&mut self) {
-        let (Some(export), UnreadRows::Table(rows)) = (&mut self.export, &mut self.rows) else {
-            return;
-        };
-        rows.is_air_given = true;
-        Arc::make_mut(export).ignore_air();
-        rows.export = export.clone();
-        self.further = export.further();
     }
 
     /// The parameters that are not launch conditions.
@@ -244,7 +245,7 @@ impl TableRows {
         }
         let begins = std::mem::take(&mut self.is_begun);
         let section = Some(Section {
-            export: self.export.clone(),
+            columns: self.columns.clone(),
             begins,
         });
         Ok(Some(Chunk { section, records }))
@@ -257,11 +258,8 @@ impl TableRows {
         let Some(head) = self.table.section(record, &self.setup, wanted)? else {
             return Ok(());
         };
-        let mut export = Export::read(&self.setup, head, &self.table)?;
-        if self.is_air_given {
-            export.ignore_air();
-        }
-        export.align(&self.export).map_err(|missing| {
+        let mut columns = ShotColumns::read(&self.setup, head, &self.table, self.is_air_given)?;
+        columns.align(&self.columns).map_err(|missing| {
             let reason = format!(
                 "its column heads lack {missing}, which the first section has; give the \
                                   sections the same columns, or separate files"
@@ -270,10 +268,10 @@ impl TableRows {
                 .name
                 .refused(format!(", line {}", record.line), reason)
         })?;
-        let remarks = export.remarks.iter();
+        let remarks = columns.remarks.iter();
         self.remarks
             .extend(remarks.map(|remark| remark_from_line(record.line, remark)));
-        (self.export, self.is_begun) = (Arc::new(export), true);
+        (self.columns, self.is_begun) = (Arc::new(columns), true);
         Ok(())
     }
 }
@@ -316,7 +314,7 @@ impl Chunk {
     pub fn shots(self, further: &[&'static Parameter]) -> (Vec<Shot>, Option<Section>) {
         let Self { section, records } = self;
         let shot = |record: Record| match &section {
-            Some(section) => section.export.shot(record),
+            Some(section) => section.columns.shot(record),
             None => open_connect::shot(record, further),
         };
         (records.into_iter().map(shot).collect(), section)

@@ -6,6 +6,7 @@ use super::source::Shots;
 use super::unit_checks::UnitChecks;
 use crate::batch::Status;
 use crate::drive::{ExceededCount, Outcome};
+use crate::statistics::Moments;
 use crate::table::Refusal;
 use crate::units::{MPH, Message};
 use serde::Serialize;
@@ -31,47 +32,44 @@ pub fn instrument_deviation(of: Outcome) -> Option<f64> {
     Some(deviation * of.quantity().size_of(unit)?)
 }
 
-/// Sums of residuals, SI.
+/// Moments and mean absolute value of residuals, SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sums {
-    /// Number of residuals.
-    pub count: u64,
-    sum: f64,
+    moments: Moments,
     absolute: f64,
-    squares: f64,
 }
 
 impl Sums {
     fn add(&mut self, residual: f64) {
-        self.count += 1;
-        self.sum += residual;
-        self.absolute += residual.abs();
-        self.squares += residual * residual;
+        self.merge(Self {
+            moments: Moments::of([residual]),
+            absolute: residual.abs(),
+        });
     }
 
     fn merge(&mut self, other: Self) {
-        self.count += other.count;
-        self.sum += other.sum;
+        self.moments.merge(&other.moments);
         self.absolute += other.absolute;
-        self.squares += other.squares;
+    }
+
+    /// Number of residuals.
+    pub fn count(&self) -> u64 {
+        self.moments.count
     }
 
     /// Mean; `None` without residuals.
     pub fn bias(&self) -> Option<f64> {
-        (self.count > 0).then(|| self.sum / self.count as f64)
+        self.moments.mean()
     }
 
-    /// Mean absolute value.
+    /// Mean absolute value; `None` without residuals.
     pub fn mean_absolute(&self) -> Option<f64> {
-        (self.count > 0).then(|| self.absolute / self.count as f64)
+        (self.count() > 0).then(|| self.absolute / self.count() as f64)
     }
 
     /// Standard deviation; `None` for fewer than two residuals.
     pub fn deviation(&self) -> Option<f64> {
-        let count = self.count as f64;
-        let mean = self.bias()?;
-        (self.count > 1)
-            .then(|| ((self.squares - count * mean * mean).max(0.0) / (count - 1.0)).sqrt())
+        self.moments.deviation()
     }
 }
 

@@ -32,7 +32,7 @@ impl ConditionFault {
 }
 
 /// The values of [`CONDITIONS`] in a row.
-pub(crate) type Stated = [Option<f64>; CONDITIONS.len()];
+pub(crate) type StatedConditions = [Option<f64>; CONDITIONS.len()];
 
 /// Largest spin axis in a row with backspin, since sidespin = backspin · tan(axis), and tan 90° is
 /// infinite.
@@ -44,7 +44,7 @@ const ROUNDING: f64 = 0.02;
 
 /// Removes redundant spin values. Keeps the first of these combinations that is present: spin with
 /// axis, backspin with sidespin, spin with sidespin, backspin with axis, spin, backspin.
-pub(crate) fn without_redundant_spins(values: Stated) -> Stated {
+pub(crate) fn without_redundant_spins(values: StatedConditions) -> StatedConditions {
     let [speed, angle, direction, spin, backspin, sidespin, axis] = values;
     let [spin, backspin, sidespin, axis] = match (spin, backspin, sidespin, axis) {
         (Some(_), _, _, Some(_)) => [spin, None, None, axis],
@@ -57,7 +57,7 @@ pub(crate) fn without_redundant_spins(values: Stated) -> Stated {
 
 /// True for a row without a launch direction, or without a spin tilt (spin axis or sidespin). The
 /// lateral results of such a row cannot be compared.
-pub(crate) fn is_straight_by_assumption(values: &Stated) -> bool {
+pub(crate) fn is_straight_by_assumption(values: &StatedConditions) -> bool {
     let [_, _, direction, _, _, sidespin, axis] = values;
     direction.is_none() || sidespin.is_none() && axis.is_none()
 }
@@ -65,7 +65,7 @@ pub(crate) fn is_straight_by_assumption(values: &Stated) -> bool {
 /// Message for contradictory or unusable spin values of a row; `back` and `side` are the backspin
 /// and sidespin used.
 pub(crate) fn contradiction(
-    values: Stated,
+    values: StatedConditions,
     [back, side]: [f64; 2],
     name: impl Fn(Outcome) -> String,
 ) -> Option<String> {
@@ -131,7 +131,7 @@ pub(crate) fn contradiction(
 /// # Errors
 /// The fault, if conditions are missing, contradictory or invalid.
 pub(crate) fn conditions(
-    values: Stated,
+    values: StatedConditions,
     has: impl Fn(Outcome) -> bool,
 ) -> Result<[(&'static str, f64); 5], ConditionFault> {
     let [speed, angle, direction, spins @ ..] = without_redundant_spins(values);

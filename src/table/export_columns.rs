@@ -2,6 +2,7 @@
 
 use super::air::air_as_given;
 use super::column::{Column, Content};
+use super::heads::is_condition_head;
 use super::launch_monitor::{nearest_head, words};
 use crate::drive::Outcome;
 use crate::units::{Message, Quantity};
@@ -224,8 +225,7 @@ pub(crate) fn heads_of(columns: &[Column], is: impl Fn(&Column) -> bool) -> Vec<
 /// Remark on unknown columns, with similar known column heads.
 fn unknown_columns(columns: &[Column]) -> Option<Message> {
     // a condition column is known: it may state the air of the rows
-    let is_condition =
-        |column: &Column| ["condition", "conditions"].contains(&words(&column.head).as_str());
+    let is_condition = |column: &Column| is_condition_head(&words(&column.head));
     let unknown: Vec<String> = columns
         .iter()
         .filter(|column| column.is_unknown() && !column.head.is_empty() && !is_condition(column))

@@ -92,8 +92,8 @@ impl TableHead {
             let below = units.as_ref().and_then(|units| units.get(at)?.as_deref());
             (at, Column::read(setup, head, below, format))
         };
-        let columns = all(heads.iter().enumerate().map(column));
-        let mut columns = columns.map_err(|wrong| wrong.advised(wanted.advice))?;
+        let columns = all(heads.iter().enumerate().map(column), wanted.advice);
+        let mut columns = columns?;
         // only shots may have their own air: a sweep needs a value in every row, and a delivery
         // does not depend on the air
         let is_air_of_rows = wanted.club == ClubColumns::Ignored && wanted.selects_spin_by_row;
@@ -127,11 +127,9 @@ impl TableHead {
     /// The errors of [`read`](Self::read).
     #[cfg(any(feature = "arrow", feature = "parquet"))]
     pub fn in_si(setup: &Setup<f64>, names: &[String]) -> Result<Self, ColumnErrors> {
-        let columns = all(names
-            .iter()
-            .enumerate()
-            .map(|(at, name)| (at, Column::in_si(setup, name))));
-        let mut columns = columns.map_err(|wrong| wrong.advised(OF_POINTS))?;
+        let names_in_order = names.iter().enumerate();
+        let columns = names_in_order.map(|(at, name)| (at, Column::in_si(setup, name)));
+        let mut columns = all(columns, OF_POINTS)?;
         resolve_sweep_names(&mut columns);
         Ok(Self {
             line: 1,
@@ -150,8 +148,12 @@ impl TableHead {
     }
 }
 
-/// All columns, or the errors of the columns that cannot be read.
-fn all(read: impl Iterator<Item = (usize, Result<Column>)>) -> Result<Vec<Column>, ColumnErrors> {
+/// All columns, or the errors of the columns that cannot be read, with this advice for unknown
+/// names.
+fn all(
+    read: impl Iterator<Item = (usize, Result<Column>)>,
+    advice: &'static str,
+) -> Result<Vec<Column>, ColumnErrors> {
     let (mut columns, mut faults) = (vec![], vec![]);
     for (at, column) in read {
         match column {
@@ -159,7 +161,7 @@ fn all(read: impl Iterator<Item = (usize, Result<Column>)>) -> Result<Vec<Column
             Err(error) => faults.push((at, error)),
         }
     }
-    ColumnErrors::of(faults).map_or(Ok(columns), Err)
+    ColumnErrors::of(faults, advice).map_or(Ok(columns), Err)
 }
 
 /// Resolves ambiguous names in a sweep written by this program, which has a status column. In such
@@ -218,45 +220,42 @@ pub(super) const OF_LAUNCHES: &str = "give the columns of the launch heads that 
                                       the heads are in one of the first lines";
 
 impl ColumnErrors {
-    /// Collects the errors of columns, numbered from 0; `None` if there are no errors.
-    pub(super) fn of(faults: Vec<(usize, Error)>) -> Option<Self> {
-        let mut unknown = vec![];
+    /// Collects the errors of columns, numbered from 0, with this advice for unknown names; `None`
+    /// if there are no errors.
+    fn of(faults: Vec<(usize, Error)>, advice: &str) -> Option<Self> {
+        let (mut at_unknown, mut unknown) = (vec![], vec![]);
         for (at, error) in &faults {
             if let Error::Unknown {
-                name,
-                suggestion,
-                advice,
-                ..
+                name, suggestion, ..
             } = error
             {
                 let near = suggestion
                     .as_ref()
                     .map(|near| format!(" (did you mean '{near}'?)"))
                     .unwrap_or_default();
-                unknown.push((*at, format!("'{name}'{near}"), advice.clone()));
+                at_unknown.push(*at);
+                unknown.push(format!("'{name}'{near}"));
             }
         }
-        if let [_, .., (_, _, advice)] = unknown.as_slice() {
-            let named: Vec<&str> = unknown.iter().map(|(_, named, _)| named.as_str()).collect();
-            let reason = format!("unknown columns {}; {advice}", named.join(", "));
+        if unknown.len() > 1 {
             return Some(Self {
-                at: unknown.into_iter().map(|(at, ..)| at).collect(),
-                reason,
+                at: at_unknown,
+                reason: format!("unknown columns {}; {advice}", unknown.join(", ")),
             });
         }
-        let (at, error) = faults.into_iter().next()?;
+        let (at, mut error) = faults.into_iter().next()?;
+        if let Error::Unknown {
+            what: "column",
+            advice: of_column,
+            ..
+        } = &mut error
+        {
+            *of_column = advice.into();
+        }
         Some(Self {
             at: vec![at],
             reason: error.to_string(),
         })
-    }
-
-    /// Replaces the advice by the advice for another kind of table.
-    pub fn advised(self, advice: &str) -> Self {
-        Self {
-            reason: self.reason.replace(OF_SHOTS, advice),
-            ..self
-        }
     }
 
     /// The error for this file.

@@ -55,6 +55,12 @@ pub(crate) fn rest_of_head(words: &str) -> Option<Outcome> {
     of_rest.find(|of| of.heads().contains(&words))
 }
 
+/// True for the column head, in lower case without punctuation, of the conditions for which the
+/// values of a row hold, such as normalized weather.
+pub(crate) fn is_condition_head(words: &str) -> bool {
+    ["condition", "conditions"].contains(&words)
+}
+
 /// Known column heads of launch monitors that are not used.
 pub(super) const NOT_USED: &[&str] = &[
     "ball type",

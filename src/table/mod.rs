@@ -25,7 +25,7 @@ mod text;
 pub(crate) use air::{air_of_rows, air_of_setup, density_in, replace_air_remark};
 pub(crate) use column::{Column, Content, OF_FLOWN, TableFormat};
 pub(crate) use conditions::{
-    ConditionFault, Stated, conditions, contradiction, is_straight_by_assumption,
+    ConditionFault, StatedConditions, conditions, contradiction, is_straight_by_assumption,
 };
 pub(crate) use decimal_mark::{DecimalMark, DecimalMarkCheck};
 #[cfg(feature = "commands")]
@@ -35,7 +35,7 @@ pub(crate) use export_columns::{
     missing_of_launch, near_known, with_nearest,
 };
 pub(crate) use head::{TableHead, TableOptions, columns_remark, remark_from_line};
-pub(crate) use heads::rest_of_head;
+pub(crate) use heads::{is_condition_head, rest_of_head};
 pub(crate) use launch_monitor::{split_unit, words};
 pub(crate) use plausible::{
     implausible, implausible_club, implausible_launch, impossible, outside,

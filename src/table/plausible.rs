@@ -2,7 +2,7 @@
 //! unit.
 
 use super::CONDITIONS;
-use super::conditions::{Stated, conditions, without_redundant_spins};
+use super::conditions::{StatedConditions, conditions, without_redundant_spins};
 use crate::drive::{Outcome, Sign};
 use crate::parameters::Range;
 use crate::units::Quantity;
@@ -125,7 +125,7 @@ pub(crate) fn impossible(of: Outcome, value: f64) -> Option<String> {
 /// Message if a stated value of a launch is implausible, or a spin component computed from the
 /// stated values; `None` if all are plausible.
 pub(crate) fn implausible_launch(
-    values: &Stated,
+    values: &StatedConditions,
     name: impl Fn(Outcome) -> String,
 ) -> Option<String> {
     let used = without_redundant_spins(*values);

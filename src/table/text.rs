@@ -39,6 +39,12 @@ impl SourceName {
         }
     }
 
+    /// The error of a table without column heads.
+    fn empty(&self) -> Error {
+        let reason = "it is empty; give a head with the names of columns, and rows below it";
+        self.refused(String::new(), reason)
+    }
+
     pub fn io<T>(&self, result: io::Result<T>) -> Result<T> {
         result.map_err(|error| self.refused(String::new(), read_error_text(&error)))
     }
@@ -139,10 +145,7 @@ impl TextTable {
             filter,
         } = text;
         let Some(place) = HeadPlace::find(&beginning) else {
-            return Err(name.refused(
-                String::new(),
-                "it is empty; give a head with the names of columns, and rows below it",
-            ));
+            return Err(name.empty());
         };
         let lines = Lines::new(
             Box::new(BufReader::with_capacity(PIECE, source)),
@@ -162,12 +165,7 @@ impl TextTable {
         };
         let record = loop {
             match table.record()? {
-                None => {
-                    return Err(table.name.refused(
-                        String::new(),
-                        "it is empty; give a head with the names of columns, and rows below it",
-                    ));
-                }
+                None => return Err(table.name.empty()),
                 Some(record) if record.line >= place.line => break record,
                 Some(_) => {}
             }

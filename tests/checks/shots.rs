@@ -193,7 +193,7 @@ fn marks_measured_estimated_and_normalized_of_an_export_are_kept() {
         "Ball Speed in mph",
         "Carry Distance in yd",
         "Apex in ft",
-        "angles without a unit are read in degrees",
+        "are read in degrees: angles without a unit",
     ] {
         assert!(remarks.contains(says), "no '{says}' in {remarks}");
     }
@@ -372,7 +372,7 @@ fn every_row_is_kept_with_its_line_and_its_reason() {
     // an impossible measured value does not prevent the flight
     let odd = format!("{HEAD}160,12,2500,3,5000\n160,12,2500,3,far\n160,12,2500,3,0\n");
     let (_, all, tally) = crate::shots::flown(io::Cursor::new(odd));
-    assert_eq!((tally.flown, tally.noted, tally.all[0].count), (3, 3, 0));
+    assert_eq!((tally.flown, tally.noted, tally.all[0].count()), (3, 3, 0));
     assert!(
         all[0].shots[0].notes[0].starts_with("not compared: Carry: 5000 yd is outside"),
         "{:?}",
@@ -595,8 +595,8 @@ fn exact_bias_and_errors_by_ball_speed() {
     let bands: Vec<(u64, f64)> = tally
         .bands
         .iter()
-        .filter(|band| band.sums[0].count > 0)
-        .map(|band| (band.sums[0].count, yards(band.sums[0].bias())))
+        .filter(|band| band.sums[0].count() > 0)
+        .map(|band| (band.sums[0].count(), yards(band.sums[0].bias())))
         .collect();
     for ((count, bias), (expected, of)) in
         bands.iter().zip([(1, -1.0), (2, -1.0), (1, 3.0), (1, 0.5)])

@@ -11,7 +11,7 @@ mod setup;
 pub use number::{U32, refuse_threads, whole};
 pub use output::OutputOptions;
 pub use search::{OptimizeArgs, SearchArgs, SwingsArgs};
-pub use setup::{DriveArgs, OwnLaw, SETUP, SetupArgs};
+pub use setup::{DriveArgs, OwnLaw, SetupArgs};
 
 /// The names of the options that are stated (true), in the order of `options`.
 pub fn stated<const N: usize>(

@@ -1,6 +1,6 @@
 //! Arguments that give the setup of a drive.
 
-pub use crate::parameters::DEFAULT_PRESET as SETUP;
+use crate::parameters::DEFAULT_PRESET;
 
 /// Heading of the options of the setup in help texts.
 const YOUR_DRIVE: &str = "Your drive";
@@ -10,7 +10,7 @@ const YOUR_DRIVE: &str = "Your drive";
 pub struct DriveArgs {
     /// A preset's name, a TOML file, or - to read TOML from standard input. A file that names no
     /// preset starts from tour-average.
-    #[arg(value_name = "SETUP", default_value = SETUP)]
+    #[arg(value_name = "SETUP", default_value = DEFAULT_PRESET)]
     pub setup: String,
 
     /// Set a parameter, in place of the value of the setup, e.g. club.loft=10.5deg; a quantity with

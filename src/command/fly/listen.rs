@@ -3,11 +3,11 @@
 use super::args::Args;
 use super::request::{followed, requested_outcomes, setup};
 use crate::batch::Status;
-use crate::command::args::SETUP;
 use crate::command::interrupt;
 use crate::command::listener::Listener;
 use crate::command::output::{Answer, note, warn, warnings};
 use crate::command::request::Request;
+use crate::parameters::DEFAULT_PRESET;
 use crate::report::{Reply, open_connect_answer};
 use crate::shots::{Flying, Objects};
 use crate::units::counted;
@@ -91,7 +91,7 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
 /// The request of a listener. The first argument is the setup, because no file of shots is read.
 fn request(args: &Args) -> Result<Request> {
     let shots = args.shots.as_ref();
-    if let Some(shots) = shots.filter(|_| args.setup_args.drive.setup != SETUP) {
+    if let Some(shots) = shots.filter(|_| args.setup_args.drive.setup != DEFAULT_PRESET) {
         return Err(both_given(shots, "a setup is given after it"));
     }
     let mut setup_args = args.setup_args.clone();

@@ -73,18 +73,9 @@ fn fly(args: &Args) -> Result<Answer> {
         refuse_no_rows(&tally, file)?;
         output.finish()?;
     }
-    warn(tally.exceeded.warnings(
-        &setup.law,
-        ["shot that landed", "shots that landed"],
-        CheckScope::Launch,
-    ));
-    let suspicions = tally.unit_warnings(&shots);
-    if suspicions.is_empty() {
-        let of_lofted = of_lofted(&tally, &setup.law).map(Message::from);
-        note_each(file.display(), &of_lofted);
-        remarks.extend(of_lofted);
-    }
-    warn(suspicions);
+    let of_lofted = warn_about_shots(&tally, &shots, &setup.law);
+    note_each(file.display(), &of_lofted);
+    remarks.extend(of_lofted);
     let stopped = is_stopped.then(|| stopped(&tally, &destination));
     let nothing = nothing(&tally, &remarks);
     if request.is_json {
@@ -129,10 +120,7 @@ fn read_shots(
     request: &Request,
     setup: &Setup<f64>,
 ) -> Result<Shots> {
-    let mut shots = Shots::open(setup, file, filter)?;
-    if request.gives_air() {
-        shots.in_given_air();
-    }
+    let shots = Shots::open(setup, file, filter, request.gives_air())?;
     let of_rows = CONDITIONS
         .iter()
         .filter_map(|of| setup.launch_condition(of.name()));
@@ -171,6 +159,23 @@ fn not_compared(shots: &Shots, of: &[Outcome], is_on_their_ground: bool) -> Vec<
         ));
     }
     remarks
+}
+
+/// Warns about the validity of the law and the units of the columns. If the units are plausible,
+/// returns the remark on lofted clubs.
+fn warn_about_shots(tally: &ShotStatistics, shots: &Shots, law: &Law<f64>) -> Option<Message> {
+    warn(tally.exceeded.warnings(
+        law,
+        ["shot that landed", "shots that landed"],
+        CheckScope::Launch,
+    ));
+    let of_units = tally.unit_warnings(shots);
+    let of_lofted = match of_units.is_empty() {
+        true => of_lofted(tally, law).map(Message::from),
+        false => None,
+    };
+    warn(of_units);
+    of_lofted
 }
 
 /// A remark on the error of the law `launch-monitor` for shots of clubs with more loft than a

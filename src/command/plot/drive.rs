@@ -17,7 +17,7 @@ use crate::{Drive, Error, Outcome, Result, Setup};
 pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(&request, &args.drawing)?;
-    let (setup, best) = searched(&request, &args.search)?;
+    let (setup, best) = setup_and_optimum(&request, &args.search)?;
     let given = sigmas(&setup, &args.sigma)?;
     let of = [Outcome::Carry, Outcome::Lateral];
     let mut landings = vec![Landing::of(
@@ -44,7 +44,7 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
 pub fn launches(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(&request, &args.drawing)?;
-    let (setup, best) = searched(&request, &args.search)?;
+    let (setup, best) = setup_and_optimum(&request, &args.search)?;
     let optimum = best.iter().map(|best| (NamedDrive::OPTIMUM, &best.setup));
     let drives: Vec<_> = std::iter::once((NamedDrive::AS_SET_UP, &setup))
         .chain(optimum)
@@ -97,7 +97,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
             (setup, Some((["before", "after"], other)), differs)
         }
         None => {
-            let (setup, best) = searched(&request, &args.search)?;
+            let (setup, best) = setup_and_optimum(&request, &args.search)?;
             let warnings = best.as_ref().map_or(vec![], at_optimum);
             (
                 setup,
@@ -184,7 +184,10 @@ pub fn at_optimum(best: &Optimum) -> Vec<Message> {
 
 /// The setup and its optimum. Without an optimum, or if the setup gives the launch and nothing is
 /// varied, the plot shows only the drive, with a remark.
-fn searched(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, Option<Optimum>)> {
+fn setup_and_optimum(
+    request: &Request,
+    search: &SearchArgs,
+) -> Result<(Setup<f64>, Option<Optimum>)> {
     let setup = request.setup()?;
     let reason = search.nothing_to_vary(request, &setup)?;
     if let Some(reason) = reason.filter(|_| search.given().next().is_none()) {

@@ -13,7 +13,7 @@ use crate::command::output::{Answer, bar, note, spinner, system, with_bar};
 use crate::command::pareto;
 use crate::command::picture::PlotDestination;
 use crate::command::request::Request;
-use crate::command::verify::note_left_out;
+use crate::command::verify::note_missing_outcomes;
 use crate::optimize::{Observer, Status};
 use crate::parameters::{Law, Parameter};
 use crate::repeated::first_repeated;
@@ -279,7 +279,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
             true
         })
     })?;
-    note_left_out(&certificate);
+    note_missing_outcomes(&certificate);
     // draw the requested derivatives in their order, without the other rows of the certificate
     let requested = of
         .iter()
@@ -352,15 +352,20 @@ impl PlotLaws {
         match self.over {
             Over::SpinRatio if self.spin_ratio.is_some() => unused("`spin_ratio`", "spin ratio"),
             Over::Reynolds if self.reynolds.is_some() => unused("`reynolds`", "Reynolds number"),
-            Over::SpinRatio => held("`reynolds`", &self.reynolds, 1.5e5, [1.0, 1e7]),
-            Over::Reynolds => held("`spin_ratio`", &self.spin_ratio, 0.1, [0.0, 10.0]),
+            Over::SpinRatio => number_within("`reynolds`", &self.reynolds, 1.5e5, [1.0, 1e7]),
+            Over::Reynolds => number_within("`spin_ratio`", &self.spin_ratio, 0.1, [0.0, 10.0]),
         }
     }
 }
 
 /// Parses `text`, which is the value of the option `name`. Without a text, returns `default`. A
 /// number outside of `least` to `most` is an error.
-fn held(name: &str, text: &Option<String>, default: f64, [least, most]: [f64; 2]) -> Result<f64> {
+fn number_within(
+    name: &str,
+    text: &Option<String>,
+    default: f64,
+    [least, most]: [f64; 2],
+) -> Result<f64> {
     let Some(text) = text else { return Ok(default) };
     let unreadable = |e| Error::unreadable(name, e);
     let value = Quantity::NUMBER.read(text).map_err(unreadable)?;

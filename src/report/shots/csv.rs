@@ -2,7 +2,7 @@
 
 use crate::drive::Outcome;
 use crate::report::sweep::push_number;
-use crate::shots::{Export, Flown, size};
+use crate::shots::{Flown, ShotColumns, size};
 use crate::table::{OF_FLOWN, quoted};
 use crate::units::System;
 use std::sync::Arc;
@@ -86,33 +86,33 @@ impl PredictionColumns {
 /// The rows of an export, unchanged, with the added columns.
 #[derive(Clone, Debug)]
 pub(super) struct ExportRows {
-    export: Arc<Export>,
+    columns: Arc<ShotColumns>,
     added: PredictionColumns,
 }
 
 impl ExportRows {
-    pub fn new(export: &Arc<Export>, of: &[Outcome], system: System) -> Self {
+    pub fn new(columns: &Arc<ShotColumns>, of: &[Outcome], system: System) -> Self {
         Self {
-            export: export.clone(),
+            columns: columns.clone(),
             added: PredictionColumns {
                 of: of.to_vec(),
                 system,
-                separator: export.separator,
-                has_decimal_comma: export.has_decimal_comma(),
+                separator: columns.separator,
+                has_decimal_comma: columns.has_decimal_comma(),
             },
         }
     }
 
     /// The columns of another section, which has its own column heads.
-    pub fn of_section(&self, export: &Arc<Export>) -> Self {
-        Self::new(export, &self.added.of, self.added.system)
+    pub fn of_section(&self, columns: &Arc<ShotColumns>) -> Self {
+        Self::new(columns, &self.added.of, self.added.system)
     }
 
     /// The cells of a line, one for each column, without the cells that an earlier run of `fly`
     /// added. In a line with fewer cells, as a row of units may be, the missing cells are empty.
     fn own<'a, S: AsRef<str>>(&self, cells: &'a [S]) -> impl Iterator<Item = &'a str> {
-        let (columns, added) = (self.export.heads.len(), self.export.added.clone());
-        let cells = (0..columns).map(|at| cells.get(at).map_or("", AsRef::as_ref));
+        let (count, added) = (self.columns.heads.len(), self.columns.added.clone());
+        let cells = (0..count).map(|at| cells.get(at).map_or("", AsRef::as_ref));
         cells
             .enumerate()
             .filter(move |(at, _)| !added.contains(at))
@@ -134,13 +134,13 @@ impl ExportRows {
                 format!("[{unit}]")
             }
         };
-        let text = match &self.export.units {
+        let text = match &self.columns.units {
             Some(units) => {
                 let (names, below) = heads
                     .into_iter()
                     .map(|(name, unit)| (name, in_brackets(unit)))
                     .unzip();
-                line(&self.export.heads, names) + &line(units, below)
+                line(&self.columns.heads, names) + &line(units, below)
             }
             None => {
                 let names = heads.into_iter().map(|(name, unit)| {
@@ -148,7 +148,7 @@ impl ExportRows {
                         .trim_end()
                         .to_owned()
                 });
-                line(&self.export.heads, names.collect())
+                line(&self.columns.heads, names.collect())
             }
         };
         text.into_bytes()
@@ -165,14 +165,14 @@ impl ExportRows {
             bytes.extend_from_slice(format!("\"{}\"", shot.text.replace('"', "\"\"")).as_bytes());
             bytes.extend(std::iter::repeat_n(
                 separator,
-                self.own(&self.export.heads).count() - 1,
+                self.own(&self.columns.heads).count() - 1,
             ));
-        } else if shot.has_cells_of_head && self.export.added.is_empty() {
+        } else if shot.has_cells_of_head && self.columns.added.is_empty() {
             bytes.extend_from_slice(shot.text.as_bytes());
         } else {
             // omit the cells that an earlier run of `fly` added, and empty cells beyond the last
             // column head
-            for (at, cell) in self.own(&self.export.cells(&shot.text)).enumerate() {
+            for (at, cell) in self.own(&self.columns.cells(&shot.text)).enumerate() {
                 if at > 0 {
                     bytes.push(separator);
                 }

@@ -5,7 +5,7 @@ use super::super::json::{ByName, JsonNumber};
 use crate::drive::Outcome;
 #[cfg(test)]
 use crate::shots::Origin;
-use crate::shots::{Club, Export, Flown, Section, Shot, Shots};
+use crate::shots::{Club, Flown, Section, Shot, ShotColumns, Shots};
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ pub(super) struct Keys {
     /// The parameters besides the launch, each with a value in every row.
     further: Vec<&'static str>,
     /// The export, with the key of each of its columns.
-    cells: Option<(Arc<Export>, Vec<String>)>,
+    cells: Option<(Arc<ShotColumns>, Vec<String>)>,
 }
 
 /// A shot, SI and radians.
@@ -152,8 +152,8 @@ impl Keys {
 
     /// The keys of rows in a section of a table.
     pub fn of_section(&self, section: &Section) -> Self {
-        let export = &section.export;
-        let heads = &export.heads;
+        let columns = &section.columns;
+        let heads = &columns.heads;
         // a repeated column head gets a number
         let key = |(at, head): (usize, &String)| {
             let before = heads[..at].iter().filter(|other| *other == head).count();
@@ -249,10 +249,10 @@ impl Keys {
                     byte
                 }
             })),
-            Some((export, keys)) => {
+            Some((columns, keys)) => {
                 push_object(
                     bytes,
-                    keys.iter().map(String::as_str).zip(export.cells(row)),
+                    keys.iter().map(String::as_str).zip(columns.cells(row)),
                 );
             }
         }

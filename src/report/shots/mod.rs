@@ -45,9 +45,9 @@ impl ShotWriter {
     /// The rows of the export, unchanged, with added columns for the predictions in the units of a
     /// system. For shots that came as messages, the columns of a launch monitor.
     pub fn csv(shots: &Shots, of: &[Outcome], system: System) -> Self {
-        match shots.export() {
-            Some(export) => Self {
-                table: ShotFormat::Copied(ExportRows::new(export, of, system)),
+        match shots.columns() {
+            Some(columns) => Self {
+                table: ShotFormat::Copied(ExportRows::new(columns, of, system)),
             },
             None => Self::launch_monitor(of, system),
         }
@@ -125,7 +125,7 @@ impl ShotWriter {
     fn of_section(&self, section: Option<&Section>) -> Cow<'_, ShotFormat> {
         match (&self.table, section) {
             (ShotFormat::Copied(copied), Some(section)) => {
-                Cow::Owned(ShotFormat::Copied(copied.of_section(&section.export)))
+                Cow::Owned(ShotFormat::Copied(copied.of_section(&section.columns)))
             }
             (ShotFormat::JsonLines(keys), Some(section)) => {
                 Cow::Owned(ShotFormat::JsonLines(keys.of_section(section)))

@@ -132,7 +132,7 @@ impl SumsReport {
         let (bias, mean_absolute, deviation) =
             (sums.bias(), sums.mean_absolute(), sums.deviation());
         Self {
-            rows: sums.count,
+            rows: sums.count(),
             bias,
             mean_absolute,
             deviation,
@@ -161,7 +161,7 @@ impl<'a> ShotsReport<'a> {
             bands: statistics
                 .bands
                 .iter()
-                .filter(|band| band.sums[at].count > 0)
+                .filter(|band| band.sums[at].count() > 0)
                 .map(|band| BandReport {
                     from: band.from,
                     to: band.to,
@@ -205,7 +205,7 @@ impl Report for ShotsReport<'_> {
         let mut lines = counts(statistics, self.source);
         let mut rows = vec![];
         for (at, of) in statistics.of.iter().enumerate() {
-            if statistics.all[at].count > 0 {
+            if statistics.all[at].count() > 0 {
                 rows.extend(residual_rows(statistics, at, *of, system));
             }
         }
@@ -373,7 +373,7 @@ fn residual_rows(
         vec![
             format.title(of),
             which,
-            sums.count.to_string(),
+            sums.count().to_string(),
             format.bias(sums),
             format.number(sums.mean_absolute()),
             format.number(sums.deviation()),
@@ -383,7 +383,7 @@ fn residual_rows(
     let bands = statistics
         .bands
         .iter()
-        .filter(|band| band.sums[at].count > 0);
+        .filter(|band| band.sums[at].count() > 0);
     let bands = bands.map(|band| row(speeds(band, system), &band.sums[at], None));
     let all = row("all".into(), &statistics.all[at], instrument_deviation(of));
     bands.chain([all]).collect()

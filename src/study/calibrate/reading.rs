@@ -7,10 +7,10 @@ use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Interpretation, Shot};
 use crate::table::{
-    CONDITIONS, ClubColumns, Column, ConditionFault, Content, Stated as Launch, TableHead,
-    TextTable, club_column, columns_remark, conditions, contradiction, given_air, has_whole_launch,
-    heads_of, implausible, implausible_club, implausible_launch, impossible, in_degrees,
-    is_straight_by_assumption, near_known, outside,
+    CONDITIONS, ClubColumns, Column, ConditionFault, Content, StatedConditions as Launch,
+    TableHead, TextTable, club_column, columns_remark, conditions, contradiction, given_air,
+    has_whole_launch, heads_of, implausible, implausible_club, implausible_launch, impossible,
+    in_degrees, is_straight_by_assumption, near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
 

@@ -4,7 +4,7 @@
 use super::pareto::Pareto;
 use super::robust::Robust;
 use super::scenarios::Scenarios;
-use crate::drive::{CheckScope, Drive, ExceededCount, ExceededLimits, Outcome, exceeded_in_flight};
+use crate::drive::{CheckScope, ExceededCount, ExceededLimits, Outcome, exceeded_in_flight};
 use crate::parameters::Setup;
 use crate::study::Optimum;
 use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
@@ -31,7 +31,7 @@ fn beyond_share(
     Some(share)
 }
 
-/// Warnings about a setup and its drives: for one drive the warnings of [`Drive::warnings_about`],
+/// Warnings about a setup and its drives: for one drive the warnings of [`Setup::drive_warnings`],
 /// for a search over swings, warnings with the share of the swings.
 fn warnings(
     setup: &Setup<f64>,
@@ -40,10 +40,7 @@ fn warnings(
     stop: &AtomicBool,
 ) -> Vec<Message> {
     if scenarios.is_one_drive() {
-        return Drive::new(setup).map_or_else(
-            |_| setup.warnings(),
-            |drive| drive.warnings_about(setup, of),
-        );
+        return setup.drive_warnings(of);
     }
     let mut warnings = setup.warnings();
     match beyond_share(setup, scenarios, of, stop) {
