@@ -41,12 +41,7 @@ pub fn check(
     if bytes <= most {
         return Ok(());
     }
-    let processors = || std::thread::available_parallelism().map(usize::from);
-    let threads = match args.threads {
-        0 => processors().unwrap_or(1),
-        threads => threads.min(processors().unwrap_or(threads)),
-    };
-    let time = duration(row.seconds * rows / threads as f64);
+    let time = duration(row.seconds * rows);
     Err(Error::TooLarge {
         rows: points.rows().to_string(),
         size: format!("{} and about {time}", size(bytes)),
@@ -57,9 +52,11 @@ pub fn check(
     })
 }
 
-/// The size of a row, bytes, and the time that one thread needs for it, s.
+/// The cost of a row.
 struct RowCost {
+    /// Size, bytes.
     bytes: f64,
+    /// Time, s, if all threads of the sweep compute rows.
     seconds: f64,
 }
 
@@ -79,7 +76,13 @@ impl RowCost {
         }
         let begun = Instant::now();
         let content = formatter.rows(batch.evaluate(0, values));
-        let seconds = begun.elapsed().as_secs_f64() / tried as f64;
+        let elapsed = begun.elapsed().as_secs_f64();
+        let processors = || std::thread::available_parallelism().map(usize::from);
+        let threads = match args.threads {
+            0 => processors().unwrap_or(1),
+            threads => threads.min(processors().unwrap_or(threads)),
+        };
+        let seconds = elapsed / (tried * threads) as f64;
         let bytes = match content {
             FormattedRows::Text { bytes, .. } => bytes.len() as f64 / tried as f64,
             #[cfg(feature = "parquet")]
