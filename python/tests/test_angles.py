@@ -88,6 +88,33 @@ def test_same_results_in_degrees_and_radians() -> None:
         Setup({}, angles="grad")  # type: ignore[arg-type]
 
 
+def test_same_results_of_a_table_for_each_unit_of_angles() -> None:
+    pandas = pytest.importorskip("pandas")
+    table = longdrive.batch("mae494", {"club.loft": np.radians([8.0, 10.0, 12.0])})
+    for points in (table, table.to_pandas()):
+        again = longdrive.batch("mae494", points, angles="deg")
+        assert again == table
+    # a frame without units has angles in the unit of the argument
+    frame = pandas.DataFrame({"club.loft": [8.0, 10.0, 12.0]})
+    assert longdrive.batch("mae494", frame, angles="deg") == table
+    for points in (table, frame):
+        with pytest.raises(InputError, match="angles = 'grad'; expected 'rad' or 'deg'"):
+            longdrive.batch(Setup(), points, angles="grad")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("kind", ["pandas", "polars", "pyarrow"])
+def test_a_frame_warns_of_a_large_bare_angle_as_a_dict_does(kind: str) -> None:
+    module = pytest.importorskip(kind)
+    columns = {"swing.attack_angle": [0.0, 1.0]}
+    frame = module.table(columns) if kind == "pyarrow" else module.DataFrame(columns)
+    table = longdrive.batch("tour-average", columns)
+    assert any("1 rad is 57.3°" in text for text in table.warnings)
+    assert longdrive.batch("tour-average", frame).warnings == table.warnings
+    # the units of a frame that was made from a table are known
+    known = longdrive.batch("tour-average", table)
+    assert not any("57.3°" in text for text in known.warnings)
+
+
 @pytest.mark.parametrize("truth", [True, np.True_])
 def test_a_boolean_is_refused_as_an_angle(truth: Any) -> None:
     with pytest.raises(InputError, match="club.loft"):

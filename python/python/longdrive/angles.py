@@ -102,7 +102,7 @@ class BareAngles:
 
 def columns_in_radians(points: Mapping[str, Any], angles: AngleUnit) -> dict[str, Any]:
     """Points of a batch with all numeric angles in radians; texts keep their units."""
-    if check_unit(angles) == "rad":
+    if angles == "rad":
         return dict(points)
     return {
         name: np.radians(values)

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 from . import _longdrive
 from ._longdrive import Setup
-from .angles import columns_in_radians, warnings_of_columns
+from .angles import check_unit, columns_in_radians, warnings_of_columns
 from .arguments import count_of, switch_of
 from .errors import InputError, Interrupted, interruptible, warn_of
 from .progress import follower
 from .quantities import contains_quantities, elements_of, is_quantity, to_si, tolerance_of
 from .table import Table
-from .tables import columns_of
+from .tables import columns_of, points_in_si
 
 if TYPE_CHECKING:
     from .progress import Progress
@@ -106,8 +106,11 @@ def batch(
         "drives", progress
     ) as show:
         setup = setup if isinstance(setup, Setup) else Setup(setup, angles=angles)
-        columns: Any = columns_of(points)
-        if isinstance(columns, Mapping):
+        check_unit(angles)
+        in_si = points_in_si(points)
+        columns: Any = columns_of(points) if in_si is None else in_si
+        is_bare = in_si is None and isinstance(columns, Mapping)
+        if is_bare:
             columns = columns_in_radians(columns, angles)
         table = computed(
             setup,
@@ -121,8 +124,8 @@ def batch(
             first_row=first_row,
             hessians=hessians,
         )
-    if isinstance(points, Mapping) and angles == "rad":
-        table.warnings += warnings_of_columns(points)
+    if is_bare and angles == "rad":
+        table.warnings += warnings_of_columns(columns)
     warn_of(table.warnings, table)
     return table
 
