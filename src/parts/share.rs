@@ -18,25 +18,26 @@ const DIGITS: usize = 5;
 /// # Errors
 /// [`Error::Together`] if `part` is not from 1 to M, or if there are more parts than blocks.
 pub fn rows_of(part: u64, parts: u64, rows: u64) -> Result<Range<u64>> {
-    let refuse = |reason: String| {
-        Err(Error::Together {
-            given: format!("part {part} of {parts}"),
-            reason,
-        })
-    };
+    let refuse = |given: String, reason: String| Err(Error::Together { given, reason });
     if part == 0 || part > parts {
-        return refuse(format!(
-            "parts are counted from 1; give one from 1 to {parts}, as a job array from 1 to \
-             {parts} does"
-        ));
+        return refuse(
+            format!("part {part} of {parts}"),
+            format!(
+                "parts are counted from 1; give one from 1 to {parts}, as a job array from 1 to \
+                 {parts} does"
+            ),
+        );
     }
     // at most one part per block, so that each part has a block
     let blocks = rows.div_ceil(CHUNK as u64);
     if parts > blocks {
-        return refuse(format!(
-            "the sweep has {rows} rows, and a part has at least {CHUNK}; divide it into at most \
-             {blocks} parts"
-        ));
+        return refuse(
+            format!("{parts} parts"),
+            format!(
+                "the sweep has {rows} rows, and a part has at least {CHUNK}; divide it into at \
+                 most {blocks} parts"
+            ),
+        );
     }
     // 128 bits for the product of two numbers of 64 bits
     let begin = |part: u64| {

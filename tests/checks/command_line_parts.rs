@@ -789,6 +789,10 @@ fn a_sweep_that_cannot_be_divided_is_refused_with_advice() {
         assert!(!into.exists());
     };
     // 8200 rows are eight blocks and a remainder
+    refused(
+        &["--part", "1/10"],
+        "error: 10 parts: the sweep has 8200 rows",
+    );
     refused(&["--part", "1/10"], "divide it into at most 9 parts");
     refused(&["--part", "0/4"], "from 1");
     refused(&["--part", "5/4"], "give one from 1/4 to 4/4");
