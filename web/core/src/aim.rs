@@ -277,10 +277,7 @@ impl Functions for Model<'_> {
             let miss = d[0] * by[0] + d[1] * by[1] + bend * 0.5 + (taylor.value - target);
             sum + miss * miss * 0.5
         });
-        Ok(Evaluation {
-            objective,
-            constraints: vec![],
-        })
+        Ok(Evaluation::unconstrained(objective))
     }
 }
 

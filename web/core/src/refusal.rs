@@ -26,32 +26,27 @@ impl Refusal {
         }
     }
 
-    /// The refusal with the message of an error.
-    pub fn of(error: &Error, system: System) -> Self {
-        Self {
-            status: error.status(),
-            message: in_page_words(&error.in_units(system)),
-            parameters: vec![],
-        }
-    }
-
-    /// Adds the parameters that the message mentions, from the parameters of the setup and from the
-    /// names `stated` in the request.
-    #[must_use]
-    pub fn with_parameters<'a>(
-        self,
+    /// The refusal with the message of an error, and with the parameters that the message mentions,
+    /// from the parameters of the setup and from the names `stated` in the request.
+    pub fn of<'a>(
+        error: &Error,
+        system: System,
         setup: &Setup<f64>,
         stated: impl Iterator<Item = &'a str>,
     ) -> Self {
+        let message = in_page_words(&error.in_units(system));
         let known = setup.parameters().into_iter().map(|row| row.name);
         let mut named: Vec<(usize, &str)> = stated
             .chain(known)
-            .filter_map(|name| Some((place(&self.message, name)?, name)))
+            .filter_map(|name| Some((place(&message, name)?, name)))
             .collect();
         named.sort_unstable();
         named.dedup();
-        let parameters = named.into_iter().map(|(_, name)| name.to_owned()).collect();
-        Self { parameters, ..self }
+        Self {
+            status: error.status(),
+            parameters: named.into_iter().map(|(_, name)| name.to_owned()).collect(),
+            message,
+        }
     }
 }
 

@@ -146,7 +146,7 @@ impl CheckedSetup<'_> {
     /// The refusal with the message of an error, and the parameters that it names.
     pub fn refused(&self, error: &Error) -> Refusal {
         let stated = self.text.set.keys().map(String::as_str);
-        Refusal::of(error, self.system).with_parameters(&self.setup, stated)
+        Refusal::of(error, self.system, &self.setup, stated)
     }
 
     /// A message in the units of the request.
