@@ -27,17 +27,6 @@ export function run(words, input = '') {
   return { status, stdout, stderr };
 }
 
-/** Random numbers in [0, 1), the same in each run (Mulberry32). */
-export function random(seed) {
-  let state = seed;
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let mixed = Math.imul(state ^ (state >>> 15), state | 1);
-    mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
-    return ((mixed ^ (mixed >>> 14)) >>> 0) / 4294967296;
-  };
-}
-
 /** Degrees in radians. */
 export const DEG = Math.PI / 180;
 
@@ -62,8 +51,8 @@ const PRESETS = ['tour-average', 'modern-driver', 'lpga-average', 'amateur-avera
 /** Laws that a setup may name without a table. */
 const LAWS = execFileSync(program, ['parameters', '--json'], { encoding: 'utf8' });
 
-/** A random setup: a preset and settings. Some have another law, a given launch, or another integration. */
-export function randomSetup(next) {
+/** Random settings of a club's strike on a preset. Some have another law or another integration. */
+export function randomStrike(next) {
   const set = {};
   for (const [name, [low, high, unit]] of Object.entries(RANGES)) {
     if (next() < 0.5) set[name] = `${(low + next() * (high - low)).toFixed(4)} ${unit}`;
@@ -73,6 +62,23 @@ export function randomSetup(next) {
   if (next() < 0.3) Object.assign(set, { 'flight.method': 'dp8', 'flight.step': `${(0.1 + next()).toFixed(3)} s` });
   return { preset: PRESETS[Math.floor(next() * PRESETS.length)], set };
 }
+
+/** The setup; with probability 0.1, a random launch replaces its strike. */
+export function maybeLaunched({ preset, set }, next) {
+  if (next() >= 0.1) return { preset, set };
+  const between = (low, high) => low + next() * (high - low);
+  const kept = Object.entries(set).filter(([name]) => !/^(swing|club|strike|impact)\.|^golfer$/.test(name));
+  const launch = {
+    'launch.ball_speed': `${between(120, 180)} mph`,
+    'launch.launch_angle': `${between(8, 16)} deg`,
+    'launch.spin': `${between(1500, 4000)} rpm`,
+    'launch.spin_axis': `${between(-20, 20)} deg`,
+  };
+  return { preset, set: { ...Object.fromEntries(kept), ...launch } };
+}
+
+/** A random setup: a preset and settings. Some have another law, a given launch, or another integration. */
+export const randomSetup = next => maybeLaunched(randomStrike(next), next);
 
 /** The arguments that give a setup on the command line. */
 export const wordsOf = ({ preset, set }) => [preset, ...Object.entries(set).flatMap(([name, value]) => ['--set', `${name}=${value}`])];

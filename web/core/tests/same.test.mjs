@@ -1,7 +1,8 @@
 // Compares the core with the program: numbers, statuses and messages are equal.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { random, randomSetup, run, start, wordsOf } from './common.mjs';
+import { randomSetup, run, start, wordsOf } from './common.mjs';
+import { random } from './random.mjs';
 
 const core = await start();
 const next = random(56);

@@ -103,6 +103,17 @@ test('the keyboard moves a slider, goes to the best drive, undoes and redoes', a
   });
 });
 
+test('the best value of a parameter with small numbers is kept, and flies', async () => {
+  await stay(async ({ page }) => {
+    await page.evaluate(() => { location.hash = '1&tour-average&vary=air.viscosity'; });
+    await settle(page);
+    await page.keyboard.press('b');
+    await settle(page);
+    assert.match(await fragment(page), /air\.viscosity=0\.0000\d+Pa%20s/);
+    assert.equal(await answer(page, 'carry', 3), 0);
+  });
+});
+
 test('undo in a number field undoes the drive, and typed text before that', async () => {
   await stay(async ({ page }) => {
     const field = page.getByLabel('loft, deg', { exact: true });
@@ -364,9 +375,10 @@ restitution = "none"
   });
 });
 
-test('shots of a launch monitor are flown', async () => {
+test('shots of a launch monitor are flown, whatever the club and the golfer', async () => {
   await stay(async ({ page }) => {
-    await type(page, 'club.loft', '12');
+    await page.evaluate(() => { location.hash = '1&tour-average&golfer=left&club.loft=12deg'; });
+    await settle(page);
     await page.locator('.shots input[type=file]').setInputFiles(shots);
     await page.locator('.shots [role=status]').waitFor();
     assert.match(await page.locator('.shots [role=status]').textContent(), /12 of 12 shots of shots\.csv/);

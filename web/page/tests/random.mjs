@@ -1,15 +1,5 @@
 // Random input, the same in each run: mutations of valid input.
-
-/** Random numbers in [0, 1) (Mulberry32). */
-export function random(seed) {
-  let state = seed;
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let mixed = Math.imul(state ^ (state >>> 15), state | 1);
-    mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
-    return ((mixed ^ (mixed >>> 14)) >>> 0) / 4294967296;
-  };
-}
+import { random } from '../../core/tests/random.mjs';
 
 const NUMBERS = ['0', '-0', '1e308', '-1e308', '1e999', '1e-320', 'NaN', 'inf', '-inf', '9'.repeat(400), '0x10', '1_000', '½', '١٢', '10,5', '.', '-', '+', ''];
 const SCRAPS = ['\u0000', '\n', '\r', '\t', '"', "'", '\\', '<script>alert(1)</script>', '%', '%00', '%E0%A4%A', '%25', '&', '&&', '=', '==', '#', ',', ';', '𝒳', '\ud800', '\ufeff', '__proto__', 'constructor', '[', ']]', '{', '\u202e', ' '.repeat(300)];

@@ -7,9 +7,9 @@ import { readFileSync } from 'node:fs';
 import { WASI } from 'node:wasi';
 import { fileURLToPath } from 'node:url';
 import { gunzipSync } from 'node:zlib';
-import { build } from 'vite';
 import { Core } from '../../core/core.mjs';
 import { launch, open, settle } from './browser.mjs';
+import { pageModules } from './modules.mjs';
 import { Chance } from './random.mjs';
 
 const isAll = process.env.LONGDRIVE_RANDOM === 'all';
@@ -19,13 +19,6 @@ const OPENED = isAll ? 100 : 4;
 
 const at = path => fileURLToPath(new URL(path, import.meta.url));
 const text = words => new TextEncoder().encode(words);
-
-/** The modules of the page that read external input. */
-async function pageModules() {
-  const lib = { entry: at('modules.ts'), formats: ['es'], fileName: 'modules' };
-  const [{ output }] = [await build({ configFile: false, logLevel: 'warn', build: { write: false, target: 'es2022', lib } })].flat();
-  return import(`data:text/javascript;base64,${Buffer.from(output[0].code).toString('base64')}`);
-}
 
 let page;
 let core;

@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { before, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
-import { build } from 'vite';
+import { random } from '../../core/tests/random.mjs';
+import { pageModules } from './modules.mjs';
 
 // the core and the program, or why one of them is missing
 const common = await import('../../core/tests/common.mjs').catch(({ message }) => message);
@@ -20,8 +20,8 @@ let setups;
 let addresses;
 
 before(async () => {
+  page = await pageModules();
   if (skip) return;
-  page = await modules();
   setups = randomSetups();
   // before the core starts: a process with the core's memory takes long to start another process
   addresses = await addressesOf(setups);
@@ -32,25 +32,13 @@ before(async () => {
   catalog = new page.Catalog(parameters, presets, choices);
 });
 
-/** The page's modules, compiled for Node. */
-async function modules() {
-  const entry = fileURLToPath(new URL('modules.ts', import.meta.url));
-  const [{ output }] = [await build({
-    configFile: false,
-    logLevel: 'warn',
-    build: { write: false, minify: false, lib: { entry, formats: ['es'] } },
-  })].flat();
-  const script = Buffer.from(output[0].code).toString('base64');
-  return import(`data:text/javascript;base64,${script}`);
-}
-
 /** Random setups that also state names, derived values and unset values. */
 function randomSetups() {
-  const next = common.random(9);
+  const next = random(9);
   const pick = list => list[Math.floor(next() * list.length)];
   const between = (low, high) => low + next() * (high - low);
   return Array.from({ length: COUNT }, () => {
-    const { preset, set } = common.randomSetup(next);
+    const { preset, set } = common.randomStrike(next);
     const without = start => Object.keys(set).filter(name => name.startsWith(start)).forEach(name => { delete set[name]; });
     if (next() < 0.2) set.golfer = pick(['left', 'right']);
     if (next() < 0.2) set['swing.speed_of'] = pick(['face-centre', 'centre-of-mass']);
@@ -66,16 +54,7 @@ function randomSetups() {
       without('air.');
       Object.assign(set, { 'air.temperature': `${between(0, 40)} degC`, 'air.altitude': `${between(0, 5000)} ft` });
     }
-    if (next() < 0.1) {
-      ['swing.', 'club.', 'strike.', 'impact.', 'golfer'].forEach(without);
-      Object.assign(set, {
-        'launch.ball_speed': `${between(120, 180)} mph`,
-        'launch.launch_angle': `${between(8, 16)} deg`,
-        'launch.spin': `${between(1500, 4000)} rpm`,
-        'launch.spin_axis': `${between(-20, 20)} deg`,
-      });
-    }
-    return { preset, set };
+    return common.maybeLaunched({ preset, set }, next);
   });
 }
 
@@ -151,6 +130,14 @@ test(`a setup file is opened and saved as the same setup: ${FILES} setups`, { sk
     const saved = stated(['setup.toml'], { 'setup.toml': new TextEncoder().encode(file) });
     near(valuesOf(saved), valuesOf(original), `${words.join(' ')}\n${file}`);
   });
+});
+
+test('a launch replaces the axes and the variables of its strike', () => {
+  const state = { ...page.START, vary: ['impact.restitution', 'wind.right'], map: ['impact.restitution', 'wind.right'] };
+  assert.deepEqual([page.varyOf(state), page.mapOf(state)], [state.vary, state.map]);
+  const designs = [{ preset: 'tour-average', set: { 'launch.ball_speed': '160 mph' } }];
+  assert.deepEqual(page.varyOf({ ...state, designs }), ['wind.right']);
+  assert.deepEqual(page.mapOf({ ...state, designs }), ['launch.launch_angle', 'launch.backspin']);
 });
 
 /** Compares two setups whose numbers may have been rounded to the digits of a field. */

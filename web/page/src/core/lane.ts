@@ -11,7 +11,7 @@ interface Job {
   settle: (answer: Answer | null) => void;
 }
 
-type Answer = { numbers: Numbers[]; milliseconds: number } | { reply: Reply };
+type Answer = { numbers: Numbers[] } | { reply: Reply };
 
 /** The progress of long work: parts done, and all parts. */
 export interface Progress {
@@ -144,9 +144,7 @@ export class Lane {
     this.#current = null;
     this.#traps = 0;
     this.onProgress(null);
-    current.job.settle(message.kind === 'reply'
-      ? { reply: message.reply }
-      : { numbers: message.numbers, milliseconds: message.milliseconds });
+    current.job.settle(message);
     this.#next();
   }
 

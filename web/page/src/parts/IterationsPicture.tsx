@@ -2,7 +2,7 @@
 import { useMemo } from 'preact/hooks';
 import { labelOf } from '../setup/parameters';
 import type { Travel } from '../setup/travel';
-import { digits, fromSI, symbolOf, toSI } from '../setup/units';
+import { fromSI, symbolOf, toSI } from '../setup/units';
 import { isRefused } from '../drive/drive';
 import type { Explorer } from '../state/explorer';
 import type { MapAxes, MapData } from '../state/map';
@@ -13,7 +13,7 @@ import { modelAt } from '../state/iterations';
 import { useAnswer } from './answered';
 import { ChartScales } from './ChartScales';
 import { usePage } from './context';
-import { inLength, lengthUnit, ticks } from './lengths';
+import { inLength, lengthUnit, ticks, tickText } from './lengths';
 import { Areas, HEIGHT, levelsOf, linesOf, MapScales, planOf, TOP } from './MapPicture';
 import type { Plan } from './MapPicture';
 import { line, MARGIN } from './scale';
@@ -172,8 +172,6 @@ const Legend = ({ width }: { width: number }) => (
     <text class="tick" x={width - 132} y={14}>trust region</text>
   </g>
 );
-
-const tickText = (tick: number) => digits(tick, Number.isInteger(tick) ? 0 : 1);
 
 /** Room above the curve and below it, as a fraction of its height. */
 const ROOM = 0.15;

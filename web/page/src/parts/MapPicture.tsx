@@ -6,7 +6,7 @@ import { digits, fromSI, symbolOf, toSI } from '../setup/units';
 import type { System } from '../setup/units';
 import type { MapData } from '../state/map';
 import { usePage } from './context';
-import { lengthUnit, ticks } from './lengths';
+import { lengthUnit, ticks, tickText } from './lengths';
 import { MARGIN } from './scale';
 
 export const HEIGHT = 300;
@@ -49,12 +49,12 @@ export function MapScales({ map, plan }: { map: MapData; plan: Plan }) {
     <>
       {across!.ticks.map((tick) => (
         <text class="tick" key={tick} x={plan.x(toSI(tick, across!.unit))} y={HEIGHT - 20} text-anchor="middle">
-          {digits(tick, Number.isInteger(tick) ? 0 : 1)}
+          {tickText(tick)}
         </text>
       ))}
       {up!.ticks.map((tick) => (
         <text class="tick" key={tick} x={MARGIN.left - 6} y={plan.y(toSI(tick, up!.unit)) + 4} text-anchor="end">
-          {digits(tick, Number.isInteger(tick) ? 0 : 1)}
+          {tickText(tick)}
         </text>
       ))}
       <text class="tick" x={plan.width - MARGIN.right} y={HEIGHT - 4} text-anchor="end">{across!.text}</text>

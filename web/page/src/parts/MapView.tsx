@@ -1,7 +1,7 @@
 // The outcome over two parameters, with contours, your drive and the optimum.
 import { useComputed } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
-import { hasLaunch, lawOf, withValues } from '../setup/design';
+import { isReplaced, withValues } from '../setup/design';
 import { labelOf } from '../setup/parameters';
 import { digits, fromSI, symbolOf, textOf, withUnit } from '../setup/units';
 import type { MapData } from '../state/map';
@@ -132,14 +132,11 @@ function tableOf(map: MapData, units: 'us' | 'metric', explorer: Explorer) {
 
 /** The parameters that may be on an axis. */
 function axisNames(explorer: Explorer): string[] {
-  const design = explorer.design.value;
-  const isLaunch = hasLaunch(design);
-  const names = explorer.catalog.of(lawOf(design, explorer.catalog))
+  const names = explorer.catalog.of(explorer.law.value)
     .map(({ parameter }) => parameter)
     .filter((name) => {
       const value = explorer.value(name);
-      const isOther = isLaunch ? /^(swing|club|strike|impact)\./.test(name) : name.startsWith('launch.');
-      return value !== null && Number.isFinite(value) && !isOther;
+      return value !== null && Number.isFinite(value) && !isReplaced(name, explorer.isLaunch.value);
     });
   return [...new Set([...mapOf(explorer.state.value), ...names])];
 }

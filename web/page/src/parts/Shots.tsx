@@ -2,7 +2,7 @@
 import { useState } from 'preact/hooks';
 import { fromSI, digits, signed, symbolOf } from '../setup/units';
 import type { Design } from '../setup/design';
-import { groupOf } from '../setup/parameters';
+import { isReplaced } from '../setup/design';
 import { setupWords } from '../setup/words';
 import { messageOf } from '../state/explorer';
 import { usePage } from './context';
@@ -33,12 +33,11 @@ interface Result {
 
 const OUTPUT = 'flown.csv';
 
-/** Groups of parameters that the measured shots give. */
-const MEASURED = ['swing', 'club', 'strike', 'impact', 'launch'];
-
-/** The setup of the flight: `fly` refuses values of a club that no row uses. */
+/** The setup of the flight, without what the measured shots give. */
 function flightWords({ preset, set }: Design): string[] {
-  const kept = Object.entries(set).filter(([name]) => !MEASURED.includes(groupOf(name)));
+  // `fly` refuses values of a club that no row uses
+  const isMeasured = (name: string) => isReplaced(name, true) || isReplaced(name, false);
+  const kept = Object.entries(set).filter(([name]) => !isMeasured(name));
   return setupWords({ preset, set: Object.fromEntries(kept) });
 }
 

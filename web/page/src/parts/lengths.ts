@@ -21,6 +21,8 @@ export function sideways(metres: number, system: System): string {
   return `${number} ${lengthUnit(system)} ${metres > 0 ? 'right' : 'left'}`;
 }
 
+export const tickText = (tick: number) => digits(tick, Number.isInteger(tick) ? 0 : 1);
+
 /** Round numbers that divide a range into about `count` parts. */
 export function ticks(low: number, high: number, count: number): number[] {
   const raw = (high - low) / Math.max(1, count);

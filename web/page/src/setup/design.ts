@@ -22,8 +22,14 @@ export const setupOf = ({ preset, set }: Design) => ({
 export const hasLaunch = ({ set }: Design) =>
   Object.entries(set).some(([name, text]) => name.startsWith('launch.') && text !== NONE);
 
-/** Parameters and choices that have no effect if a launch is given. */
-export const OF_STRIKE = /^(swing|club|strike|impact)\.|^golfer$/;
+const OF_STRIKE = /^(swing|club|strike|impact)\.|^golfer$/;
+
+/**
+ * True for a parameter or choice without effect: those of the strike if a launch is given, those of
+ * the launch otherwise.
+ */
+export const isReplaced = (name: string, isLaunch: boolean) =>
+  (isLaunch ? OF_STRIKE.test(name) : name.startsWith('launch.'));
 
 /** The sliders of the first screen that belong to the ball's start. */
 export const firstOf = (design: Design) => (hasLaunch(design) ? LAUNCH_FIRST : CLUB_FIRST);

@@ -107,6 +107,9 @@ export function valueOf(text: string, unitSI: string): number | null {
   return known(unit).si === unitSI ? toSI(read.number, unit) : null;
 }
 
+/** A quantity without the space before its unit: "10.5deg". */
+export const compact = (text: string) => text.replace(/^([-+.\de]+) /i, '$1');
+
 /**
  * A text for the core, with as many digits after the point as the number needs, at most `decimals`.
  */

@@ -1,16 +1,14 @@
 // A design as arguments of the command line.
 import type { Design } from './design';
-import { OF_STRIKE, hasLaunch } from './design';
+import { hasLaunch, isReplaced } from './design';
 import type { Parameter } from './parameters';
 import type { Travel } from './travel';
-import { textOf } from './units';
-
-const compact = (text: string) => text.replace(/^([-+.\de]+) /i, '$1');
+import { compact, textOf } from './units';
 
 export function settingsOf(design: Design, option = '--set'): string[] {
+  const isLaunch = hasLaunch(design);
   // the program refuses settings of a club that strikes no ball
-  const isUsed = (name: string) => !(hasLaunch(design) && OF_STRIKE.test(name));
-  return Object.entries(design.set).filter(([name]) => isUsed(name))
+  return Object.entries(design.set).filter(([name]) => !isReplaced(name, isLaunch))
     .flatMap(([name, text]) => [option, `${name}=${text}`]);
 }
 

@@ -2,10 +2,11 @@
 import type { Reply } from '../core/messages';
 import type { Design } from '../setup/design';
 import { withValues } from '../setup/design';
-import { textOf } from '../setup/units';
-import { rangeWords, setupWords } from '../setup/words';
 import type { Parameter } from '../setup/parameters';
 import type { Travel } from '../setup/travel';
+import { decimalsOf } from '../setup/travel';
+import { textOf } from '../setup/units';
+import { rangeWords, setupWords } from '../setup/words';
 import type { State } from './state';
 
 export interface Best {
@@ -47,8 +48,11 @@ export function readBest({ exit, answer }: Reply, design: Design, fields: Fields
   if (exit !== 0) return null;
   const { optimum, flight, multipliers, warnings } = JSON.parse(answer) as OptimizeAnswer;
   const names = Object.keys(optimum);
-  const texts = names.map((name) =>
-    [name, textOf(optimum[name] ?? NaN, fields.parameter(name).shown_in, 3)] as const);
+  const texts = names.map((name) => {
+    const { shown_in: unit } = fields.parameter(name);
+    const decimals = Math.max(3, decimalsOf(fields.travel(name), unit) + 2);
+    return [name, textOf(optimum[name] ?? NaN, unit, decimals)] as const;
+  });
   const beyond = names.map((name) => {
     const { lower = 0, upper = 0 } = multipliers[name] ?? {};
     return [name, upper - lower] as const;

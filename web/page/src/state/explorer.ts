@@ -7,7 +7,7 @@ import { isRefused, readDrive, readMissing, readSlopes, refusalOf } from '../dri
 import type { Design } from '../setup/design';
 import { WHEN_UNSET, firstOf, hasLaunch, lawOf, numberOf, setupOf, together, withValues } from '../setup/design';
 import type { Catalog, Parameter } from '../setup/parameters';
-import { AIR_FIRST, groupOf, labelOf } from '../setup/parameters';
+import { AIR_FIRST, groupOf } from '../setup/parameters';
 import type { Travel } from '../setup/travel';
 import { decimalsOf, travelOf } from '../setup/travel';
 import { digits, fromSI, textOf, unitIn } from '../setup/units';
@@ -60,8 +60,6 @@ export class Explorer {
   readonly loopStep = signal<number | null>(null);
   /** The open group among the sliders below the first screen. */
   readonly openGroup = signal<string | null>(null);
-  /** Milliseconds of the last drive in the worker. */
-  readonly milliseconds = signal(0);
   readonly design = computed(() => activeOf(this.state.value));
   // parts of the state that seldom change: their components are not rendered at each move
   readonly units = computed(() => this.state.value.units);
@@ -233,7 +231,6 @@ export class Explorer {
     if (!first) return;
     this.#traps = 0;
     batch(() => {
-      this.milliseconds.value = answer.milliseconds;
       if (isRefused(first)) {
         this.refusal.value = refusalOf(first);
         return;
@@ -383,10 +380,7 @@ export class Explorer {
     if (this.#traps === 1) this.#rest.call(() => this.refresh());
   }
 
-  // names in sentences
-
-  nameOf = (name: string) => labelOf(name);
-
+  /** The design as arguments of the command line. */
   words() {
     return setupWords(this.design.value);
   }

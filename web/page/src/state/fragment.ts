@@ -2,6 +2,7 @@
 // 1&tour-average&swing.speed=100mph&club.loft=10.5deg&b:club.loft=12deg&map=club.loft,swing.speed
 import type { Design } from '../setup/design';
 import type { Catalog } from '../setup/parameters';
+import { compact } from '../setup/units';
 import type { State } from './state';
 import { GOALS, MOST_DESIGNS, START } from './state';
 
@@ -15,8 +16,6 @@ const LONE = /\p{Surrogate}/gu;
 /** Encodes a text for an address, but keeps characters that are readable in it. */
 const escape = (text: string) =>
   encodeURIComponent(text.replace(LONE, '\ufffd')).replace(/%2C/g, ',').replace(/%3A/g, ':').replace(/%2F/g, '/');
-
-const compact = (text: string) => text.replace(/^([-+.\de]+) /i, '$1');
 
 function differences(design: Design, first: Design): [string, string][] {
   const rows: [string, string][] = [];

@@ -1,6 +1,6 @@
 // The content of a link: designs, and how they are shown.
 import type { Design } from '../setup/design';
-import { hasLaunch } from '../setup/design';
+import { hasLaunch, isReplaced } from '../setup/design';
 import type { System } from '../setup/units';
 
 export type Goal = 'carry' | 'total';
@@ -39,8 +39,7 @@ export const activeOf = (state: State): Design => state.designs[state.active] ??
 export function varyOf(state: State): readonly string[] {
   const isLaunch = hasLaunch(activeOf(state));
   const usual = isLaunch ? ['launch.launch_angle'] : ['club.loft'];
-  const chosen = (state.vary ?? usual).filter((name) =>
-    isLaunch ? !/^(club|swing|strike|impact)\./.test(name) : !name.startsWith('launch.'));
+  const chosen = (state.vary ?? usual).filter((name) => !isReplaced(name, isLaunch));
   return chosen.length ? chosen : usual;
 }
 
@@ -48,11 +47,8 @@ export function mapOf(state: State): readonly [string, string] {
   const isLaunch = hasLaunch(activeOf(state));
   const usual: [string, string] = isLaunch
     ? ['launch.launch_angle', 'launch.backspin'] : ['club.loft', 'swing.attack_angle'];
-  const chosen = state.map;
-  if (!chosen) return usual;
-  const gone = chosen.some((name) => name.startsWith('launch.') !== isLaunch
-    && /^(launch|club|swing|strike)\./.test(name));
-  return gone ? usual : chosen;
+  const chosen = state.map ?? usual;
+  return chosen.some((name) => isReplaced(name, isLaunch)) ? usual : chosen;
 }
 
 export function withDesign(state: State, design: Design): State {
