@@ -12,7 +12,6 @@ fn main() -> longdrive::Result<()> {
     setup.set("swing.speed", "85 mph")?;
     let vary = ["club.loft=6deg..18deg", "swing.attack_angle=-5deg..3deg"];
     let search = Search {
-        of: Outcome::Carry.into(),
         vary: vary
             .iter()
             .map(|text| Vary::read(&setup, text))

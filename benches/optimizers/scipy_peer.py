@@ -29,9 +29,9 @@ REPETITIONS = 3
 class Evaluator:
     """A running `optimizers --serve`."""
 
-    def __init__(self, program, *how):
+    def __init__(self, program):
         self.process = subprocess.Popen(
-            [program, *(how or ["--serve"])],
+            [program, "--serve"],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,

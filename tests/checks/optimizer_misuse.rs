@@ -181,7 +181,7 @@ fn a_checkpoint_of_another_problem_is_refused() {
 
 /// The fields of a domain are public: values that its constructors refuse are refused at its use.
 #[test]
-fn impossible_saved_results_are_refused() {
+fn impossible_domains_and_starts_are_refused() {
     for (low, high) in [(f64::NAN, 1.0), (3.0, 1.0), (f64::INFINITY, f64::INFINITY)] {
         let mut domain = disc(2);
         (domain.variables.low[1], domain.variables.high[1]) = (low, high);

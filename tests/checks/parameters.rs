@@ -321,3 +321,96 @@ fn exact_setups_are_equal_after_a_file_and_their_steps_are_written_only_where_st
         assert_eq!(Setup::from_toml(&toml, "a.toml").unwrap(), stated);
     }
 }
+
+/// A drive with an unset parameter equals the drive with its documented default.
+#[test]
+fn same_drive_with_an_unset_parameter_and_with_its_documented_value() {
+    let with = |settings: &[(&str, &str)]| {
+        let mut setup = Setup::default();
+        settings
+            .iter()
+            .for_each(|(name, text)| setup.set(name, text).unwrap());
+        setup
+    };
+    let weights = [
+        ("club.weight_1.mass", "10 g"),
+        ("club.weight_1.depth", "60 mm"),
+        ("club.weight_2.mass", "5 g"),
+    ];
+    let club = with(
+        &[
+            &weights[..],
+            &[("swing.shaft_bend", "2 deg"), ("strike.toe", "9 mm")],
+        ]
+        .concat(),
+    );
+    let launch = [
+        ("launch.ball_speed", "70 m/s"),
+        ("launch.launch_angle", "11 deg"),
+    ];
+    let bases = [
+        club,
+        with(&[&launch[..], &[("launch.backspin", "2500 rpm")]].concat()),
+        with(&[&launch[..], &[("launch.spin", "2500 rpm")]].concat()),
+    ];
+    let mut counted = 0;
+    for parameter in bases[0]
+        .parameters()
+        .into_iter()
+        .filter(|parameter| parameter.default_value().is_none())
+    {
+        assert_eq!(
+            parameter.unset.is_some(),
+            parameter.doc.ends_with("unset: 0."),
+            "{}",
+            parameter.name
+        );
+        let Some(unset) = parameter.unset else {
+            continue;
+        };
+        let drives = bases.iter().filter_map(|base| {
+            let drive = |value: Option<f64>| {
+                let mut setup = *base;
+                setup
+                    .set_value(parameter, value)
+                    .ok()
+                    .and_then(|()| Drive::new(&setup).ok())
+            };
+            Some((
+                drive(None)?,
+                drive(Some(unset))?,
+                drive(Some(unset + 0.01))?,
+            ))
+        });
+        let outcomes = |drive: &Drive<f64>| {
+            Outcome::ALL
+                .iter()
+                .filter_map(|of| of.value(drive))
+                .collect::<Vec<_>>()
+        };
+        let drives: Vec<_> = drives
+            .map(|(a, b, other)| [&a, &b, &other].map(outcomes))
+            .collect();
+        for [a, b, _] in &drives {
+            let far = a
+                .iter()
+                .zip(b)
+                .find(|(a, b)| (*a - *b).abs() > 1e-9 * a.abs().max(1.0));
+            assert!(
+                a.len() == b.len() && far.is_none(),
+                "{}: {far:?}",
+                parameter.name
+            );
+        }
+        assert!(
+            drives.iter().any(|[a, _, other]| a != other),
+            "{}: the drive does not depend on the value",
+            parameter.name
+        );
+        counted += 1;
+    }
+    assert!(
+        counted >= 18,
+        "only {counted} parameters count as a value where unset"
+    );
+}

@@ -143,8 +143,8 @@ fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
         assert!(error.contains(says), "{error}");
     }
     // only the last chunk lacks a value
-    struct StartsAfterTheEnd(CustomPoints);
-    impl Points for StartsAfterTheEnd {
+    struct ShortAtTheEnd(CustomPoints);
+    impl Points for ShortAtTheEnd {
         fn parameters(&self) -> &[&'static Parameter] {
             self.0.parameters()
         }
@@ -169,7 +169,7 @@ fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
         }
     }
     let mut rows = 0;
-    let mut points = StartsAfterTheEnd(CustomPoints::new(&of_both, 1500));
+    let mut points = ShortAtTheEnd(CustomPoints::new(&of_both, 1500));
     let end = gradient_batch(
         &setup,
         &mut points,

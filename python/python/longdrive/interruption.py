@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from .reply import COMMON_KEYS
+
 __all__ = ["interruption"]
 
 
@@ -63,7 +65,7 @@ def _best(answer: Mapping[str, Any]) -> list[str]:
     points = answer.get("points")
     if isinstance(points, Sequence) and points:
         return [f"`answer` of this exception has the {len(points)} points so far"]
-    has_result = answer.keys() - {"command", "status", "message", "warnings"}
+    has_result = answer.keys() - COMMON_KEYS
     return ["`answer` of this exception has the result so far"] if has_result else []
 
 

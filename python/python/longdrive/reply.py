@@ -8,7 +8,10 @@ from typing import TYPE_CHECKING, Any, TypeVar
 if TYPE_CHECKING:
     from .request import Request
 
-__all__ = ["Reply", "as_reply", "with_rows"]
+__all__ = ["COMMON_KEYS", "Reply", "as_reply", "with_rows"]
+
+COMMON_KEYS = {"command", "status", "message", "warnings"}
+"""Keys of every answer; an answer without a result has no other keys."""
 
 
 class Reply(dict[str, Any]):

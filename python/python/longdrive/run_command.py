@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from . import _longdrive
 from .errors import InputError, Interrupted, NoAnswerError, interruptible, warn_of
 from .progress import follower
-from .reply import Reply
+from .reply import COMMON_KEYS, Reply
 
 if TYPE_CHECKING:
     from .request import Request
@@ -16,9 +16,6 @@ if TYPE_CHECKING:
 __all__ = ["run_command"]
 
 T = TypeVar("T")
-
-COMMON_KEYS = {"command", "status", "message", "warnings"}
-"""Keys of every answer; an answer without a result has no other keys."""
 
 
 def run_command(
