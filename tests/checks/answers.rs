@@ -1,6 +1,6 @@
 //! Answers begin with the answer, fit a screen and its width, and name their setup.
 
-use crate::command_line::{Output, json, longdrive, number, widest};
+use crate::command_line::{Output, json, longdrive, number, on_one_line, widest};
 use crate::program;
 use longdrive::{Drive, Outcome, Setup};
 use serde_json::Value;
@@ -175,7 +175,7 @@ fn the_answer_for_an_average_names_the_command_for_an_own_loft() {
         (&["simulate"], false),
     ] {
         let printed = longdrive(words);
-        let text = printed.out.split_whitespace().collect::<Vec<_>>().join(" ");
+        let text = on_one_line(&printed.out);
         assert_eq!(text.contains(advice), has_advice, "{words:?}: {text}");
     }
 }
@@ -252,7 +252,7 @@ fn a_law_outside_its_range_is_a_warning_where_it_changes_the_carry() {
     let says = "with the law held at the end of its range the carry is ";
     assert!(warning.contains(says), "{warning}");
     let printed = longdrive(&[&["simulate", "-q"], &low_spin[..]].concat());
-    let text = printed.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let text = on_one_line(&printed.out);
     assert!(text.contains("of the carry is extrapolated"), "{text}");
 }
 

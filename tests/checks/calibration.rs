@@ -2,7 +2,7 @@
 //! paper, bad input.
 
 use crate::command_line::WHOLE;
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::panic_of;
 use longdrive::derivative::{Order, evaluate};
 use longdrive::launch::Launch;
@@ -671,11 +671,7 @@ fn text_and_json(text: &str, arguments: &[&str]) -> (i32, String, serde_json::Va
     let (status, found) = json(&question);
     let answered = longdrive(&question);
     assert_eq!(answered.status, status, "{}", answered.err);
-    let out = answered
-        .out
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
+    let out = on_one_line(&answered.out);
     for word in ["NaN", " inf"] {
         assert!(
             !out.contains(word) && !found.to_string().contains(word),
@@ -993,11 +989,7 @@ fn starts_that_end_at_larger_sums_are_reported() {
         "{}",
         found["starts"]
     );
-    let answered = longdrive(&fit)
-        .out
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
+    let answered = on_one_line(&longdrive(&fit).out);
     assert_eq!(others, [("undefined", 5)], "{found}");
     let sentence = "1 of 6 starts ended at this sum of squares; 5 could not begin, because in some \
                 rows the ball does not fly with the parameters of the start.";
@@ -1060,12 +1052,7 @@ fn an_interrupted_calibration_from_many_starts_names_its_best_fit() {
         found.starts.same
     );
     let report = CalibrationReport::new(&table, &found, &[]);
-    let text = report
-        .document(System::Us)
-        .text(&WHOLE)
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
+    let text = on_one_line(&report.document(System::Us).text(&WHOLE));
     let says = format!(
         "interrupted: {ended} of 60 searches ended, and {} were stopped",
         found.stopped
@@ -1108,12 +1095,7 @@ fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
     ];
     let report = CalibrationReport::new(&table, &found, &held);
     assert!(report.interrupted && !report.is_found());
-    let text = report
-        .document(System::Us)
-        .text(&WHOLE)
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
+    let text = on_one_line(&report.document(System::Us).text(&WHOLE));
     assert!(
         text.contains(&format!(
             "linear, fitted as above: interrupted, {stopped} of 4 fits left out"
@@ -1320,11 +1302,7 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
             fit,
         ];
         let (_, found) = json(&requested);
-        let in_words = longdrive(&requested)
-            .err
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" ");
+        let in_words = on_one_line(&longdrive(&requested).err);
         let warnings = found["warnings"]
             .as_array()
             .unwrap()

@@ -1,7 +1,7 @@
 //! The point of the head that speed, attack angle and path refer to: its centre of mass, or the
 //! centre of its face.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use longdrive::derivative::gradient;
 use longdrive::parameters::SpeedOf;
@@ -285,7 +285,7 @@ fn the_point_is_read_written_and_compared() {
         ),
     ] {
         let message = longdrive(args);
-        let words = message.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let words = on_one_line(&message.err);
         assert!(
             message.status == 2 && words.contains(output),
             "{args:?}: {words}"

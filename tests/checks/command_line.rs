@@ -1,6 +1,7 @@
 //! The program for a user: answers, JSON, exit statuses, and messages for bad input.
 
 use crate::common::close;
+pub use crate::common::number;
 use crate::program;
 use crate::schema::faults;
 use longdrive::report::TextOptions;
@@ -115,12 +116,6 @@ pub fn file_with(folder: &Path, name: &str, text: &str) -> String {
     let path = folder.join(name);
     std::fs::write(&path, text).unwrap();
     path.display().to_string()
-}
-
-pub fn number(value: &Value) -> f64 {
-    value
-        .as_f64()
-        .unwrap_or_else(|| panic!("{value} is no number"))
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! `calibrate` on the command line: tolerance, rows that do not fly or that dominate, and options
 //! that are refused before the work.
 
-use crate::command_line::{json, longdrive};
+use crate::command_line::{json, longdrive, on_one_line};
 
 const SHOTS: [&str; 4] = ["calibrate", "examples/shots.csv", "--fit", "aero.cd0"];
 
@@ -312,7 +312,7 @@ fn rows_that_do_not_fly_are_reported_by_an_example_without_a_missing_club() {
         format!("{head}\n160,10,2500,250\n150,11,2500,240\n160,-3,2500,250\n150,-4,2500,240\n");
     let (_folder, path) = crate::sweep::table("down.csv", text);
     let output = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
-    let words = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = on_one_line(&output.err);
     assert!(
         words.contains("rows 3, 4, for example row 3: no flight"),
         "{words}"

@@ -1,6 +1,6 @@
 //! `verify`, `sensitivity` and `uncertainty` on the command line.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::{SET_RIGID, close};
 use crate::program;
 
@@ -104,7 +104,7 @@ fn exact_no_deviation_once_the_only_uncertain_parameter_is_known() {
         "256",
     ];
     let text = longdrive(&[&args[..], &["--all"]].concat()).out;
-    let message = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let message = on_one_line(&text);
     assert!(
         message.contains("once it is known exactly, the standard deviation falls to 0.00 yd"),
         "{text}"
@@ -156,14 +156,7 @@ fn the_answer_gives_the_reason_for_omitted_drives() {
         "{}",
         printed.out
     );
-    assert!(
-        longdrive(&["sensitivity"])
-            .out
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" ")
-            .contains("+σ include")
-    );
+    assert!(on_one_line(&longdrive(&["sensitivity"]).out).contains("+σ include"));
 }
 
 #[test]
@@ -506,7 +499,7 @@ fn a_certificate_that_fails_names_what_failed() {
         "wind.roughness=10000mm",
     ];
     let printed = longdrive(&[&wind[..], &SET_RIGID, &ground].concat());
-    let words = printed.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = on_one_line(&printed.out);
     assert_eq!(printed.status, 1);
     assert!(words.contains("fail (second)"), "{words}");
     assert!(
@@ -608,7 +601,7 @@ fn the_while_loop_is_compared_only_where_it_has_a_difference() {
     ] {
         let set = "aero.spin_decay=0/s";
         let printed = longdrive(&["verify", "mae494", "--set", set, "--wrt", wrt]);
-        let words = printed.out.split_whitespace().collect::<Vec<_>>().join(" ");
+        let words = on_one_line(&printed.out);
         assert!(
             !words.contains("– at a step of") && !words.contains("is by air.viscosity"),
             "{words}"

@@ -1,6 +1,6 @@
 //! Commands that search: constraints, many starts, sensitivities, charts, and bad input.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::{SET_RIGID, close};
 use crate::program;
 use serde_json::Value;
@@ -213,10 +213,8 @@ fn a_varied_wind_direction_keeps_the_wind_speed() {
 /// An equation that no variable changes has no multiplier: lateral is 0 for every straight drive.
 #[test]
 fn an_equation_is_reported_with_its_violation_and_never_as_inactive() {
-    let output = |limit: &str| {
-        let out = longdrive(&["optimize", "-q", "--subject-to", limit]).out;
-        out.split_whitespace().collect::<Vec<_>>().join(" ")
-    };
+    let output =
+        |limit: &str| on_one_line(&longdrive(&["optimize", "-q", "--subject-to", limit]).out);
     let free = output("lateral == 0 yd");
     let words =
         "lateral = 0 yd 0.0 yd equality: off by 0.00 yd, and no varied parameter changes it";
@@ -521,7 +519,7 @@ fn refusals_of_variables_do_not_contradict_each_other() {
         "--change",
         "swing.attack_angle=+1deg",
     ]);
-    let sentence = printed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    let sentence = on_one_line(&printed.err);
     let words = "the sensitivity of the optimum to swing.attack_angle: swing.attack_angle is a varied \
                  parameter, so the search chooses it; choose another parameter";
     assert!(

@@ -1,6 +1,6 @@
 //! `longdrive sweep`: files, kills and resumes, full disks, closed pipes, and bad input.
 
-use crate::command_line::{json, longdrive, wait_until};
+use crate::command_line::{json, longdrive, on_one_line, wait_until};
 use crate::program::{self, FORMATS};
 use std::fs;
 use std::io::{BufRead, BufReader, Write};
@@ -312,7 +312,7 @@ fn a_format_that_is_not_compiled_in_names_its_feature() {
         ),
     ] {
         let printed = longdrive(&args);
-        let sentence = printed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let sentence = on_one_line(&printed.err);
         let says = format!("cargo install --path . --features {feature}");
         assert_eq!(printed.status, 2, "{sentence}");
         assert!(sentence.contains(&says), "{sentence}");

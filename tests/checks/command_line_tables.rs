@@ -1,6 +1,6 @@
 //! Tables that `sweep --points` and `calibrate` read: the same heads, and notes on ignored columns.
 
-use crate::command_line::{json, longdrive};
+use crate::command_line::{json, longdrive, on_one_line};
 use crate::common::close;
 use crate::program::FORMATS;
 use crate::sweep::table;
@@ -125,7 +125,7 @@ fn written_columns_are_read_again_and_ignored_ones_listed() {
             let output =
                 longdrive(&[&["sweep", "-o", &second, "--points", &first], &all[..]].concat());
             assert_eq!(output.status, 0, "{name}.{ending}: {}", output.err);
-            let sentence = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
+            let sentence = on_one_line(&output.err);
             for says in [
                 "columns not read, since they are results",
                 "status",
@@ -147,13 +147,7 @@ fn written_columns_are_read_again_and_ignored_ones_listed() {
         let output = longdrive(&args);
         let sentence = "columns that a sweep computes are not read: status";
         assert!(
-            output.status == 0
-                && output
-                    .out
-                    .split_whitespace()
-                    .collect::<Vec<_>>()
-                    .join(" ")
-                    .contains(sentence),
+            output.status == 0 && on_one_line(&output.out).contains(sentence),
             "{}{}",
             output.out,
             output.err

@@ -436,7 +436,7 @@ fn remarks_of_a_calibration_have_the_chosen_units() {
             "--units",
             units,
         ]);
-        output.out.split_whitespace().collect::<Vec<_>>().join(" ")
+        on_one_line(&output.out)
     };
     let (metric, us) = (output("metric"), output("us"));
     let remarks = |text: &str| text.split("Estimates").next().unwrap().to_owned();

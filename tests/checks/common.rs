@@ -67,9 +67,11 @@ pub fn drives(file: &str) -> Vec<Value> {
     data(file)["drives"].as_array().unwrap().clone()
 }
 
-/// A number of a JSON file.
+/// A number of a JSON file or answer.
 pub fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap()
+    value
+        .as_f64()
+        .unwrap_or_else(|| panic!("{value} is no number"))
 }
 
 /// An outcome of an independent drive, over any number type. `printed` has the outcomes of the

@@ -1,6 +1,6 @@
 //! Comparison of two drives, and the causes of their difference.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::{LARGE_STEPS, close, random_setups};
 use longdrive::parameters::Method;
 use longdrive::study::{Comparison, Difference, Shares};
@@ -431,11 +431,7 @@ fn two_drives_as_text_and_json() {
     let file = file.to_str().unwrap();
     let output = longdrive(&["compare", "modern-driver", file]);
     assert_eq!(output.status, 0, "{}", output.err);
-    let lines: Vec<String> = output
-        .out
-        .lines()
-        .map(|line| line.split_whitespace().collect::<Vec<_>>().join(" "))
-        .collect();
+    let lines: Vec<String> = output.out.lines().map(on_one_line).collect();
     let line = |start: &str| {
         lines
             .iter()
@@ -617,7 +613,7 @@ fn equal_drives_have_a_message_and_bad_input_names_the_drive() {
         ),
     ] {
         let output = longdrive(&[&["compare"], &args[..]].concat());
-        let text = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let text = on_one_line(&output.err);
         assert!(
             output.status == status && text.contains(says),
             "{args:?}: {} {text}",
@@ -740,7 +736,7 @@ fn air_and_wind_given_by_different_parameters_are_one_cause_each() {
         );
     }
     let output = longdrive(&[&["compare", "--units", "us"], &components[..], &wind].concat());
-    let text = output.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let text = on_one_line(&output.out);
     let line = "all of it wind, right 6.7108 mph, downrange 0 mph → speed 10 mph, from 45°";
     assert!(text.contains(line), "{text}");
 }

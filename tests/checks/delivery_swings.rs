@@ -1,7 +1,7 @@
 //! From the shots of a launch monitor to the swings of a golfer, and to the best design over these
 //! swings.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use longdrive::parameters::Parameter;
 use longdrive::study::swings::{Rule, Scenarios, Swings};
 use longdrive::{Drive, Outcome, Setup};
@@ -384,9 +384,8 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
         )
     };
     let table = run("swings.csv");
-    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
-        words(&table.err).contains("left out of the file: 1 row"),
+        on_one_line(&table.err).contains("left out of the file: 1 row"),
         "{}",
         table.err
     );
@@ -399,7 +398,7 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
     );
     // the next command has the setup of the swings
     let follows = |ran: &crate::command_line::Output| {
-        let message = words(&ran.err);
+        let message = on_one_line(&ran.err);
         message
             .split("the best design over these swings: longdrive ")
             .nth(1)
@@ -440,7 +439,7 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
     );
     let distribution = run("swings.toml");
     assert!(
-        words(&distribution.err)
+        on_one_line(&distribution.err)
             .contains("a distribution needs 10 shots whose delivery is found, and there are 3"),
         "{}",
         distribution.err
@@ -450,7 +449,7 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
     std::fs::write(&file, shots(7, 2)).unwrap();
     let few = run("swings.toml");
     assert!(
-        few.status == 1 && words(&few.err).contains("and there are 7"),
+        few.status == 1 && on_one_line(&few.err).contains("and there are 7"),
         "{}",
         few.err
     );

@@ -1,6 +1,6 @@
 //! Design of head and face: active limits, their multipliers, and refused questions.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::{SET_RIGID, close};
 use longdrive::Setup;
 use longdrive::study::Constraint;
@@ -402,7 +402,7 @@ fn designs_outside_the_rules_or_the_face_are_refused_by_name() {
     ];
     for (args, all) in cases {
         let output = longdrive(&[&["design"], &GOLFER[..], args].concat());
-        let message = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let message = on_one_line(&output.err);
         assert_eq!(output.status, 2, "{args:?}: {message}");
         for part in all {
             assert!(message.contains(part), "{args:?}: {part}: {message}");
@@ -466,7 +466,7 @@ fn same_bits_of_a_resumed_design() {
 #[test]
 fn assumptions_of_a_design_are_printed() {
     let output = longdrive(&["design", "--scenarios", "64"]);
-    let text = output.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let text = on_one_line(&output.out);
     assert_eq!(output.status, 0, "{}", output.err);
     for part in [
         "Bliss & Langdown 2026",
@@ -500,6 +500,6 @@ fn a_file_that_names_no_preset_is_refused() {
     assert_eq!(output.status, 2, "{}", output.out);
     assert!(output.err.contains("it names no preset"), "{}", output.err);
     let output = longdrive(&["simulate", &file]);
-    let title = output.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let title = on_one_line(&output.out);
     assert!(title.contains("mine.toml (tour-average)"), "{title}");
 }

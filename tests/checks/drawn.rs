@@ -1,6 +1,6 @@
 //! Pictures compared with drives: regions, landings, launches, strikes, and true scales.
 
-use crate::command_line::longdrive;
+use crate::command_line::{longdrive, on_one_line};
 use crate::common::close;
 use crate::report::{polylines, whole};
 use longdrive::optimize::Observer;
@@ -267,11 +267,7 @@ fn an_equation_that_holds_everywhere_does_not_change_the_region() {
         (region.equation, rings(&with.2, false).len()),
         (None, rings(&without.2, false).len())
     );
-    let output = longdrive(&["optimize", "--subject-to", "lateral == 0 m"])
-        .out
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
+    let output = on_one_line(&longdrive(&["optimize", "--subject-to", "lateral == 0 m"]).out);
     assert!(
         output.contains("no varied parameter changes it")
             && !output.contains("that the value is raised"),

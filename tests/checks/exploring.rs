@@ -1,5 +1,7 @@
 //! The command `explore` if it serves no page.
 
+#[cfg(not(feature = "explore"))]
+use crate::command_line::{longdrive, on_one_line};
 use longdrive::command::{Host, MessageKind, run};
 use std::io;
 use std::sync::{Arc, Mutex};
@@ -34,13 +36,13 @@ fn a_host_without_a_terminal_serves_nothing() {
 #[cfg(not(feature = "explore"))]
 #[test]
 fn without_its_feature_the_command_names_the_build_command() {
-    let output = crate::command_line::longdrive(&["explore"]);
-    let err = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    let output = longdrive(&["explore"]);
+    let err = on_one_line(&output.err);
     assert_eq!(output.status, 2, "{err}");
     let advice = "web/build, then cargo run --release --features explore -- explore";
     assert!(err.ends_with(advice), "{err}");
     // the error of the setup comes first
-    let wrong = crate::command_line::longdrive(&["explore", "tour"]);
+    let wrong = longdrive(&["explore", "tour"]);
     assert!(
         wrong.err.contains("did you mean 'tour-average'?"),
         "{}",

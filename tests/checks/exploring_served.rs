@@ -2,6 +2,7 @@
 
 #![cfg(unix)]
 
+use crate::command_line::on_one_line;
 use crate::program;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{Shutdown, TcpStream};
@@ -309,8 +310,7 @@ fn bad_input_is_refused_before_anything_is_served() {
     ] {
         let mut explore = program::command();
         let output = explore.arg("explore").args(&args).output().unwrap();
-        let answered = String::from_utf8(output.stderr).unwrap();
-        let answered = answered.split_whitespace().collect::<Vec<_>>().join(" ");
+        let answered = on_one_line(&String::from_utf8(output.stderr).unwrap());
         assert_eq!(output.status.code(), Some(2), "{args:?}: {answered}");
         assert!(answered.contains(says), "{args:?}: {answered}");
         let printed = String::from_utf8(output.stdout).unwrap();

@@ -1,6 +1,6 @@
 //! Balls launched with the values of a launch monitor, without a club.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use longdrive::batch::{Batch, Run, Status};
 use longdrive::table::open_table;
@@ -493,7 +493,7 @@ fn values_replaced_by_another_form_of_the_spin_are_reported() {
     let message = |more: &[&str]| {
         let printed = longdrive(&[&["simulate", &file], more].concat());
         assert_eq!(printed.status, 0, "{}", printed.err);
-        printed.err.split_whitespace().collect::<Vec<_>>().join(" ")
+        on_one_line(&printed.err)
     };
     let err = message(&["--launch", "backspin=2400rpm"]);
     assert!(
@@ -531,7 +531,7 @@ fn without_a_club_the_defaults_are_launch_conditions_or_the_message_suggests_var
         vec!["plot", "chart", along[0], along[1], "-o", &chart],
     ] {
         let printed = longdrive(&[&args[..], &CONDITIONS[..]].concat());
-        let err = printed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let err = on_one_line(&printed.err);
         assert_eq!(
             (printed.status, printed.out.as_str()),
             (2, ""),

@@ -1,6 +1,6 @@
 //! The laws of drag and lift: values of their sources, joins, and the text of `laws`.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use longdrive::aerodynamics::{AerodynamicLaw, Coefficients, Stream};
 use longdrive::number::Number;
 use longdrive::parameters::Law;
@@ -439,8 +439,7 @@ fn each_law_is_listed_with_authors_ball_range_and_source() {
         (&fitted["reynolds"]["high"], &fitted["speed"]),
         (&"inf".into(), &serde_json::Value::Null)
     );
-    let words = |out: String| out.split_whitespace().collect::<Vec<_>>().join(" ");
-    let text = words(longdrive(&["laws"]).out);
+    let text = on_one_line(&longdrive(&["laws"]).out);
     for words in [
         "naruo-mizota: Naruo, Mizota & Shimozono 2004",
         "Reynolds number at least 71000",
@@ -448,7 +447,7 @@ fn each_law_is_listed_with_authors_ball_range_and_source() {
     ] {
         assert!(text.contains(words), "{words}: {text}");
     }
-    let metric = words(longdrive(&["laws", "--units", "metric"]).out);
+    let metric = on_one_line(&longdrive(&["laws", "--units", "metric"]).out);
     assert!(
         metric.contains("speed through the air 25 m/s to 68 m/s"),
         "{metric}"

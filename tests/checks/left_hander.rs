@@ -1,7 +1,7 @@
 //! A left-hander's drive is the mirror image of a right-hander's with equal numbers; wind and
 //! ground are not mirrored.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::{close, random_setups};
 use longdrive::derivative::hessian;
 use longdrive::optimize::Observer;
@@ -239,7 +239,7 @@ fn the_hand_is_read_written_and_compared() {
         ),
     ] {
         let message = longdrive(args);
-        let words = message.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let words = on_one_line(&message.err);
         assert!(
             message.status == 2 && words.contains(output),
             "{args:?}: {words}"

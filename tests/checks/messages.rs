@@ -1,19 +1,13 @@
 //! Messages with name, value, allowed range and advice; singular and plural.
 
-use crate::command_line::{json, longdrive};
+use crate::command_line::{json, longdrive, on_one_line};
 use longdrive::{Error, Setup};
 use std::fs;
 
 /// Both output streams of the program, in one line.
 fn both_streams(args: &[&str]) -> (i32, String) {
     let output = longdrive(args);
-    (
-        output.status,
-        format!("{}{}", output.out, output.err)
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" "),
-    )
+    (output.status, on_one_line(&(output.out + &output.err)))
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Fronts between two goals of a golfer, and the command `pareto`.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use longdrive::optimize::{Observer, Observers, Options};
 use longdrive::study::swings::{ParetoSearch, Rule, Scenarios, Swings, pareto};
@@ -278,7 +278,7 @@ fn same_front_in_text_json_csv_and_setups() {
         "there is no point 99; choose one with --at, from 1 to {}",
         points.len()
     );
-    let message = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    let message = on_one_line(&output.err);
     assert!(output.status == 1 && message.contains(&words), "{message}");
     let (status, answer) = json(&[&ask[..], &["-o", &file("none.toml"), "--at", "99"]].concat());
     assert_eq!((status, &answer["status"]), (1, &"partial".into()));
@@ -417,7 +417,7 @@ fn bad_goals_of_a_front_have_a_message() {
     ];
     for (args, output) in cases {
         let failed = longdrive(&[&["pareto"], &args[..]].concat());
-        let message = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let message = on_one_line(&failed.err);
         assert!(
             failed.status == 2 && message.contains(output),
             "{args:?}: {message}"
@@ -431,7 +431,7 @@ fn bad_goals_of_a_front_have_a_message() {
         "carry >= 400 yd",
     ];
     let failed = longdrive(&[&["pareto"][..], &both, &limits].concat());
-    let message = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    let message = on_one_line(&failed.err);
     assert_eq!(failed.status, 1, "{message}");
     for (expression, limit) in [
         ("descent_angle >= 80 deg", 80.0),

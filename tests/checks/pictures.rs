@@ -1,7 +1,7 @@
 //! Pictures and printed text: nothing is cut or hidden at any width, and numbers, units and signs
 //! have one spelling.
 
-use crate::command_line::longdrive;
+use crate::command_line::{longdrive, on_one_line};
 use longdrive::Error;
 use longdrive::report::plot::{Axis, Figure, Layer, Look, NamedQuantity, figure_svg};
 
@@ -483,13 +483,7 @@ fn two_bars_on_one_side_are_both_seen() {
 #[test]
 fn a_price_has_its_direction_and_a_constraint_the_chosen_units() {
     // long lines are broken
-    let text = |args: &[&str]| {
-        longdrive(&[&["optimize"], args].concat())
-            .out
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" ")
-    };
+    let text = |args: &[&str]| on_one_line(&longdrive(&[&["optimize"], args].concat()).out);
     let bound = text(&[]);
     assert!(
         bound.contains("at its upper bound: +")

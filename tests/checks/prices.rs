@@ -1,7 +1,7 @@
 //! Bounds and limits in answers: which are active, their multipliers, and designs that violate
 //! them.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use serde_json::Value;
 
@@ -9,7 +9,7 @@ use serde_json::Value;
 fn text_of(args: &[&str]) -> String {
     let output = longdrive(args);
     assert_eq!(output.status, 0, "{args:?}: {} {}", output.out, output.err);
-    output.out.split_whitespace().collect::<Vec<_>>().join(" ")
+    on_one_line(&output.out)
 }
 
 /// The number between these words.

@@ -1,7 +1,7 @@
 //! One design for several models: compared with the best design of each model, and with a search of
 //! every design.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::{SET_RIGID, close};
 use longdrive::optimize::{Iteration, Observers};
 use longdrive::report::{Report, RobustReport};
@@ -217,7 +217,7 @@ fn bad_models_are_refused_with_the_reason() {
     ];
     for (args, output) in cases {
         let failed = longdrive(&[&["robust"], args].concat());
-        let sentence = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let sentence = on_one_line(&failed.err);
         assert!(
             failed.status == 2 && sentence.contains(output),
             "{args:?}: {sentence}"
@@ -404,7 +404,7 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
                 ]
                 .concat(),
             );
-            let sentence = output.out.split_whitespace().collect::<Vec<_>>().join(" ");
+            let sentence = on_one_line(&output.out);
             assert!(
                 sentence.contains("not active; +0.67 yd for each degree that the limit is relaxed"),
                 "{}",

@@ -1,7 +1,7 @@
 //! Shots of launch monitors: the exports of each maker, kept and refused rows, predictions and
 //! comparisons, and output formats.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use crate::schema::faults;
 use longdrive::batch::Run;
@@ -715,7 +715,7 @@ fn the_command_writes_rows_and_their_prediction_errors() {
     for (name, lines) in [("a.csv", 4), ("a.jsonl", 2), ("a.json", 2)] {
         let output = longdrive(&["fly", &shots, "-o", &to(name)]);
         assert_eq!(output.status, 0, "{}", output.err);
-        let out = output.out.split_whitespace().collect::<Vec<_>>().join(" ");
+        let out = on_one_line(&output.out);
         assert!(
             out.contains("predicted − measured") && out.contains("Bliss & Langdown 2026"),
             "{out}"
@@ -749,11 +749,7 @@ fn the_command_writes_rows_and_their_prediction_errors() {
         standard.err
     );
     // with the setup's own air
-    let carry = longdrive(&["fly", &shots, "--of", "carry"])
-        .err
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
+    let carry = on_one_line(&longdrive(&["fly", &shots, "--of", "carry"]).err);
     assert!(
         carry.contains("the measured carry is not compared: it is the distance from the tee"),
         "{carry}"
@@ -863,7 +859,7 @@ fn the_command_writes_rows_and_their_prediction_errors() {
         ),
     ] {
         let output = longdrive(&args);
-        let err = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let err = on_one_line(&output.err);
         assert!(
             output.status == 2 && err.contains(says),
             "{args:?}: no '{says}' in {err}"

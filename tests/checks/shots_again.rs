@@ -1,7 +1,7 @@
 //! Shots written by this program and read again; totals; and their files in `calibrate`, `delivery`
 //! and `sweep`.
 
-use crate::command_line::{file_with, json, longdrive, number};
+use crate::command_line::{file_with, json, longdrive, number, on_one_line};
 use longdrive::Setup;
 use longdrive::study::calibrate::ShotTable;
 use longdrive::table::RowFilter;
@@ -348,7 +348,7 @@ fn impossible_rows_of_points_are_reported_with_their_value() {
     let table = file_with(folder.path(), "points.csv", text);
     let output = longdrive(&["sweep", "--points", &table]);
     assert_eq!(output.status, 0, "{}", output.err);
-    let sentence = output.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    let sentence = on_one_line(&output.err);
     for wrong in [
         "row 2: club.loft is missing",
         "row 3: club.loft = 95 deg is outside",

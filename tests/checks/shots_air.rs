@@ -1,6 +1,6 @@
 //! The air of each shot, if an export states it.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use crate::shots::flown;
 use longdrive::study::calibrate::{MeasuredShot, ShotTable};
@@ -188,16 +188,13 @@ fn given_air_overrides_that_of_the_export() {
     let (given, remarks) = fly(&["--set", "air.density=1.3kg/m^3"]);
     close(given, carry(1.3), 250.0, 1e-5, "given");
     assert!(
-        remarks
-            .split_whitespace()
-            .collect::<Vec<_>>()
-            .join(" ")
+        on_one_line(&remarks)
             .contains("the given air replaces the air that the export states for each row"),
         "{remarks}"
     );
     let (cold, remarks) = fly(&["--set", "air.temperature=0degC"]);
     let says = "the given air replaces the air that the export states for each row: Air Density";
-    let words = remarks.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = on_one_line(&remarks);
     assert!(
         cold < own - 10.0 && words.matches("Air Density").count() == 1 && words.contains(says),
         "{cold} {remarks}"
@@ -211,10 +208,7 @@ fn given_air_overrides_that_of_the_export() {
         "air.temperature=0degC",
     ];
     let printed = longdrive(&weather);
-    let words = (printed.out + &printed.err)
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
+    let words = on_one_line(&(printed.out + &printed.err));
     assert!(
         words.matches("Air Density").count() == 1 && words.contains(says),
         "{words}"

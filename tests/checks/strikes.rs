@@ -1,6 +1,6 @@
 //! Maps of strikes over the face, of one design and of two.
 
-use crate::command_line::longdrive;
+use crate::command_line::{longdrive, on_one_line};
 use crate::common::close;
 use crate::drawn::flown;
 use longdrive::impact::FacePoint;
@@ -264,9 +264,8 @@ fn two_designs_are_side_by_side_on_the_face() {
         "{}",
         output.err
     );
-    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     let more = "differ in more than the club";
-    assert!(!words(&output.err).contains(more), "{}", output.err);
+    assert!(!on_one_line(&output.err).contains(more), "{}", output.err);
     let faster = [
         "plot",
         "strike",
@@ -280,7 +279,7 @@ fn two_designs_are_side_by_side_on_the_face() {
     ];
     let output = longdrive(&faster);
     assert!(
-        words(&output.err).contains(&format!("{more}: swing.speed;")),
+        on_one_line(&output.err).contains(&format!("{more}: swing.speed;")),
         "{}",
         output.err
     );
@@ -297,7 +296,7 @@ fn two_designs_are_side_by_side_on_the_face() {
     ] {
         let output = longdrive(&[&["plot", "strike", "-o", &at("b.svg")][..], &args].concat());
         assert!(
-            output.status == 2 && words(&output.err).contains(why),
+            output.status == 2 && on_one_line(&output.err).contains(why),
             "{}",
             output.err
         );

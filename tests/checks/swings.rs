@@ -1,6 +1,6 @@
 //! Goals over many swings, and their best designs.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use longdrive::derivative::{Order, Taylor, hessian};
 use longdrive::optimize::Observer;
@@ -691,7 +691,7 @@ fn bad_swings_and_goals_are_refused_with_the_reason() {
     ];
     for (args, output) in cases {
         let failed = longdrive(&[&["optimize"], args].concat());
-        let message = failed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+        let message = on_one_line(&failed.err);
         assert!(
             failed.status == 2 && message.contains(output),
             "{args:?}: {message}"
@@ -849,12 +849,7 @@ fn parameters_without_swings_are_reported() {
     let output = longdrive(&["optimize", "--swings", &alike]);
     assert!(
         output.status == 0
-            && output
-                .out
-                .split_whitespace()
-                .collect::<Vec<_>>()
-                .join(" ")
-                .contains("best design: the swings are equal"),
+            && on_one_line(&output.out).contains("best design: the swings are equal"),
         "{}",
         output.out
     );
@@ -900,11 +895,7 @@ fn parameters_without_swings_are_reported() {
         "--maximize",
         "mean(carry)",
     ];
-    let output = longdrive(&beside)
-        .out
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
+    let output = on_one_line(&longdrive(&beside).out);
     assert!(
         output.contains("gear effect of strikes off the centre is known to about 30 %"),
         "{output}"

@@ -1,6 +1,6 @@
 //! Certificates of derivatives: correct ones pass, wrong ones fail, kinks are named.
 
-use crate::command_line::WHOLE;
+use crate::command_line::{WHOLE, on_one_line};
 use crate::common::{RIGID, close, in_large_steps, random_setups};
 use longdrive::derivative::check::{Verdict, check};
 use longdrive::derivative::{Taylor, gradient};
@@ -595,7 +595,7 @@ fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
     );
     let report = CertificateReport::new(&found, &[]);
     let text = report.document(System::Us).text(&WHOLE);
-    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = on_one_line(&text);
     assert!(
         words.contains("fail (num-dual)")
             && words.contains("FAILED: first derivatives by num-dual"),

@@ -1,7 +1,7 @@
 //! Warnings about a drive: a law beyond its fitted range, a strike beside the face; and none about
 //! usual drives.
 
-use crate::command_line::{json, longdrive};
+use crate::command_line::{json, longdrive, on_one_line};
 use crate::common::{RIGID, SET_RIGID_TOUR};
 use longdrive::atmosphere::WindField;
 use longdrive::batch::{Batch, Status, StatusCounts};
@@ -508,7 +508,7 @@ fn a_warning_of_a_chart_names_each_part() {
         "--at",
         "50mph,90mph,100mph,140mph",
     ]);
-    let err = printed.err.split_whitespace().collect::<Vec<_>>().join(" ");
+    let err = on_one_line(&printed.err);
     assert!(err.contains("; swing.speed = 50 mph, and 140 mph"), "{err}");
 }
 
