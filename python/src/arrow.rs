@@ -59,7 +59,7 @@ pub fn arrow_stream<'py>(
     metadata: HashMap<String, String>,
 ) -> PyResult<Bound<'py, PyCapsule>> {
     answer(|| {
-        let refused = |error: ArrowError| Failure::Panic(format!("a table for Arrow: {error}"));
+        let refused = |error: ArrowError| Failure::Internal(format!("a table for Arrow: {error}"));
         let (mut fields, mut arrays): (Vec<Field>, Vec<ArrayRef>) = (vec![], vec![]);
         for (name, array, unit) in columns {
             let array = numbers(&array)?;

@@ -3,182 +3,269 @@
 use crate::arrays::Arrays;
 use crate::boundary::{Answer, Failure, answer};
 use crate::hessians::Hessians;
-use crate::names::{listed, outcomes_named, variables};
+use crate::names::{listed, outcomes_named, refuse_repeated, variables};
 use crate::pool;
+use crate::results::{Piece, Results, Shared};
 use crate::setup::PySetup;
 use crate::step::{PyIntegration, step_choice};
-use longdrive::batch::{Batch, Block, CHUNK, Points, Run, Status, StatusCounts};
+use longdrive::batch::{Batch, Block, CHUNK, Points, Run};
 use longdrive::drive::CheckScope;
-use longdrive::parameters::Parameter;
-use longdrive::parameters::Vary;
-use longdrive::units::{System, ratio};
+use longdrive::integration::{Integration, StepChoice};
+use longdrive::parameters::{Parameter, Vary};
+use longdrive::units::{Message, System, ratio};
 use longdrive::{Drive, Outcome, Setup};
-use numpy::ndarray::{Array2, Array4};
+use numpy::ndarray::{Array2, Array4, ShapeError};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray4};
+use pyo3::exceptions::PyBaseException;
 use pyo3::prelude::*;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
-/// The status number of a drive that landed without a requested outcome or derivative: the first
-/// number after the numbers of `longdrive::batch::Status`.
-const UNDEFINED: i8 = Status::ALL.len() as i8;
-
-/// The results of a batch, column after column.
-struct Results {
-    /// Number of allocated rows.
-    room: usize,
-    /// Number of computed rows.
-    done: usize,
-    /// Columns of `room` numbers each: first the points, then the outcomes, then the derivatives.
-    columns: Vec<f64>,
-    status: Vec<i8>,
-    /// Hessians of the rows.
-    hessians: Vec<f64>,
-    status_counts: StatusCounts,
+/// The drives of a batch, without the values of the points.
+#[derive(Clone)]
+struct Request {
+    setup: Setup<f64>,
+    /// Parameters of the points.
+    points: Vec<&'static Parameter>,
+    of: Vec<Outcome>,
+    wrt: Vec<&'static Parameter>,
+    /// True if second derivatives are requested.
+    has_hessians: bool,
 }
 
-/// The results of a chunk.
-struct Piece {
-    columns: Vec<f64>,
-    status: Vec<i8>,
-    hessians: Vec<f64>,
-    status_counts: StatusCounts,
-}
-
-impl Piece {
-    fn of(block: &Block, width: usize, hessians: Option<&Hessians>) -> Self {
-        let rows = block.rows();
-        let mut status: Vec<i8> = (0..rows).map(|row| block.status(row) as i8).collect();
-        let of_point = if rows > 0 { block.point(0).len() } else { 0 };
-        let mut points = Vec::with_capacity(rows * (of_point + width));
-        for k in 0..of_point {
-            points.extend((0..rows).map(|row| block.point(row)[k]));
-        }
-        let mut columns = Vec::with_capacity(rows * width);
-        for column in 0..width {
-            columns.extend(block.result(column).map(|value| value.unwrap_or(f64::NAN)));
-        }
-        let mut seconds = vec![];
-        if let Some(hessians) = hessians {
-            seconds.reserve(rows * hessians.width());
-            for row in 0..rows {
-                match hessians.of_row(block, row) {
-                    Some(found) => seconds.extend(found),
-                    None => seconds.extend(std::iter::repeat_n(f64::NAN, hessians.width())),
-                }
-            }
-        }
-        for (row, status) in status
-            .iter_mut()
-            .enumerate()
-            .filter(|(_, status)| **status == Status::Landed as i8)
-        {
-            let of_row = hessians.map_or(0, Hessians::width);
-            let mut numbers = columns
-                .iter()
-                .skip(row)
-                .step_by(rows)
-                .chain(seconds.iter().skip(row * of_row).take(of_row));
-            if numbers.any(|number| number.is_nan()) {
-                *status = UNDEFINED;
-            }
-        }
-        let mut status_counts = StatusCounts::default();
-        status_counts.add(block);
-        points.append(&mut columns);
-        Self {
-            columns: points,
-            status,
-            hessians: seconds,
-            status_counts,
-        }
+impl Request {
+    /// Number of outcomes and first derivatives of a row.
+    fn width(&self) -> usize {
+        self.of.len() * (1 + self.wrt.len())
     }
-}
 
-impl Results {
-    /// Allocates memory for `room` rows, each with `width` numbers in the columns and
-    /// `of_hessians` second derivatives.
-    fn new(room: usize, width: usize, of_hessians: usize) -> Answer<Self> {
-        let numbers = room.checked_mul(width).zip(room.checked_mul(of_hessians));
-        let has_room = |numbers: usize| Vec::<f64>::new().try_reserve_exact(numbers).is_ok();
-        let Some((of_columns, of_hessians)) =
-            numbers.filter(|(one, two)| has_room(one.saturating_add(*two)))
-        else {
-            let message = format!(
-                "{room} drives with {} numbers each do not fit into memory; compute fewer at a \
-                 time, or let the program write them to a file (longdrive sweep)",
-                width + of_hessians
-            );
-            return Err(Failure::Input(message));
+    /// Allocates memory for the results of `rows` rows.
+    fn results(&self, rows: usize) -> Answer<Results> {
+        let of_hessians = if self.has_hessians {
+            self.of.len() * self.wrt.len() * self.wrt.len()
+        } else {
+            0
         };
-        // the system allocates the memory of these zeros only at the first access
-        let (columns, hessians, status) =
-            (vec![0.0; of_columns], vec![0.0; of_hessians], vec![0; room]);
-        Ok(Self {
-            room,
-            done: 0,
-            columns,
-            status,
-            hessians,
-            status_counts: StatusCounts::default(),
+        Results::new(rows, self.points.len() + self.width(), of_hessians)
+    }
+
+    /// The SI units of the points' parameters, the outcomes and the derivatives.
+    fn units(&self) -> Vec<String> {
+        let points = self.points.iter().map(|row| row.quantity.si.to_owned());
+        let outcomes = self.of.iter().map(|of| of.quantity().si.to_owned());
+        let derivatives = self.of.iter().flat_map(|of| {
+            self.wrt
+                .iter()
+                .map(|row| ratio(of.quantity().si, row.quantity.si))
+        });
+        points.chain(outcomes).chain(derivatives).collect()
+    }
+
+    /// The results for Python, whose arrays are not copied.
+    fn result(
+        self,
+        py: Python<'_>,
+        results: Results,
+        warnings: Vec<String>,
+        rows: usize,
+        raised: Option<PyErr>,
+    ) -> Answer<BatchResult> {
+        let (of, wrt, room) = (self.of.len(), self.wrt.len(), results.room);
+        let shape = (self.points.len() + self.width(), room);
+        let columns = shaped(Array2::from_shape_vec(shape, results.columns))?;
+        let shape = (room, of, wrt, wrt);
+        let hessians = self
+            .has_hessians
+            .then(|| shaped(Array4::from_shape_vec(shape, results.hessians)))
+            .transpose()?;
+        Ok(BatchResult {
+            status: results.status.into_pyarray(py).unbind(),
+            columns: columns.into_pyarray(py).unbind(),
+            hessians: hessians.map(|array| array.into_pyarray(py).unbind()),
+            of: self.of.iter().map(|of| of.name()).collect(),
+            wrt: names(&self.wrt),
+            parameters: names(&self.points),
+            units: self.units(),
+            warnings,
+            done: results.done,
+            rows,
+            raised: raised.map(|error| error.into_value(py)),
         })
     }
 
-    /// Appends a piece.
-    fn take(&mut self, piece: &Piece) {
-        let rows = piece.status.len();
-        for (to, from) in self
-            .columns
-            .chunks_exact_mut(self.room.max(1))
-            .zip(piece.columns.chunks_exact(rows))
-        {
-            to[self.done..self.done + rows].copy_from_slice(from);
+    /// The warnings about the drives; `is_whole` if every row was computed.
+    fn warnings(&self, results: &Results, is_whole: bool) -> Vec<String> {
+        let exceeded = results.status_counts.exceeded().warnings(
+            &self.setup.law,
+            ["drive that landed", "drives that landed"],
+            CheckScope::Launch,
+        );
+        let mut warnings = in_units(&exceeded);
+        if is_whole && !results.status_counts.has_any(&self.of) {
+            warnings.push(self.without_outcomes(results));
         }
-        self.status[self.done..self.done + rows].copy_from_slice(&piece.status);
-        let width = piece.hessians.len() / rows;
-        self.hessians[self.done * width..(self.done + rows) * width]
-            .copy_from_slice(&piece.hessians);
-        self.status_counts.merge(&piece.status_counts);
-        self.done += rows;
+        warnings
+    }
+
+    /// The warning of a batch in which no drive has a requested outcome: the number of drives by
+    /// status, and the reason for row 0.
+    fn without_outcomes(&self, results: &Results) -> String {
+        let which = if self.of.len() == 1 {
+            "the requested outcome"
+        } else {
+            "any of the requested outcomes"
+        };
+        let why = self
+            .first_drive(results)
+            .err()
+            .map_or(String::new(), |why| format!("; row 0: {why}"));
+        format!("no drive has {which}: {}{why}", results.status_counts)
+    }
+
+    /// Computes the drive of row 0 again.
+    ///
+    /// # Errors
+    /// The reason why it has no landing.
+    fn first_drive(&self, results: &Results) -> Result<(), String> {
+        let text = |error: longdrive::Error| error.to_string();
+        let mut first = self.setup;
+        let columns = results.columns.chunks_exact(results.room.max(1));
+        for (parameter, column) in self.points.iter().zip(columns) {
+            if column[0].is_nan() {
+                return Err(format!("{} is NaN", parameter.name));
+            }
+            first.set_value(parameter, Some(column[0])).map_err(text)?;
+        }
+        let drive = Drive::new(&first).map_err(text)?;
+        drive.landed().map(drop).map_err(text)
     }
 }
 
-/// The state shared by the thread of Python and the computing threads.
-struct Shared {
-    results: Mutex<Option<Results>>,
-    done: AtomicU64,
+/// A batch for Python.
+#[pyclass(get_all, frozen, module = "longdrive._longdrive")]
+pub struct BatchResult {
+    /// Status of each row. After the computed rows, the arrays have space for the remaining points.
+    status: Py<PyArray1<i8>>,
+    /// A row of the array for each parameter of the points, outcome and derivative.
+    columns: Py<PyArray2<f64>>,
+    /// Shape (rows, outcomes, parameters, parameters), if requested.
+    hessians: Option<Py<PyArray4<f64>>>,
+    /// Names of the outcomes.
+    of: Vec<&'static str>,
+    /// Names of the parameters of the derivatives.
+    wrt: Vec<&'static str>,
+    /// Names of the parameters of the points.
+    parameters: Vec<&'static str>,
+    /// Units of the columns.
+    units: Vec<String>,
+    warnings: Vec<String>,
+    /// Number of computed rows.
+    done: usize,
+    /// Number of points.
+    rows: usize,
+    /// The exception that ended the batch early.
+    raised: Option<Py<PyBaseException>>,
 }
 
-impl Shared {
-    fn with<R>(&self, work: impl FnOnce(&mut Option<Results>) -> R) -> R {
-        work(&mut self.results.lock().unwrap_or_else(PoisonError::into_inner))
+/// The computation of a batch.
+struct Work {
+    request: Request,
+    arrays: Arrays,
+    first_row: usize,
+    threads: usize,
+    choice: StepChoice,
+    /// The ranges for which `choice` chooses.
+    ranges: Vec<Vary>,
+    /// Method and step, if they were chosen before.
+    chosen: Option<Arc<Integration>>,
+    to: Arc<Shared>,
+}
+
+impl Work {
+    fn rows(&self) -> usize {
+        self.arrays.len() - self.first_row
+    }
+
+    /// True if the drives take less time than a check for Ctrl-C.
+    fn is_short(&self) -> bool {
+        let chosen = self.chosen.as_ref();
+        let setup = chosen.map_or(&self.request.setup, |chosen| &chosen.setup);
+        let is_known = chosen.is_some() || self.choice.is_own(setup);
+        let rows = self.rows();
+        is_known && rows <= CHUNK && !self.request.has_hessians && !pool::is_long(setup, rows)
+    }
+
+    /// Runs the work, and returns the warnings about the setup and the step. Long work runs on
+    /// other threads.
+    fn run(self, py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> Answer<Vec<String>> {
+        if self.is_short() {
+            return Ok(py.detach(|| self.compute(&AtomicBool::new(false)))?);
+        }
+        let (rows, to) = (self.rows(), Arc::clone(&self.to));
+        let watch = || match progress {
+            Some(progress) => progress.call1((to.done(), rows)).map(drop),
+            None => Ok(()),
+        };
+        Ok(pool::run(py, move |stop| self.compute(stop), watch)??)
+    }
+
+    fn compute(self, stop: &AtomicBool) -> longdrive::Result<Vec<String>> {
+        let Request {
+            setup,
+            points,
+            of,
+            wrt,
+            has_hessians,
+        } = &self.request;
+        let integration = match &self.chosen {
+            Some(chosen) => Arc::clone(chosen),
+            None => Arc::new(self.choice.for_ranges(setup, &self.ranges, of, stop)?),
+        };
+        let batch = integration.batch(points, of, wrt)?;
+        let hessians = has_hessians
+            .then(|| Hessians::new(&integration, points, of, wrt))
+            .transpose()?;
+        let warnings = setup.warnings();
+        self.fill(&batch, hessians.as_ref(), stop)?;
+        Ok(in_units(warnings.iter().chain(&integration.warning)))
+    }
+
+    /// Computes the rows and appends them to the shared results. Rows that are computed after
+    /// Python took the results are dropped.
+    fn fill(
+        mut self,
+        batch: &Batch,
+        hessians: Option<&Hessians>,
+        stop: &AtomicBool,
+    ) -> longdrive::Result<()> {
+        let width = self.request.width();
+        let piece = |block: Block| Piece::of(&block, width, hessians);
+        let run = Run {
+            first_row: self.first_row as u64,
+            threads: self.threads,
+            stop: Some(stop),
+            ..Run::default()
+        };
+        if self.rows() > CHUNK {
+            let sink = |piece: Piece| {
+                self.to.append(&piece);
+                Ok(())
+            };
+            batch.run(&mut self.arrays, &run, piece, sink)?;
+            return Ok(());
+        }
+        // a single chunk needs no other threads
+        self.arrays.seek(run.first_row)?;
+        let mut values = vec![];
+        if self.arrays.read(CHUNK, &mut values)? == 0 {
+            return Ok(());
+        }
+        if let Some(block) = batch.evaluate_until(run.first_row, values, stop) {
+            self.to.append(&piece(block));
+        }
+        Ok(())
     }
 }
-
-/// The results for Python, in this order:
-///
-/// - status;
-/// - columns: a row of the array for each point parameter, outcome and derivative;
-/// - Hessians;
-/// - names of the outcomes, of the parameters of the derivatives, and of the points' parameters;
-/// - units of the columns;
-/// - warnings;
-/// - number of computed rows, and number of points;
-/// - exception that ended the batch early.
-///
-/// After the computed rows, the arrays have space for the remaining points.
-type Found<'py> = (
-    Bound<'py, PyArray1<i8>>,
-    Bound<'py, PyArray2<f64>>,
-    Option<Bound<'py, PyArray4<f64>>>,
-    Vec<&'static str>,
-    Vec<&'static str>,
-    Vec<&'static str>,
-    Vec<String>,
-    Vec<String>,
-    (usize, usize),
-    Option<PyErr>,
-);
 
 /// The drives at the points of arrays; see :func:`longdrive.batch`.
 #[pyfunction]
@@ -203,7 +290,7 @@ pub fn batch<'py>(
     hessians: bool,
     ranges: Option<Vec<(String, f64, f64)>>,
     function: Option<&PyIntegration>,
-) -> PyResult<Found<'py>> {
+) -> PyResult<BatchResult> {
     answer(|| {
         let setup = PySetup::of(setup)?;
         let of = outcomes_named(&listed("of", of)?)?;
@@ -212,168 +299,59 @@ pub fn batch<'py>(
             None => vec![],
             Some(wrt) => by_names(&setup, &arrays, wrt)?,
         };
-        if first_row > arrays.len()
-            || (!first_row.is_multiple_of(CHUNK) && first_row != arrays.len())
-        {
-            let message = format!(
-                "first_row = {first_row}; expected a multiple of {CHUNK} up to the {} rows, as a \
-                 table that was interrupted ends with",
-                arrays.len()
-            );
-            return Err(Failure::Input(message));
-        }
-        let given: Vec<_> = arrays.parameters().iter().map(|row| row.name).collect();
-        setup.setup.refuse_replaced(&given)?;
-        let (whole, rows) = (arrays.len(), arrays.len().saturating_sub(first_row));
-        let width = arrays.parameters().len() + of.len() * (1 + wrt.len());
-        let of_hessians = if hessians {
-            of.len() * wrt.len() * wrt.len()
-        } else {
-            0
+        let request = Request {
+            setup: setup.setup,
+            points: arrays.parameters().to_vec(),
+            of,
+            wrt,
+            has_hessians: hessians,
         };
+        refuse_first_row(first_row, arrays.len())?;
+        setup.setup.refuse_replaced(&names(&request.points))?;
         let choice = step_choice(tolerance, own_step)?;
-        let chosen = function.map(|function| Arc::clone(&function.0));
-        let shared = Arc::new(Shared {
-            results: Mutex::new(Some(Results::new(rows, width, of_hessians)?)),
-            done: AtomicU64::new(0),
-        });
+        let shared = Arc::new(Shared::new(request.results(arrays.len() - first_row)?));
         // the values are examined last: this takes long, and the allocation above may fail
         arrays.look(py, ranges.is_none())?;
-        let ranges = match ranges {
-            None => arrays.ranges(),
-            Some(given) => given_ranges(&setup, &given)?,
+        let (whole, in_degrees) = (arrays.len(), arrays.in_degrees());
+        let work = Work {
+            ranges: match ranges {
+                None => arrays.ranges(),
+                Some(given) => given_ranges(&setup, &given)?,
+            },
+            request: request.clone(),
+            arrays,
+            first_row,
+            threads,
+            choice,
+            chosen: function.map(|function| Arc::clone(&function.0)),
+            to: Arc::clone(&shared),
         };
-        let shape = (of.len(), wrt.len());
-        let (units, in_degrees) = (units(&arrays, &of, &wrt), arrays.in_degrees());
-        let names = (
-            of.iter().map(|of| of.name()).collect(),
-            wrt.iter().map(|row| row.name).collect(),
-            given,
-        );
-        let parameters = arrays.parameters().to_vec();
-        let (to, sought) = (Arc::clone(&shared), of.clone());
-        let flown = function.map_or(setup.setup, |function| function.0.setup);
-        let is_known = function.is_some() || choice.is_own(&flown);
-        let is_short = rows <= CHUNK && !hessians && !pool::is_long(&flown, rows);
-        let own = setup.setup;
-        let work = move |stop: &AtomicBool| -> longdrive::Result<Vec<String>> {
-            let integration = match chosen {
-                Some(chosen) => chosen,
-                None => Arc::new(choice.for_ranges(&setup.setup, &ranges, &sought, stop)?),
-            };
-            let batch = integration.batch(arrays.parameters(), &sought, &wrt)?;
-            let seconds = hessians
-                .then(|| Hessians::new(&integration, arrays.parameters(), &sought, &wrt))
-                .transpose()?;
-            compute(
-                &batch,
-                arrays,
-                seconds.as_ref(),
-                first_row,
-                threads,
-                stop,
-                &to,
-            )?;
-            Ok(setup
-                .setup
-                .warnings()
-                .iter()
-                .chain(&integration.warning)
-                .map(|message| message.in_units(System::default()))
-                .collect())
-        };
-        let total = rows;
-        let watch = || match progress {
-            Some(progress) => progress
-                .call1((shared.done.load(Ordering::Relaxed), total))
-                .map(|_| ()),
-            None => Ok(()),
-        };
-        // compute a few drives without threads: they take less time than a check for Ctrl-C
-        let ended = if is_short && is_known {
-            py.detach(|| work(&AtomicBool::new(false)))
-                .map_err(Failure::from)
-        } else {
-            pool::run(py, work, watch).and_then(|done| Ok(done?))
-        };
-        let (mut warnings, mut raised) = match ended {
+        let rows = work.rows();
+        let (mut warnings, mut raised) = match work.run(py, progress) {
             Ok(warnings) => (warnings, None),
             Err(Failure::Python(raised)) => (vec![], Some(raised)),
             Err(other) => return Err(other),
         };
-        if let (Some(progress), None, true) = (progress, &raised, total > 0) {
+        if let (Some(progress), None, true) = (progress, &raised, rows > 0) {
             // a Ctrl-C in this call does not discard the rows
-            raised = progress.call1((total, total)).err();
+            raised = progress.call1((rows, rows)).err();
         }
-        let results = shared
-            .with(Option::take)
-            .ok_or_else(|| Failure::Panic("a batch without results".into()))?;
-        let done = results.done;
-        let beyond = results.status_counts.exceeded().warnings(
-            &own.law,
-            ["drive that landed", "drives that landed"],
-            CheckScope::Launch,
-        );
-        warnings.extend(
-            beyond
-                .iter()
-                .map(|message| message.in_units(System::default())),
-        );
-        let is_whole = raised.is_none();
-        if is_whole && first_row == 0 && !results.status_counts.has_any(&of) {
-            warnings.push(none(&own, &parameters, &results, &of));
-        }
+        let results = shared.end()?;
+        warnings.extend(request.warnings(&results, raised.is_none() && first_row == 0));
         warnings.extend(in_degrees);
-        let (of_names, wrt, given) = names;
-        let (status, columns, seconds) = moved(py, results, width, shape, hessians)?;
-        Ok((
-            status,
-            columns,
-            seconds,
-            of_names,
-            wrt,
-            given,
-            units,
-            warnings,
-            (done, whole),
-            raised,
-        ))
+        request.result(py, results, warnings, whole, raised)
     })
 }
 
-/// The warning of a batch in which no drive has a requested outcome: the number of drives by
-/// status, and the reason for row 0.
-fn none(
-    setup: &Setup<f64>,
-    parameters: &[&'static Parameter],
-    results: &Results,
-    of: &[Outcome],
-) -> String {
-    let which = if of.len() == 1 {
-        "the requested outcome"
-    } else {
-        "any of the requested outcomes"
-    };
-    let why = (|| {
-        let mut first = *setup;
-        for (parameter, column) in parameters
-            .iter()
-            .zip(results.columns.chunks_exact(results.room.max(1)))
-        {
-            if column[0].is_nan() {
-                return Err(format!("{} is NaN", parameter.name));
-            }
-            first
-                .set_value(parameter, Some(column[0]))
-                .map_err(|error| error.to_string())?;
-        }
-        let drive = Drive::new(&first).map_err(|error| error.to_string())?;
-        drive.landed().map(drop).map_err(|error| error.to_string())
-    })();
-    let why = why
-        .err()
-        .map_or(String::new(), |why| format!("; row 0: {why}"));
-    format!("no drive has {which}: {}{why}", results.status_counts)
+/// Refuses a first row that does not begin a chunk.
+fn refuse_first_row(first_row: usize, rows: usize) -> Answer<()> {
+    if first_row == rows || (first_row < rows && first_row.is_multiple_of(CHUNK)) {
+        return Ok(());
+    }
+    Err(Failure::Input(format!(
+        "first_row = {first_row}; expected a multiple of {CHUNK} up to the {rows} rows, as a table \
+         that was interrupted ends with"
+    )))
 }
 
 /// The ranges for which a sweep chooses its step, from the names and ends in `given`. The points
@@ -400,112 +378,25 @@ fn by_names(
     if names == ["points"] {
         return Ok(of_points.to_vec());
     }
+    let of_point = |name: &String| of_points.iter().find(|row| row.name == name).copied();
+    if !names.iter().any(|name| of_point(name).is_some()) {
+        return variables(&setup.setup, Some(wrt));
+    }
+    refuse_repeated("wrt", names.iter().map(String::as_str))?;
     // a parameter of the points may have no value in `setup`
-    let is_of_points = |name: &String| of_points.iter().any(|row| row.name == name);
-    if names.iter().any(is_of_points) {
-        let mut rows = vec![];
-        for name in &names {
-            let found = of_points.iter().find(|row| row.name == name).copied();
-            let row = match found {
-                Some(row) => row,
-                None => setup.setup.variable(name)?,
-            };
-            if rows.contains(&row) {
-                return Err(Failure::Input(format!(
-                    "wrt names '{name}' twice; keep one"
-                )));
-            }
-            rows.push(row);
-        }
-        return Ok(rows);
-    }
-    variables(&setup.setup, Some(wrt))
+    let row = |name: &String| of_point(name).map_or_else(|| setup.setup.variable(name), Ok);
+    Ok(names.iter().map(row).collect::<longdrive::Result<_>>()?)
 }
 
-/// The SI units of the points' parameters, the outcomes and the derivatives.
-fn units(arrays: &Arrays, of: &[Outcome], wrt: &[&'static Parameter]) -> Vec<String> {
-    let points = arrays
-        .parameters()
-        .iter()
-        .map(|row| row.quantity.si.to_owned());
-    let outcomes = of.iter().map(|of| of.quantity().si.to_owned());
-    let derivatives = of.iter().flat_map(|of| {
-        wrt.iter()
-            .map(|row| ratio(of.quantity().si, row.quantity.si))
-    });
-    points.chain(outcomes).chain(derivatives).collect()
+fn names(parameters: &[&'static Parameter]) -> Vec<&'static str> {
+    parameters.iter().map(|row| row.name).collect()
 }
 
-/// Computes the rows and appends them to the results in `to`. Rows that are computed after Python
-/// took the results are dropped.
-fn compute(
-    batch: &Batch,
-    mut arrays: Arrays,
-    hessians: Option<&Hessians>,
-    first_row: usize,
-    threads: usize,
-    stop: &AtomicBool,
-    to: &Shared,
-) -> longdrive::Result<()> {
-    let width = batch.outcomes().len() * (1 + batch.wrt().len());
-    let piece = |block: Block| Piece::of(&block, width, hessians);
-    let sink = |piece: Piece| {
-        to.with(|results| {
-            if let Some(results) = results {
-                results.take(&piece);
-                to.done.store(results.done as u64, Ordering::Relaxed);
-            }
-        });
-        Ok(())
-    };
-    let run = Run {
-        first_row: first_row as u64,
-        threads,
-        stop: Some(stop),
-        ..Run::default()
-    };
-    if arrays.len() - first_row > CHUNK {
-        batch.run(&mut arrays, &run, piece, sink)?;
-        return Ok(());
-    }
-    // a single chunk needs no other threads
-    arrays.seek(run.first_row)?;
-    let mut values = vec![];
-    match arrays.read(CHUNK, &mut values)? {
-        0 => Ok(()),
-        _ => batch
-            .evaluate_until(run.first_row, values, stop)
-            .map_or(Ok(()), |block| sink(piece(block))),
-    }
+fn in_units<'a>(messages: impl IntoIterator<Item = &'a Message>) -> Vec<String> {
+    let in_units = |message: &Message| message.in_units(System::default());
+    messages.into_iter().map(in_units).collect()
 }
 
-/// Status, columns and Hessians.
-type Moved<'py> = (
-    Bound<'py, PyArray1<i8>>,
-    Bound<'py, PyArray2<f64>>,
-    Option<Bound<'py, PyArray4<f64>>>,
-);
-
-/// Moves the results into arrays of NumPy without a copy.
-fn moved(
-    py: Python<'_>,
-    results: Results,
-    width: usize,
-    (of, wrt): (usize, usize),
-    hessians: bool,
-) -> Answer<Moved<'_>> {
-    let rows = results.room;
-    let columns = shaped(Array2::from_shape_vec((width, rows), results.columns))?.into_pyarray(py);
-    let seconds = hessians.then(|| {
-        shaped(Array4::from_shape_vec(
-            (rows, of, wrt, wrt),
-            results.hessians,
-        ))
-    });
-    let seconds = seconds.transpose()?.map(|array| array.into_pyarray(py));
-    Ok((results.status.into_pyarray(py), columns, seconds))
-}
-
-fn shaped<T>(array: Result<T, numpy::ndarray::ShapeError>) -> Answer<T> {
-    array.map_err(|error| Failure::Panic(format!("the arrays of a batch: {error}")))
+fn shaped<T>(array: Result<T, ShapeError>) -> Answer<T> {
+    array.map_err(|error| Failure::Internal(format!("the arrays of a batch: {error}")))
 }

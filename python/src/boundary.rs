@@ -18,8 +18,8 @@ pub enum Failure {
     Key(String),
     /// An exception of Python.
     Python(PyErr),
-    /// A panic: a bug in longdrive.
-    Panic(String),
+    /// A bug in longdrive: a panic, or results that do not fit together.
+    Internal(String),
 }
 
 /// The result of a call from Python.
@@ -47,7 +47,7 @@ impl From<Failure> for PyErr {
                 raised("NoAnswerError", error.to_string(), Some(error.status()))
             }
             Failure::Longdrive(error) => raised("InputError", error.to_string(), None),
-            Failure::Panic(message) => raised("InternalError", message, None),
+            Failure::Internal(message) => raised("InternalError", message, None),
         }
     }
 }
@@ -106,7 +106,7 @@ pub fn unpanicked<T>(work: impl FnOnce() -> T) -> Answer<T> {
             .map(String::as_str)
             .or_else(|| panic.downcast_ref::<&str>().copied());
         let what = text.unwrap_or("no message");
-        Failure::Panic(format!(
+        Failure::Internal(format!(
             "a bug in longdrive, please report it with the call that caused it: {what}"
         ))
     })

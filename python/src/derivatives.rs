@@ -24,7 +24,7 @@ pub fn matrix<'py>(
 ) -> Answer<Bound<'py, PyArray2<f64>>> {
     let values = Array2::from_shape_vec((rows.len(), columns), rows.concat());
     let values =
-        values.map_err(|error| Failure::Panic(format!("a matrix of derivatives: {error}")))?;
+        values.map_err(|error| Failure::Internal(format!("a matrix of derivatives: {error}")))?;
     Ok(values.into_pyarray(py))
 }
 

@@ -10,6 +10,7 @@ use longdrive::units::Quantity;
 use pyo3::exceptions::PyOverflowError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyMapping, PyString};
+use std::collections::HashSet;
 
 /// The key that names the preset from which a dict starts, as in a setup file.
 pub const PRESET: &str = "preset";
@@ -156,7 +157,7 @@ fn is_bool(value: &Bound<'_, PyAny>) -> bool {
     value.is_instance_of::<PyBool>() || name.is_ok_and(|name| name == "bool" || name == "bool_")
 }
 
-/// The entries of a dict under their dotted names. A name may occur once.
+/// The entries of a dict under their dotted names, which may repeat.
 pub fn flattened<'py>(dict: &Bound<'py, PyAny>) -> Answer<Vec<Given<'py>>> {
     let mut all = vec![];
     flatten(
@@ -179,17 +180,17 @@ fn may_be_unset(setup: &Setup<f64>, name: &str) -> bool {
 
 /// Refuses a repeated name.
 pub fn refuse_repeated(all: &[Given<'_>]) -> Answer<()> {
-    match all
-        .iter()
-        .enumerate()
-        .find(|(at, given)| all[..*at].iter().any(|first| first.name == given.name))
-    {
-        Some((_, twice)) => Err(Failure::Input(format!(
-            "'{}' is given twice; keep one",
-            twice.name
-        ))),
-        None => Ok(()),
-    }
+    first_repeated(all.iter().map(|given| given.name.as_str())).map_or(Ok(()), |twice| {
+        Err(Failure::Input(format!(
+            "'{twice}' is given twice; keep one"
+        )))
+    })
+}
+
+/// The first name that repeats an earlier one.
+pub fn first_repeated<'a>(names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let mut known = HashSet::new();
+    names.into_iter().find(|name| !known.insert(*name))
 }
 
 /// Collects the entries of a nested dict; `depth` is 1 for the outermost dict.

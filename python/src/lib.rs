@@ -18,6 +18,7 @@ mod parts;
 mod plan;
 mod pool;
 mod request;
+mod results;
 mod setup;
 mod step;
 mod wording;
@@ -30,7 +31,7 @@ mod _longdrive {
     #[pymodule_export]
     use crate::arrow::arrow_stream;
     #[pymodule_export]
-    use crate::batch::batch;
+    use crate::batch::{BatchResult, batch};
     #[pymodule_export]
     use crate::boundary::panic_for_a_test;
     #[pymodule_export]
@@ -51,7 +52,7 @@ mod _longdrive {
     #[pymodule_export]
     use crate::plan::plan;
     #[pymodule_export]
-    use crate::request::{text_of, words_of};
+    use crate::request::{word_of, words_of};
     #[pymodule_export]
     use crate::setup::PySetup;
     #[pymodule_export]

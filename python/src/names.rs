@@ -1,7 +1,7 @@
 //! Outcomes and parameters by name, and the lists of both.
 
 use crate::boundary::{Answer, Failure, answer, kind_of, text_of};
-use crate::given::flattened;
+use crate::given::{first_repeated, flattened};
 use crate::json::to_python;
 use crate::setup::PySetup;
 use longdrive::command::{quantity_of, quantity_of_goal};
@@ -48,7 +48,7 @@ pub fn outcomes_named(names: &[String]) -> Answer<Vec<Outcome>> {
         };
         of.extend(named);
     }
-    refuse_repeated("of", &of.iter().map(|of| of.name()).collect::<Vec<_>>())?;
+    refuse_repeated("of", of.iter().map(|of| of.name()))?;
     Ok(of)
 }
 
@@ -72,7 +72,7 @@ pub fn variables(
     if names == ["all"] {
         return Ok(setup.variables());
     }
-    refuse_repeated("wrt", &names.iter().map(String::as_str).collect::<Vec<_>>())?;
+    refuse_repeated("wrt", names.iter().map(String::as_str))?;
     Ok(names
         .iter()
         .map(|name| setup.variable(name))
@@ -80,17 +80,12 @@ pub fn variables(
 }
 
 /// Refuses a repeated name, which would have two places in an array.
-fn refuse_repeated(what: &str, names: &[&str]) -> Answer<()> {
-    match names
-        .iter()
-        .enumerate()
-        .find(|(at, name)| names[..*at].contains(name))
-    {
-        Some((_, twice)) => Err(Failure::Input(format!(
+pub fn refuse_repeated<'a>(what: &str, names: impl IntoIterator<Item = &'a str>) -> Answer<()> {
+    first_repeated(names).map_or(Ok(()), |twice| {
+        Err(Failure::Input(format!(
             "{what} names '{twice}' twice; keep one"
-        ))),
-        None => Ok(()),
-    }
+        )))
+    })
 }
 
 /// The dotted names of the parameters in a dict that describes a setup.

@@ -14,7 +14,7 @@ use longdrive::parameters::Parameter;
 use longdrive::study::Goal;
 use longdrive::study::swings::{Correlation, GoalFunction, Rule, Scenarios, Strokes, Swings};
 use longdrive::study::uncertainty::Uncertain;
-use longdrive::{Error, Outcome};
+use longdrive::{Error, Outcome, Setup};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyUntypedArray};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PySequenceMethods, PyTuple};
@@ -43,6 +43,56 @@ enum Function {
 }
 
 impl Function {
+    /// A goal over the swings that the arguments `over` describe.
+    fn over_swings(
+        py: Python<'_>,
+        choice: StepChoice,
+        setup: &Setup<f64>,
+        of: &str,
+        wrt: &[&'static Parameter],
+        over: &Over,
+    ) -> Answer<Self> {
+        let scenarios = over.taken(setup)?;
+        let goal = over.goal(of)?;
+        let (own, by, swings) = (*setup, wrt.to_vec(), scenarios.clone());
+        let integration = pool::run_drive(py, !choice.is_own(setup), move |stop| {
+            choice.for_swings(&own, &by, &swings, stop)
+        })??;
+        Ok(Self::Swings(Arc::new(
+            integration.goal_function(&goal, wrt, scenarios)?,
+        )))
+    }
+
+    /// An outcome of one drive.
+    fn of_drive(
+        py: Python<'_>,
+        choice: StepChoice,
+        setup: &Setup<f64>,
+        of: &str,
+        wrt: &[&'static Parameter],
+    ) -> Answer<Self> {
+        if of.contains('(') && Outcome::named(of).is_err() {
+            let what = format!(
+                "of: {of} is a goal over many swings; give the swings too, with swings or \
+                 distribution"
+            );
+            return Err(Failure::Input(what));
+        }
+        let named = outcomes_named(&[of.to_owned()])?;
+        if named.len() != 1 {
+            return Err(Failure::Input(
+                "of = 'all': an objective is one outcome; name it".into(),
+            ));
+        }
+        let integration = for_function(py, choice, setup, named.clone(), wrt.to_vec())?;
+        let evaluators = ORDERS.map(|order| integration.evaluator(&named, wrt, order));
+        let [values, gradients, hessians] = evaluators;
+        Ok(Self::Drive {
+            evaluators: Arc::new([values?, gradients?, hessians?]),
+            is_long: pool::is_long(&integration.setup, wrt.len() * wrt.len()),
+        })
+    }
+
     /// The value at a point. Many swings are computed on several threads, while the thread of
     /// Python checks for Ctrl-C and lets other threads of Python run.
     fn at(
@@ -99,8 +149,21 @@ impl Over {
         self.swings.is_some() || !self.distribution.is_empty()
     }
 
+    /// The parameters of the function, from the argument `wrt`.
+    fn variables(
+        &self,
+        setup: &Setup<f64>,
+        wrt: Option<&Bound<'_, PyAny>>,
+    ) -> Answer<Vec<&'static Parameter>> {
+        if wrt.is_none() && self.is_given() && !setup.launch.is_given() {
+            // only the loft: the attack angle belongs to the golfer, and varies from swing to swing
+            return Ok(vec![setup.variable("club.loft")?]);
+        }
+        variables(setup, wrt)
+    }
+
     /// The scenarios of the swings.
-    fn taken(&self, setup: &longdrive::Setup<f64>) -> Answer<Scenarios> {
+    fn taken(&self, setup: &Setup<f64>) -> Answer<Scenarios> {
         let swings = match &self.swings {
             Some(_) if !self.distribution.is_empty() || !self.correlation.is_empty() => {
                 let what = "swings: a file gives the distributions and correlations; leave \
@@ -322,6 +385,28 @@ fn is_masked(array: &Bound<'_, PyArray1<f64>>) -> PyResult<bool> {
     Ok(!array.is_exact_instance_of::<PyUntypedArray>() && array.hasattr("mask")?)
 }
 
+/// The factor that turns the requested extremum into a minimum.
+fn sign_of(sense: Option<&str>) -> Answer<f64> {
+    match sense {
+        None | Some("min") => Ok(1.0),
+        Some("max") => Ok(-1.0),
+        Some(other) => Err(Failure::Input(format!(
+            "sense = '{other}'; expected 'max', 'min' or None"
+        ))),
+    }
+}
+
+/// True if a point without a value gives NaN.
+fn gives_nan(invalid: &str) -> Answer<bool> {
+    match invalid {
+        "raise" => Ok(false),
+        "nan" => Ok(true),
+        other => Err(Failure::Input(format!(
+            "invalid = '{other}'; expected 'raise' or 'nan'"
+        ))),
+    }
+}
+
 fn value(found: Option<&Taylor>) -> f64 {
     found.map_or(f64::NAN, |taylor| taylor.value)
 }
@@ -359,63 +444,12 @@ impl PyObjective {
                 seed,
                 strokes,
             };
-            let wrt = match wrt {
-                // only the loft: the attack angle belongs to the golfer, and varies from swing to
-                // swing
-                None if over.is_given() && !setup.setup.launch.is_given() => {
-                    vec![setup.setup.variable("club.loft")?]
-                }
-                wrt => variables(&setup.setup, wrt)?,
-            };
+            let wrt = over.variables(&setup.setup, wrt)?;
             let function = if over.is_given() {
-                let scenarios = over.taken(&setup.setup)?;
-                let goal = over.goal(of)?;
-                let (own, by, swings) = (setup.setup, wrt.clone(), scenarios.clone());
-                let is_long = !choice.is_own(&own);
-                let integration = pool::run_drive(py, is_long, move |stop| {
-                    choice.for_swings(&own, &by, &swings, stop)
-                })??;
-                Function::Swings(Arc::new(integration.goal_function(&goal, &wrt, scenarios)?))
+                Function::over_swings(py, choice, &setup.setup, of, &wrt, &over)?
             } else {
                 over.refuse_stray()?;
-                if of.contains('(') && Outcome::named(of).is_err() {
-                    let what = format!(
-                        "of: {of} is a goal over many swings; give the swings too, with swings or \
-                         distribution"
-                    );
-                    return Err(Failure::Input(what));
-                }
-                let named = outcomes_named(&[of.to_owned()])?;
-                if named.len() != 1 {
-                    return Err(Failure::Input(
-                        "of = 'all': an objective is one outcome; name it".into(),
-                    ));
-                }
-                let integration =
-                    for_function(py, choice, &setup.setup, named.clone(), wrt.clone())?;
-                let evaluators = ORDERS.map(|order| integration.evaluator(&named, &wrt, order));
-                let [values, gradients, hessians] = evaluators;
-                Function::Drive {
-                    evaluators: Arc::new([values?, gradients?, hessians?]),
-                    is_long: pool::is_long(&integration.setup, wrt.len() * wrt.len()),
-                }
-            };
-            let sign = match sense.as_deref() {
-                None | Some("min") => 1.0,
-                Some("max") => -1.0,
-                Some(other) => {
-                    let what = format!("sense = '{other}'; expected 'max', 'min' or None");
-                    return Err(Failure::Input(what));
-                }
-            };
-            let gives_nan = match invalid {
-                "raise" => false,
-                "nan" => true,
-                other => {
-                    return Err(Failure::Input(format!(
-                        "invalid = '{other}'; expected 'raise' or 'nan'"
-                    )));
-                }
+                Function::of_drive(py, choice, &setup.setup, of, &wrt)?
             };
             Ok(Self {
                 setup,
@@ -423,9 +457,9 @@ impl PyObjective {
                 choice,
                 function,
                 over,
+                sign: sign_of(sense.as_deref())?,
                 sense,
-                sign,
-                gives_nan,
+                gives_nan: gives_nan(invalid)?,
                 last: Mutex::new(None),
             })
         })

@@ -146,7 +146,7 @@ pub fn run_to_answer<R: Send + 'static>(
                 }
             }
             Err(RecvTimeoutError::Disconnected) => {
-                return Err(crate::boundary::Failure::Panic(
+                return Err(crate::boundary::Failure::Internal(
                     "a thread ended without an answer".into(),
                 ));
             }

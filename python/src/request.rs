@@ -49,7 +49,7 @@ pub fn value_of(given: &Bound<'_, PyAny>) -> Answer<ArgumentValue> {
         "Joined" => Ok(ArgumentValue::Joined(values_of(
             attribute("parts")?.cast::<PyList>().map_err(PyErr::from)?,
         )?)),
-        _ => Err(Failure::Panic(format!(
+        _ => Err(Failure::Internal(format!(
             "{} is no value of an argument",
             kind_of(given)
         ))),
@@ -70,7 +70,7 @@ pub fn arguments_of(given: &Bound<'_, PyDict>) -> Answer<Vec<(String, ArgumentVa
 
 /// The text of a value on the command line.
 #[pyfunction]
-pub fn text_of(value: &Bound<'_, PyAny>) -> PyResult<OsString> {
+pub fn word_of(value: &Bound<'_, PyAny>) -> PyResult<OsString> {
     answer(|| Ok(value_of(value)?.text()))
 }
 

@@ -5,7 +5,6 @@ use pyo3::prelude::*;
 
 /// A message whose arguments are in the syntax of Python: `subject_to="apex_height <= 30 m"`.
 #[pyfunction]
-#[pyo3(name = "in_python")]
 pub fn in_python(message: &str) -> String {
     with_mentions(message, mention)
 }

@@ -45,8 +45,8 @@ def table() -> Table:
     return longdrive.batch("tour-average", points(3000), ["carry", "lateral", "spin"], "points")
 
 
-def test_same_rows_as_the_program(program: Callable[..., str]) -> None:
-    text = program(
+def test_same_rows_as_the_program(program: Callable[..., Any]) -> None:
+    done = program(
         "sweep",
         "--over",
         "club.loft=5deg..25deg:13",
@@ -59,8 +59,8 @@ def test_same_rows_as_the_program(program: Callable[..., str]) -> None:
         "-",
         "--quiet",
     )
-    rows = list(csv.DictReader(io.StringIO(text)))
-    assert len(rows) == 13 * 11
+    rows = list(csv.DictReader(io.StringIO(done.stdout)))
+    assert len(rows) == 13 * 11, done.stderr
     names = {head: head.split(" [")[0] for head in rows[0]}
     given = {
         name: np.array(

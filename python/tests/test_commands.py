@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import copy
 import json
-import os
 import pickle
 import signal
 import subprocess
@@ -22,12 +21,15 @@ FOLDER = Path(__file__).parent.parent
 SEARCH = {"vary": {"club.loft": ("4 deg", "20 deg")}, "subject_to": ["descent_angle >= 38 deg"]}
 
 
-def program(*words: str) -> tuple[int, dict[str, object]]:
-    """Output of the program of LONGDRIVE_PROGRAM, or of the package, for these arguments."""
-    found = os.environ.get("LONGDRIVE_PROGRAM")
-    program = [found] if found else [sys.executable, "-m", "longdrive"]
-    done = subprocess.run([*program, *words, "--json"], capture_output=True, text=True, check=False)
-    return done.returncode, json.loads(done.stdout)
+@pytest.fixture
+def answered(program):
+    """The exit status and the answer of the program to some arguments."""
+
+    def ask(*words):
+        done = program(*words, "--json")
+        return done.returncode, json.loads(done.stdout)
+
+    return ask
 
 
 def test_functions_have_the_options_of_the_commands():
@@ -40,9 +42,9 @@ def test_functions_have_the_options_of_the_commands():
     assert done.returncode == 0, done.stderr
 
 
-def test_same_optimum_as_the_program():
+def test_same_optimum_as_the_program(answered):
     found = longdrive.optimize("tour-average", **SEARCH)
-    status, answer = program(
+    status, answer = answered(
         "optimize",
         "tour-average",
         "--vary",
@@ -57,9 +59,9 @@ def test_same_optimum_as_the_program():
     assert found.nit == answer["iterations"] and found.nfev == answer["evaluations"]
 
 
-def test_a_search_keeps_what_a_dict_states_as_the_program_keeps_what_set_states():
+def test_a_search_keeps_what_a_dict_states_as_the_program_keeps_what_set_states(answered):
     found = longdrive.optimize({"swing": {"attack_angle": "-2 deg"}})
-    status, answer = program("optimize", "--set", "swing.attack_angle=-2deg")
+    status, answer = answered("optimize", "--set", "swing.attack_angle=-2deg")
     assert status == 0 and found.held == answer["held"] == ["swing.attack_angle"]
     assert found.optimum == answer["optimum"] and found.names == ["club.loft"]
 
@@ -75,11 +77,11 @@ def test_a_search_without_stated_parameters_keeps_none():
         assert found.held == [] and "swing.attack_angle" in found.names
 
 
-def test_a_value_of_a_dict_that_swings_replace_is_refused_as_by_the_program():
+def test_a_value_of_a_dict_that_swings_replace_is_refused_as_by_the_program(answered):
     swings = {"distribution": {"swing.attack_angle": "normal(-1 deg, 1 deg)"}}
     with pytest.raises(longdrive.InputError, match="swing.attack_angle of the setup: the swings"):
         longdrive.optimize({"swing.attack_angle": "-2 deg"}, **swings)
-    status, answer = program(
+    status, answer = answered(
         "optimize",
         "--set",
         "swing.attack_angle=-2deg",
@@ -160,8 +162,8 @@ def test_differences_confirm_the_hessian_at_an_optimum():
         (lambda: longdrive.reproduce("nobody"), ["reproduce", "nobody"], {"<STUDY>": "study"}),
     ],
 )
-def test_bad_input_gets_the_programs_message(call, words, renamed):
-    status, answer = program(*words)
+def test_bad_input_gets_the_programs_message(call, words, renamed, answered):
+    status, answer = answered(*words)
     assert (status, answer["status"]) == (2, "error")
     message = answer["message"]
     for option, argument in renamed.items():
@@ -195,13 +197,13 @@ def test_exact_maxcv_is_the_constraint_violation():
     assert longdrive.optimize("mae494").maxcv == 0.0
 
 
-def test_a_setup_object_keeps_every_digit():
+def test_a_setup_object_keeps_every_digit(answered):
     setup = longdrive.Setup("tour-average").replace(
         {"swing.speed": 50.123456789012345, "club.loft": 0.1718281828459045}
     )
     (row,) = longdrive.sensitivity(setup, of="carry").outcomes
     assert row["value"] == longdrive.gradient(setup, wrt="all", own_step=True).value
-    status, answer = program(
+    status, answer = answered(
         "optimize",
         "tour-average",
         "--set=swing.speed=50.123456789012345 m/s",

@@ -93,17 +93,16 @@ def test_a_jacobian_has_a_row_for_each_outcome() -> None:
     assert np.isfinite(everything.jacobian).all()
 
 
-def test_same_numbers_as_the_program(program: Callable[..., str]) -> None:
-    report = json.loads(program("simulate", "modern-driver", "--set", "club.loft=11deg", "--json"))
+def test_same_numbers_as_the_program(program: Callable[..., Any]) -> None:
+    stated = ("modern-driver", "--set", "club.loft=11deg", "--json")
+    report = json.loads(program("simulate", *stated).stdout)
     setup = {"preset": "modern-driver", "club.loft": "11 deg"}
     drive = longdrive.simulate(setup, own_step=True)
     # the program also names the setup as it was stated
     assert report.pop("from") == "modern-driver, club.loft=11deg"
     assert drive.report == report
     assert drive["carry"] == report["flight"]["carry"]
-    theirs = json.loads(
-        program("gradient", "modern-driver", "--set", "club.loft=11deg", "--hessian", "--json")
-    )["outcomes"][0]
+    theirs = json.loads(program("gradient", *stated, "--hessian").stdout)["outcomes"][0]
     value, gradient, hessian = longdrive.hessian(setup, own_step=True)
     assert value == theirs["value"] and gradient.tolist() == list(theirs["gradient"].values())
     assert hessian.tolist() == theirs["hessian"]["values"]

@@ -63,7 +63,7 @@ def test_same_set_from_processes_and_from_one_worker(
 
 
 def test_same_set_from_the_program_and_from_python(
-    one_worker: tuple[Path, list[dict[str, Any]]], tmp_path: Path, program: Callable[..., str]
+    one_worker: tuple[Path, list[dict[str, Any]]], tmp_path: Path, program: Callable[..., Any]
 ) -> None:
     folder, _ = one_worker
     requested = Question.of(**QUESTION, output=tmp_path / "drives")
@@ -71,7 +71,8 @@ def test_same_set_from_the_program_and_from_python(
     setup.write_text(requested.setup)
     for part in (3, 1, 4, 2):
         words = [str(setup) if word == "-" else word for word in requested.words]
-        program(*words, f"--output={requested.output}", f"--part={part}/{requested.parts}")
+        done = program(*words, f"--output={requested.output}", f"--part={part}/{requested.parts}")
+        assert done.returncode == 0, done.stderr
     assert sha256_of_the_set(Path(requested.output)) == sha256_of_the_set(folder)
 
 

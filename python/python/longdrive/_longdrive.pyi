@@ -19,6 +19,7 @@ from .conversion import Value
 from .types import AngleUnit, Floats, Names, Sense, SetupLike
 
 __all__ = [
+    "BatchResult",
     "Integration",
     "Objective",
     "Setup",
@@ -43,10 +44,10 @@ __all__ = [
     "presets",
     "requested_names",
     "simulate",
-    "text_of",
     "unit_of",
     "unit_of_goal",
     "unknown_key",
+    "word_of",
     "words_of",
 ]
 
@@ -160,6 +161,33 @@ class Simulated:
     def path(self) -> tuple[Floats, Floats, Floats, Floats] | None: ...
     def report(self) -> dict[str, Any]: ...
 
+@final
+class BatchResult:
+    """The results of a batch, and the exception that ended it early."""
+
+    @property
+    def status(self) -> npt.NDArray[np.int8]: ...
+    @property
+    def columns(self) -> Floats: ...
+    @property
+    def hessians(self) -> Floats | None: ...
+    @property
+    def of(self) -> list[str]: ...
+    @property
+    def wrt(self) -> list[str]: ...
+    @property
+    def parameters(self) -> list[str]: ...
+    @property
+    def units(self) -> list[str]: ...
+    @property
+    def warnings(self) -> list[str]: ...
+    @property
+    def done(self) -> int: ...
+    @property
+    def rows(self) -> int: ...
+    @property
+    def raised(self) -> BaseException | None: ...
+
 def simulate(
     setup: SetupLike,
     of: Names | None,
@@ -201,18 +229,7 @@ def batch(
     hessians: bool,
     ranges: Sequence[tuple[str, float, float]] | None = None,
     function: Integration | None = None,
-) -> tuple[
-    npt.NDArray[np.int8],
-    Floats,
-    Floats | None,
-    list[str],
-    list[str],
-    list[str],
-    list[str],
-    list[str],
-    tuple[int, int],
-    BaseException | None,
-]: ...
+) -> BatchResult: ...
 def arrow_stream(
     columns: Sequence[tuple[str, Floats, str]],
     status: npt.NDArray[np.int8] | None,
@@ -252,7 +269,7 @@ def command(
     progress: Callable[[int, int], object] | None = None,
     stated: Sequence[str] | None = None,
 ) -> tuple[int | None, Any, dict[str, bytes], BaseException | None]: ...
-def text_of(value: Value) -> str: ...
+def word_of(value: Value) -> str: ...
 def words_of(command: str, arguments: dict[str, Value]) -> list[str]: ...
 def unit_of(name: str) -> str | None: ...
 def unit_of_goal(goal: str) -> str: ...

@@ -226,23 +226,24 @@ def computed(
         ranges,
         function,
     )
-    status, columns, seconds, outcomes, by, parameters, units, warnings, rows, raised = found
-    done, whole = rows
+    done, parameters = found.done, found.parameters
+    columns = found.columns[:, :done]
     table = Table(
-        status=status[:done],
-        columns=columns[len(parameters) :, :done],
-        points=columns[: len(parameters), :done],
-        of=outcomes,
-        wrt=by,
+        status=found.status[:done],
+        columns=columns[len(parameters) :],
+        points=columns[: len(parameters)],
+        of=found.of,
+        wrt=found.wrt,
         parameters=parameters,
-        units=units,
-        hessians=None if seconds is None else seconds[:done],
+        units=found.units,
+        hessians=None if found.hessians is None else found.hessians[:done],
         first_row=first_row,
-        warnings=warnings,
+        warnings=found.warnings,
         setup=setup,
     )
+    raised = found.raised
     if raised is None:
         return table
     if isinstance(raised, KeyboardInterrupt):
-        raise Interrupted(interrupted(first_row + len(table), whole), table) from raised
+        raise Interrupted(interrupted(first_row + len(table), found.rows), table) from raised
     raise raised

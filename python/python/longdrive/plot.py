@@ -612,8 +612,8 @@ def vcurve(
     of : Names
         The outcomes, one or several [default: carry].
     wrt : Names
-        The parameters, one or several; "all" for every one that has a value in this setup. Without:
-        loft and attack angle, or the launch conditions if they are given.
+        The parameters, one or several; "all" for every one that has a value in this setup. By
+        default: loft and attack angle, or the launch conditions if they are given.
     angles : {"rad", "deg"}
         The unit of angles without a unit.
     ax : matplotlib.axes.Axes

@@ -165,7 +165,7 @@ class Request:
         """The values of an argument as on the command line, for functions that take texts."""
         values = self.values.get(options_of(self.command)[name].name, [])
         listed = values if isinstance(values, list) else [values]
-        return [_longdrive.text_of(value) for value in listed]
+        return [_longdrive.word_of(value) for value in listed]
 
 
 def _takes_table(option: Option) -> bool:
