@@ -3,20 +3,12 @@
 
 use super::{End, FALL, ITERATIONS};
 use crate::oracle::{Oracle, Row, rows, start};
+use crate::problems::Case;
 use ::slsqp::{Func, StopTols, minimize};
 
 pub fn solve(oracle: &Oracle) -> Result<End, String> {
     let case = oracle.case;
-    let (equalities, mut constraints) = rows(case);
-    for row in equalities {
-        constraints.extend([
-            row,
-            Row {
-                sign: -row.sign,
-                ..row
-            },
-        ]);
-    }
+    let constraints = inequalities(case);
     let objective = |x: &[f64], gradient: Option<&mut [f64]>, _: &mut ()| {
         oracle.read(x, |at| {
             if let Some(gradient) = gradient {
@@ -27,19 +19,7 @@ pub fn solve(oracle: &Oracle) -> Result<End, String> {
     };
     let functions: Vec<_> = constraints
         .iter()
-        .map(|row| {
-            move |x: &[f64], gradient: Option<&mut [f64]>, _: &mut ()| {
-                oracle.read(x, |at| {
-                    if let Some(gradient) = gradient {
-                        gradient
-                            .iter_mut()
-                            .enumerate()
-                            .for_each(|(i, slope)| *slope = row.slope(at, i));
-                    }
-                    row.value(at)
-                })
-            }
-        })
+        .map(|row| constraint(oracle, row))
         .collect();
     let functions: Vec<&dyn Func<()>> = functions
         .iter()
@@ -74,4 +54,29 @@ pub fn solve(oracle: &Oracle) -> Result<End, String> {
         status,
         iterations: None,
     })
+}
+
+/// The constraints of a case, with two inequalities for each equality.
+fn inequalities(case: &Case) -> Vec<Row> {
+    let (equalities, mut constraints) = rows(case);
+    for row in equalities {
+        let reversed = Row {
+            sign: -row.sign,
+            ..row
+        };
+        constraints.extend([row, reversed]);
+    }
+    constraints
+}
+
+/// The value and the gradient of a constraint.
+fn constraint(oracle: &Oracle, row: &Row) -> impl Fn(&[f64], Option<&mut [f64]>, &mut ()) -> f64 {
+    move |x, gradient, ()| {
+        oracle.read(x, |at| {
+            for (i, slope) in gradient.into_iter().flatten().enumerate() {
+                *slope = row.slope(at, i);
+            }
+            row.value(at)
+        })
+    }
 }
