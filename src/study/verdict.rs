@@ -6,7 +6,7 @@ use crate::drive::Drive;
 use crate::optimize::sensitivity::ActiveSet;
 use crate::optimize::{Kink, Solution, Status};
 use crate::parameters::Vary;
-use crate::units::{self, Digits, DisplayUnit, Message, Quantity};
+use crate::units::{self, Digits, Message, Quantity};
 use std::fmt;
 
 /// An active bound or constraint of an optimum: `club.loft at its upper bound`, or the text of the

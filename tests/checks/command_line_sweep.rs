@@ -1,6 +1,6 @@
 //! `longdrive sweep`: files, kills and resumes, full disks, closed pipes, and bad input.
 
-use crate::command_line::{json, longdrive, on_one_line, wait_until};
+use crate::command_line::{json, longdrive, wait_until};
 use crate::program::{self, FORMATS};
 use std::fs;
 use std::io::{BufRead, BufReader, Write};

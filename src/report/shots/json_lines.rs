@@ -167,7 +167,7 @@ impl Keys {
         Self {
             of: self.of.clone(),
             further: self.further.clone(),
-            cells: Some((export.clone(), keys)),
+            cells: Some((columns.clone(), keys)),
         }
     }
 
