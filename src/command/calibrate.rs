@@ -17,7 +17,7 @@ use crate::study::calibrate::{
 };
 use crate::table::RowFilter;
 use crate::units::Message;
-use crate::{Error, Result, Setup};
+use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
@@ -123,6 +123,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let setup = request.for_many(setup, &ranges(&table, &plan.fit))?;
     let validation = CrossValidation::new(args, &setup, &table, &plan)?;
     warn(table.one_drive(&setup, &plan.fit));
+    warn(assumed_ground(&request, &table, &plan));
     let follow = FitObserver {
         iteration: Some(Arc::new(show_iteration(args.starts > 1))),
         interrupt: interrupt::stops(BEST_SO_FAR),
@@ -192,6 +193,21 @@ fn read_shots(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Shot
     )?;
     request.refuse_replaced(setup, &given)?;
     Ok(table)
+}
+
+/// Warning if measured rest positions are compared on a ground that nobody stated or fits.
+fn assumed_ground(request: &Request, table: &ShotTable, plan: &FitPlan) -> Option<Message> {
+    let measured = table.shots.iter().flat_map(|shot| &shot.measured);
+    let is_at_rest = measured.map(|one| one.outcome).any(Outcome::needs_run);
+    let is_fitted = plan
+        .fit
+        .iter()
+        .any(|vary| vary.parameter.affects_only_run());
+    (is_at_rest && !is_fitted && !request.gives_ground()).then(|| {
+        "the measured totals are compared on a ground that is assumed; name it with `set \
+         ground.turf=firm`, average, soft or wet"
+            .into()
+    })
 }
 
 /// The files to write.

@@ -22,7 +22,10 @@ pub fn run(args: &Args) -> Result<Answer> {
     request.note_starts(&setup, &search.vary);
     let setup = request.for_many(setup, &search.vary)?;
     let output = args.destination(&request)?;
-    let optima = args.optima(&setup, &search)?;
+    let mut optima = args.optima(&setup, &search)?;
+    if let Some(set_up) = request.set_up_without_starts(&setup) {
+        optima.best = optima.best.compared_with(set_up);
+    }
     let best = &optima.best;
     if let Some(moved) = best.moved_start() {
         note(&moved);

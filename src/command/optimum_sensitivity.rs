@@ -4,7 +4,7 @@ use crate::command::output::{Answer, note, note_error, spinner, warn, with_bar};
 use crate::command::ranges::DefaultRanges;
 use crate::command::search::write;
 use crate::parameters::Parameter;
-use crate::report::{Analysis, OverSwings, SensitivityReport, optimum_document};
+use crate::report::{Analysis, OverSwings, SensitivityReport, optima_document, optimum_document};
 use crate::study::{
     Change, Optimum, Search, change, flatness, refuse_varied, sensitivities, short_drive,
     usual_loss,
@@ -88,7 +88,13 @@ pub fn run(args: &Args) -> Result<Answer> {
         reply
     };
     let document = |system| match &analysis {
-        Some(analysis) => analysis.document(best, system),
+        Some(analysis) => {
+            let mut document = analysis.document(best, system);
+            if optima.has_several_starts() {
+                document.append(optima_document(&optima, system));
+            }
+            document
+        }
         None => optimum_document(best, &OverSwings::default(), None, system),
     };
     let answer = Answer::of(request.is_json, &origin, reply, document);

@@ -11,7 +11,7 @@ use crate::optimize::Observers;
 use crate::report::{RobustReport, robust_toml};
 use crate::study::swings::{Model, robust};
 use crate::study::{Goal, Search};
-use crate::units::{Quantity, YARD};
+use crate::units::{Message, Quantity, YARD};
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
 
@@ -70,6 +70,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         model.setup = request.for_many(model.setup, &ranges)?;
     }
     note_models(&models);
+    warn(lost_settings(&request, &setup, &models));
     let spinner = spinner("searching for one design for all models");
     let interrupt = interrupt::stops("stopping with the best design so far");
     let follow = Observers {
@@ -106,6 +107,34 @@ pub fn run(args: &Args) -> Result<Answer> {
     )?;
     let answer = Answer::report(&report, &origin, request.is_json);
     Ok(answer.found(is_found))
+}
+
+/// Warnings about settings of the request that a model does not have, because its law has
+/// coefficients of its own.
+fn lost_settings(request: &Request, setup: &Setup<f64>, models: &[Model]) -> Vec<Message> {
+    let other_laws = models
+        .iter()
+        .filter(|model| model.setup.law.name() != setup.law.name());
+    let is_lost = |model: &Model, name: &str| {
+        let own = setup
+            .parameter(name)
+            .map(|parameter| setup.value(parameter));
+        let other = model.setup.parameter(name);
+        let other = other.map(|parameter| model.setup.value(parameter));
+        name.starts_with("aero.") && own.ok() != other.ok()
+    };
+    other_laws
+        .flat_map(|model| {
+            let lost = request.stated().filter(|name| is_lost(model, name));
+            lost.map(|name| {
+                Message::from(format!(
+                    "{name} as stated is not in the model '{}', whose law has coefficients of its own",
+                    model.name
+                ))
+            })
+            .collect::<Vec<_>>()
+        })
+        .collect()
 }
 
 fn note_models(models: &[Model]) {

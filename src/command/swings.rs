@@ -3,7 +3,7 @@
 use crate::command::args::{OptimizeArgs, SearchArgs, SwingsArgs, stated};
 use crate::command::interrupt;
 use crate::command::names::note_the_run;
-use crate::command::output::{Answer, warn};
+use crate::command::output::{Answer, note_each, warn};
 use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::search::{options, write};
@@ -113,7 +113,11 @@ impl SwingsArgs {
                 );
                 return Err(Error::unreadable(option, source));
             }
-            return Swings::open(setup, file);
+            let swings = Swings::open(setup, file)?;
+            if let Swings::Recorded { remarks, .. } = &swings {
+                note_each(file.display(), remarks);
+            }
+            return Ok(swings);
         }
         let inputs = self
             .distribution

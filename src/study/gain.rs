@@ -61,7 +61,7 @@ pub fn club_alone(best: &Optimum) -> Result<Option<ClubAlone>> {
     {
         return Ok(None);
     }
-    let start = best.start_drive.as_ref();
+    let start = best.drive_as_set_up.as_ref();
     let of = best.search.outcome();
     let Some(as_set_up) = start.and_then(|start| of.value(start)) else {
         return Ok(None);

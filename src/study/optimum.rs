@@ -40,9 +40,11 @@ pub struct Optimum {
     pub drive: Option<Drive<f64>>,
     /// The setup at the start of the search.
     pub start: Setup<f64>,
-    /// The drive of the start, for a search over one drive; `None` if the club does not strike the
-    /// ball.
-    pub start_drive: Option<Drive<f64>>,
+    /// The setup before the search: the start, but a varied parameter may have no value.
+    pub set_up: Setup<f64>,
+    /// The drive before the search, for a search over one drive; `None` if the club does not strike
+    /// the ball.
+    pub drive_as_set_up: Option<Drive<f64>>,
     /// Comparison of the optimum of one drive with a sample of the ranges; `None` after a local
     /// search, and after an interrupted search.
     pub sample: Option<Sample>,
@@ -55,6 +57,16 @@ pub struct Optimum {
 }
 
 impl Optimum {
+    /// This optimum of one drive, to be compared with `set_up` in place of the start of the search.
+    #[must_use]
+    pub fn compared_with(self, set_up: Setup<f64>) -> Self {
+        Self {
+            drive_as_set_up: Drive::new(&set_up).ok(),
+            set_up,
+            ..self
+        }
+    }
+
     /// True if carry and total before and after the search are compared: the search is for one of
     /// them, and the ball runs after it lands.
     pub fn compares_totals(&self) -> bool {
@@ -145,6 +157,12 @@ pub struct Optima {
 }
 
 impl Optima {
+    /// True if the search was asked for several starts. A start from the sample does not count.
+    pub fn has_several_starts(&self) -> bool {
+        let from_sample = self.best.sample.is_some_and(|sample| sample.improved);
+        self.starts > 1 + usize::from(from_sample)
+    }
+
     /// Local optima of the searches that were not interrupted, best first.
     pub fn ended(&self) -> impl Iterator<Item = &LocalOptimum> {
         self.locals
@@ -435,11 +453,11 @@ impl Study {
         let mut drive = None;
         let mut beyond_strokes = None;
         let start = self.problem.set_up;
-        let mut start_drive = None;
+        let mut drive_as_set_up = None;
         if solution.value.is_some() {
             if self.problem.search.scenarios.is_one_drive() {
                 drive = Some(Drive::new(&setup)?);
-                start_drive = Drive::new(&start).ok();
+                drive_as_set_up = Drive::new(&start).ok();
             }
             beyond_strokes = match self.problem.beyond_strokes(&solution.x) {
                 Err(_) if self.problem.is_stopped() => None,
@@ -453,7 +471,8 @@ impl Study {
             setup,
             drive,
             start,
-            start_drive,
+            set_up: start,
+            drive_as_set_up,
             sample,
             as_set_up: self.as_set_up,
             beyond_strokes,

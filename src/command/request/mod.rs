@@ -156,6 +156,15 @@ impl Request {
         self.with_starts(self.partial_setup, ranges)
     }
 
+    /// The setup without the start values of a search, and with the integration of the search.
+    /// `None` if the search has no such start values, or if the setup is incomplete without them.
+    pub fn set_up_without_starts(&self, searched: &Setup<f64>) -> Option<Setup<f64>> {
+        let mut set_up = self.partial_setup;
+        set_up.method = searched.method;
+        set_up.flight.step = searched.flight.step;
+        (set_up != *searched && set_up.validate().is_ok()).then_some(set_up)
+    }
+
     /// A setup with a start value for each varied parameter that has no value.
     ///
     /// # Errors

@@ -52,10 +52,13 @@ impl SweepRequest {
             largest_defect,
             ..
         } = request.integration(&setup, &points.ranges(), &of)?;
-        let wrt = match args.wrt.as_slice() {
-            [] if args.gradient => points.parameters().to_vec(),
-            names => variables(&setup, names, &of)?,
-        };
+        let swept = points.parameters().iter().copied();
+        let mut wrt: Vec<_> = swept.filter(|_| args.gradient).collect();
+        for parameter in variables(&setup, &args.wrt, &of)? {
+            if !wrt.contains(&parameter) {
+                wrt.push(parameter);
+            }
+        }
         let mut batch = Batch::new(&setup, points.parameters(), &of, &wrt)?
             .with_largest_defect(largest_defect)?;
         if let Some(instructions) = args.instructions {

@@ -69,7 +69,9 @@ fn marks(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> Vec<Layer> {
     let is_on = |[x, y]: &[f64; 2]| {
         (across.low..=across.high).contains(x) && (up.low..=up.high).contains(y)
     };
-    let own = at(setup).filter(is_on);
+    let own = at(setup)
+        .filter(is_on)
+        .filter(|_| !is_elsewhere(map, setup, best));
     let top = best.and_then(|best| at(&best.setup)).filter(is_on);
     let arrow = own.zip(top).map(|(own, top)| Layer::Arrows {
         name: String::new(),
@@ -117,10 +119,26 @@ fn note(map: &Map, on: &OnMap<'_>, [has_region, has_own]: [bool; 2], system: Sys
             why.in_units(system)
         ));
     }
-    if !has_own {
+    let best = on.best.filter(|best| best.value().is_some());
+    if is_elsewhere(map, on.setup, best) {
+        notes.push("The drive as set up has other values of the constant parameters.".into());
+    } else if !has_own {
         notes.push("The drive as set up lies outside of the map.".into());
     }
     notes.join(" ")
+}
+
+/// True if a varied parameter that is not an axis of the map has another value at the optimum, where
+/// the map is drawn, than as set up.
+fn is_elsewhere(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> bool {
+    let axes = [map.plane.across.parameter, map.plane.up.parameter];
+    best.is_some_and(|best| {
+        let mut others = best
+            .search
+            .parameters()
+            .filter(|other| !axes.contains(other));
+        others.any(|other| best.setup.value(other) != setup.value(other))
+    })
 }
 
 /// The constant parameters of a map: the speed, and the varied parameters that are not axes, with

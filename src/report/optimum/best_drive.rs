@@ -16,7 +16,7 @@ pub(in crate::report) fn gain_lines(
     system: System,
 ) -> Vec<Line> {
     let objective = optimum.search.of.outcome().unwrap_or(Outcome::Carry);
-    let start = optimum.start_drive.as_ref();
+    let start = optimum.drive_as_set_up.as_ref();
     let before = |of: Outcome| start.and_then(|start| of.value(start));
     let change = |of: Outcome| Some(of.value(drive)? - before(of)?);
     let line = |of: Outcome| {

@@ -20,11 +20,9 @@ pub fn optimize_document(
     around: Option<&Surroundings<'_>>,
     system: System,
 ) -> Document {
-    // a single search, also with a start from the sample, needs no list of optima: the text of its
-    // optimum states an interruption, and an improvement from the sample
-    let sample = optima.best.sample;
-    let from_sample = usize::from(sample.is_some_and(|sample| sample.improved));
-    let several = optima.starts > 1 + from_sample;
+    // a single search needs no list of optima: the text of its optimum states an interruption, and
+    // an improvement from the sample
+    let several = optima.has_several_starts();
     let mut document = Document::default();
     if let Some(stopped) = optima.interrupted().filter(|_| several) {
         let stopped = format!("interrupted: {stopped}; the best so far:");
@@ -106,7 +104,7 @@ pub(in crate::report) fn place(
         });
         let mean_swing = (!is_one_drive).then_some(mean_swing);
         let start = is_one_drive.then(|| {
-            let value = optimum.start.value(vary.parameter);
+            let value = optimum.set_up.value(vary.parameter);
             value.map_or(shown::NONE.into(), |value| {
                 shown::within(vary, value, system)
             })

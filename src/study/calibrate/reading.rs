@@ -18,7 +18,8 @@ use crate::units::{Digits, Message, Quantity};
 const MOST: f64 = 1e9;
 
 /// Remark on a measured rest position.
-const NO_GROUND: &str = "the rest position is not compared, since the ground is not known";
+const NO_GROUND: &str =
+    "the rest position is not compared, since the ground of the launch monitor is not known";
 
 /// The columns of one section of a table, with the setup and the options for reading them.
 #[derive(Clone)]
@@ -198,6 +199,14 @@ impl Reading {
         setup
             .refuse_replaced(&inputs(&head.columns))
             .map_err(|error| refused(String::new(), error.to_string()))?;
+        let unused = heads_of(
+            &head.columns,
+            |column| matches!(column.content, Content::Sigma(of) if is_launched && CONDITIONS.contains(&of)),
+        );
+        remarks.extend(columns_remark(
+            "uncertainties of launches are not used, since each ball flies from its measured launch",
+            &unused,
+        ));
         let is_text = |at: usize| head.columns[at].content == Content::Note;
         let club_name = club_column(&head.heads, is_text);
         let reading = Self {

@@ -90,7 +90,12 @@ fn recorded(setup: &Setup<f64>, table: &mut dyn Points, path: &Path) -> Result<S
         .chunks(parameters.len())
         .map(<[f64]>::to_vec)
         .collect();
-    Swings::recorded(parameters, rows).map_err(|error| refuse(error.to_string()))
+    let mut swings =
+        Swings::recorded(parameters, rows).map_err(|error| refuse(error.to_string()))?;
+    if let Swings::Recorded { remarks, .. } = &mut swings {
+        *remarks = table.notes();
+    }
+    Ok(swings)
 }
 
 fn read(setup: &Setup<f64>, text: &str, file: &str) -> Result<Swings> {

@@ -2,6 +2,7 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::repeated::first_repeated;
 use crate::study::uncertainty::Uncertain;
+use crate::units::Message;
 
 /// Variation of a golfer's swings.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +20,8 @@ pub enum Swings {
         parameters: Vec<&'static Parameter>,
         /// Values of the parameters, SI, a row for each swing.
         rows: Vec<Vec<f64>>,
+        /// Remarks on the other columns of the table, which are not read.
+        remarks: Vec<Message>,
     },
 }
 
@@ -185,7 +188,11 @@ impl Swings {
                     })?;
             }
         }
-        Ok(Self::Recorded { parameters, rows })
+        Ok(Self::Recorded {
+            parameters,
+            rows,
+            remarks: vec![],
+        })
     }
 
     /// The parameters that vary.
@@ -205,7 +212,9 @@ impl Swings {
                 .iter()
                 .map(|input| input.distribution.mean())
                 .collect(),
-            Self::Recorded { parameters, rows } => {
+            Self::Recorded {
+                parameters, rows, ..
+            } => {
                 let mean =
                     |i: usize| rows.iter().map(|row| row[i]).sum::<f64>() / rows.len() as f64;
                 (0..parameters.len()).map(mean).collect()

@@ -63,7 +63,10 @@ impl Optimum {
         match (&self.drive, self.solution.value) {
             (Some(drive), _) => {
                 let mut warnings = drive.warnings_about(&self.setup, &of);
-                let start = self.start_drive.as_ref().filter(|_| self.compares_totals());
+                let start = self
+                    .drive_as_set_up
+                    .as_ref()
+                    .filter(|_| self.compares_totals());
                 let flat = start.and_then(|start| start.flat_landing_warning(&self.start));
                 let as_set_up = Message::from("the drive as set up: ");
                 warnings.extend(flat.map(|flat| as_set_up.message(flat)));

@@ -103,7 +103,9 @@ fn not_read(head: &TableHead, read: &[usize]) -> Option<Message> {
             .any(|at| std::ptr::eq(&head.columns[*at], column))
     };
     let not_read = heads_of(&head.columns, |column| {
-        !is_read(column) && (column.content != Content::Note || !head.format.is_export)
+        !is_read(column)
+            && !column.is_of_given_air
+            && (column.content != Content::Note || !head.format.is_export)
     });
     let of = if head.has_strike() && !head.format.is_export {
         "parameters of the club"
