@@ -14,7 +14,7 @@ use crate::units::{Message, counted};
 use std::collections::BTreeMap;
 
 /// A part of a table under its own column heads.
-struct Section {
+struct TableSection {
     /// Line of the column heads; `None` for the first section.
     line: Option<u64>,
     reading: Reading,
@@ -22,7 +22,7 @@ struct Section {
     first_shot: usize,
 }
 
-impl Section {
+impl TableSection {
     /// The remark; in a later section it begins with the line of the column heads.
     fn remark(&self, remark: &Message) -> Message {
         match self.line {
@@ -53,7 +53,7 @@ pub(super) struct ShotRows {
     contradictions: Vec<String>,
     implausible: Vec<String>,
     airless: Vec<String>,
-    sections: Vec<Section>,
+    sections: Vec<TableSection>,
     /// Error of the first incomplete row of a table that is not an export.
     first_incomplete: Option<Error>,
     marks: DecimalMarkCheck,
@@ -78,7 +78,7 @@ impl ShotRows {
     /// Begins a section of the table. `line` is the line of its column heads; `None` for the first
     /// section.
     pub fn begin(&mut self, line: Option<u64>, reading: &Reading) {
-        self.sections.push(Section {
+        self.sections.push(TableSection {
             line,
             reading: reading.clone(),
             first_shot: self.shots.len(),
