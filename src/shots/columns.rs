@@ -144,14 +144,16 @@ impl ShotColumns {
             .iter()
             .map(|head| words(split_unit(head).0))
             .collect();
-        let named = |names: &[&str]| plain.iter().position(|head| names.contains(&head.as_str()));
-        self.spin_type = named(&[
+        let of_spin = [
             "spin rate type",
             "spin type",
             "spin reading",
             "spin source",
             "drehratentyp",
-        ]);
+        ];
+        self.spin_type = plain
+            .iter()
+            .position(|head| of_spin.contains(&head.as_str()));
         self.condition = plain.iter().position(|head| is_condition_head(head));
     }
 
