@@ -312,7 +312,7 @@ fn a_format_that_is_not_compiled_in_names_its_feature() {
         ),
     ] {
         let printed = longdrive(&args);
-        let sentence = on_one_line(&printed.err);
+        let sentence = crate::command_line::on_one_line(&printed.err);
         let says = format!("cargo install --path . --features {feature}");
         assert_eq!(printed.status, 2, "{sentence}");
         assert!(sentence.contains(&says), "{sentence}");
