@@ -79,7 +79,7 @@ fn same_fit_of_a_table_and_of_the_lines_that_fly_made_of_it() {
     assert!((value(&of_table) - value(&of_lines)).abs() < 1e-9);
     let remarks = of_lines["data"]["remarks"].to_string();
     assert!(
-        remarks.contains("the ground is not known: total"),
+        remarks.contains("the ground of the launch monitor is not known: total"),
         "{of_lines}"
     );
 }

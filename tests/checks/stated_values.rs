@@ -1,8 +1,10 @@
 //! Answers keep to the request: stated values are held, there is one default preset, and no number
 //! is accepted without a unit.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{file_with, json, longdrive, number, on_one_line};
+use crate::common::close;
 use serde_json::Value;
+use std::fs;
 
 const GOLFER: [&str; 4] = [
     "--set",
@@ -276,4 +278,126 @@ fn units_are_read_as_people_write_them() {
     assert!((of("air.temperature=10 C", "air.temperature") - 283.15).abs() < 1e-9);
     let output = longdrive(&["simulate", "--set", "ground.height=3Mm"]);
     assert_eq!(output.status, 2);
+}
+
+/// `--gradient` and `--wrt` name derivatives each; a sweep has both.
+#[test]
+fn a_sweep_has_the_derivatives_of_gradient_and_of_wrt() {
+    let swept = longdrive(&[
+        "sweep",
+        "--over",
+        "club.loft=8deg..10deg:2",
+        "--gradient",
+        "--wrt",
+        "swing.speed",
+    ]);
+    assert_eq!(swept.status, 0, "{}", swept.err);
+    for column in ["d_carry/d_club.loft", "d_carry/d_swing.speed"] {
+        assert!(swept.out.contains(column), "{column}: {}", swept.out);
+    }
+}
+
+/// A weight that the setup does not have weighs nothing before the search.
+#[test]
+fn same_drive_as_set_up_by_a_search_and_by_simulate() {
+    let (_, searched) = json(&["optimize", "--vary", "club.weight_1.mass=0g..40g"]);
+    let (_, flown) = json(&["simulate"]);
+    close(
+        number(&searched["as_set_up"]["carry"]),
+        number(&flown["flight"]["carry"]),
+        1.0,
+        1e-6,
+        "carry as set up, within the tolerance of both",
+    );
+    let before = &searched["as_set_up"]["parameters"]["club.weight_1.mass"];
+    assert!(before.is_null(), "{before}");
+}
+
+/// The drive as set up has another speed than a map at the best speed, so it has no place there.
+#[test]
+fn a_map_of_another_speed_has_no_mark_of_the_drive_as_set_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("map.csv");
+    let vary = [
+        "club.loft=4deg..20deg",
+        "swing.attack_angle=-5deg..5deg",
+        "swing.speed=80mph..130mph",
+    ];
+    let marks = |vary: &[&str]| {
+        let vary = vary.iter().flat_map(|vary| ["--vary", vary]);
+        let file = file.to_str().unwrap();
+        let words = ["plot", "contour", "--overwrite", "-o", file];
+        let drawn = longdrive(&words.into_iter().chain(vary).collect::<Vec<_>>());
+        assert_eq!(drawn.status, 0, "{}", drawn.err);
+        fs::read_to_string(file).unwrap().contains("as set up")
+    };
+    assert!(marks(&vary[..2]));
+    assert!(!marks(&vary));
+}
+
+/// A table of swings is read like a table of points: its other columns are named.
+#[test]
+fn columns_of_a_table_of_swings_that_are_not_read_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = file_with(
+        folder.path(),
+        "swings.csv",
+        "swing.speed [mph],carry [yd]\n100,240\n104,250\n102,245\n",
+    );
+    let found = longdrive(&["optimize", "--swings", &table]);
+    assert_eq!(found.status, 0, "{}", found.err);
+    assert!(
+        on_one_line(&found.err).contains("columns not read"),
+        "{}",
+        found.err
+    );
+}
+
+/// A coefficient of the setup's law is not a coefficient of another law.
+#[test]
+fn coefficients_that_the_law_of_a_model_does_not_have_are_named() {
+    let (status, found) = json(&["robust", "--set", "aero.cd0=0.2"]);
+    let warnings = found["warnings"].to_string();
+    assert_eq!(status, 0);
+    assert!(
+        warnings.contains("aero.cd0 as stated is not in the model 'aero.law=ferguson'"),
+        "{warnings}"
+    );
+    let (_, found) = json(&["robust", "--set", "swing.speed=110mph"]);
+    assert!(!found["warnings"].to_string().contains("as stated"));
+}
+
+/// Rows that are launches fly from their measured launch; totals need a ground.
+#[test]
+fn what_a_fit_assumes_or_does_not_use_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = file_with(
+        folder.path(),
+        "shots.csv",
+        "ball_speed [mph],launch_angle [deg],spin [rpm],carry [yd],total [yd],sigma spin [rpm]\n\
+         150,12,2600,245,270,1\n151,12,2600,247,271,1\n153,12,2600,250,273,1\n",
+    );
+    let printed = |more: &[&str]| {
+        let words = ["calibrate", &table, "--fit", "aero.cd0"];
+        let printed = longdrive(&[&words[..], more].concat());
+        on_one_line(&(printed.out + &printed.err))
+    };
+    let assumed = "compared on a ground that is assumed";
+    let text = printed(&[]);
+    assert!(
+        text.contains("uncertainties of launches are not used"),
+        "{text}"
+    );
+    assert!(text.contains(assumed), "{text}");
+    let text = printed(&["--set", "ground.turf=firm"]);
+    assert!(!text.contains(assumed), "{text}");
+}
+
+#[test]
+fn local_optima_of_a_sensitivity_are_listed() {
+    let words = ["optimum-sensitivity", "--wrt", "swing.speed"];
+    let several = longdrive(&[&words[..], &["--starts", "3"]].concat());
+    let one = longdrive(&words);
+    assert_eq!((several.status, one.status), (0, 0));
+    assert!(several.out.contains("of 3") && !one.out.contains("of 3"));
 }
