@@ -152,7 +152,7 @@ impl PairArgs {
     /// # Errors
     /// The errors of [`Request::setup`], [`Request::within_tolerance`] and [`Comparison::new`].
     pub fn comparison(&self, [a, b]: &[Request; 2]) -> Result<Comparison> {
-        let setup = |request: &Request| request.within_tolerance(request.setup()?);
+        let setup = |request: &Request| request.one_of_two_within_tolerance(request.setup()?);
         let comparison = Comparison::new(
             &setup(a).map_err(|error| error.of_drive(A))?,
             &setup(b).map_err(|error| error.of_drive(B))?,

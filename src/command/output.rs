@@ -25,9 +25,12 @@ pub fn system() -> System {
     running().system()
 }
 
-/// Reports a warning before the work of the command. The warning comes first in the answer, also in
-/// an answer without a result.
+/// Reports a warning before the work of the command, once. The warning comes first in the answer,
+/// also in an answer without a result.
 pub fn warn_early(warning: Message) {
+    if running().early().contains(&warning) {
+        return;
+    }
     say_warning(&warning);
     running().early().push(warning);
 }

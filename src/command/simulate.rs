@@ -8,9 +8,7 @@ use crate::{Drive, Outcome, Result};
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.request()?;
     let setup = request.within_tolerance(request.setup()?)?;
-    let mut warnings = setup.drive_warnings(Outcome::ALL);
-    warnings.extend(setup.wind_profile_warning());
-    warn(warnings);
+    warn(setup.drive_warnings(Outcome::ALL));
     let drive = Drive::new(&setup)?;
     let report = DriveReport::new(&setup, &drive);
     let answer = Answer::report(&report, &request.origin(), request.is_json);

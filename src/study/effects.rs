@@ -104,9 +104,10 @@ pub fn effects(
 ) -> Result<Vec<Effects>> {
     sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
     let mut parameters = setup.variables();
-    // omit parameters of the roll-out unless an outcome needs them
+    // omit parameters of the roll-out unless an outcome needs them, or their uncertainty is stated
     let runs = of.iter().any(|of| of.needs_run());
-    parameters.retain(|parameter| runs || !parameter.affects_only_run());
+    let has_sigma = |parameter| sigmas.iter().any(|sigma| sigma.parameter == parameter);
+    parameters.retain(|parameter| runs || !parameter.affects_only_run() || has_sigma(*parameter));
     let taylors = evaluate(setup, of, &parameters, Order::First)?;
     let mut sigma_effects: Vec<Vec<SigmaEffect>> = vec![vec![]; of.len()];
     for (done, sigma) in sigmas.iter().enumerate() {

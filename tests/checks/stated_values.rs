@@ -401,3 +401,48 @@ fn local_optima_of_a_sensitivity_are_listed() {
     assert_eq!((several.status, one.status), (0, 0));
     assert!(several.out.contains("of 3") && !one.out.contains("of 3"));
 }
+
+/// Settings of the wind profile have no effect without a roughness, whatever the command.
+#[test]
+fn a_reference_height_without_a_roughness_is_warned_of_once() {
+    let set = ["--set", "wind.reference_height=2m"];
+    for command in [
+        &["optimize"][..],
+        &["gradient"],
+        &["robust"],
+        &["sensitivity"],
+    ] {
+        let (_, found) = json(&[command, &set[..]].concat());
+        let warnings = found["warnings"].to_string();
+        let times = warnings
+            .matches("wind.reference_height has no effect")
+            .count();
+        assert_eq!(times, 1, "{command:?}: {warnings}");
+    }
+    let varied = ["optimize", "--vary", "wind.roughness=1mm..30mm"];
+    let (_, found) = json(&[&varied[..], &set[..]].concat());
+    assert!(!found["warnings"].to_string().contains("has no effect"));
+}
+
+#[test]
+fn a_stated_uncertainty_without_an_effect_has_a_row() {
+    let (status, found) = json(&["sensitivity", "--sigma", "ground.friction=0.1"]);
+    assert_eq!(status, 0);
+    assert!(found.to_string().contains("ground.friction"));
+}
+
+/// The summary on the screen has a column for the user's own table of drag and lift.
+#[test]
+fn a_table_of_ones_own_is_in_the_summary_of_a_validation() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = file_with(
+        folder.path(),
+        "mine.csv",
+        "spin_ratio,cd,cl\n0.05,0.22,0.08\n0.1,0.24,0.13\n0.2,0.27,0.2\n0.3,0.3,0.25\n",
+    );
+    let set = format!("aero.table={table}");
+    let own = longdrive(&["validate", "--set", &set]);
+    assert_eq!(own.status, 0, "{}", own.err);
+    assert!(own.out.contains("your table"), "{}", own.out);
+    assert!(!longdrive(&["validate"]).out.contains("your table"));
+}

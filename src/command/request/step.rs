@@ -43,12 +43,34 @@ impl SetupArgs {
     }
 }
 
+/// Warns of settings of the wind profile without effect, unless the wind is in a range.
+fn warn_of_idle_wind(setup: &Setup<f64>, ranges: &[Vary]) {
+    let mut varied = ranges.iter().map(|vary| vary.parameter.name);
+    if varied.all(|name| !name.starts_with("wind.")) {
+        setup
+            .wind_profile_warning()
+            .into_iter()
+            .for_each(warn_early);
+    }
+}
+
 impl Request {
-    /// The setup with a step for `--tolerance`; unchanged without this option.
+    /// The setup of a single drive, with a step for `--tolerance`; without this option, the step is
+    /// unchanged. Warns of a wind profile without effect.
     ///
     /// # Errors
     /// The errors of [`integration`](Self::integration).
     pub fn within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
+        warn_of_idle_wind(&setup, &[]);
+        self.one_of_two_within_tolerance(setup)
+    }
+
+    /// The setup of one of two drives to compare, with a step for `--tolerance`. A wind profile
+    /// without effect on this drive may have an effect on the other.
+    ///
+    /// # Errors
+    /// The errors of [`integration`](Self::integration).
+    pub fn one_of_two_within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
         match self.step {
             StepChoice::Within(_) => Ok(self.integration(&setup, &[], &of_the_flight())?.setup),
             StepChoice::Micrometre | StepChoice::Own => Ok(setup),
@@ -60,6 +82,7 @@ impl Request {
     /// # Errors
     /// The errors of [`integration`](Self::integration).
     pub fn for_many(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
+        warn_of_idle_wind(&setup, ranges);
         let begun = Vary::initialised(&setup, ranges)?;
         let found = self.integration(&begun, ranges, &of_the_flight())?;
         let accuracy = found.accuracy;

@@ -1,5 +1,5 @@
 use super::figures::{ALTERNATIVE, best, figures};
-use crate::parameters::Law;
+use crate::parameters::{Law, TABLE_LAW};
 use crate::report::document::{Detail, Document, DocumentTable};
 use crate::report::shown::NONE;
 use crate::study::validation::{Case, Compared, LawScores, SWEPT, SetScores};
@@ -44,10 +44,15 @@ pub(super) fn document(found: &[SetScores], system: System) -> Document {
     document
 }
 
-/// The mean absolute error of the first quantity of every set, for the best law, the default law
-/// and the law `ALTERNATIVE`.
+/// The mean absolute error of the first quantity of every set, for the best law, the default law,
+/// the law `ALTERNATIVE`, and the user's table if there is one.
 fn summary(document: &mut Document, found: &[SetScores], system: System) {
     let default = Law::default().name();
+    let own = found
+        .iter()
+        .flat_map(|set| &set.laws)
+        .find(|law| law.law == TABLE_LAW)
+        .map(|law| law.law);
     document.heading("Which law is the default");
     let rows = found.iter().map(|set| {
         let of = |law: &LawScores| law.scores.first()?.mean_absolute_error;
@@ -59,23 +64,27 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
                 .and_then(of)
                 .map_or(NONE.into(), |mean| shown(first(set), mean, system))
         };
-        vec![
+        let mut cells = vec![
             set.cases.len().to_string(),
             named(default),
             named(ALTERNATIVE),
+        ];
+        cells.extend(own.map(named));
+        cells.extend([
             best.map_or(NONE.into(), |(mean, _)| shown(first(set), mean, system)),
             best.map_or(NONE.into(), |(_, law)| law.to_owned()),
             match first(set).words() {
                 CARRY => set.set.name.to_owned(),
                 other => format!("{}, {other}", set.set.name),
             },
-        ]
+        ]);
+        cells
     });
-    let head = format!("MAE [{}] of carry", system.unit("yd"));
-    document.add(DocumentTable::new(
-        ["drives", default, ALTERNATIVE, "best", "which is", &head],
-        rows,
-    ));
+    let quantity = format!("MAE [{}] of carry", system.unit("yd"));
+    let mut head = vec!["drives", default, ALTERNATIVE];
+    head.extend(own.map(|_| "your table"));
+    head.extend(["best", "which is", &quantity]);
+    document.add(DocumentTable::new(head, rows));
     document.paragraph(format!(
         "No law is the best on every set, and the default is not the one with the smallest error \
          of carry on averages of tours: naruo-mizota and bearman-harvey are. But the averages are \
