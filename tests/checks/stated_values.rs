@@ -446,3 +446,29 @@ fn a_table_of_ones_own_is_in_the_summary_of_a_validation() {
     assert!(own.out.contains("your table"), "{}", own.out);
     assert!(!longdrive(&["validate"]).out.contains("your table"));
 }
+
+/// A column of strokes gained is no column of strokes, and of two columns none is chosen.
+#[test]
+fn the_column_of_strokes_has_exactly_this_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let found = |heads: &str| {
+        let text = format!("{heads}\n5,0.1,2\n100,0.15,2.8\n300,0.18,3.7\n420,0.2,4\n");
+        let table = file_with(folder.path(), "strokes.csv", &text);
+        let distribution = "swing.speed=normal(100mph,3mph)";
+        json(&[
+            "optimize",
+            "--distribution",
+            distribution,
+            "--minimize",
+            "strokes(420yd)",
+            "--strokes",
+            &table,
+        ])
+    };
+    let (status, answer) = found("distance [yd],strokes gained,strokes");
+    assert_eq!(status, 0);
+    assert!(number(&answer["value"]) > 2.0, "{}", answer["value"]);
+    let (status, answer) = found("distance [yd],strokes,strokes");
+    assert_eq!(status, 2);
+    assert!(answer["message"].to_string().contains("is there twice"));
+}

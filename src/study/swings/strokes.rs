@@ -194,18 +194,23 @@ impl StrokesColumns {
     /// The columns by their heads.
     ///
     /// # Errors
-    /// The reason: a column is missing, or the distance has no unit of length.
+    /// The reason: a column is missing or repeated, or the distance has no unit of length.
     fn of(heads: &StringRecord) -> std::result::Result<Self, String> {
         const HOW: &str = "the table of strokes has the columns 'distance [yd]' (or another unit \
                            of length) and 'strokes'";
         let place = |wanted: &str| {
-            let mut heads = heads.iter();
-            heads.position(|head| head.split([' ', '[']).next() == Some(wanted))
+            let name = |head: &str| head.split('[').next().map(str::trim) == Some(wanted);
+            let places: Vec<usize> = (0..heads.len()).filter(|at| name(&heads[*at])).collect();
+            match places[..] {
+                [at] => Ok(at),
+                [] => {
+                    let heads: Vec<&str> = heads.iter().collect();
+                    Err(format!("its columns are {}; {HOW}", heads.join(", ")))
+                }
+                _ => Err(format!("the column '{wanted}' is there twice; keep one")),
+            }
         };
-        let (Some(distance), Some(strokes)) = (place("distance"), place("strokes")) else {
-            let heads: Vec<&str> = heads.iter().collect();
-            return Err(format!("its columns are {}; {HOW}", heads.join(", ")));
-        };
+        let (distance, strokes) = (place("distance")?, place("strokes")?);
         let head = &heads[distance];
         let written = head
             .split_once('[')
