@@ -297,10 +297,10 @@ pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
     let is_angle = parameter.is_some_and(|parameter| parameter.quantity == Quantity::ANGLE);
     // compare with a tolerance: the value in the error is rounded
     let stated: Option<f64> = value.split(' ').next().and_then(|text| text.parse().ok());
-    let is_told = |number: &&f64| {
+    let is_bare = |number: &&f64| {
         stated.is_some_and(|stated| is_angle && (stated - **number).abs() <= 1e-5 * number.abs())
     };
-    let meant = bare_angles.iter().find(is_told);
+    let meant = bare_angles.iter().find(is_bare);
     let advice = meant.map_or(advice, |number| {
         format!("a number without a unit is SI; did you mean \"{number} deg\"?")
     });

@@ -150,7 +150,8 @@ impl PairArgs {
     /// The comparison of the two drives.
     ///
     /// # Errors
-    /// The errors of [`Request::setup`], [`Request::within_tolerance`] and [`Comparison::new`].
+    /// The errors of [`Request::setup`], [`Request::one_of_two_within_tolerance`] and
+    /// [`Comparison::new`].
     pub fn comparison(&self, [a, b]: &[Request; 2]) -> Result<Comparison> {
         let setup = |request: &Request| request.one_of_two_within_tolerance(request.setup()?);
         let comparison = Comparison::new(

@@ -98,23 +98,6 @@ pub(super) fn largest_scaled(
 }
 
 impl Scaling {
-    /// Gradient of constraint j by the scaled variables, divided by the constraint's scale γⱼ.
-    pub fn normal(&self, at: &EvaluatedPoint, j: usize) -> impl Iterator<Item = f64> {
-        let slopes = at.f.constraints[j].gradient.iter().zip(&self.scale);
-        slopes.map(move |(slope, scale)| slope * scale / self.gamma[j])
-    }
-
-    /// Converts second derivatives by the variables to those by the scaled variables.
-    pub fn scale_hessian(&self, hessian: &mut DMatrix<f64>) {
-        let columns = hessian.as_mut_slice().chunks_exact_mut(self.scale.len());
-        for (column, own) in columns.zip(&self.scale) {
-            column
-                .iter_mut()
-                .zip(&self.scale)
-                .for_each(|(entry, scale)| *entry *= scale * own);
-        }
-    }
-
     /// Scaling of a search that starts at `first`.
     pub fn new(domain: Domain, scale: Vec<f64>, first: &EvaluatedPoint) -> Self {
         let initial_size = first
@@ -135,6 +118,23 @@ impl Scaling {
             gamma,
             initial_size: initial_size.max(f64::MIN_POSITIVE),
             domain,
+        }
+    }
+
+    /// Gradient of constraint j by the scaled variables, divided by the constraint's scale γⱼ.
+    pub fn normal(&self, at: &EvaluatedPoint, j: usize) -> impl Iterator<Item = f64> {
+        let slopes = at.f.constraints[j].gradient.iter().zip(&self.scale);
+        slopes.map(move |(slope, scale)| slope * scale / self.gamma[j])
+    }
+
+    /// Converts second derivatives by the variables to those by the scaled variables.
+    pub fn scale_hessian(&self, hessian: &mut DMatrix<f64>) {
+        let columns = hessian.as_mut_slice().chunks_exact_mut(self.scale.len());
+        for (column, own) in columns.zip(&self.scale) {
+            column
+                .iter_mut()
+                .zip(&self.scale)
+                .for_each(|(entry, scale)| *entry *= scale * own);
         }
     }
 
