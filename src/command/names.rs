@@ -4,7 +4,7 @@ use crate::command::output::{note, note_left_out, system};
 use crate::parameters::Parameter;
 use crate::report::known_within;
 use crate::study::Sigma;
-use crate::{Outcome, Result, Setup};
+use crate::{Error, Outcome, Result, Setup};
 
 fn given(names: &[String]) -> impl Iterator<Item = &str> {
     names
@@ -14,6 +14,9 @@ fn given(names: &[String]) -> impl Iterator<Item = &str> {
 }
 
 /// The named outcomes; "all" means every outcome.
+///
+/// # Errors
+/// For an unknown name, and for a list without names.
 pub fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
     let mut of = Vec::new();
     for name in given(names) {
@@ -23,6 +26,12 @@ pub fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
             vec![Outcome::named(name)?]
         };
         of.extend(named);
+    }
+    if of.is_empty() {
+        return Err(Error::Nothing {
+            doing: "evaluate",
+            what: "outcome",
+        });
     }
     let of = once(of);
     note_the_run(&of);

@@ -581,6 +581,10 @@ fn bad_input_gets_status_two_and_a_message_that_helps() {
             vec!["nothing to differentiate by"],
         ),
         (
+            vec!["compare", "--set-b", "club.loft=9deg", "--of", ""],
+            vec!["nothing to evaluate"],
+        ),
+        (
             vec!["optimize", "--vary", "club.loft=20deg..4deg"],
             vec!["reversed", "4deg..20deg"],
         ),
