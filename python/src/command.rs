@@ -180,6 +180,10 @@ impl Host for Caller {
         Ok(self.setup.clone())
     }
 
+    fn setup_name(&self) -> &'static str {
+        "the setup"
+    }
+
     fn stated(&self) -> Vec<String> {
         self.stated.clone()
     }

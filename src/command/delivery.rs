@@ -1,4 +1,4 @@
-use crate::command::args::SetupArgs;
+use crate::command::args::DriveArgs;
 use crate::command::files::{Destination, OutputRule, ending};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::sigmas;
@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 #[command(group(clap::ArgGroup::new("written").args(["output", "swings"]).multiple(true)))]
 pub struct Args {
     #[command(flatten)]
-    pub setup_args: SetupArgs,
+    pub drive: DriveArgs,
 
     /// The measured speed of the ball, e.g. 167mph.
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
@@ -89,11 +89,13 @@ pub struct Args {
     /// Replace files that exist.
     #[arg(long, requires = "written")]
     pub overwrite: bool,
+
+    /// Print the answer as JSON (SI units and radians), and nothing else, to standard output.
+    #[arg(long)]
+    pub json: bool,
 }
 
 pub fn run(args: &Args) -> Result<Answer> {
-    args.setup_args
-        .refuse_step("delivery computes only the impact and no flight")?;
     let requests = Requests::new(args)?;
     let outputs = DeliveryFiles::new(args, &requests.club)?;
     let setup = requests.setup_of_club()?;
@@ -268,7 +270,7 @@ fn answer(args: &Args, found: &Deliveries) -> Answer {
         .and_then(|found| found.as_ref().ok());
     let is_table = args.shots.is_some();
     let report = DeliveryReport::new(&found.all, population, is_table, found.left_out);
-    Answer::report(&report, &SetupOrigin::default(), args.setup_args.json)
+    Answer::report(&report, &SetupOrigin::default(), args.json)
 }
 
 /// The files to write.
@@ -445,9 +447,8 @@ struct Requests {
 
 impl Requests {
     fn new(args: &Args) -> Result<Self> {
-        let source = Source::read(&args.setup_args.drive.setup)?;
+        let source = Source::read(&args.drive.setup)?;
         let (mut of_launch, of_club): (Vec<_>, Vec<_>) = args
-            .setup_args
             .drive
             .settings()?
             .into_iter()
@@ -467,8 +468,8 @@ impl Requests {
             }
         }
         Ok(Self {
-            club: Request::new(source.clone(), of_club, &args.setup_args)?,
-            launched: Request::new(source, of_launch, &args.setup_args)?,
+            club: Request::of_drive(source.clone(), of_club)?,
+            launched: Request::of_drive(source, of_launch)?,
         })
     }
 

@@ -53,8 +53,11 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Result<Answer> {
-    let search = &args.optimize;
-    let request = search.setup_args.request()?;
+    let OptimizeArgs {
+        optimum,
+        swings: swings_args,
+    } = &args.optimize;
+    let request = optimum.setup_args.request()?;
     refuse_unnamed_preset(&request)?;
     let setup = request.setup()?;
     request.refuse_launch(
@@ -62,7 +65,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         "it gives the launch, so no club strikes the ball and there is nothing to design; leave it \
          out, or give the swing",
     )?;
-    let swings = read_swings(&search.swings, &setup)?;
+    let swings = read_swings(swings_args, &setup)?;
     request.refuse_stated(&distributed(args, &swings), "the swings have values of it")?;
     let setup = request.with_values(
         setup,
@@ -70,29 +73,35 @@ pub fn run(args: &Args) -> Result<Answer> {
         "varies about",
     )?;
     let requested = search_with_defaults(
-        &search.search,
-        &search.swings,
-        &request.with_starts(setup, &search.search.vary)?,
+        &optimum.search,
+        swings_args,
+        &request.with_starts(setup, &optimum.search.vary)?,
         || Ok((Goal::read(GOAL, None)?, Sense::Maximize)),
         |setup| DefaultRanges::new(usual_vary(setup)?, &request).vary(),
     )?;
     request.note_starts(&setup, &requested.vary);
     let mut notes = notes_on_defaults(args, &requested);
-    let scenarios = Scenarios::new(&swings, search.swings.rule(&swings, true)?)?;
+    let scenarios = Scenarios::new(&swings, swings_args.rule(&swings, true)?)?;
     let requested = Search {
         scenarios,
         ..requested
     };
     let design = Design::new(&setup, requested, args.rules == "golf")?;
     notes.extend(design.notes.iter().cloned());
-    let found = optimize_and_write(search, &request, setup, swings, design.search.clone())?;
+    let found = optimize_and_write(
+        &args.optimize,
+        &request,
+        setup,
+        swings,
+        design.search.clone(),
+    )?;
     let improvements = if found.optima.best.value().is_some() {
         improvements(&found.setup, &found.optima.best, &found.stop)?
     } else {
         vec![]
     };
     interrupt::ends();
-    let held = held(&search.search.vary, || {
+    let held = held(&optimum.search.vary, || {
         Ok(DefaultRanges::new(usual_vary(&found.setup)?, &request))
     })?;
     let origin = request.origin().with_held(&held, &found.setup);
@@ -136,7 +145,8 @@ fn read_swings(args: &SwingsArgs, setup: &Setup<f64>) -> Result<Swings> {
 
 /// Notes on the defaults that replace unstated arguments: swings, goal and varied parameters.
 fn notes_on_defaults(args: &Args, requested: &Search) -> Vec<String> {
-    let OptimizeArgs { search, swings, .. } = &args.optimize;
+    let OptimizeArgs { optimum, swings } = &args.optimize;
+    let search = &optimum.search;
     let mut notes = vec![];
     if !swings.is_given() {
         notes.push(format!(

@@ -77,6 +77,11 @@ pub trait Host: Send + Sync {
         Err(io::Error::other("no text was given"))
     }
 
+    /// The name of the setup named `-`, for messages and titles.
+    fn setup_name(&self) -> &'static str {
+        "standard input"
+    }
+
     /// The names of the parameters that the setup named `-` states as part of this request, as
     /// `--set` does on a command line. A search keeps their values, unless `--vary` names them.
     fn stated(&self) -> Vec<String> {

@@ -1,10 +1,8 @@
 pub use crate::command::args::OptimizeArgs as Args;
 
 use crate::Result;
-use crate::command::files::{Destination, OutputRule};
 use crate::command::output::{Answer, note, warn};
 use crate::command::ranges::DefaultRanges;
-use crate::command::request::Request;
 use crate::command::search::write;
 use crate::optimize::Status;
 use crate::report::{OptimumReport, OverSwings, Surroundings, optimize_document};
@@ -16,6 +14,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     if args.swings.is_given() {
         return crate::command::swings::run(args);
     }
+    let args = &args.optimum;
     let request = args.setup_args.request()?;
     let setup = request.setup_with_starts(&args.search.vary)?;
     let search = args.search.search(&request, &setup)?;
@@ -62,12 +61,4 @@ pub fn run(args: &Args) -> Result<Answer> {
     let document = |system| optimize_document(&optima, &over, around.as_ref(), system);
     let answer = Answer::of(request.is_json, &origin, reply, document);
     Ok(answer.found(is_converged && optima.stopped() == 0))
-}
-
-impl Args {
-    /// The destination of the setup file of the optimum.
-    pub fn destination(&self, request: &Request) -> Result<Option<Destination>> {
-        let inputs = request.inputs().chain(self.checkpoint.clone());
-        OutputRule::new(inputs, self.overwrite).setup_file(self.output.as_deref())
-    }
 }

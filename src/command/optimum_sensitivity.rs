@@ -1,4 +1,4 @@
-use crate::command::args::{OptimizeArgs, SwingsArgs};
+use crate::command::args::OptimumArgs;
 use crate::command::names::variables;
 use crate::command::output::{Answer, note, note_error, spinner, warn, with_bar};
 use crate::command::ranges::DefaultRanges;
@@ -15,7 +15,7 @@ use std::sync::atomic::AtomicBool;
 #[derive(clap::Args)]
 pub struct Args {
     #[command(flatten)]
-    pub optimize: OptimizeArgs,
+    pub optimum: OptimumArgs,
 
     /// The parameters that the optimum depends on, separated by commas; "all" for every one that
     /// has a value in this setup and is not varied.
@@ -39,27 +39,22 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Result<Answer> {
-    let OptimizeArgs {
-        setup_args,
-        search,
-        swings,
-        ..
-    } = &args.optimize;
-    swings.refuse_stray()?;
-    refuse_swings(swings)?;
+    let OptimumArgs {
+        setup_args, search, ..
+    } = &args.optimum;
     let request = setup_args.request()?;
     let own = request.setup_with_starts(&search.vary)?;
     let search = search.search(&request, &own)?;
     let setup = request.for_many(own, &search.vary)?;
     let requested = AnalysisRequest::new(args, &setup, &search)?;
-    let output = args.optimize.destination(&request)?;
+    let output = args.optimum.destination(&request)?;
     let origin = request.origin_with_held(
-        &args.optimize.search.vary,
+        &args.optimum.search.vary,
         &search.vary,
         &setup,
         DefaultRanges::longest_drive,
     )?;
-    let optima = args.optimize.optima(&setup, &search)?;
+    let optima = args.optimum.optima(&setup, &search)?;
     let best = &optima.best;
     let written = write(output.as_ref(), &request, &optima, None)?;
     if let Some(moved) = best.moved_start() {
@@ -99,15 +94,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     let answer = Answer::of(request.is_json, &origin, reply, document);
     Ok(answer.found(analysis.is_some_and(|analysis| analysis.is_answered())))
-}
-
-fn refuse_swings(swings: &SwingsArgs) -> Result<()> {
-    if !swings.is_given() {
-        return Ok(());
-    }
-    let source = "the sensitivity of an optimum is computed for one drive; leave it out, or use \
-         \"optimize\"";
-    Err(Error::unreadable("`swings` or `distribution`", source))
 }
 
 /// The requested derivatives and changes.

@@ -1,7 +1,7 @@
 //! Searches, with their progress and checkpoints.
 
-use crate::command::args::{OptimizeArgs, SearchArgs, stated};
-use crate::command::files::Destination;
+use crate::command::args::{OptimumArgs, SearchArgs, stated};
+use crate::command::files::{Destination, OutputRule};
 use crate::command::host::{SharedProgress, Work};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::note_the_run;
@@ -107,7 +107,7 @@ impl SearchArgs {
     }
 }
 
-impl OptimizeArgs {
+impl OptimumArgs {
     /// Runs the search, with its progress on standard error.
     pub fn optima(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
         let found = self.run_search(setup, search);
@@ -172,6 +172,12 @@ impl OptimizeArgs {
             progress.inc(1);
         }));
         bar
+    }
+
+    /// The destination of the setup file of the optimum.
+    pub fn destination(&self, request: &Request) -> Result<Option<Destination>> {
+        let inputs = request.inputs().chain(self.checkpoint.clone());
+        OutputRule::new(inputs, self.overwrite).setup_file(self.output.as_deref())
     }
 }
 

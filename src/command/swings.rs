@@ -1,6 +1,6 @@
 //! The search for the best design over many swings.
 
-use crate::command::args::{OptimizeArgs, SearchArgs, SwingsArgs, stated};
+use crate::command::args::{OptimizeArgs, OptimumArgs, SearchArgs, SwingsArgs, stated};
 use crate::command::interrupt;
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note_each, warn};
@@ -160,16 +160,19 @@ impl SwingsOptimum {
 
 /// Searches over swings.
 pub fn run(args: &OptimizeArgs) -> Result<Answer> {
-    let request = args.setup_args.request()?;
+    let OptimumArgs {
+        setup_args, search, ..
+    } = &args.optimum;
+    let request = setup_args.request()?;
     let SwingsRequest {
         setup,
         swings,
         scenarios,
     } = args.swings.request(&request, true)?;
-    let started = request.with_starts(setup, &args.search.vary)?;
+    let started = request.with_starts(setup, &search.vary)?;
     let search = Search {
         scenarios,
-        ..search_over_swings(&request, &args.search, &args.swings, &started)?
+        ..search_over_swings(&request, search, &args.swings, &started)?
     };
     request.note_starts(&setup, &search.vary);
     let found = optimize_and_write(args, &request, setup, swings, search)?;
@@ -196,8 +199,8 @@ pub fn optimize_and_write(
 ) -> Result<SwingsOptimum> {
     note_the_run(&search.outcomes());
     let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
-    let output = args.destination(request)?;
-    let (optima, stop) = args.run_search(&setup, &search)?;
+    let output = args.optimum.destination(request)?;
+    let (optima, stop) = args.optimum.run_search(&setup, &search)?;
     let best = &optima.best;
     let is_found = best.solution.status == Status::Converged;
     let mut analysis = None;

@@ -573,7 +573,10 @@ fn bad_arguments_of_delivery_are_refused_with_advice() {
             given(&["--shots", "none.csv"]),
             "give the shots or a launch, not both",
         ),
-        (given(&["--own-step"]), "no flight, so this has no effect"),
+        (
+            given(&["--own-step"]),
+            "this command has no option '--own-step'",
+        ),
         (given(&["--launch-direction", "3"]), "has no unit"),
     ] {
         let args: Vec<&str> = args.iter().map(String::as_str).collect();

@@ -891,7 +891,7 @@ fn bad_plots_and_folders_get_messages_that_help() {
         (
             vec!["plot", "laws", "-o", &svg, "--tolerance"],
             2,
-            vec!["--tolerance: plot laws computes no flight, so this has no effect"],
+            vec!["this command has no option '--tolerance'"],
         ),
     ] {
         let output = longdrive(&args);

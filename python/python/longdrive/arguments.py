@@ -5,7 +5,7 @@ from __future__ import annotations
 import operator
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
@@ -24,7 +24,9 @@ __all__ = [
     "one_name",
     "path_of",
     "refuse_idle_seed",
+    "refuse_stated",
     "shown",
+    "stated_in",
     "switch_of",
     "whole_characters",
 ]
@@ -74,6 +76,26 @@ def no_attribute(owner: object, name: str, advice: str) -> AttributeError:
 def nearest_outcome(name: str) -> str:
     """An outcome as an example in a message: ``name`` if it is an outcome, else carry."""
     return name if any(row["name"] == name for row in _longdrive.outcomes()) else "carry"
+
+
+def stated_in(setup: Any) -> list[str]:
+    """The parameters that a dict in place of a setup states; none for a setup or a preset."""
+    if isinstance(setup, Mapping) and not isinstance(setup, _longdrive.Setup):
+        return _longdrive.names_in(setup)
+    return []
+
+
+def refuse_stated(stated: Sequence[str], columns: Any) -> None:
+    """Refuses a stated parameter with a column of its own, because the stated value would have no
+    effect.
+    """
+    names = columns if isinstance(columns, Mapping) else ()
+    twice = next((name for name in stated if name in names), None)
+    if twice is not None:
+        raise InputError(
+            f"{twice} of the setup: every drive has a value of its own, so this one is not used; "
+            "leave it out"
+        )
 
 
 def refuse_idle_seed(seed: Any, sample: Any) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from . import _longdrive
 from ._longdrive import Setup
 from .angles import check_unit, columns_in_radians, warnings_of_columns
-from .arguments import count_of, switch_of
+from .arguments import count_of, refuse_stated, stated_in, switch_of
 from .errors import InputError, Interrupted, interruptible, warn_of
 from .progress import follower
 from .quantities import contains_quantities, elements_of, is_quantity, to_si, tolerance_of
@@ -105,6 +105,7 @@ def batch(
     with interruptible("longdrive.batch was interrupted before the first row"), follower(
         "drives", progress
     ) as show:
+        stated = stated_in(setup)
         setup = setup if isinstance(setup, Setup) else Setup(setup, angles=angles)
         check_unit(angles)
         in_si = points_in_si(points)
@@ -112,6 +113,7 @@ def batch(
         is_bare = in_si is None and isinstance(columns, Mapping)
         if is_bare:
             columns = columns_in_radians(columns, angles)
+        refuse_stated(stated, columns)
         table = computed(
             setup,
             columns,

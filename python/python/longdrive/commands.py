@@ -134,16 +134,16 @@ def optimize(
     vary: Given | None = None,
     subject_to: Names | None = None,
     max_iterations: int | None = None,
+    starts: int | None = None,
+    checkpoint: PathLike | None = None,
+    output: PathLike | None = None,
+    overwrite: bool = False,
     swings: TableLike | None = None,
     distribution: Given | None = None,
     correlation: Given | None = None,
     scenarios: int | None = None,
     seed: int | None = None,
     strokes: TableLike | None = None,
-    starts: int | None = None,
-    checkpoint: PathLike | None = None,
-    output: PathLike | None = None,
-    overwrite: bool = False,
     angles: AngleUnit = "rad",
     progress: Progress = False,
 ) -> Optimum:
@@ -179,6 +179,15 @@ def optimize(
         name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
+    starts : int
+        Search from this many starts, spread evenly over the ranges (the first is the setup's own),
+        and list the local optima [default: 1].
+    checkpoint : PathLike
+        Save the search to this file after every iteration; if the file exists, continue from it.
+    output : PathLike
+        Write the setup at the optimum into this setup file.
+    overwrite : bool
+        Replace the file if it exists.
     swings : TableLike
         Search for the best over many swings: a TOML file with [distributions] and [[correlations]],
         or a table (CSV, Parquet, Arrow) of recorded swings, a column for each parameter. Goals are
@@ -198,15 +207,6 @@ def optimize(
     strokes : TableLike
         A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
         "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
-    starts : int
-        Search from this many starts, spread evenly over the ranges (the first is the setup's own),
-        and list the local optima [default: 1].
-    checkpoint : PathLike
-        Save the search to this file after every iteration; if the file exists, continue from it.
-    output : PathLike
-        Write the setup at the optimum into this setup file.
-    overwrite : bool
-        Replace the file if it exists.
     angles : {"rad", "deg"}
         The unit of angles without a unit.
     progress : bool or callable
@@ -248,12 +248,6 @@ def optimum_sensitivity(
     vary: Given | None = None,
     subject_to: Names | None = None,
     max_iterations: int | None = None,
-    swings: TableLike | None = None,
-    distribution: Given | None = None,
-    correlation: Given | None = None,
-    scenarios: int | None = None,
-    seed: int | None = None,
-    strokes: TableLike | None = None,
     starts: int | None = None,
     checkpoint: PathLike | None = None,
     output: PathLike | None = None,
@@ -295,25 +289,6 @@ def optimum_sensitivity(
         name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
-    swings : TableLike
-        Search for the best over many swings: a TOML file with [distributions] and [[correlations]],
-        or a table (CSV, Parquet, Arrow) of recorded swings, a column for each parameter. Goals are
-        then written like "mean(carry)", "std(lateral)", "lowest(carry, 10%)", "within(lateral,
-        15yd)" or "mean(carry) - 0.5*std(lateral)", and by default only the loft is varied.
-    distribution : Given
-        The distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION),
-        NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
-        NAME=truncated(MEAN,DEVIATION,LOW,HIGH).
-    correlation : Given
-        The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
-    scenarios : int
-        Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
-        for up to 3 parameters, else 512 swings].
-    seed : int
-        The seed of the swings; the same seed gives the same swings [default: 0].
-    strokes : TableLike
-        A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
-        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
     starts : int
         Search from this many starts, spread evenly over the ranges (the first is the setup's own),
         and list the local optima [default: 1].
@@ -370,14 +345,14 @@ def design(
     tolerance: Amount | None = None,
     own_step: bool = False,
     max_iterations: int | None = None,
+    starts: int | None = None,
+    checkpoint: PathLike | None = None,
+    overwrite: bool = False,
     distribution: Given | None = None,
     correlation: Given | None = None,
     scenarios: int | None = None,
     seed: int | None = None,
     strokes: TableLike | None = None,
-    starts: int | None = None,
-    checkpoint: PathLike | None = None,
-    overwrite: bool = False,
     rules: Literal["golf", "none"] | None = None,
     maximize: str | None = None,
     minimize: str | None = None,
@@ -409,6 +384,13 @@ def design(
         Keep flight.method and flight.step of the setup.
     max_iterations : int
         The largest number of iterations of a search [default: 500].
+    starts : int
+        Search from this many starts, spread evenly over the ranges (the first is the setup's own),
+        and list the local optima [default: 1].
+    checkpoint : PathLike
+        Save the search to this file after every iteration; if the file exists, continue from it.
+    overwrite : bool
+        Replace the file if it exists.
     distribution : Given
         The distribution of a parameter from swing to swing: NAME=normal(MEAN,DEVIATION),
         NAME=uniform(LOW,HIGH), NAME=triangular(LOW,MODE,HIGH) or
@@ -423,13 +405,6 @@ def design(
     strokes : TableLike
         A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
         "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
-    starts : int
-        Search from this many starts, spread evenly over the ranges (the first is the setup's own),
-        and list the local optima [default: 1].
-    checkpoint : PathLike
-        Save the search to this file after every iteration; if the file exists, continue from it.
-    overwrite : bool
-        Replace the file if it exists.
     rules : Literal["golf", "none"]
         The rules for the design: golf (moment of inertia, volume, spring effect, ball) or none
         [default: golf].
@@ -593,8 +568,6 @@ def delivery(
     setup: SetupLike = None,
     *,
     launch: Given | None = None,
-    tolerance: Amount | None = None,
-    own_step: bool = False,
     ball_speed: Amount | None = None,
     launch_angle: Amount | None = None,
     launch_direction: Amount | None = None,
@@ -625,11 +598,6 @@ def delivery(
         ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
         spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
         of the setup file.
-    tolerance : Amount
-        The largest error of a length, m or a text; without it 1 um where many drives are flown,
-        unless the setup states flight.method or flight.step.
-    own_step : bool
-        Keep flight.method and flight.step of the setup.
     ball_speed : Amount
         The measured speed of the ball, e.g. 167mph.
     launch_angle : Amount

@@ -649,8 +649,6 @@ def laws(
     setup: SetupLike = None,
     *,
     launch: Given | None = None,
-    tolerance: Amount | None = None,
-    own_step: bool = False,
     output: PathLike | None = None,
     overwrite: bool = False,
     dark: bool = False,
@@ -675,11 +673,6 @@ def laws(
         ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with
         spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
         of the setup file.
-    tolerance : Amount
-        The largest error of a length, m or a text; without it 1 um where many drives are flown,
-        unless the setup states flight.method or flight.step.
-    own_step : bool
-        Keep flight.method and flight.step of the setup.
     output : PathLike
         The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
     overwrite : bool

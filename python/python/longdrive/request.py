@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from . import _longdrive
 from ._longdrive import Setup
 from .angles import BareAngles, check_unit
-from .arguments import kind_of, switch_of, whole_characters
+from .arguments import kind_of, stated_in, switch_of, whole_characters
 from .axes import check_axes
 from .conversion import FILES, Converter, Value, refuse_empty
 from .errors import InputError
@@ -120,8 +120,7 @@ class Request:
     def _take_setup(self, given: Any, option: Option) -> None:
         given = option.default if given is None else given
         self.setup = self._setup_of(given)
-        if isinstance(given, Mapping) and not isinstance(given, Setup):
-            self.stated = _longdrive.names_in(given)
+        self.stated = stated_in(given)
         text, is_file = self.setup._for_command()
         self.setup_text = text if is_file else ""
         self.values[option.name] = "-" if is_file else text

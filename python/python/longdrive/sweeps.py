@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Union, overload
 
 from . import _longdrive
 from ._longdrive import Setup
-from .arguments import count_of, refuse_idle_seed, switch_of
+from .arguments import count_of, refuse_idle_seed, refuse_stated, stated_in, switch_of
 from .batches import computed
 from .errors import InputError, interruptible, warn_of
 from .progress import follower
@@ -181,8 +181,10 @@ def sweep(
         }
         return run_command("sweep", {**given, **by, **file}, as_reply(SweepReply))
     with interruptible("longdrive.sweep was interrupted before the first row"):
+        stated = stated_in(setup)
         setup = setup if isinstance(setup, Setup) else Setup(setup, angles=angles)
         at, ranges, warnings = _points({**given, "setup": setup})
+        refuse_stated(stated, at)
         with follower("sweep", progress) as show:
             table = computed(
                 setup,

@@ -10,7 +10,7 @@ mod setup;
 
 pub use number::{U32, refuse_threads, whole};
 pub use output::OutputOptions;
-pub use search::{OptimizeArgs, SearchArgs, SwingsArgs};
+pub use search::{OptimizeArgs, OptimumArgs, SearchArgs, SwingsArgs};
 pub use setup::{DriveArgs, OwnLaw, SetupArgs};
 
 /// The names of the options that are stated (true), in the order of `options`.

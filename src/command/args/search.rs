@@ -83,16 +83,14 @@ pub struct SwingsArgs {
     pub strokes: Option<PathBuf>,
 }
 
+/// A search for an optimum, with its starts and files.
 #[derive(clap::Args)]
-pub struct OptimizeArgs {
+pub struct OptimumArgs {
     #[command(flatten)]
     pub setup_args: SetupArgs,
 
     #[command(flatten)]
     pub search: SearchArgs,
-
-    #[command(flatten)]
-    pub swings: SwingsArgs,
 
     /// Search from this many starts, spread evenly over the ranges (the first is the setup's own),
     /// and list the local optima.
@@ -116,4 +114,14 @@ pub struct OptimizeArgs {
     /// Replace the file if it exists.
     #[arg(long, requires = "output")]
     pub overwrite: bool,
+}
+
+/// A search for an optimum of one drive, or over many swings.
+#[derive(clap::Args)]
+pub struct OptimizeArgs {
+    #[command(flatten)]
+    pub optimum: OptimumArgs,
+
+    #[command(flatten)]
+    pub swings: SwingsArgs,
 }

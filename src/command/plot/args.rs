@@ -1,6 +1,6 @@
 //! Options of plots.
 
-use crate::command::args::{SearchArgs, SetupArgs};
+use crate::command::args::{DriveArgs, SearchArgs, SetupArgs};
 use crate::command::compare::PairArgs;
 use crate::command::gradient::DerivativeArgs;
 use crate::command::pareto::GoalArgs;
@@ -65,7 +65,7 @@ pub enum PlotKind {
 #[derive(clap::Args)]
 pub struct PlotLaws {
     #[command(flatten)]
-    pub setup_args: SetupArgs,
+    pub drive: DriveArgs,
 
     #[command(flatten)]
     pub drawing: PictureArgs,
@@ -90,6 +90,10 @@ pub struct PlotLaws {
     /// The constant spin ratio of a plot over the Reynolds number [default: 0.1].
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
     pub spin_ratio: Option<String>,
+
+    /// Print the answer as JSON (SI units and radians), and nothing else, to standard output.
+    #[arg(long)]
+    pub json: bool,
 }
 
 #[derive(clap::Args)]

@@ -302,9 +302,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
 }
 
 fn laws(args: &PlotLaws) -> Result<Answer> {
-    args.setup_args
-        .refuse_step("plot laws computes no flight")?;
-    let request = args.setup_args.request()?;
+    let request = args.drive.request()?;
     let target = PlotDestination::new(&request, &args.drawing)?;
     let setup = request.setup()?;
     let constant = args.constant()?;

@@ -85,7 +85,12 @@ impl Request {
         })
     }
 
-    fn of_drive(source: Source, settings: Vec<CommandSetting>) -> Result<Self> {
+    /// Applies these settings to the source, for a command that flies no drive or keeps the
+    /// integration of the setup.
+    ///
+    /// # Errors
+    /// The errors of [`new`](Self::new).
+    pub fn of_drive(source: Source, settings: Vec<CommandSetting>) -> Result<Self> {
         refuse_duplicates(&settings)?;
         let mut request = Self {
             partial_setup: source.content.setup,
@@ -362,6 +367,7 @@ impl Request {
 /// Refusal of settings and files that contradict the command.
 impl Request {
     /// Refuses club settings of a command that uses no club, because they would have no effect.
+    /// Values that a program states are settings too.
     ///
     /// # Errors
     /// [`Error::Unreadable`], which names the setting and gives the reason `why`.
@@ -373,17 +379,13 @@ impl Request {
                     .parameter(name)
                     .is_ok_and(Parameter::is_of_strike)
         };
-        match self
-            .settings
-            .iter()
-            .find(|setting| is_of_club(&setting.parameter))
-        {
-            Some(setting) => {
+        match self.first_stated(is_of_club) {
+            Some(name) => {
                 let source = format!(
                     "{why}: the parameters of swing, club, strike and impact are not used; leave \
                      it out, or give the drive by its club"
                 );
-                Err(Error::unreadable(setting.named(), source))
+                Err(Error::unreadable(name, source))
             }
             None => Ok(()),
         }
@@ -396,23 +398,24 @@ impl Request {
     /// [`Error::Unreadable`], which names the setting and gives the reason `why`.
     pub fn refuse_stated(&self, parameters: &[&'static Parameter], why: &str) -> Result<()> {
         let is_unused = |name: &str| parameters.iter().any(|parameter| parameter.name == name);
-        let setting = self
-            .settings
-            .iter()
-            .find(|setting| is_unused(&setting.parameter))
-            .map(CommandSetting::named);
-        let in_setup = || {
-            let mut stated = self.stated_by_host().into_iter();
-            let unused = stated.find(|name| is_unused(name))?;
-            Some(format!("{unused} of the setup"))
-        };
-        match setting.or_else(in_setup) {
+        match self.first_stated(is_unused) {
             Some(name) => Err(Error::unreadable(
                 name,
                 format!("{why}, so this one is not used; leave it out"),
             )),
             None => Ok(()),
         }
+    }
+
+    /// The first stated parameter that `is` accepts, as messages name it: a setting of the command
+    /// line, or a value that a program states.
+    fn first_stated(&self, is: impl Fn(&str) -> bool) -> Option<String> {
+        let setting = self.settings.iter().find(|setting| is(&setting.parameter));
+        if let Some(setting) = setting {
+            return Some(setting.named());
+        }
+        let name = self.stated_by_host().into_iter().find(|name| is(name))?;
+        Some(format!("{name} of the setup"))
     }
 
     /// Refuses settings that another option replaces. A setting is allowed if its parameter has no

@@ -9,7 +9,6 @@ use std::path::Path;
 
 /// The argument for standard input.
 const STANDARD_INPUT: &str = "-";
-const STANDARD_INPUT_NAME: &str = "standard input";
 
 /// The setup of a preset or a file, before the settings of the command line.
 #[derive(Clone)]
@@ -69,7 +68,7 @@ impl Source {
         if self.has_name() {
             &self.argument
         } else {
-            STANDARD_INPUT_NAME
+            running().host.setup_name()
         }
     }
 
@@ -126,8 +125,9 @@ fn read_file(path: &Path) -> Result<SetupFile> {
 }
 
 fn read_standard_input() -> Result<SetupFile> {
+    let name = running().host.setup_name();
     let text = running().input().map_err(|source| Error::File {
-        file: STANDARD_INPUT_NAME.into(),
+        file: name.into(),
         source,
         presets: Preset::names(),
     })?;
@@ -136,9 +136,9 @@ fn read_standard_input() -> Result<SetupFile> {
             "it is empty; give a setup in TOML, or name a preset ({}) in place of -",
             Preset::names()
         );
-        return Err(Error::unreadable(STANDARD_INPUT_NAME, source));
+        return Err(Error::unreadable(name, source));
     }
-    let read = SetupFile::read(&text, STANDARD_INPUT_NAME)?;
+    let read = SetupFile::read(&text, name)?;
     Ok(SetupFile {
         // this name is written to setup files: standard input cannot be read again, the preset can
         name: read.preset.name.into(),

@@ -1,7 +1,7 @@
 //! Integration method and step of a request: stated, for a tolerance, or chosen for many drives.
 
 use super::Request;
-use crate::command::args::{SetupArgs, stated};
+use crate::command::args::SetupArgs;
 use crate::command::files::Destination;
 use crate::command::output::{note, warn_early};
 use crate::integration::{Integration, StepChoice, of_the_flight};
@@ -22,24 +22,6 @@ impl SetupArgs {
             None if self.own_step => StepChoice::Own,
             None => StepChoice::Micrometre,
         })
-    }
-
-    /// Refuses the options of the integration; `why` is the reason why they have no effect.
-    ///
-    /// # Errors
-    /// [`Error::Unreadable`], which names the option.
-    pub fn refuse_step(&self, why: &str) -> Result<()> {
-        let mut options = stated([
-            ("`tolerance`", self.tolerance.is_some()),
-            ("`own_step`", self.own_step),
-        ]);
-        match options.next() {
-            None => Ok(()),
-            Some(option) => Err(Error::unreadable(
-                option,
-                format!("{why}, so this has no effect; leave it out"),
-            )),
-        }
     }
 }
 

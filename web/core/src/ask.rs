@@ -203,6 +203,10 @@ impl Host for Page {
         text.ok_or_else(|| io::Error::other("no text was given"))
     }
 
+    fn setup_name(&self) -> &'static str {
+        "the setup"
+    }
+
     fn files(&self) -> MemoryFiles {
         self.inputs.clone()
     }
