@@ -261,8 +261,8 @@ fn beside_target(lateral: f64, system: System) -> String {
     })
 }
 
-/// The note about the ellipses. `None` if they are omitted because they would be too wide: the
-/// note of each such drive says so.
+/// The note about the ellipses. `None` if no drive has ellipses and the scatter of a drive is too
+/// wide for them: [`too_wide`] then explains it.
 fn spread(landings: &[Landing], system: System) -> Option<String> {
     let Some(landing) = landings.iter().find(|landing| !landing.ellipses.is_empty()) else {
         let is_known = landings.iter().all(|landing| !landing.is_too_wide);

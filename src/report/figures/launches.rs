@@ -73,8 +73,8 @@ fn note(map: &Launches, system: System) -> String {
     notes.join(" ")
 }
 
-/// The launch and the carry of a drive, with the ball speed of the drive if it differs from the
-/// ball speed of the map.
+/// The launch and the carry of a drive. If `has_own_speed`, the text adds the ball speed: only the
+/// first drive has the ball speed of the map.
 fn note_of(one: &NamedLaunch, has_own_speed: bool, system: System) -> String {
     let text = |of: Outcome, value: f64| shown::outcome(of, value, system);
     let carry = one.carry.map_or("no flight".into(), |carry| {

@@ -35,12 +35,12 @@ const REYNOLDS: [f64; 2] = [4e4, 2.4e5];
 /// Number of segments of a curve.
 const STEPS: usize = 240;
 
-/// A measured point is drawn if its value of the variable that is not on the axis differs from the
-/// constant value of the plot by at most this fraction.
+/// Tolerance for measured points, relative. A point is drawn if its Reynolds number (in a plot over
+/// the spin ratio) or spin ratio (over the Reynolds number) is this close to the plot's constant.
 const NEAR: f64 = 0.1;
 
-/// A measured point. Spin ratio or Reynolds number is missing if the source averages over this
-/// quantity.
+/// A measured point. Spin ratio or Reynolds number is `None` if the source does not state it, for
+/// instance because it averages over this quantity.
 struct MeasuredCoefficients {
     spin_ratio: Option<f64>,
     reynolds: Option<f64>,
@@ -48,15 +48,15 @@ struct MeasuredCoefficients {
     values: [Option<f64>; 2],
 }
 
-/// Range of the coefficients in a plot. Values outside of this range are not drawn, except the
-/// values of the law in use.
+/// Smallest range of the vertical axis. The values of the law in use widen it. Values of other laws
+/// outside of the widened range are not drawn.
 const COEFFICIENTS: [f64; 2] = [0.0, 0.5];
 
 /// Laws of drag and lift as curves with measured points. The law of the setup has a colour, the
 /// others are grey. A curve is solid in the fitted range, and dashed elsewhere or if the range is
-/// unknown. A law that depends on the speed or the spin itself is drawn for the ball and the air of
-/// `setup`. `constant` is the value of the variable that is not on the axis: the Reynolds number or
-/// the spin ratio.
+/// unknown. A law that depends on the speed or the spin, and not only on Reynolds number and spin
+/// ratio, is drawn for the ball and the air of `setup`. `constant` is the value of the variable
+/// that is not on the axis: the Reynolds number or the spin ratio.
 pub fn laws_figure(
     laws: &[Law<f64>],
     setup: &Setup<f64>,
@@ -326,8 +326,8 @@ fn measured(
                 values: [Some(drag), Some(lift)],
             })
             .collect(),
-        // this source has lift over the spin ratio (mean of several balls), and drag over the
-        // Reynolds number (one ball), which applies to any spin ratio
+        // this source has lift by spin ratio (mean of several balls) without a Reynolds number, and
+        // drag by Reynolds number (one ball) without a spin ratio
         Law::Lyu(_) => cells(include_str!("../../../tests/data/lyu_2018.csv"))
             .map(|[reynolds, spin_ratio, drag, lift]| MeasuredCoefficients {
                 spin_ratio,

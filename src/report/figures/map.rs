@@ -128,8 +128,8 @@ fn note(map: &Map, on: &OnMap<'_>, [has_region, has_own]: [bool; 2], system: Sys
     notes.join(" ")
 }
 
-/// True if a varied parameter that is not an axis of the map has another value at the optimum, where
-/// the map is drawn, than as set up.
+/// True if the setup and the optimum differ in a varied parameter that is not an axis. The map is
+/// drawn at the optimum, so the drive as set up is then not on the map.
 fn is_elsewhere(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> bool {
     let axes = [map.plane.across.parameter, map.plane.up.parameter];
     best.is_some_and(|best| {
@@ -206,7 +206,7 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
             layers.push(hatched(field.above(constraint.high)));
         }
         layers.retain(|layer| !matches!(layer, Layer::Region { rings, .. } if rings.is_empty()));
-        // the picture has the name on the line, and does not show the name of the region
+        // the picture shows the name on the line; only the data have the name of the region
     }
     let mut ends: Vec<f64> = [constraint.low, constraint.high]
         .into_iter()

@@ -6,7 +6,7 @@ use crate::study::NamedDrive;
 use crate::study::swings::{Pareto, ParetoPoint};
 use crate::units::System;
 
-/// Length of the tangent at the knee, relative to the width of the front.
+/// Horizontal distance from the knee to each end of the tangent, divided by the width of the front.
 const REACH: f64 = 0.2;
 
 /// The Pareto front of two goals: the first goal against the second, with the ends, the knee, the
@@ -23,7 +23,7 @@ pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
     let title = format!("{} against {}", capital(&y.label), x.label);
     let mut figure = Figure::new("pareto", title, Axis::linear(x), Axis::linear(y));
     figure.layers.extend(tangent(found, system));
-    // the line is interrupted where no designs connect two points
+    // the line is interrupted where the front is disconnected
     let gap = |point: &ParetoPoint| point.is_apart.then_some([f64::NAN; 2]);
     let line = found
         .points

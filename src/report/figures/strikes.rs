@@ -7,13 +7,13 @@ use crate::statistics::largest_magnitude;
 use crate::study::Face;
 use crate::units::{Quantity, System};
 
-/// Spacing of the drawn nodes, in nodes of the computed face. Few nodes are enough, because the
-/// contours are interpolated with the gradients.
+/// Every fifth node of the computed grid is drawn. Few nodes are enough, because the contours are
+/// interpolated with the gradients.
 const THINNED: usize = 5;
 
-/// Outcomes over the strike on the face: carry, lateral, ball speed and spin axis, seen from the
-/// front at true scale. Each design has its own views, with common levels and colours. `None`
-/// without a design.
+/// Carry, lateral, ball speed and spin axis as functions of the impact point on the face, seen from
+/// the front at true scale. Each design has its own views, with common levels and colours. `None`
+/// if `designs` is empty.
 pub fn strikes_figure(designs: &[(&str, &Face)], system: System) -> Option<Figure> {
     let tilts = designs.iter().flat_map(|(_, face)| &face.tilts);
     let largest = largest_magnitude(tilts.map(|(_, tilt)| tilt));
@@ -93,7 +93,8 @@ fn over_face(face: &Face, of: usize, outcome: Outcome) -> Field {
 }
 
 fn note(designs: &[(&str, &Face)], system: System) -> String {
-    /// Distance between the strikes whose effect the note states and the reference strike, m.
+    /// Distance of a strike from the reference strike, m. The note states the effect of this
+    /// distance.
     const STEP: f64 = 1e-3;
     let text = |(name, face): &(&str, &Face)| {
         let slopes = Face::OUTCOMES.into_iter().zip(face.by_toe?);

@@ -24,8 +24,9 @@ impl fmt::Display for ShownDrive {
     }
 }
 
-/// The colour of a drive, and true if its lines are dashed. A name other than
-/// [`NamedDrive::AS_SET_UP`] and [`NamedDrive::OPTIMUM`] has the style of the series `place`.
+/// The colour of a drive, and true if its lines are dashed. [`NamedDrive::AS_SET_UP`] and
+/// [`NamedDrive::OPTIMUM`] have fixed styles. A drive with another name has the colour of series
+/// `place`, with dashed lines except for series 0.
 pub(super) fn style(name: &str, place: usize) -> (Hue, bool) {
     match name {
         NamedDrive::AS_SET_UP => (Hue::SET_UP, false),
@@ -45,7 +46,8 @@ pub(super) fn clear_names(layers: &mut [Layer]) {
     }
 }
 
-/// An outcome over a grid as a field of a plot.
+/// The outcome with index `of` in `plane`, as a field of a plot with gradients. A `plane` without
+/// this outcome gives a field without values.
 pub(super) fn field(plane: &Plane, of: usize, quantity: NamedQuantity) -> Field {
     let values = plane.values.get(of).map_or(&[][..], Vec::as_slice);
     Field {

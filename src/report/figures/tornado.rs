@@ -55,8 +55,8 @@ impl Causes {
     }
 }
 
-/// The changes of the outcome with the parameter at p − σ and at p + σ. The first-order effect
-/// replaces the change of a drive that does not fly.
+/// The changes of the outcome if the parameter is p − σ and if it is p + σ. If one of these drives
+/// does not fly, the first-order effect replaces its change.
 fn ends(effect: &study::SigmaEffect) -> [f64; 2] {
     let [lower, higher] = effect.flown;
     [

@@ -41,7 +41,7 @@ const CLEARLY: f64 = 1.6;
 /// small, a stretched view follows. Marks show apex and carry in the units of `system`.
 ///
 /// # Errors
-/// [`Error::Plot`] if nothing flies, and for a view from above if all drives are straight.
+/// [`Error::Plot`] if no drive flies, and for a view from above if all drives are straight.
 pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Result<Figure> {
     let paths: Vec<Vec<[f64; 2]>> = flown.iter().map(|one| path(one, view)).collect();
     let runs: Vec<Vec<[f64; 2]>> = flown.iter().map(|one| run(one, view)).collect();
@@ -292,8 +292,8 @@ fn marks(flown: &NamedDrive, i: usize, view: View, system: System) -> Vec<Layer>
     marks
 }
 
-/// The paths with the smaller coordinate stretched; `None` if the stretch factor would be too
-/// small.
+/// A view of the paths with the vertical axis stretched; `None` if the stretch factor is at most
+/// `CLEARLY`.
 fn stretched(figure: &Figure, lines: &[Layer], y: [f64; 2], view: View) -> Option<Figure> {
     let [left, right] = figure.x.reach?;
     let [low, high] = y;

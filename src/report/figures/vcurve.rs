@@ -5,11 +5,12 @@ use crate::reproduce::LoopRow;
 use crate::study::certificate::DerivativeRow;
 use crate::units::counted;
 
-/// V-curves: the error of plain central differences relative to exact derivatives, at each step.
-/// Truncation dominates on the right, rounding on the left. Steps are relative to the size of the
-/// parameter. Errors are relative to the derivative; if it is 0, they are relative to the size of
-/// the outcome divided by the size of the parameter. For comparison, the plot has the differences
-/// of a while-loop that overshoots the ground.
+/// V-curves: the error of plain central differences against the step. The exact derivative is the
+/// reference. Truncation dominates on the right, rounding on the left.
+///
+/// Steps are divided by the size of the parameter. Errors are divided by the exact derivative; if
+/// it is 0, by the size of the outcome over the size of the parameter. For comparison, the plot
+/// also has the curves of a while-loop that overshoots the ground.
 pub fn vcurve_figure<'a>(
     rows: impl IntoIterator<Item = &'a DerivativeRow>,
     loops: &[LoopRow],
@@ -65,7 +66,7 @@ fn curve(row: &DerivativeRow, points: &[CurvePoint]) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The meaning of the curves; `exact` is the number of differences without an error.
+/// The meaning of the curves. `exact` is the number of differences that equal the exact derivative.
 fn note(has_loops: bool, exact: usize) -> String {
     let mut note = "To the right of its lowest point the error of a difference grows with the \
                     square of the step (truncation), to the left with the inverse of the step \
