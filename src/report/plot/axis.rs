@@ -13,7 +13,8 @@ pub struct NamedQuantity {
 }
 
 impl NamedQuantity {
-    /// A quantity of this name. `unit` is customary in golf, of either system.
+    /// A quantity of this name. `unit` is the display unit customary in golf; a plot in the other
+    /// system converts it.
     pub fn new(label: impl Into<String>, quantity: Quantity, unit: &'static str) -> Self {
         Self {
             label: label.into(),
@@ -76,9 +77,9 @@ impl NamedQuantity {
 pub enum AxisScale {
     /// Linear.
     Linear,
-    /// Linear: distances to the right (+) and left (−) of a line, seen from above along the
-    /// horizontal axis, so that right is at the bottom. Labels have R or L in place of a
-    /// sign: `20 R` and `20 L`.
+    /// Linear, for distances to the right (+) or left (−) of a line seen from above. The line runs
+    /// along the horizontal axis, so right is at the bottom. Labels have R or L in place of a sign:
+    /// `20 R` and `20 L`.
     LeftRight,
     /// Logarithmic. Values that are not positive have no position.
     Log,

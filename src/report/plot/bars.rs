@@ -14,18 +14,19 @@ const VALUE: f64 = 12.0;
 /// Height of a line of a name, pixels.
 const NAME_LINE: f64 = 15.0;
 
-/// Maximum width of names on the left, as a fraction of the picture's width. Longer names are above
-/// the bars.
+/// Maximum width of names on the left, as a fraction of the picture's width. Wider names are
+/// wrapped.
 const BESIDE: f64 = 0.38;
-/// Maximum number of lines of a name on the left. Longer names are above the bars.
+/// Maximum number of lines of a name on the left. If any name needs more, all names are above the
+/// bars.
 const MOST_LINES: usize = 2;
 
 /// Height of a row, pixels.
 const ROW: f64 = 34.0;
-/// Half the height of a bar, pixels: in a row with one bar, and in a row with two bars.
+/// Half the height of a bar, pixels: in a row with one strip, and in a row with two (see `lane`).
 const HALF: [f64; 2] = [8.0, 6.0];
 
-/// Distance between the middle of a row and each of its two bars, pixels.
+/// Distance between the middle of a row and the middle of each of its two strips, pixels.
 const APART: f64 = 7.5;
 
 /// Distance between a bar's end and its value, pixels.

@@ -16,7 +16,7 @@ pub(super) const SIGN: f64 = 24.0;
 /// The height of a line of text, pixels.
 pub(super) const LINE: f64 = 19.0;
 
-/// The part of a text that is at its position: a side, or the middle.
+/// The point of a text that lies at the given position: its left end, middle or right end.
 #[derive(Clone, Copy)]
 pub(super) enum Anchor {
     Left,

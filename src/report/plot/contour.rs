@@ -11,7 +11,7 @@ use contour::ContourBuilder;
 pub(super) struct ContourRegion {
     /// The level, in the displayed unit.
     pub level: f64,
-    /// The position among the levels, 0 to 1.
+    /// The rank of the level as a fraction: 0 for the lowest region, 1 for the highest level.
     pub part: f64,
     /// The outlines in the coordinates of the axes, SI. A line without width connects a hole with
     /// its outline.
@@ -241,7 +241,8 @@ fn dense_stretch(
 const STEPS: [f64; 5] = [1.0, 2.0, 2.5, 5.0, 10.0];
 /// Maximum number of lines before refinement, approximately.
 const FIRST_LINES: f64 = 8.0;
-/// Share of the map above which a neighbouring interval gets finer levels too.
+/// Share of the map above which a neighbouring interval gets finer levels too. It is also a minimum
+/// share of the first interval.
 const LARGE: f64 = 0.12;
 /// Minimum share of the map that the first interval to refine covers, relative to the average share
 /// of all intervals.
@@ -259,8 +260,8 @@ fn multiples(step: f64, low: f64, high: f64) -> Vec<f64> {
     (from..=to).map(|i| i as f64 * step).collect()
 }
 
-/// A finer step that divides a step: 0.5 for 1, 1 for 2, 0.5 for 2.5 and 1 for 5, times the same
-/// power of ten.
+/// A finer step that divides `step`: 0.5 for 1, 1 for 2, 0.5 for 2.5 and 1 for 5, times the
+/// same power of ten.
 fn finer(step: f64) -> f64 {
     let power = 10.0_f64.powf((step * (1.0 + 1e-9)).log10().floor());
     match (step / power * 10.0).round() as i64 {

@@ -8,16 +8,17 @@ use crate::units::TableUnits;
 struct CsvRow<'a> {
     kind: &'static str,
     name: String,
-    /// x and y, then x and y of the other end of a bar, an arrow or the width of a band.
+    /// x and y of a point, then x and y of the other end of a bar or an arrow. A band at x has its
+    /// low y, then its high y.
     numbers: [Option<f64>; 4],
     /// The value at a node of a field. The field determines the column.
     value: Option<(&'a Field, f64)>,
 }
 
-/// The data of a plot as CSV in these units: a row for each point, bar, arrow or node, with the kind
-/// and the name of its layer. Each quantity shown as contours has its own column. Empty columns are
-/// omitted; a missing value is an empty cell. Views with contours have separate rows with the name of
-/// the view.
+/// The data of a plot as CSV in these units: a row for each point, bar, arrow or node, with the
+/// kind and the name of its layer. Each quantity shown as contours has its own column. Empty
+/// columns are omitted; a missing value is an empty cell. Views with contours have separate rows
+/// with the name of the view.
 ///
 /// # Errors
 /// [`Error::Output`](crate::Error::Output).

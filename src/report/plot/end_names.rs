@@ -33,8 +33,9 @@ pub(super) struct EndNames<'a> {
     pub room: f64,
 }
 
-/// The name of a line with its parts.
+/// A name with the colour of its line.
 struct Name<'a> {
+    /// The name without a remark in parentheses (see [`whole_name`]).
     whole: &'a str,
     hue: Hue,
     /// The name, wrapped into lines.
@@ -132,7 +133,7 @@ impl Name<'_> {
         APART * self.lines.len() as f64 + GAP
     }
 
-    /// The right end of the line inside the axes, pixels; `None` if no part of the line is there.
+    /// The right end of the line inside the axes, pixels; `None` if the line is outside of them.
     fn end(&self, area: &PlotArea, figure: &Figure) -> Option<[f64; 2]> {
         let points = figure.layers.iter().filter_map(|layer| match layer {
             Layer::Line { name, points, .. } if whole_name(figure, name) == self.whole => {
@@ -144,9 +145,9 @@ impl Name<'_> {
     }
 }
 
-/// The middles of boxes with these heights, which are stacked in this order from `top` to `bottom`
-/// without overlap. The sum of squared distances from the wanted middles is as small as possible:
-/// isotonic regression of each wanted middle minus the heights above it.
+/// The middles of boxes with these heights, stacked in this order from `top` to `bottom` without
+/// overlap. They minimize the sum of squared distances from the wanted middles: isotonic regression
+/// of `wanted − offset`. The offset of a box is its middle in a stack without gaps.
 fn spread(wanted: &[f64], heights: &[f64], [top, bottom]: [f64; 2]) -> Vec<f64> {
     let mut above = 0.0;
     let offsets: Vec<f64> = heights
@@ -156,8 +157,7 @@ fn spread(wanted: &[f64], heights: &[f64], [top, bottom]: [f64; 2]) -> Vec<f64> 
             above - 0.5 * height
         })
         .collect();
-    // isotonic regression; for each block of touching boxes: their number, and the sum of the wanted
-    // positions minus the offsets
+    // for each block of touching boxes: their number, and the sum of wanted − offset
     let mut blocks: Vec<(usize, f64)> = vec![];
     for (wanted, offset) in wanted.iter().zip(&offsets) {
         let mut block = (1, wanted - offset);

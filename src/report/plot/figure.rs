@@ -20,7 +20,7 @@ pub struct Figure {
     pub aspect: f64,
     /// The layers, from the lowest to the highest.
     pub layers: Vec<Layer>,
-    /// The place of the names of lines.
+    /// The position of the names of lines.
     pub line_names: LineNames,
     /// More views, drawn after this view. The data file contains only views with contours, because
     /// the other views repeat the data of this view.
@@ -65,7 +65,7 @@ impl Figure {
     }
 }
 
-/// The place of the names of lines.
+/// The position of the names of lines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineNames {
     /// In a legend above the plot.
@@ -76,7 +76,8 @@ pub enum LineNames {
     AtEnds,
 }
 
-/// The colour of a layer. It is the same in all plots of a report.
+/// The colour of a layer: a role, or the number of a series. The palette of the picture, light or
+/// dark, determines the displayed colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hue {
     /// Text and axes.
@@ -169,8 +170,8 @@ pub enum Layer {
         /// The coordinates of the label's middle.
         at: [f64; 2],
     },
-    /// Arrows. With a name they are a field of arrows, which omits arrows under labels; without a
-    /// name, each arrow is drawn.
+    /// Arrows. With a name, they are a field of arrows: an arrow that a label would cover is
+    /// omitted. Without a name, every arrow is drawn.
     Arrows {
         /// The name of the field; may be empty.
         name: String,

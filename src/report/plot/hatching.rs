@@ -2,8 +2,8 @@
 
 use crate::statistics::extent;
 
-/// Hatching lines inside some rings (even-odd rule), parallel to the falling diagonal, at a
-/// distance `apart`. The hatchings of all regions in a picture are aligned.
+/// Hatching lines x + y = c inside some rings (even-odd rule), at a distance `apart`. The values of
+/// c do not depend on the rings, so that the hatchings of all regions in a picture are aligned.
 pub(super) fn hatching(rings: &[Vec<[f64; 2]>], apart: f64) -> Vec<[[f64; 2]; 2]> {
     let [low, high] = extent(rings.iter().flatten().map(|[x, y]| x + y));
     // two lines x + y = c have the distance |Δc|/√2

@@ -8,7 +8,8 @@ use super::layers::PlotArea;
 use super::simplify::simplified;
 use crate::units::{Quantity, System, significant, typed};
 
-/// Maximum number of points of a line with a tooltip at each point.
+/// A line with at most this many points has a tooltip at each point. A longer line has one tooltip
+/// along each piece.
 const FEW: usize = 40;
 
 /// Writes the tooltips of all values; `regions` are the contour regions of each layer.

@@ -8,7 +8,7 @@ const INTERVALS: usize = 120;
 
 /// A field on a grid so fine that contours through it are smooth.
 pub(super) struct Refined {
-    /// Number of intervals between two nodes of the field.
+    /// Number of refined intervals between two adjacent nodes of the field.
     pub times: usize,
     pub columns: usize,
     pub rows: usize,
@@ -38,8 +38,8 @@ impl Refined {
         }
         let times = INTERVALS.div_ceil(columns.max(rows) - 1);
         let [across, up] = slopes(field, &values);
-        // interpolate the values along the rows, then along the columns; the second step needs the
-        // slopes along the columns, which are also interpolated along the rows
+        // interpolate the values and the slopes up along the rows, then the values along the
+        // columns with these slopes
         let by_row = |nodes: &[f64], slopes: &[f64]| -> Vec<f64> {
             let rows = nodes.chunks(columns).zip(slopes.chunks(columns));
             rows.flat_map(|(nodes, slopes)| hermite(nodes, slopes, times))
@@ -82,8 +82,8 @@ impl Refined {
     }
 }
 
-/// The derivatives across and up at each node, times the distance between nodes. A node without a
-/// gradient has the slope between its neighbours.
+/// The derivatives across and up at each node, times the distance between nodes. At a node without
+/// a gradient, the central difference replaces the derivative.
 fn slopes(field: &Field, values: &[f64]) -> [Vec<f64>; 2] {
     let (columns, rows) = (field.columns, field.rows());
     [(0, field.x, columns, 1), (1, field.y, rows, columns)].map(
@@ -102,8 +102,8 @@ fn slopes(field: &Field, values: &[f64]) -> [Vec<f64>; 2] {
     )
 }
 
-/// The central difference at each node along an axis, one-sided at the ends. `step` is the distance
-/// of neighbours: 1 along a row, `columns` along a column.
+/// The central difference at each node along an axis, one-sided at the ends. `step` is the
+/// difference of the indices of neighbours: 1 along a row, `columns` along a column.
 fn differences(values: &[f64], columns: usize, step: usize) -> Vec<f64> {
     let count = if step == 1 {
         columns

@@ -178,8 +178,9 @@ pub(super) fn write_levels(
     }
 }
 
-/// A free position for a label on a line, at least `apart` pixels beside other labels, as near as
-/// possible to the middle of the line, because the ends of several lines are often close together.
+/// A free position for a label on a line, as near as possible to the middle of the line, because
+/// the ends of several lines are often close together. Other labels are at least `apart` pixels to
+/// its left and right.
 pub(super) fn place_on(
     labels: &Labels<'_>,
     area: &PlotArea,

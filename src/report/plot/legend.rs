@@ -10,7 +10,7 @@ use crate::units::typeset;
 /// Distance between a symbol and its name, and between a name and the next symbol, pixels.
 const GAPS: [f64; 2] = [6.0, 14.0];
 
-/// Maximum number of names in a legend without columns.
+/// A legend with more names than this has columns if it does not fit in one line.
 const FEW: usize = 4;
 
 /// A layer in a legend.
@@ -103,8 +103,8 @@ pub(super) fn has(figure: &Figure, name: &str) -> bool {
         .any(|layer| layer.named().0 == name && is_named(figure, layer))
 }
 
-/// The name without its remark, if another layer has that name: "ferguson" of "ferguson
-/// (extrapolated)".
+/// A name without its remark in parentheses: "ferguson" of "ferguson (extrapolated)". If no layer
+/// has the shorter name, the name is unchanged.
 pub(super) fn whole_name<'a>(figure: &Figure, name: &'a str) -> &'a str {
     let is_layer = |whole: &str| {
         let layers = figure.layers.iter();

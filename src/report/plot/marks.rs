@@ -15,9 +15,10 @@ const GAP: f64 = 9.0;
 /// through the mark does not cross the label.
 const HALF_LINE: f64 = 0.65 * LINE;
 
-/// Larger distances of a label from its mark, pixels, if lines run through all nearer positions.
+/// Larger distances of a label from its mark, pixels, if nearer positions are occupied or cover
+/// lines.
 const FAR_GAPS: [f64; 2] = [36.0, 64.0];
-/// Costs of a label at each of `FAR_GAPS`. Each point of a line under a label costs 2.
+/// Additional cost of a label at each of `FAR_GAPS`. Each point of a line under a label costs 2.
 const FAR_COSTS: [usize; 2] = [5, 6];
 
 /// Cost of a label above or below its mark instead of beside it. Each point of a line under a label
@@ -27,8 +28,8 @@ const OVER_COST: usize = 6;
 /// Maximum distance of marks that are drawn as one mark, pixels.
 const SAME: f64 = 4.0;
 
-/// A label without a line to its mark is nearer to this mark than to any other by more than this
-/// distance, pixels.
+/// A label without a line to its mark is farther from every other mark than from its own mark, by
+/// more than this distance, pixels.
 const CLEAR: f64 = 2.0;
 
 /// Distance of a label from its mark above which a line connects the two, pixels.
@@ -159,8 +160,8 @@ pub(super) fn write_texts(labels: &mut Labels<'_>, area: &PlotArea, figure: &Fig
     }
 }
 
-/// Writes a label as near as possible to a point. If it is farther than `far`, a line connects the
-/// two.
+/// Writes a label as near as possible to a point. If its distance exceeds `far`, pixels, a line
+/// connects label and point.
 fn write_near(
     labels: &mut Labels<'_>,
     area: &PlotArea,
@@ -209,7 +210,7 @@ fn lines(area: &PlotArea, figure: &Figure) -> Vec<[f64; 2]> {
 
 /// The middle of a label in the free position beside, above or below its mark that has the lowest
 /// cost. The points of lines under the label and the distance from the mark add to the cost. `None`
-/// if no position is free and clearly belongs to the mark.
+/// if no free position clearly belongs to this mark.
 fn beside(
     labels: &Labels<'_>,
     area: &PlotArea,

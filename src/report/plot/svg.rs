@@ -1,4 +1,4 @@
-//! The picture of a figure, with the views of its `panels` below.
+//! The picture of a figure and the views of its `panels`, in rows of `columns` views.
 
 use super::canvas::{Anchor, Canvas, Font, LINE, Labels, SMALL_TEXT, Stroke, TEXT};
 use super::contour::contour_regions;
@@ -42,9 +42,9 @@ impl Default for Look {
     }
 }
 
-/// A plot as self-contained SVG, without references to other files. Its colours are attributes,
-/// which [`dark_rules`] can change on a page. Browsers show the values of points
-/// and lines as tooltips.
+/// A plot as self-contained SVG, without references to other files. The colours are attributes, so
+/// that the CSS of [`dark_rules`] can change them on a page. Browsers show the values of points and
+/// lines as tooltips.
 ///
 /// # Errors
 /// [`Error::Plot`](crate::Error::Plot) if no part of the plot can be shown on its axes.

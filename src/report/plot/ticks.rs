@@ -80,7 +80,7 @@ impl DrawnAxis {
         let step = nice_step((self.high - self.low) / count as f64);
         self.decimals = (-step.log10().floor()).max(0.0) as usize;
         if self.axis.reach.is_none() {
-            // extend to the next tick, unless the data end at a tick but for rounding
+            // extend to the next tick, unless the data end at a tick within rounding
             let slack = 1e-9;
             self.low = (self.low / step + slack).floor() * step;
             self.high = (self.high / step - slack).ceil() * step;
@@ -155,8 +155,8 @@ impl DrawnAxis {
             .fold(0.0, f64::max)
     }
 
-    /// True if adjacent ticks have at least the distance that `least` computes from their texts, on
-    /// an axis of this length, pixels.
+    /// True if all adjacent ticks are far enough apart on an axis of this length, pixels. `least`
+    /// computes the minimum distance, pixels, from the texts of two ticks.
     pub fn is_apart(&self, length: f64, least: impl Fn(&str, &str) -> f64) -> bool {
         let place = |tick: f64| length * (tick - self.low) / (self.high - self.low);
         self.ticks.windows(2).all(|pair| {
@@ -166,13 +166,13 @@ impl DrawnAxis {
     }
 }
 
-/// The smallest step of 1, 2 or 5 times a power of ten that is not below a step.
+/// The smallest number ≥ `step` that is 1, 2 or 5 times a power of ten.
 pub(in crate::report) fn nice_step(step: f64) -> f64 {
     round_step(step, &[1.0, 2.0, 5.0, 10.0]).unwrap_or(step)
 }
 
-/// The smallest of these digits times a power of ten that is not below a step; `None` if the step
-/// is not positive, or outside of the range of numbers.
+/// The smallest number ≥ `step` that is one of `digits` times a power of ten. `None` if `step` is
+/// not positive, or if the result overflows or underflows.
 pub(super) fn round_step(step: f64, digits: &[f64]) -> Option<f64> {
     let power = 10.0_f64.powf(step.log10().floor());
     digits
