@@ -12,9 +12,9 @@ use super::plot::dark_rules;
 use crate::units::System;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-/// The HTML of a page: the title of its window, its heading, content and footer. If a text differs
-/// between the systems, a switch of units is below the heading; the page opens in the units of
-/// `system`.
+/// The HTML of a page with a window title, a header, content and a footer. If a text differs
+/// between the systems of units, a switch of units is below the header. The page opens in the units
+/// of `system`.
 pub(super) fn page(
     title: &str,
     header: &Markup,

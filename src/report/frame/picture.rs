@@ -18,8 +18,8 @@ pub struct TextFile {
     pub text: String,
 }
 
-/// Widths of pictures, pixels: narrow for a phone or a printed column, where text has its normal
-/// size, and broad for a screen.
+/// Widths of pictures, pixels, by CSS class: narrow for a phone or a printed column, and broad for
+/// a screen. In the narrow picture, text keeps its normal size on a phone and in print.
 const WIDTHS: [(&str, u32); 2] = [("narrow", 340), ("broad", 560)];
 
 /// The file name of a plot's picture.
@@ -91,8 +91,8 @@ pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>)
     })
 }
 
-/// The pictures of a plot, each as its CSS classes and its SVG. A picture without units serves both
-/// systems.
+/// The pictures of a plot, each as its CSS classes and its SVG. If the pictures of both systems are
+/// equal, there is one for both.
 fn drawings(pair: &Pair) -> Result<Vec<(String, String)>> {
     let mut drawings = vec![];
     for (place, width) in WIDTHS {

@@ -138,7 +138,8 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     }
     let unit = system.unit(parameter.unit);
     let is_corner = best.solution.kink.is_some_and(|kink| kink.variable == i);
-    // a corner needs the longer text; so does a number without unit, which cannot change by 1
+    // a corner needs the longer text; so does a parameter without unit, since a change by 1 is too
+    // large for it
     if is_corner || unit.is_empty() {
         return Some(bound_in_words(best, i, system));
     }

@@ -43,9 +43,9 @@ pub struct Findings {
     pub landings: Vec<Landing>,
     /// The map of carry over launch conditions, with the launches of the drives.
     pub launches: Option<Launches>,
-    /// The carry over the strike, for the club as set up.
+    /// The carry by impact point on the face, for the club as set up.
     pub face: Option<Face>,
-    /// The carry over the strike, for the optimal club.
+    /// The carry by impact point on the face, for the optimal club.
     pub best_face: Option<Face>,
     /// The result of the search, converged or not.
     pub found: Option<Optimum>,
@@ -77,7 +77,7 @@ pub struct Findings {
     pub explorer: Option<ExplorerLink>,
     /// The units shown when the page opens.
     pub system: System,
-    /// Warnings.
+    /// Warnings, and the reasons for missing sections.
     pub remarks: Vec<Message>,
     /// The command that made the page.
     pub command: String,

@@ -50,8 +50,8 @@ pub(super) fn steps(findings: &Findings, best: &Optimum) -> Markup {
     }
 }
 
-/// The outcomes in the table: the outcome of the report, and for one of carry and total also the
-/// other.
+/// The outcomes in the table: the outcome of the report. If it is the carry, the total follows; if
+/// it is the total, the carry follows.
 fn outcomes(of: Outcome) -> Vec<Outcome> {
     match of {
         Outcome::Carry => vec![of, Outcome::Total],

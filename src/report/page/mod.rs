@@ -89,14 +89,15 @@ fn plots(findings: &Findings) -> Plots {
             .as_ref()
             .map(|chart| charts(findings, chart))
             .unwrap_or_default(),
-        // effects of 0 have no bar
+        // without effects there is no plot
         effects: findings
             .effects
             .iter()
             .flat_map(|effects| Causes::APART.map(|causes| tornados(effects, causes)))
             .flatten()
             .collect(),
-        // without any error, as for a derivative of 0, finite differences have no curve
+        // omit the plot if its logarithmic axis can show no error: each error is 0, as for a
+        // derivative of 0
         curves: Some(vcurve_figure(&findings.rows, &findings.loops))
             .filter(|figure| figure_svg(figure, &Look::default()).is_ok())
             // the texts of these curves have no units
@@ -135,7 +136,7 @@ fn mapped(findings: &Findings, map: &Map, system: System) -> Figure {
     map_figure(map, &on, system)
 }
 
-/// The effects of some causes for the drive as set up, if there are any.
+/// The tornado plot of these causes for the drive as set up; `None` if they have no effect.
 fn tornados(effects: &Effects, causes: Causes) -> Option<Pair> {
     let [metric, us] =
         System::ALL.map(|system| tornado_figure(effects, causes, ShownDrive::SetUp, system));
@@ -152,8 +153,8 @@ fn charts(findings: &Findings, chart: &Chart) -> Vec<Pair> {
         .collect()
 }
 
-/// The paths of drives that fly, from the side and from above, with the reason for each missing
-/// view in both systems of units.
+/// The views of the drives that fly, from the side and from above; and for each missing view the
+/// reason, in metric and in US units.
 fn trajectories(flown: &[NamedDrive]) -> (Vec<Pair>, Vec<[String; 2]>) {
     let flying: Vec<NamedDrive> = flown
         .iter()
@@ -229,7 +230,7 @@ fn page(findings: &Findings, plots: &Plots) -> Result<String> {
 
 fn main(findings: &Findings, plots: &Plots) -> Result<Markup> {
     let of = shown::words(findings.of.name());
-    // the beginning of the summary already has this reason
+    // omit the remark that the summary already shows
     let why = findings.why_not_flown();
     let is_told = |remark: &&Message| {
         why.as_ref()

@@ -11,8 +11,8 @@ use crate::study::Search;
 use crate::units::{System, counted};
 use maud::{Markup, html};
 
-/// Maximum number of changes in the title. If there are more, the title names one change less and
-/// counts the others.
+/// Maximum number of changes in the title. If there are more, the title names `NAMED − 1` changes
+/// and counts the others.
 const NAMED: usize = 3;
 
 /// The title of the page: the setup or the stated launch, and the first changes of the setup.
@@ -42,7 +42,7 @@ pub(super) fn title(findings: &Findings, system: System) -> Result<String> {
     Ok(drive + &changes.collect::<String>() + &others)
 }
 
-/// The stated launch conditions.
+/// The names of the stated launch conditions.
 fn launch(findings: &Findings) -> Vec<&'static str> {
     findings
         .stated
@@ -68,8 +68,9 @@ pub(super) fn subtitle(findings: &Findings) -> Result<String> {
     })
 }
 
-/// The differences from the preset, without the launch, which has its own line, and without the
-/// club if no impact is computed.
+/// The differences from the preset, except in the launch, which has its own line. If the setup
+/// states a launch, differences in swing, club, strike and impact are omitted too: they have no
+/// effect.
 fn changed(findings: &Findings, system: System) -> Result<Vec<ChangedSetting>> {
     let is_launched = findings.stated.launch.is_given();
     let is_told = |change: &ChangedSetting| {
