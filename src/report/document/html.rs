@@ -7,7 +7,7 @@ use maud::{Markup, html};
 /// A document as a self-contained HTML page, with the pictures and data of its figures as separate
 /// files. Returns all files, `index.html` first. `documents` is the document in each system of
 /// [`System::ALL`]; the reader can switch between the systems. The page opens in the units of
-/// `system`; the data files have the names of layers in these units.
+/// `system`. Data files have numbers in SI, and names of layers in the units of `system`.
 ///
 /// # Errors
 /// The errors of [`figure_svg`](crate::report::plot::figure_svg) and

@@ -6,11 +6,11 @@ use crate::report::shown::NONE;
 pub struct DocumentTable {
     pub(super) head: Vec<String>,
     pub(super) rows: Vec<Vec<String>>,
-    /// Right-aligned columns.
+    /// For each column: true if it is right-aligned.
     pub(super) is_right: Vec<bool>,
     /// A line directly above the table; omitted if it is empty.
     pub(super) caption: String,
-    /// Details below each row; an empty text is omitted.
+    /// Details below each row: a text for each row, or no texts. An empty text is omitted.
     pub(super) row_notes: Vec<String>,
     /// Lines directly below the table.
     pub(super) remarks: Vec<Line>,

@@ -53,9 +53,9 @@ impl DocumentTable {
         caption + &text + &left_out + &remarks.collect::<String>()
     }
 
-    /// The cells within `most` columns of a terminal, without lines between them. In a table that
-    /// is too wide, the last column is wrapped if it contains text. Otherwise the table continues
-    /// below with the remaining columns, after a repetition of the first column.
+    /// The heads and cells in lines of at most `most` characters, without rules. In a table that is
+    /// too wide, a last column of text is wrapped. If this is not enough, the table continues below
+    /// with the remaining columns; the first column is repeated there.
     fn columns(&self, rows: &[Vec<String>], most: usize) -> String {
         let all: Vec<usize> = (0..self.head.len()).collect();
         let widths: Vec<usize> = all.iter().map(|&column| self.width(rows, column)).collect();
@@ -101,7 +101,8 @@ impl DocumentTable {
             .unwrap_or(0)
     }
 
-    /// The cells of some columns. The last column is wrapped if a width `narrowed` is given.
+    /// The heads and cells of some columns. With `narrowed`, the last column is wrapped so that the
+    /// table has this width.
     fn part(&self, rows: &[Vec<String>], columns: &[usize], narrowed: Option<usize>) -> String {
         let mut table = comfy_table::Table::new();
         table.load_style(presets::NOTHING);
