@@ -8,8 +8,11 @@ use crate::drive::{Drive, Outcome};
 use crate::study::Optimum;
 use crate::units::System;
 
-/// Lines such as "carry 286.0 yd → 300.4 yd: +14.4 yd", with the change of the total. If the carry
-/// grows but the total falls, a line has advice.
+/// A line such as "carry 286.0 yd → 300.4 yd: +14.4 yd".
+///
+/// If [`Optimum::compares_totals`], the line also has the change of the total (or of the carry, if
+/// the total is the objective). Further lines state the extrapolated part of the carry, and advise
+/// to maximize the total if the search for carry shortens it.
 pub(in crate::report) fn gain_lines(
     optimum: &Optimum,
     drive: &Drive<f64>,

@@ -10,7 +10,7 @@ use crate::study::swings::Swings;
 use crate::units::{System, counted};
 
 /// The setup at an optimum as a setup file in TOML, with full precision. `interrupted` is the
-/// message on interrupted searches; `file` is the setup of the request.
+/// message about interrupted searches, if any; `file` is the setup of the request.
 ///
 /// # Errors
 /// The errors of [`setup_toml`].

@@ -20,8 +20,8 @@ pub fn optimize_document(
     around: Option<&Surroundings<'_>>,
     system: System,
 ) -> Document {
-    // a single search needs no list of optima: the text of its optimum states an interruption, and
-    // an improvement from the sample
+    // a single search needs no list of optima: the text of its optimum already states an
+    // interruption or an improvement found from the sample
     let several = optima.has_several_starts();
     let mut document = Document::default();
     if let Some(stopped) = optima.interrupted().filter(|_| several) {
@@ -35,8 +35,8 @@ pub fn optimize_document(
     document
 }
 
-/// One optimum for readers: the result first, the convergence last. Without an optimum, the
-/// document has only the status of the search.
+/// One optimum for readers: the result first, the convergence last. If the search did not converge,
+/// its status is first. If a drive does not fly, the document has only this status.
 pub fn optimum_document(
     optimum: &Optimum,
     over: &OverSwings,
@@ -131,8 +131,8 @@ pub(in crate::report) fn place(
     }
 }
 
-/// Adds a table of the constraints with their gains if there are any. For swings, the values of the
-/// constraints are in the table of the goals.
+/// Adds a table of the constraints with their values and gains, if there are constraints. For
+/// swings, the table has only the gains: the values are in the table of the goals.
 fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
     let is_one_drive = optimum.search.scenarios.is_one_drive();
     let objective = Objective::at(optimum);
@@ -150,7 +150,7 @@ fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
             vec![constraint.expression.clone(), price]
         }
     });
-    // for swings, omit a constraint without a gain: its value is in the table of the goals
+    // for swings, omit a constraint without a gain
     let rows: Vec<_> = rows
         .filter(|row| is_one_drive || !row[1].is_empty())
         .collect();
@@ -183,8 +183,7 @@ pub(in crate::report) fn add_convergence(
     }
 }
 
-/// The status of a search with its message: the numbers of the solver, or the meaning of the status
-/// for the drive.
+/// The status, the message and the effort of a search.
 pub(in crate::report) fn ended_line(optimum: &Optimum, system: System) -> Line {
     Line::flush(format!(
         "{}: {} ({})",
