@@ -31,7 +31,7 @@ const MEASURED: [(&str, Outcome); 6] = [
     ("Carry Flat - Ball Speed", Outcome::LandingSpeed),
 ];
 
-/// Columns of the export about the origin of the spin and about the conditions of the values.
+/// Columns of text: the origin of the spin, and the conditions for which the values hold.
 const TEXTS: [&str; 2] = ["Spin Rate Type", "Condition"];
 
 /// The line of column heads.

@@ -108,8 +108,9 @@ impl ExportRows {
         Self::new(columns, &self.added.of, self.added.system)
     }
 
-    /// The cells of a line, one for each column, without the cells that an earlier run of `fly`
-    /// added. In a line with fewer cells, as a row of units may be, the missing cells are empty.
+    /// The cells of a line, one for each column head, without the cells that an earlier run of
+    /// `fly` added. A cell that is missing at the end of the line, for instance of a row of units,
+    /// is empty.
     fn own<'a, S: AsRef<str>>(&self, cells: &'a [S]) -> impl Iterator<Item = &'a str> {
         let (count, added) = (self.columns.heads.len(), self.columns.added.clone());
         let cells = (0..count).map(|at| cells.get(at).map_or("", AsRef::as_ref));

@@ -24,7 +24,8 @@ pub(super) struct Keys {
     of: Vec<Outcome>,
     /// The parameters besides the launch, each with a value in every row.
     further: Vec<&'static str>,
-    /// The export, with the key of each of its columns.
+    /// The columns of the export, with the key of each column; `None` for shots that came as
+    /// messages.
     cells: Option<(Arc<ShotColumns>, Vec<String>)>,
 }
 
@@ -240,8 +241,7 @@ impl Keys {
     fn own(&self, row: &str, is_unreadable: bool, bytes: &mut Vec<u8>) {
         match &self.cells {
             _ if is_unreadable => push(bytes, row),
-            // a line break in a JSON message is only white space, because a string cannot contain
-            // it
+            // a line break in a JSON message is white space: within a string it would be escaped
             None => bytes.extend(row.bytes().map(|byte| {
                 if matches!(byte, b'\n' | b'\r') {
                     b' '

@@ -42,13 +42,13 @@ enum ColumnSource {
     Row,
 }
 
-/// Writes flown shots as Parquet, in row groups of some thousand rows.
+/// Writes flown shots as Parquet, in row groups of about 33,000 rows.
 pub struct ShotParquet {
     table: ParquetTable,
     columns: Vec<ColumnSource>,
     waiting: Vec<Flown>,
     placed: Vec<PlacedGroup>,
-    /// Number of bytes returned so far.
+    /// Offset of the next row group in the file, bytes.
     at: u64,
 }
 

@@ -318,7 +318,7 @@ fn add_clubs(document: &mut Document, statistics: &ShotStatistics, system: Syste
     document.add(table);
 }
 
-/// The numbers of rows that were flown, that were not flown (by kind of reason), and with remarks.
+/// Lines with the number of rows flown, not flown (by kind of reason), and with remarks.
 fn counts(statistics: &ShotStatistics, source: Option<&'static str>) -> Vec<Line> {
     let from = source.map_or(String::new(), |source| format!(" ({source})"));
     let refused: u64 = statistics

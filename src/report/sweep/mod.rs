@@ -1,7 +1,7 @@
 //! Output of batches: CSV, JSON lines and Parquet. The columns are the swept parameters, `status`,
 //! the outcomes, and `d_OUTCOME/d_PARAMETER`, in SI; CSV also in other units. The column heads of
-//! CSV contain the units: `carry [m]`. Numbers are parsed to the same value to the last bit. A
-//! missing value is an empty cell or null.
+//! CSV contain the units: `carry [m]`. Numbers are written so that parsing returns the same `f64`.
+//! A missing value is an empty cell or null.
 
 mod csv;
 mod json_lines;

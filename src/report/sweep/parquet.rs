@@ -6,7 +6,7 @@ use parquet::data_type::ByteArray;
 
 /// Maximum number of rows in a row group.
 const MOST_ROWS: usize = 128 * CHUNK;
-/// Minimum number of rows in a row group, even if their numbers have more than `MOST_BYTES` bytes.
+/// Minimum number of rows in a row group. It takes precedence over `MOST_BYTES`.
 const LEAST_ROWS: usize = 16 * CHUNK;
 /// Maximum number of bytes of the numbers in a row group.
 const MOST_BYTES: usize = 16 << 20;
@@ -24,7 +24,8 @@ pub struct SweepParquet {
 }
 
 impl SweepParquet {
-    /// The table of a batch. The file stores `question` under the key `longdrive`.
+    /// The table of a batch. `question` is a text that describes the request; the file stores it
+    /// under the key `longdrive`.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow the columns of the batch.
@@ -97,8 +98,8 @@ impl SweepParquet {
         })
     }
 
-    /// The row group with this metadata, placed at offset `at` in the file, bytes, as row group
-    /// number `ordinal`, from 0.
+    /// A row group for the footer: its metadata, its offset `at` in the file, bytes, and its number
+    /// `ordinal` among the row groups, from 0.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if `metadata` is not the metadata of a row group.
