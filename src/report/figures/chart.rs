@@ -15,8 +15,8 @@ pub struct ChartFigures {
 }
 
 /// The optimum along a parameter: a plot of the optimal value, and a plot of each varied parameter
-/// with the bounds of its range. The plots mark `own`, the optimum for the setup. Texts are in the
-/// units of `system`.
+/// that changes, with the bounds of its range. The plots mark `own`, the optimum for the setup.
+/// Texts are in the units of `system`.
 pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> ChartFigures {
     let mut found = ChartFigures {
         drawn: vec![],
@@ -46,8 +46,8 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
 /// the horizontal axis.
 struct ChartDrawing<'a> {
     chart: &'a Chart,
-    /// The value of the chart's parameter in the setup, with the optimum at this value; `None`
-    /// outside of the chart.
+    /// The value of the chart's parameter in the setup, with the optimum at this value. `None` if
+    /// the chart does not contain this value, or without an optimum.
     own: Option<(f64, &'a Optimum)>,
     system: System,
     along: NamedQuantity,
@@ -159,7 +159,7 @@ impl<'a> ChartDrawing<'a> {
     }
 }
 
-/// A sentence about a parameter at a bound, which has no plot.
+/// The sentence about a parameter that is at the same bound in every optimum, in place of a plot.
 fn held_sentence(vary: &Vary, side: BoundSide, system: System) -> String {
     let at = shown::stated(vary.parameter, bound(vary, side), system);
     let why = if vary.low == vary.high {

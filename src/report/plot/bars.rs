@@ -1,5 +1,6 @@
-//! Bars on an axis that shows names instead of numbers. Each row has the same height, with its name
-//! on the left, or above in a narrow picture, and with the values at the ends of the bars.
+//! Bars on an axis that shows names instead of numbers. All rows have the same height. Their names
+//! are on the left; in a narrow picture, long names are above the bars. The values are at the ends
+//! of the bars.
 
 use super::axis::{Axis, AxisScale};
 use super::canvas::{Anchor, Canvas, Font, SMALL_TEXT, Stroke};

@@ -22,8 +22,8 @@ pub struct Figure {
     pub layers: Vec<Layer>,
     /// The position of the names of lines.
     pub line_names: LineNames,
-    /// More views, drawn after this view. The data file contains only views with contours, because
-    /// the other views repeat the data of this view.
+    /// More views, drawn after this view. Of these, the data file contains only views with
+    /// contours: other views repeat the data of this view.
     pub panels: Vec<Figure>,
     /// Number of views side by side, if the picture is wide enough.
     pub columns: usize,

@@ -38,8 +38,8 @@ impl Refined {
         }
         let times = INTERVALS.div_ceil(columns.max(rows) - 1);
         let [across, up] = slopes(field, &values);
-        // interpolate the values and the slopes up along the rows, then the values along the
-        // columns with these slopes
+        // first along the rows: the values, and the derivatives up the columns; then the values
+        // along the columns, with these derivatives
         let by_row = |nodes: &[f64], slopes: &[f64]| -> Vec<f64> {
             let rows = nodes.chunks(columns).zip(slopes.chunks(columns));
             rows.flat_map(|(nodes, slopes)| hermite(nodes, slopes, times))

@@ -26,7 +26,7 @@ const DOT: f64 = 3.0;
 /// Distance between hatching lines, pixels.
 const HATCHES_APART: f64 = 11.0;
 
-/// The rectangle of the axes in the drawing area.
+/// The axes, and their rectangle in the picture.
 pub(super) struct PlotArea {
     pub x: DrawnAxis,
     pub y: DrawnAxis,

@@ -105,7 +105,8 @@ impl DrawnAxis {
             .collect();
     }
 
-    /// The position of an SI value; `None` if the axis cannot show it.
+    /// The position of an SI value on the axis: the number in the unit of the axis, or its
+    /// logarithm. `None` if the axis cannot show the value.
     pub fn place(&self, value: f64) -> Option<f64> {
         let place = match self.axis.scale {
             AxisScale::Names(_) => value,
