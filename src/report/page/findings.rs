@@ -37,7 +37,7 @@ pub struct Findings {
     pub of: Outcome,
     /// The file or preset of the setup.
     pub file: SetupFile,
-    /// The drive as set up, and the drive at the optimum.
+    /// The drive as set up, and the drive at the optimum if there is one.
     pub flown: Vec<NamedDrive>,
     /// The landings of the drives that fly.
     pub landings: Vec<Landing>,
@@ -57,7 +57,7 @@ pub struct Findings {
     pub club_alone: Option<ClubAlone>,
     /// Carry and total over attack angle and loft.
     pub lofts: Option<Plane>,
-    /// The map around the optimum.
+    /// The map through the optimum; without an optimum, through the drive as set up.
     pub map: Option<Map>,
     /// The constraints, each with the map of its outcome.
     pub limits: Vec<(Constraint, Map)>,
@@ -65,7 +65,7 @@ pub struct Findings {
     pub region: Option<Region>,
     /// The optimum along a parameter.
     pub chart: Option<Chart>,
-    /// The effects of stated uncertainties on outcomes.
+    /// The effects of uncertainties, stated or default, on outcomes of the drive as set up.
     pub effects: Vec<Effects>,
     /// The effects of uncertainties on the outcome of the report, at the optimum.
     pub at_best: Option<Effects>,

@@ -17,8 +17,8 @@ struct DriveColumn<'a> {
     drive: Option<&'a Drive<f64>>,
 }
 
-/// Carry, total and varied parameters of the drive as set up, of the best club with the swing as
-/// set up, and of the optimum.
+/// A table of outcomes and varied parameters, with a column for each drive: as set up, the best
+/// club with the swing as set up (if it is known), and the optimum.
 pub(super) fn steps(findings: &Findings, best: &Optimum) -> Markup {
     let columns = columns(findings, best);
     html! {

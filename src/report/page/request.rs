@@ -85,8 +85,8 @@ fn changed(findings: &Findings, system: System) -> Result<Vec<ChangedSetting>> {
         .collect())
 }
 
-/// The summary of the request: golfer, club and wind, varied and constant parameters, and the
-/// differences from the preset.
+/// The summary of the request: golfer, club and strike (or the stated launch), the wind, the
+/// objective with its varied parameters and constraints, and the differences from the preset.
 pub(super) fn request(findings: &Findings) -> Result<Markup> {
     const GOLFER: [&str; 4] = [
         "swing.speed",
@@ -174,7 +174,7 @@ fn stated(findings: &Findings, names: &[&str], system: System) -> String {
     names.iter().filter_map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// The wind, without components that are 0.
+/// The wind, without components that are 0 or that another parameter replaces.
 fn wind(findings: &Findings, system: System) -> String {
     const WIND: [&str; 5] = [
         "wind.downrange",

@@ -70,7 +70,8 @@ pub(super) fn outcomes(flown: &[NamedDrive]) -> Markup {
     }
 }
 
-/// The optimum, its active bounds, and their multipliers.
+/// The optimum: a table of the varied parameters with their bounds and windows, then a table of the
+/// constraints.
 pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     let (search, solution) = (&best.search, &best.solution);
     let of = search.outcome();
@@ -106,7 +107,7 @@ fn label(head: impl Render) -> Markup {
     html! { span.label { (head) } }
 }
 
-/// The head of the column of windows, with the loss that the windows allow.
+/// The head of the column of windows, with the allowed loss.
 fn alone(of: Outcome, flatness: &Flatness) -> Markup {
     let loss = both(|system| shown::spread(of, flatness.loss, system));
     html! { "alone, for a loss of " (loss) }
