@@ -7,7 +7,7 @@ use crate::table::{OF_FLOWN, quoted};
 use crate::units::System;
 use std::sync::Arc;
 
-/// Inverse of the resolution of numbers in a table: four decimals, such as 0.1 mm of a length.
+/// Numbers in a table are multiples of 1/`DECIMALS`: four decimals, about 0.1 mm for a length.
 const DECIMALS: f64 = 1e4;
 
 /// The added columns: line, status of the flight, reason for a missing flight, notes, predicted

@@ -90,7 +90,7 @@ impl ShotWriter {
         }
     }
 
-    /// The first bytes of a file.
+    /// The first bytes of a file: the column heads, if the format has any.
     pub fn head(&self) -> Vec<u8> {
         match &self.table {
             ShotFormat::Copied(copied) => copied.head(),
