@@ -240,8 +240,8 @@ fn points_and_blocks_of_wrong_lengths_panic_with_both_lengths() {
     for write in written {
         let output = panic_of(write);
         assert!(
-            output.contains("the table is of [1, 1, 0]")
-                && output.contains("the block of [2, 1, 1]"),
+            output.contains("the table has [1, 1, 0]")
+                && output.contains("the block has [2, 1, 1]"),
             "{output}"
         );
     }

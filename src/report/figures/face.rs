@@ -214,8 +214,8 @@ fn note(face: &Face, largest: f64, system: System) -> String {
         "The strike is {struck} and {own}. The longest carry, {}, is from a strike {}{edge}. \
          Rings: carry lost against the longest carry. The sweet spot is where the line from the \
          centre of mass meets the face at a right angle{spot}. Longest arrow: the spin axis tilts \
-         {} further than from {}. Seen from the front, so that right of the target line is on the \
-         left. {}. The outline is that of a usual driver, for scale only.",
+         {} further than for a strike at {}. Seen from the front, so that right of the target line \
+         is on the left. {}. The outline is that of a usual driver, for scale only.",
         carry(most),
         place(longest),
         Quantity::ANGLE.read_off(largest, "deg"),

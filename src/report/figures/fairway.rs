@@ -275,9 +275,9 @@ fn spread(landings: &[Landing], system: System) -> Option<String> {
         .map(|sigma| shown::with_sigma(sigma, system))
         .collect();
     Some(format!(
-        "The inner and the outer ellipse hold 50 % and 95 % of the landings when these vary from \
-         drive to drive, one standard deviation each: {}; by exact \
-         derivatives. Everything else is the same in all.",
+        "The inner and the outer ellipse hold 50 % and 95 % of the landings if these inputs vary \
+         from drive to drive (standard deviations): {}. They are computed with exact derivatives; \
+         all other inputs are constant.",
         sigmas.join(", ")
     ))
 }

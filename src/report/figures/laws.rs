@@ -118,7 +118,8 @@ fn note(figure: &Figure, used: Option<&str>, constant: &str) -> String {
         ));
     }
     notes.push(
-        "Laws that depend on the speed or the spin itself are drawn for the setup's ball and air."
+        "Laws that depend on the speed or the spin, not only on Reynolds number and spin ratio, are \
+         drawn for the setup's ball and air."
             .into(),
     );
     notes.join(" ")

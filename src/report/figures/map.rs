@@ -121,7 +121,11 @@ fn note(map: &Map, on: &OnMap<'_>, [has_region, has_own]: [bool; 2], system: Sys
     }
     let best = on.best.filter(|best| best.value().is_some());
     if is_elsewhere(map, on.setup, best) {
-        notes.push("The drive as set up has other values of the constant parameters.".into());
+        notes.push(
+            "The drive as set up is not on the map: it has other values of the parameters that \
+             are constant here."
+                .into(),
+        );
     } else if !has_own {
         notes.push("The drive as set up lies outside of the map.".into());
     }

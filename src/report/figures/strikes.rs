@@ -39,7 +39,7 @@ pub fn strikes_figure(designs: &[(&str, &Face)], system: System) -> Option<Figur
             view.subtitle = (*name).into();
             if of == Outcome::SpinAxis && largest > 0.0 {
                 let name = format!(
-                    "further tilt, longest {}",
+                    "added tilt, longest {}",
                     Quantity::ANGLE.read_off(largest, "deg")
                 );
                 view.layers.push(tilt_arrows(face, name, largest));
@@ -121,10 +121,9 @@ fn note(designs: &[(&str, &Face)], system: System) -> String {
         ),
     };
     format!(
-        "{slopes}Arrows: the tilt of the spin axis beyond that of a strike at {from}, by bulge, roll and \
-         gear effect together. {}. Seen from the front, so that right of the target line is on the \
-         left. The \
-         outline is that of a usual driver, for scale only.",
+        "{slopes}Arrows: the tilt of the spin axis minus its tilt for a strike at {from}; bulge, \
+         roll and gear effect together. {}. Seen from the front, so that right of the target line \
+         is on the left. The outline is that of a usual driver, for scale only.",
         capital(shown::GEAR_EFFECT)
     )
 }

@@ -185,8 +185,8 @@ fn what_is_known(findings: &Findings) -> Markup {
         p.faint {
             "± is one standard uncertainty. It comes from " (names.join(", ")) (others) " together."
             @if findings.at_best.is_some() {
-                " An error that is the same in both drives changes both, so the change is known \
-                 better."
+                " An error that both drives share partly cancels in the change, so the change is \
+                 known better."
             }
         }
     }

@@ -232,8 +232,8 @@ impl Report for ShotsReport<'_> {
             .right(2..=6)
             .with_caption("predicted − measured:");
         table.line(Line::flush(
-            "sd of instruments: of the differences of two launch monitors on the same 58 drives (Bliss \
-             & Langdown 2026); their spins differ by 513 rpm",
+            "sd of instruments: the standard deviation of the difference between two launch \
+             monitors on the same 58 drives (Bliss & Langdown 2026); 513 rpm for the spin",
         ));
         if statistics.of.iter().any(|of| of.is_lateral()) {
             table.line(Line::flush("lateral: + is right of the target line"));

@@ -37,7 +37,7 @@ fn expect_columns(here: [usize; 3], block: &Block) {
     let there = block.columns();
     assert!(
         here == there,
-        "the table is of {here:?} parameters, outcomes and derivatives, and the block of \
+        "the table has {here:?} parameters, outcomes and derivatives, but the block has \
          {there:?}: the block belongs to another batch"
     );
 }
