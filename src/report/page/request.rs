@@ -69,7 +69,7 @@ pub(super) fn subtitle(findings: &Findings) -> Result<String> {
 }
 
 /// The differences from the preset, except in the launch, which has its own line. If the setup
-/// states a launch, differences in swing, club, strike and impact are omitted too: they have no
+/// states a launch, parameters of swing, club, strike and impact are omitted too: they have no
 /// effect.
 fn changed(findings: &Findings, system: System) -> Result<Vec<ChangedSetting>> {
     let is_launched = findings.stated.launch.is_given();

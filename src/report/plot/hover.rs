@@ -12,7 +12,8 @@ use crate::units::{Quantity, System, significant, typed};
 /// along each piece.
 const FEW: usize = 40;
 
-/// Writes the tooltips of all values; `regions` are the contour regions of each layer.
+/// Writes the tooltips of points, marks, bars, lines and contour lines. `regions` are the contour
+/// regions of each layer.
 pub(super) fn write_tooltips(
     canvas: &mut Canvas,
     figure: &Figure,

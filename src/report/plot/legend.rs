@@ -76,7 +76,8 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<LegendEntry<'_>>, f6
     (entries, at[1] + LINE * (tallest as f64 - 0.5) + 3.0)
 }
 
-/// True if the legend names a layer. A mark has a label instead.
+/// True if the legend names a layer. Marks and texts have labels instead. [`LineNames`] may put the
+/// names of lines elsewhere.
 fn is_named(figure: &Figure, layer: &Layer) -> bool {
     let (name, hue) = layer.named();
     let is_named_where_it_is = matches!(layer, Layer::Mark { .. } | Layer::Text { .. })
