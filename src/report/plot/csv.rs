@@ -21,7 +21,8 @@ struct CsvRow<'a> {
 /// with the name of the view.
 ///
 /// # Errors
-/// [`Error::Output`](crate::Error::Output).
+/// [`Error::Output`](crate::Error::Output) if a row and the head differ in length, which no figure
+/// causes.
 pub fn figure_csv(figure: &Figure, units: TableUnits) -> Result<String> {
     let rows = rows(figure);
     let numbers = number_columns(figure, &rows, units);
