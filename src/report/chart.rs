@@ -176,8 +176,8 @@ fn launch(point: &ChartPoint) -> [Option<f64>; 3] {
     LAUNCH.map(|of| of.value(point.best.drive.as_ref()?))
 }
 
-/// The columns of a chart that have numbers: the parameter, the objective, the varied parameters and
-/// the launch.
+/// The columns of numbers: the chart's parameter, the objective, the varied parameters and the
+/// launch.
 fn columns(chart: &Chart) -> Vec<NamedQuantity> {
     let column = |name: &str, of: DisplayUnit| NamedQuantity {
         label: name.into(),
@@ -220,7 +220,7 @@ fn row(chart: &Chart, point: &ChartPoint, system: System) -> Vec<String> {
     cells
 }
 
-/// The active bounds and constraints of a point, formatted by `words`.
+/// The active bounds and constraints of a point, formatted by `words` and joined by `separator`.
 fn listed(point: &ChartPoint, separator: &str, words: impl Fn(&Active) -> String) -> String {
     point
         .active

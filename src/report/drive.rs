@@ -121,7 +121,7 @@ impl Report for DriveReport<'_> {
     }
 
     /// The numbers of a launch monitor, then the flight. Each value is in the units of `system`,
-    /// then in the units of the other system.
+    /// and in parentheses in the units of the other system.
     fn document(&self, system: System) -> Document {
         let Self {
             drive_setup, drive, ..
@@ -176,7 +176,7 @@ pub(super) fn flight_schema(generator: &mut schemars::SchemaGenerator) -> schema
     schema
 }
 
-/// The schema of an object with the outcomes of a part of the drive.
+/// The schema of an object with the outcomes of a group.
 #[cfg(test)]
 fn schema_of_part(
     part: OutcomeGroup,

@@ -7,7 +7,7 @@ use crate::parameters::{
 };
 use crate::units::System;
 
-/// Version of the address.
+/// Version of the format of the address.
 const VERSION: &str = "1";
 
 /// The state of the explorer for a setup: the text after `#` in the address of the explorer. The

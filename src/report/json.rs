@@ -28,7 +28,7 @@ impl ByName<JsonNumber> {
 }
 
 impl ByName<BoundSide> {
-    /// The parameters that are at a bound.
+    /// The active bound of each parameter that is at a bound.
     pub(super) fn of_bounds(active: &[Active]) -> Self {
         let bounds = active.iter();
         bounds
@@ -131,7 +131,8 @@ fn choices() -> serde_json::Value {
     })
 }
 
-/// The settings of a setup.
+/// Every parameter and choice of a setup. Density, viscosity and wind components are those of the
+/// drive, also where the setup states weather or a wind direction.
 pub(super) fn settings(setup: &Setup<f64>) -> Settings {
     let setup = &in_effect(setup);
     let choice = |name: &str| Setting::Choice(name.to_owned());

@@ -5,13 +5,14 @@ use crate::optimize::{ConstraintValue, Status};
 use crate::study::{Constraint, Optimum, Sense};
 use crate::units::{DisplayUnit, System, signed};
 
-/// The objective at the end of a search. Multipliers have a meaning only at an optimum.
+/// The objective at the end of a search.
 #[derive(Clone, Copy)]
 pub(super) struct Objective {
     pub of: DisplayUnit,
     /// The value, SI.
     pub value: f64,
     pub sense: Sense,
+    /// False if the end is not an optimum; multipliers have no meaning then.
     pub is_converged: bool,
 }
 
@@ -20,7 +21,7 @@ pub(super) struct ConstraintAtEnd<'a> {
     pub constraint: &'a Constraint,
     /// The exact value of the limited goal, with the multiplier.
     pub at: ConstraintValue,
-    /// The gradient of the limited goal by the varied parameters.
+    /// The gradient of the limited goal by the varied parameters; empty if it is unknown.
     pub slopes: &'a [f64],
     /// The gain of the objective for each unit by which the limit is relaxed; for an equation, for
     /// each unit by which its right side is raised.
@@ -58,7 +59,8 @@ impl<'a> ConstraintAtEnd<'a> {
     }
 }
 
-/// The change of an objective by a gain: a minimized objective decreases.
+/// The change of an objective, with its sign, if it improves by `gain`: a minimized objective
+/// decreases.
 pub(super) fn change_of(sense: Sense, gain: f64) -> f64 {
     -sense.sign() * gain
 }
@@ -74,9 +76,9 @@ impl Objective {
         }
     }
 
-    /// The change of the objective for each unit of `by` by which a limit is relaxed, with its
-    /// sign: "+2.11 yd for each degree". It is negative for a gain of a minimized objective. Texts
-    /// for golfers call this change the price of the limit.
+    /// The price of a limit: the change of the objective, with its sign, for each unit by which the
+    /// limit is relaxed: "+2.11 yd for each degree". `gain` is the improvement for each SI unit,
+    /// `by` the limited quantity. If a minimized objective improves, the price is negative.
     pub fn price(self, gain: f64, by: impl Into<DisplayUnit>, system: System) -> String {
         let by = by.into();
         let one = by.size();
@@ -127,9 +129,10 @@ impl Objective {
     }
 }
 
-/// The state of a bound in words, such as "at its upper bound: +2.11 yd for each degree that it is
-/// raised". The bound with a positive multiplier (`lower`, `upper`) is active. `prices` are the
-/// gains of both bounds; `shown` formats a gain.
+/// The bounds of a parameter in words, such as "at its upper bound: +2.11 yd for each degree that
+/// it is raised", or "free". `lower` and `upper` are the multipliers of the two bounds; a bound
+/// with a positive multiplier is active. `prices` are the gains from relaxing the lower and the
+/// upper bound; `shown` formats a gain.
 pub(super) fn bound(
     [lower, upper]: [f64; 2],
     prices: [f64; 2],
@@ -147,8 +150,7 @@ pub(super) fn bound(
     }
 }
 
-/// The column head for the values at the end of a search; `converged` is the column head for an
-/// optimum.
+/// The column head for the values at the end of a search: `converged` if the search converged.
 pub(super) fn ended_at(status: Status, converged: &'static str) -> &'static str {
     match status {
         Status::Converged => converged,

@@ -25,7 +25,7 @@ pub struct ParametersReport {
     /// True if the setup states `flight.method` or `flight.step`. Otherwise a command that flies
     /// many drives chooses both.
     pub states_step: bool,
-    /// The word that the listed names and texts contain.
+    /// The word by which names are selected; `None` if all parameters are listed.
     #[serde(skip)]
     word: Option<String>,
 }
@@ -115,8 +115,8 @@ impl ParametersReport {
         Ok(self)
     }
 
-    /// The parameters and choices that contain the word: parameters of the setup, then coefficients
-    /// of the laws that the setup does not use.
+    /// The parameters and choices whose names contain the word: parameters of the setup, then
+    /// coefficients of the laws that the setup does not use.
     fn selection(&self, word: &str, system: System) -> Document {
         let mut document = Document::default();
         if !self.parameters.is_empty() {
@@ -137,7 +137,7 @@ impl ParametersReport {
     }
 }
 
-/// True for a name with this word, in upper or lower case.
+/// True if the name contains the word, which may be in upper or lower case.
 fn has_word(name: &str, word: &str) -> bool {
     name.contains(&word.to_lowercase())
 }
@@ -177,8 +177,8 @@ impl ParameterReport {
 impl Report for ParametersReport {
     const COMMAND: &'static str = "parameters";
 
-    /// The values by group. Then a row of numbers for each parameter, with its symbol and meaning
-    /// below, the choices, and the coefficients of the other laws.
+    /// The values by group. Then a row for each parameter with value, default and range, and with
+    /// symbol and meaning below; the choices; and the coefficients of the other laws.
     fn document(&self, system: System) -> Document {
         if let Some(word) = &self.word {
             return self.selection(word, system);
@@ -300,7 +300,7 @@ fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
     ]
 }
 
-/// The choice of the turf, which sets numbers of the ground.
+/// The choice `ground.turf`. A turf sets four numbers of the ground.
 fn turf_choice(setup: &Setup<f64>, usual: &Setup<f64>) -> ChoiceReport {
     let turfs = TURFS
         .iter()

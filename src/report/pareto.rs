@@ -55,7 +55,7 @@ pub struct ParetoReport<'a> {
     pub swings: Option<ScenariosReport>,
     /// The file that was written; `null` without one.
     pub file: Option<String>,
-    /// True if a file was asked for and not written, which makes the answer partial.
+    /// True if a requested file was not written; the answer is partial then.
     #[serde(skip)]
     pub lacks_file: bool,
 }

@@ -18,7 +18,7 @@ use std::sync::Arc;
 pub(super) const MAGIC: &[u8] = b"PAR1";
 /// Bytes after the metadata at the end of a file: the length of the metadata and the magic number.
 const TAIL: usize = 8;
-/// Maximum size of a column's dictionary, bytes; a column with more distinct values is stored
+/// Maximum size of a column's dictionary, bytes. A column that needs a larger dictionary is stored
 /// plain.
 const MOST_DISTINCT: usize = 64 << 10;
 
@@ -124,7 +124,7 @@ impl ParquetTable {
         })
     }
 
-    /// The row group of these columns; `cells` gives the values of a column by its index.
+    /// The row group of these cells; `cells(i)` are the values of column `i`.
     ///
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow a value of `cells`.
@@ -176,8 +176,8 @@ impl ParquetTable {
         file.into_inner()
     }
 
-    /// The row group with this metadata, placed at offset `at` in the file, bytes, as row group
-    /// number `ordinal`, from 0.
+    /// Gives the row group of this metadata a place in the file: byte offset `at`, and index
+    /// `ordinal` among the row groups, from 0.
     ///
     /// # Errors
     /// [`Error::Output`] if `metadata` is not the metadata of a row group.
@@ -206,7 +206,8 @@ impl ParquetTable {
         place().map(PlacedGroup).map_err(failed)
     }
 
-    /// The last bytes of a file with these row groups and these notes by key.
+    /// The footer of a file with these row groups. `notes` are further entries of its key-value
+    /// metadata.
     ///
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `groups` or `notes`.

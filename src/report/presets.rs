@@ -91,9 +91,13 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> 
 }
 
 /// The values of a setup with their sources. The values are in the units of `system`; if `system`
-/// is `None`, they are spelled as in the input. A value with a comment in `file` has this
-/// comment as its source. Any other value has the preset's source if it equals the preset's value,
-/// otherwise the source "as given".
+/// is `None`, they are in their declared units.
+///
+/// The source of a value is the first of these:
+///
+/// 1. the comment on the value in `file`, if the setup still has the value of the file
+/// 2. the preset's source, if the setup has the preset's value
+/// 3. "as given", with the preset's value
 pub(super) fn sources(
     setup: &Setup<f64>,
     file: &SetupFile,

@@ -76,7 +76,8 @@ impl Ending {
         "undefined",
     ];
 
-    /// The status of several outcomes, each with a result or an error.
+    /// The status of several outcomes; `errors` has the error of each outcome, or `None` for an
+    /// outcome with a result.
     pub(super) fn of_each<'a>(errors: impl Iterator<Item = Option<&'a Error>>) -> Self {
         let errors: Vec<Option<&Error>> = errors.collect();
         let all = errors.len();

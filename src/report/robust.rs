@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 /// Column head for the multipliers in words.
 const CHANGE: &str = "change of the greatest loss";
 
-/// The loss of a model determines the design if the multiplier of this loss is larger.
+/// A model's loss determines the robust design if the multiplier of the loss exceeds this number.
 const IDLE: f64 = 1e-6;
 
 /// A robust design for several models, SI and radians.

@@ -1,4 +1,4 @@
-//! Setups as readable files in TOML, which are parsed to the same setup to the last bit.
+//! Setups as setup files in TOML. Reading such a file gives the same setup, to the last bit.
 
 use super::presets::{SourcedValue, sourced, sources};
 use super::shown::{self, MOST_DIGITS};
@@ -9,12 +9,15 @@ use crate::parameters::{
 use crate::study::Constraint;
 use crate::units::{significant, typed};
 
-/// A setup as a setup file in TOML: the preset of `file`, then every parameter with its source.
-/// `file` is the file or preset that the setup comes from; a value of the file keeps its comment.
-/// `about` are the first lines. A remark in `remarks` replaces the source of its parameter. Method
-/// and step are in the file only if the setup states them; otherwise a program that reads the file
-/// may choose them. Values of air and wind that equal the preset's are comments, so that other
-/// weather can be given with the file.
+/// A setup as a setup file in TOML: the lines `about` as comments, the preset, then every parameter
+/// with its source in a comment. A remark in `remarks` replaces the source of its parameter.
+///
+/// - `file` is the file or preset that the setup comes from. A value that is unchanged since then
+///   keeps its comment.
+/// - Method and step are written only if the setup states them. Otherwise a command that reads the
+///   written file may choose them.
+/// - Values of air and wind that equal the preset's are written as comments, so that a command can
+///   state other weather together with the written file.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::SetupFile, report::setup_toml};
@@ -68,11 +71,12 @@ pub(super) fn remarks_on_varied(
     vary.iter().zip(values).map(remark).collect()
 }
 
-/// The keys of method and step in a setup file of this program.
+/// Beginnings of the lines of method and step in a setup file that this program wrote.
 #[cfg(feature = "commands")]
 const OF_STEP: [&str; 2] = ["method = ", "step = "];
 
-/// A setup file of this program with the method and step lines of another setup file.
+/// The setup file `toml`, in which the lines of method and step are replaced by those of the setup
+/// file `other`. This program wrote both files.
 #[cfg(feature = "commands")]
 pub(crate) fn with_step_of(other: &str, toml: &str) -> String {
     let taken = |line| {
@@ -152,7 +156,8 @@ pub(super) fn exact(parameter: &Parameter, value: Option<f64>, unit: &str) -> St
     shown.unwrap_or_else(|| typed(&format!("{value:?}"), parameter.quantity.si))
 }
 
-/// A setup file: these first lines, the preset, then the values by TOML table, some as comments.
+/// A setup file: the lines `about` as comments, the preset, then the values by TOML table. A value
+/// for which `is_comment` is true is written as a comment.
 fn toml(
     preset: &Preset,
     about: &[String],

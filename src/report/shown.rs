@@ -23,8 +23,8 @@ const NAMES: [(&str, &str); 2] = [("swing.speed", "club speed"), ("swing.path", 
 const IMPLIED: [&str; 3] = ["swing", "launch", "aero"];
 
 /// The name of an outcome or parameter in words, as on launch monitors: "ball speed", "attack
-/// angle", "club speed". The name of a group is omitted if it is implied, or if the rest contains
-/// it: "wind reference height", but "launch angle" for `launch.launch_angle`.
+/// angle", "club speed". The name of the group is omitted if it is in `IMPLIED`, or if the rest of
+/// the name contains it. Otherwise it stays: `wind.reference_height` is "wind reference height".
 pub(super) fn words(name: &str) -> String {
     if let Some((_, words)) = NAMES.iter().find(|(known, _)| *known == name) {
         return (*words).into();
@@ -142,8 +142,8 @@ pub(super) fn change(of: impl Into<DisplayUnit>, value: f64, system: System) -> 
     signed(value, spread(of, value, system))
 }
 
-/// The change of an outcome between two values, with its sign. It is the difference of the displayed
-/// values, so that the numbers of a text add up.
+/// The change of an outcome between two values, with its sign. It is the difference of the
+/// displayed values, so that the numbers of a text add up.
 pub(super) fn change_as_displayed(of: Outcome, from: f64, to: f64, system: System) -> String {
     let unit = system.unit(of.unit());
     let size = DisplayUnit::from(of).size_in(system);
@@ -182,8 +182,8 @@ fn computed(parameter: &Parameter, value: f64) -> Message {
     Message::default().quantity(parameter.quantity, parameter.unit, value, digits)
 }
 
-/// Maximum distance from an end of a range, relative to the range, at which a value counts as the
-/// end: the QP solver ends a little inside the range.
+/// A value counts as the end of a range if its distance from the end is at most this fraction of
+/// the range: the QP solver ends a little inside the range.
 pub(super) const AT_THE_END: f64 = 1e-6;
 
 /// A value of a varied parameter. It gets more digits if rounding would show it as an end of the
@@ -272,7 +272,7 @@ pub(super) fn setup_value(parameter: &Parameter, value: Option<f64>, system: Sys
     })
 }
 
-/// A value with at most this number of significant digits.
+/// A value with its unit, with at most `digits` significant digits.
 pub(super) fn with_digits(
     of: impl Into<DisplayUnit>,
     value: f64,
@@ -328,15 +328,15 @@ pub(super) fn active(
 /// Relative size below which a change counts as a rounding error.
 const ROUNDING: f64 = 1e-12;
 
-/// A derivative for display: 0 if it is only the rounding error of its computation. `value` is the
-/// differentiated quantity `of` in SI.
+/// A derivative for display: 0 if it is only the rounding error of its computation. `slope` is the
+/// derivative by the parameters `by`: one for a first derivative, two for a second, none for a
+/// change. `value` is the differentiated quantity `of`, SI.
 ///
-/// The criterion: a change of each parameter in `by` by its typical size changes `value` by less
-/// than 1e-12 · |`value`| or, if that is more, 1e-12 units of `value`. The typical size is the
-/// default of the parameter, or one unit if the default is 0 or does not exist. The criterion
-/// depends neither on the displayed units nor on a parameter that happens to be 0. A flight has
-/// about a thousand operations with a relative rounding error of 1e-16 each, so that smaller
-/// derivatives have no correct digit. JSON and CSV keep all digits.
+/// The derivative is a rounding error if |`slope`| times the [typical sizes](typical_size) of the
+/// parameters is less than 1e-12 · max(|`value`|, one unit of `of`). A flight has about a thousand
+/// operations with a relative rounding error of 1e-16 each: a smaller derivative has no correct
+/// digit. The criterion depends neither on the displayed units nor on the values of the parameters,
+/// which may be 0. JSON and CSV keep all digits.
 pub(super) fn zero_if_rounding(
     slope: f64,
     value: f64,
@@ -427,7 +427,7 @@ pub(super) fn ratio(
     .to_owned()
 }
 
-/// The number of a quotient of two quantities in the units of a system.
+/// A quotient of two quantities in the units of a system, without its unit.
 pub(super) fn quotient(
     of: impl Into<DisplayUnit>,
     by: impl Into<DisplayUnit>,
@@ -578,8 +578,8 @@ mod tests {
             slope(of, value, setup.parameter(by).unwrap(), d, system, 4)
         };
         for system in System::ALL {
-            // rounding errors of d(ball speed)/d(radius), d(spin)/d(angle at 0), d(carry) at its
-            // maximum, and of a lateral distance of 0
+            // derivatives that are 0 but for rounding: of ball speed by radius, of backspin at an
+            // attack angle of 0, of carry at its maximum, and of the lateral of a straight drive
             for (of, value, by, d) in [
                 (Outcome::BallSpeed, 70.0, "ball.radius", 6e-16),
                 (Outcome::Backspin, 250.0, "swing.attack_angle", 2.8e-14),
