@@ -351,7 +351,7 @@ pub(super) struct OutcomeError {
 /// The root mean square of the prediction errors on held-out data: of each outcome, and of each
 /// parameter whose optimum a row states.
 pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
-    // before the loop ends, `rms` is the sum of squares
+    // until `mean` is applied, `rms` is the sum of squares
     let mut all: Vec<(OutcomeError, usize)> = vec![];
     for residual in &held.residuals {
         let of = residual.outcome;

@@ -254,8 +254,8 @@ pub(in crate::report) fn exact_for_display(row: &DerivativeRow) -> f64 {
     shown::zero_if_rounding(row.first.exact, row.ladder.size, row.of, &[row.parameter])
 }
 
-/// A sentence on the agreement of the derivatives at the landing with finite differences of the
-/// state at a fixed time, which are moved to the ground along the velocity. `None` if there is no
+/// A sentence that compares the derivatives at the landing with finite differences of the state at
+/// a fixed time. The differences are moved to the ground along the velocity. `None` if there is no
 /// derivative to compare.
 fn landing(certificate: &Certificate) -> Option<String> {
     let landing = &certificate.landing;

@@ -84,8 +84,9 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
     text
 }
 
-/// Two warnings about a distribution of swings: its spread is smaller than the prior's in the
-/// directions that the shots do not identify; it does not reproduce the measured launches.
+/// Warnings about a distribution of swings, in two cases: in the directions that the shots do not
+/// identify, its deviation is smaller than the prior's; or it does not reproduce the measured
+/// launches.
 pub fn population_warnings(population: &Population, system: System) -> Vec<Message> {
     let mut all = vec![];
     if population.prior_factor < 1.0 {

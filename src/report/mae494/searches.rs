@@ -6,7 +6,7 @@ use crate::report::published::{PaperUnits, angles};
 use crate::reproduce::{DeliveryCarry, LandingDefinition, Mae494, SearchMethod, Searches};
 use crate::units::Quantity;
 
-/// Maximum distance of a successful search's carry from the best carry, m.
+/// A search counts as successful if its carry is at most this much below the best carry, m.
 const FOUND: f64 = 0.01;
 
 pub(super) fn searches(document: &mut Document, found: &Mae494, shown: PaperUnits) {

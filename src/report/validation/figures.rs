@@ -127,8 +127,8 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure
     })
 }
 
-/// The line of predictions without error, through two points, in the band for the difference
-/// between two launch monitors.
+/// The line of predictions without error, through the points `ends`, within a band of one standard
+/// deviation of the difference between two launch monitors. The layer of the line is called `name`.
 fn without_error(of: Compared, name: &str, ends: [[f64; 2]; 2]) -> Vec<Layer> {
     let band = floor(of).map(|by| Layer::Band {
         name: INSTRUMENTS.into(),
@@ -169,7 +169,7 @@ fn floor(of: Compared) -> Option<f64> {
     instrument_deviation(outcome)
 }
 
-/// The smallest mean absolute error of a set's first quantity, with its law.
+/// The law with the smallest mean absolute error of a set's first quantity, after this error, SI.
 pub(super) fn best(set: &SetScores) -> Option<(f64, &'static str)> {
     let of = |law: &LawScores| law.scores.first()?.mean_absolute_error;
     set.laws

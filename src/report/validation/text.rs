@@ -5,7 +5,7 @@ use crate::report::shown::NONE;
 use crate::study::validation::{Case, Compared, LawScores, SWEPT, SetScores};
 use crate::units::{System, counted, fixed, signed};
 
-/// The quantity of most sets.
+/// The first quantity of most sets. The table names the first quantity of the other sets only.
 const CARRY: &str = "carry";
 
 /// The errors of the best law, the default law and the law `ALTERNATIVE` on every set, then
