@@ -36,7 +36,7 @@ pub struct LoftCarry {
 }
 
 impl DeliveryCarry {
-    /// A delivery with its angles in degrees.
+    /// The delivery of a loft, deg, and an attack angle, deg, with its carry, m.
     pub(super) fn in_degrees(loft: f64, attack_angle: f64, carry: f64) -> Self {
         Self {
             loft: loft.to_radians(),
@@ -45,7 +45,7 @@ impl DeliveryCarry {
         }
     }
 
-    /// A delivery with the carry that the model computes for it.
+    /// The delivery of a loft, rad, and an attack angle, rad, with the carry of the model.
     pub(super) fn flown(setup: &Setup<f64>, loft: f64, attack_angle: f64) -> Result<Self> {
         Ok(Self {
             loft,

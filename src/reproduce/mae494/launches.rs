@@ -157,7 +157,8 @@ impl Energy {
 }
 
 impl Subsystems {
-    /// The best flight alone and the best impact alone, beside the optimum of the whole system.
+    /// The launch at the optimum of the whole system, the best launch of the flight alone, and the
+    /// delivery with the largest ball speed.
     pub(super) fn new(optimum: &RecomputedOptimum) -> Result<Self> {
         let setup = &optimum.best.setup;
         let quantities = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin];
@@ -193,7 +194,8 @@ impl Subsystems {
 /// The flight without a club, as a function of its launch x = (ball speed, launch angle, backspin).
 struct FlightAlone {
     carry: Evaluator,
-    /// The carry, m, that the slowest launch must reach; `None` to search the farthest launch.
+    /// If set, the search minimizes the ball speed of launches with at least this carry, m. If
+    /// `None`, the search maximizes the carry.
     least_carry: Option<f64>,
 }
 

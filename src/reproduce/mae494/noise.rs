@@ -84,7 +84,7 @@ pub struct Landings {
 pub struct Sawtooth {
     /// Number of jumps in `zoom`.
     pub count: usize,
-    /// Mean difference in loft between neighbouring jumps, rad.
+    /// Mean spacing of the jumps, rad: the range of the lofts in `zoom`, divided by `count`.
     pub width: f64,
     /// Mean height of the jumps, m.
     pub height: f64,
@@ -208,9 +208,8 @@ fn loop_slopes(setup: &Setup<f64>, loft: f64, by: f64, step: f64) -> Result<[f64
 }
 
 impl Sawtooth {
-    /// Finds the jumps. A jump lies between two neighbouring points if the loop's carry and the
-    /// smooth carry change by different amounts, and the difference is more than three times the
-    /// change of the smooth carry.
+    /// Finds the jumps. A jump lies between two neighbouring points if the change of the loop's
+    /// carry differs from the change of the smooth carry by more than three times the latter.
     fn of(zoom: &[Landings]) -> Self {
         let jump = |pair: &[Landings]| {
             let smooth = pair[1].smooth - pair[0].smooth;

@@ -48,7 +48,7 @@ const KINDS: [(LandingDefinition, SearchMethod); 7] = [
     (LandingDefinition::Smooth, SearchMethod::Exact),
 ];
 
-/// All searches from common starts, at which the ball flies.
+/// The searches of all combinations, from the same starts. The ball flies at every start.
 pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
     let domain = domain()?;
     let mut begun = vec![];
@@ -109,7 +109,7 @@ fn search(objective: &CarryObjective<'_>, start: DeliveryCarry) -> Result<End> {
 }
 
 impl Searches {
-    /// Number of searches that end within a distance (m) of the best carry.
+    /// Number of searches that end with a carry at most `distance`, m, below the best carry.
     pub fn within(&self, distance: f64, best: f64) -> usize {
         self.ends
             .iter()

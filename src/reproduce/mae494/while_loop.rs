@@ -80,8 +80,9 @@ pub struct LoopRow {
     pub check: Check,
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// The finite difference with a step of 1e-8, SI.
-    // the nearest step to 1e-8 of the parameter's characteristic size; optimizers use such steps
+    /// The finite difference with the step nearest to 1e-8 of the parameter's characteristic size,
+    /// SI.
+    // optimizers use such steps
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub difference: Option<f64>,
@@ -137,10 +138,11 @@ fn is_modelled(setup: &Setup<f64>) -> bool {
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] if `step` is outside 0.0001 s to 1 s, [`Error::Undefined`] if the setup
-/// has a stated launch, wind, spin damping, or a ground that is not level with the tee, which the
-/// loop does not model, [`Error::NoFlight`] if the ball does not land before the time limit, and
-/// errors of [`strike`](crate::impact::strike).
+/// - [`Error::OutOfRange`] if `step` is outside 0.0001 s to 1 s
+/// - [`Error::Undefined`] if the setup has something that the loop does not model: a stated launch,
+///   wind, spin damping, or a ground that is not level with the tee
+/// - [`Error::NoFlight`] if the ball does not land before the time limit
+/// - errors of [`Setup::validate`] and of [`strike`](crate::impact::strike)
 pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
     let [least, most] = LOOP_STEPS;
     if !(least..=most).contains(&step) {
@@ -163,9 +165,10 @@ pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
     fly_past_the_ground(setup, step)
 }
 
-/// Finite differences of the report's loop for the carry rows of a certificate, except derivatives
-/// by wind and by the height of the ground. Empty if the setup has a stated launch, wind, spin
-/// damping, or a ground that is not level with the tee, which the loop does not model.
+/// Finite differences of the report's loop for the rows of a certificate about the carry, except
+/// derivatives by wind and by the height of the ground. Empty if the setup has something that the
+/// loop does not model: a stated launch, wind, spin damping, or a ground that is not level with the
+/// tee.
 pub fn while_loop(setup: &Setup<f64>, rows: &[DerivativeRow]) -> Vec<LoopRow> {
     if !is_modelled(setup) {
         return vec![];

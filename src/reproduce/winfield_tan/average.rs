@@ -54,9 +54,10 @@ impl Mean {
 /// Number of points of [`Mean::polynomial`].
 const CURVE: usize = 101;
 
-/// Interpolating polynomial in the difference of the loft from `middle`, the mean loft, in degrees.
-/// The difference keeps the powers well scaled.
+/// Interpolating polynomial of the carry, m, in x = loft − `middle`, deg. Powers of x are better
+/// scaled than powers of the loft.
 struct InterpolatingPolynomial {
+    /// The mean loft, rad.
     middle: f64,
     coefficients: DVector<f64>,
 }
@@ -75,7 +76,7 @@ impl InterpolatingPolynomial {
         })
     }
 
-    /// Value, first and second derivative (per degree) at a loft, by Horner's scheme.
+    /// Value, first and second derivative by x, per degree, at a loft, rad, by Horner's scheme.
     fn at(&self, loft: f64) -> [f64; 3] {
         let x = (loft - self.middle).to_degrees();
         let further = |[v, d, dd]: [f64; 3], c: &f64| [v * x + c, d * x + v, dd * x + 2.0 * d];
@@ -86,7 +87,7 @@ impl InterpolatingPolynomial {
             .fold([0.0; 3], further)
     }
 
-    /// Maximum near a loft, by Newton's method.
+    /// Maximum near a loft, rad, by Newton's method.
     fn top(&self, near: f64) -> Result<LoftCarry> {
         let mut loft = near;
         for _ in 0..50 {

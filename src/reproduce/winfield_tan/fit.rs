@@ -20,11 +20,11 @@ const DECAY: &str = "aero.spin_decay";
 /// The law of the preset `winfield-tan`, fitted anew.
 #[derive(Clone, Debug)]
 pub struct RefittedLaw {
-    /// The law fitted with the spin decay rate of the preset, which is not fitted.
+    /// The law, fitted with the spin decay rate fixed at its value in the preset.
     pub law: Calibration,
-    /// Decay rate, 1/s. Its uncertainty is scaled by the residuals.
+    /// Decay rate, 1/s, fitted together with the law. Its uncertainty is scaled by the residuals.
     pub decay: FittedNumber,
-    /// Smallest sum of squares at each decay rate of `PROFILE`.
+    /// Sum of squares of the best fit at each decay rate of `PROFILE`.
     pub profile: Vec<Decay>,
 }
 
