@@ -18,10 +18,10 @@ pub enum FaultKind {
     Damaged,
     /// A part of another sweep.
     OtherQuestion,
-    /// A part of this sweep computed by another version of longdrive.
+    /// A part of this or another sweep, computed by another version of longdrive.
     OtherVersion,
-    /// A part of this sweep computed on a processor with another instruction set, or with another C
-    /// library.
+    /// A part of this or another sweep, computed on a processor with another instruction set, or
+    /// with another C library.
     OtherInstructions,
     /// A second copy of a part.
     Doubled,
@@ -121,10 +121,13 @@ impl Checked {
     }
 }
 
-/// Checks the footers of a folder of parts: valid, missing and faulty files. `wanted` defines the
-/// sweep to check, except its number of parts, instruction set and C library, which the files
-/// determine. Without `wanted`, checks the sweep that most files belong to. With `contents`, also
-/// reads the rows, compares their SHA-256 with the footers, and computes the SHA-256 of the set.
+/// Reads the footers of the files in a folder of parts. Reports valid, missing and faulty parts.
+///
+/// - `wanted` is the definition of the sweep to check. The files determine its number of parts,
+///   instruction set and C library. Without `wanted`, the sweep that most files belong to is
+///   checked.
+/// - With `contents`, the rows are read too, their SHA-256 is compared with the footers, and the
+///   SHA-256 of the set is computed.
 ///
 /// # Errors
 /// [`Error::Results`] if `folder` cannot be read or has no readable part.
@@ -247,8 +250,9 @@ fn valid_parts(
     valid
 }
 
-/// The definition of the sweep that most files belong to. Considers only files that agree with
-/// `wanted`.
+/// The definition of the sweep that most files belong to. Only files that agree with `wanted`
+/// count. If no file agrees, the definition is `wanted` with the number of parts, the instruction
+/// set and the C library of the first file. `None` without files.
 fn definition_of_most(
     found: &[(String, Footer)],
     wanted: Option<&SweepDefinition>,

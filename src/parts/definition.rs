@@ -102,7 +102,7 @@ impl SweepDefinition {
     }
 }
 
-/// Hexadecimal digits of a finished hash, like the output of `sha256sum`.
+/// The SHA-256 in hexadecimal, as `sha256sum` prints it.
 pub(super) fn hex(hash: Sha256) -> String {
     hash.finalize()
         .iter()

@@ -24,7 +24,8 @@ pub struct Part {
     pub first_row: u64,
     /// Number of rows.
     pub rows: u64,
-    /// SHA-256 of the definition of the sweep. The file has the definition under the key `longdrive`.
+    /// SHA-256 of the definition of the sweep. The file has the definition under the key
+    /// `longdrive`.
     pub question: String,
     /// Architecture and instruction set of the processor: `x86_64 avx2`.
     pub instructions: String,
@@ -131,11 +132,11 @@ impl Footer {
     }
 }
 
-/// SHA-256 in hexadecimal.
+/// SHA-256 of a file, in hexadecimal.
 struct FileHashes {
-    /// Of the bytes before the footer.
+    /// The hash of the bytes before the footer.
     data: String,
-    /// Of the whole file.
+    /// The hash of the whole file.
     file: String,
 }
 

@@ -9,8 +9,9 @@
 //!   check     ──▶  missing parts; the merged summary, without reading the rows
 //! ```
 //!
-//! The bytes of a part do not depend on threads, order or repetition. A file is renamed to its final
-//! name when it is complete.
+//! The bytes of a part depend neither on the number of threads nor on the order in which the parts
+//! are written; a repetition gives the same bytes. A file is renamed to its final name when it is
+//! complete.
 //!
 //! ```
 //! use longdrive::batch::{GridAxis, Batch, Grid, Run};

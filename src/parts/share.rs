@@ -5,8 +5,10 @@ use std::ops::Range;
 /// Least number of digits of a part's number in its file name.
 const DIGITS: usize = 5;
 
-/// The rows of part K of M, counted from 0: whole blocks of [`CHUNK`] rows, divided as evenly as
-/// possible. Of B blocks, part K has the blocks ⌊(K − 1)B/M⌋ to ⌊K B/M⌋ − 1.
+/// The rows of part K of M, where K is counted from 1 and rows from 0. A part consists of whole
+/// blocks of [`CHUNK`] rows; only the last block of the sweep may be shorter. The parts are as
+/// equal as possible: of B blocks, counted from 0, part K has the blocks ⌊(K − 1)B/M⌋ to
+/// ⌊K B/M⌋ − 1.
 ///
 /// ```
 /// use longdrive::parts::rows_of;

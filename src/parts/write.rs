@@ -138,7 +138,7 @@ impl Dataset {
         }))
     }
 
-    /// The description of a file that has all its rows.
+    /// The description of a part whose rows have all been written to `file`.
     fn part(&self, part: u64, first_row: u64, file: &mut Unfinished) -> Part {
         Part {
             part,
@@ -200,8 +200,8 @@ impl Dataset {
         file.write(&bytes).map_err(unwritten)
     }
 
-    /// The manifest of the existing file, if it is this part, or the reason why the file is not
-    /// this part.
+    /// The manifest of the existing file at `path`. The error is the reason why the file is not the
+    /// complete part `part` of this sweep.
     fn found(&self, part: u64, path: &Path) -> Result<Manifest, String> {
         let advice = "take another folder, or give `overwrite` to replace the file";
         let footer = Footer::read(path).map_err(|reason| format!("{reason}; {advice}"))?;

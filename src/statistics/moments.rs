@@ -1,16 +1,17 @@
 use super::extent::extent;
 use serde::{Deserialize, Serialize};
 
-/// Count, mean, variance and range of a column. They merge with the moments of other rows.
+/// Count, mean, variance and range of the values of a column. Moments of different rows can be
+/// merged.
 ///
-/// The sum of squared deviations from the mean is merged by
+/// The sum of squared deviations from the mean, M₂, of the rows a and b together is
 ///
 /// ```text
 ///   M₂ = M₂ₐ + M₂ᵦ + δ² nₐ nᵦ/n      δ = mean_b − mean_a
 ///   (Chan, Golub & LeVeque 1983, The American Statistician 37, eq. 2.1)
 /// ```
 ///
-/// which loses no digits if the deviation is small relative to the mean.
+/// This formula loses no digits if the deviation is small relative to the mean.
 ///
 /// ```
 /// use longdrive::statistics::Moments;
@@ -57,7 +58,7 @@ impl Moments {
         }
     }
 
-    /// Adds the moments of later rows.
+    /// Merges the moments of later rows into these.
     pub fn merge(&mut self, after: &Self) {
         if self.count == 0 || after.count == 0 {
             if self.count == 0 {
@@ -91,12 +92,12 @@ impl Moments {
             .map(|squares| (squares / (self.count - 1) as f64).sqrt())
     }
 
-    /// Smallest value.
+    /// Smallest value; `None` without values.
     pub fn least(&self) -> Option<f64> {
         self.finite(self.least)
     }
 
-    /// Largest value.
+    /// Largest value; `None` without values.
     pub fn greatest(&self) -> Option<f64> {
         self.finite(self.greatest)
     }

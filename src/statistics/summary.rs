@@ -35,7 +35,8 @@ pub struct Summary {
     pub best: Vec<Ranking>,
 }
 
-/// Refuses histograms and rankings that have values: each block would count them again.
+/// Refuses histograms and rankings that already have values: the summary of each block starts as a
+/// copy of them, so that these values would count once for each block.
 fn refuse_filled(histograms: &[Histogram], best: &[Ranking]) -> Result<()> {
     let has_values = |histogram: &&Histogram| {
         let outside = [histogram.below, histogram.above];
@@ -59,8 +60,8 @@ fn refuse_filled(histograms: &[Histogram], best: &[Ranking]) -> Result<()> {
 }
 
 impl SummarySpec {
-    /// Specifies histograms and rankings, which are empty. Status counts and moments are always
-    /// included.
+    /// Specifies histograms and rankings, which must be empty. Every summary also has status counts
+    /// and moments.
     ///
     /// # Errors
     /// [`Error::Together`] for an outcome that is not computed, for repeated requests, and for a
