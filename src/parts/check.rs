@@ -156,7 +156,7 @@ pub fn check(folder: &Path, wanted: Option<&SweepDefinition>, contents: bool) ->
                 fault.file, fault.reason
             ),
             None => {
-                "it has no part of a sweep; name the folder that sweep --part wrote into".into()
+                "it has no part of a sweep; name the folder into which `sweep()` wrote parts".into()
             }
         };
         return Err(refuse(reason));
@@ -309,7 +309,7 @@ fn fault(definition: &SweepDefinition, hash: &str, footer: &Footer) -> Option<(F
         (
             FaultKind::Damaged,
             format!(
-                "its rows are not those of part {part} of {}, which its footer claims",
+                "its footer names it part {part} of {}, but its rows are not the rows of this part",
                 definition.parts
             ),
         )

@@ -188,12 +188,13 @@ fn uncertainties(effects: &Effects, bars: &[SigmaEffect], system: System) -> Doc
         .with_first_rows(FIRST_ROWS);
     let is_flown = bars.iter().all(|bar| bar.flown.iter().all(Option::is_some));
     let flown = if is_flown {
-        ", which the drives at −σ and +σ include"
+        "; the drives at −σ and +σ include these terms"
     } else {
         ""
     };
     table.remark(format!(
-        "together ±{} to first order, if independent; the second-order terms add up to {}{flown}",
+        "together ±{} to first order, for independent parameters; the second-order terms add up to \
+         {}{flown}",
         shown::spread(of, effects.standard_uncertainty(), system),
         shown::spread(of, effects.linearity(), system),
     ));

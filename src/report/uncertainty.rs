@@ -193,7 +193,7 @@ fn add_outcome(
     };
     if found.plan.samples < ENOUGH {
         document.list([Line::item(format!(
-            "shares of the variance need {ENOUGH} points or more; `samples` sets their number"
+            "shares of the variance need {ENOUGH} points or more; `samples` sets the number of points"
         ))]);
         return;
     }

@@ -991,8 +991,8 @@ fn starts_that_end_at_larger_sums_are_reported() {
     );
     let answered = on_one_line(&longdrive(&fit).out);
     assert_eq!(others, [("undefined", 5)], "{found}");
-    let sentence = "1 of 6 starts ended at this sum of squares; 5 could not begin, because in some \
-                rows the ball does not fly with the parameters of the start.";
+    let sentence = "1 of 6 starts ended at the sum of squares of this fit; 5 could not begin, because \
+                in some rows the ball does not fly with the parameters of the start.";
     assert!(answered.contains(sentence), "{answered}");
     assert!(
         answered.contains("with narrower ranges more of the starts reach a minimum"),
@@ -1062,7 +1062,7 @@ fn an_interrupted_calibration_from_many_starts_names_its_best_fit() {
         "{text}"
     );
     assert!(
-        text.contains("came to their end ended at this sum") && !text.contains("not a minimum"),
+        text.contains("with a complete search ended at the sum") && !text.contains("not a minimum"),
         "{text}"
     );
     // the result is interrupted if the best search is a stopped one

@@ -191,11 +191,11 @@ impl<'a> CalibrationReport<'a> {
         match stopped {
             0 => fit.message.clone(),
             _ if fit.status == FitStatus::Interrupted => {
-                format!("{}; not made for the held-out error: {of_all}", fit.message)
+                format!("{}; the held-out error lacks {of_all}", fit.message)
             }
             _ => format!(
-                "the held-out error leaves out the fits that were stopped: {of_all}; the fit \
-                 itself: {}, {}",
+                "the held-out error lacks the interrupted fits ({of_all}); the fit of all data: \
+                 {}, {}",
                 fit.status, fit.message
             ),
         }

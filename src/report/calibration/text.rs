@@ -48,11 +48,11 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
     let of = match found.stopped {
         0 => counted(*made as u64, "start"),
         stopped => format!(
-            "the {} that came to their end",
+            "the {} with a complete search",
             counted((made - stopped) as u64, "start")
         ),
     };
-    let mut text = format!("{same} of {of} ended at this sum of squares");
+    let mut text = format!("{same} of {of} ended at the sum of squares of this fit");
     for (status, count) in elsewhere {
         text += &match status {
             FitStatus::Undefined => {

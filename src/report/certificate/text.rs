@@ -316,7 +316,8 @@ fn while_loop(loops: &[LoopRow]) -> Option<String> {
     Some(format!(
         "for comparison, a while-loop that stops at the first step below the ground (the MAE 494 \
          report's): of the differences of its carry by {}, {passed} would pass, and {} have the \
-         wrong sign; the largest error is by {}: {} at a step of 1e-8 instead of {} (SI)",
+         wrong sign; the largest error is by {}: the difference at a step of 1e-8 is {}, the exact \
+         derivative {} (SI)",
         counted(loops.len() as u64, "parameter"),
         loops.iter().filter(|row| row.has_wrong_sign).count(),
         worst.parameter.name,
@@ -375,8 +376,8 @@ fn step_error(errors: &[StepError]) -> Option<String> {
         let (of, by) = (found.of.name(), parameter.name);
         let of_outcome = found.derivative_error_of_outcome;
         text += &format!(
-            ", and d {of}/d {by} by {error:.0e} ({of_outcome:.0e} of {of} per size of the \
-             parameter); all other outcomes and derivatives \
+            ", and d {of}/d {by} by {error:.0e} ({of_outcome:.0e} of {of} for a change of the \
+             parameter by its typical size); all other outcomes and derivatives \
              differ by less, and no verdict depends on these errors"
         );
     }

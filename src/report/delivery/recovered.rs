@@ -92,9 +92,9 @@ pub fn population_warnings(population: &Population, system: System) -> Vec<Messa
     if population.prior_factor < 1.0 {
         let part = significant(population.prior_factor, 3);
         all.push(format!(
-            "in the directions that the shots do not identify, the swings have {part} of the \
-             assumed deviation: with all of it, their launches would scatter differently from the \
-             shots"
+            "in the directions that the shots do not identify, the deviation of the swings is \
+             {part} of the assumed deviation: with the full deviation, their launches would scatter \
+             differently from the shots"
         ));
     }
     let off: Vec<String> = population

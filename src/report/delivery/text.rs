@@ -38,8 +38,8 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
     document.add(DocumentTable::new(head, explained).right([1, 2, 3, 4]));
     if !delivered.unidentified.is_empty() {
         let title = Line::flush(
-            "The launch does not determine these changes: each changes the launch hardly at all, \
-             and the prior decides:",
+            "The launch does not determine these changes of the delivery, since each of them hardly \
+             changes the launch; the prior decides:",
         );
         let changes = delivered
             .unidentified

@@ -18,9 +18,9 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: PaperUnit
         .map_or(0, |searches| searches.ends.len());
     document.heading("Searches with its flight loop");
     document.paragraph(format!(
-        "Searches from the same {count} starts in the report's ranges, all of which fly. The table \
-         counts the searches that end within {} of \
-         the best carry, {}; how much carry the others miss is computed with the smooth landing. A \
+        "All methods search from the same {count} starts in the report's ranges; the ball flies at \
+         each start. The table counts the searches that end within {} of \
+         the best carry, {}. A miss is the carry that a search lacks, with the smooth landing. A \
          flight with exact derivatives counts as one. L-BFGS is \
          that of argmin, with the line search of Moré and Thuente; since it has no bounds, it \
          searches over u, with x = middle + half the width · sin u. \

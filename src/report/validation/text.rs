@@ -19,11 +19,11 @@ pub(super) fn document(found: &[SetScores], system: System) -> Document {
          its size; lengths in {length}, angles in °, spin \
          in rpm. Where the air is not stated, drives fly at 25 °C at sea level in calm; the \
          columns \"15 °C\" and \"35 °C\" are the bias of the first \
-         quantity at these temperatures. \"averaged\" is the bias of carry where the mean of \
-         drives that scatter stands in place of the drive of the \
-         average launch: standard deviations of 5.5 mph, 2° of launch angle, 400 rpm and 9° of \
-         spin axis, in wind of 4 m/s from any direction, by exact second derivatives; how much \
-         drives of an average scatter is assumed. No law is fitted to these numbers here. The sets \
+         quantity at these temperatures. \"averaged\" is the bias of the mean carry of drives \
+         that scatter about the average launch, in place of the carry of the average launch: \
+         standard deviations of 5.5 mph, 2° of launch angle, 400 rpm and 9° of \
+         spin axis, in wind of 4 m/s from any direction, by exact second derivatives; this scatter \
+         is assumed. No law is fitted to these numbers here. The sets \
          of TrackMan's charts, the curves and the simulations are output of models, and no set of \
          the {} has \
          measured launch, air and landing together: laws that agree within 3 % of carry cannot be \
@@ -88,14 +88,13 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
     document.paragraph(format!(
         "No law is the best on every set, and the default is not the one with the smallest error \
          of carry on averages of tours: naruo-mizota and bearman-harvey are. But the averages are \
-         those \
-         of drives that scatter, which carry less than the drive of the average launch. A law that \
-         is right drive by drive must be some 5 yd above them, as {default} and {ALTERNATIVE} are \
-         (column \"averaged\" below); a law that meets them is too short drive by drive. The \
-         default is {default} because it was made from what a launch monitor predicts of single \
-         drives, and because \
-         its descent is right over all clubs within 2.6°, where laws of the same error of carry \
-         land irons 3 to 6° too flat. {ALTERNATIVE} is the independent alternative, fitted to \
+         of drives that scatter, and the mean carry of such drives is shorter than the carry of the \
+         average launch. A law that is right for single drives must predict some 5 yd more than the \
+         averages, as {default} and {ALTERNATIVE} do (column \"averaged\" below); a law that meets \
+         the averages is too short for single drives. The default is {default} because it was \
+         fitted to a launch monitor's predictions of single drives, and because its descent is \
+         right within 2.6° over all clubs, while laws with the same error of carry land irons 3 to \
+         6° too flat. {ALTERNATIVE} is the independent alternative, fitted to \
          radar flights of one ball: its apex is nearer \
          on drivers, its descent is not. The difference of the two is a measure of the model's \
          error."

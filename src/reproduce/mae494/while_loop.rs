@@ -156,8 +156,8 @@ pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
     if !is_modelled(setup) {
         return Err(Error::Undefined {
             what: "the while-loop".into(),
-            reason: "it models a swing, without wind, spin damping or a ground below the tee; \
-                     reset wind.*, aero.spin_damping and ground.height"
+            reason: "it models a swing without wind and spin damping, on ground level with the \
+                     tee; reset wind.*, aero.spin_damping and ground.height"
                 .into(),
         });
     }
