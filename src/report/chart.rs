@@ -169,7 +169,7 @@ impl Report for ChartReport<'_> {
     }
 }
 
-/// The outcomes of the launch shown at each optimum.
+/// The outcomes of the launch in the row of each optimum.
 const LAUNCH: [Outcome; 3] = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin];
 
 fn launch(point: &ChartPoint) -> [Option<f64>; 3] {

@@ -272,7 +272,8 @@ pub(super) fn extrapolated(
     ))
 }
 
-/// The air that follows from the weather of a setup; `None` if the setup states the density.
+/// The density of the air, computed from the weather of a setup; `None` if the setup has no
+/// weather.
 fn air(setup: &Setup<f64>) -> Option<Message> {
     let density = AirState::of(&setup.air).density;
     setup.air.has_weather().then(|| {

@@ -23,8 +23,8 @@ pub(super) struct ConstraintAtEnd<'a> {
     pub at: ConstraintValue,
     /// The gradient of the limited goal by the varied parameters; empty if it is unknown.
     pub slopes: &'a [f64],
-    /// The gain of the objective for each unit by which the limit is relaxed; for an equation, for
-    /// each unit by which its right side is raised.
+    /// The gain of the objective for each SI unit by which the limit is relaxed; for an equation,
+    /// for each SI unit by which its right side is raised.
     pub gain: f64,
 }
 

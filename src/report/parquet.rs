@@ -82,7 +82,7 @@ impl ParquetTable {
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `columns`.
     pub fn new(name: &str, columns: &[(String, ColumnType)], question: &str) -> Result<Self> {
-        // no page indexes: they would make the footer depend on the position in the file
+        // no page index: `place` would have to change the file position of each page in it
         let mut properties = WriterProperties::builder()
             .set_created_by(concat!("longdrive ", env!("CARGO_PKG_VERSION")).into())
             .set_statistics_enabled(EnabledStatistics::Chunk)

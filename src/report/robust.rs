@@ -73,9 +73,9 @@ pub struct ModelReport {
     /// The multiplier of the model's loss, 0 to 1.
     pub share: JsonNumber,
     /// The model's losses with the best designs of all models, in the order of the models, SI;
-    /// `null` if the ball does not fly in one of the swings.
+    /// `null` if a constraint is violated, or if the ball does not fly in one of the swings.
     pub losses: Vec<JsonNumber>,
-    /// The model's loss with the setup before the search, SI.
+    /// The model's loss with the setup before the search, SI; `null` as in `losses`.
     pub loss_as_set_up: JsonNumber,
     /// The model's constraints with the robust design.
     pub constraints: Vec<ConstraintReport>,
@@ -184,7 +184,8 @@ fn at_end<'a>(limit: &ModelLimit<'a>) -> ConstraintAtEnd<'a> {
     }
 }
 
-/// The verdict: the loss of every model is within the allowed loss, or not.
+/// A sentence on the greatest loss of the robust design. If an allowed loss `within` is given, the
+/// sentence says first if every model's loss is within it.
 fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
     let goal = &found.search.of;
     let show = |value: f64| shown::goal_difference(goal, value, system);
@@ -281,8 +282,8 @@ fn losses(found: &Robust, system: System) -> DocumentTable {
         ))
 }
 
-/// Adds the robust design to a document, with the multipliers of its bounds and constraints, which
-/// refer to the greatest loss.
+/// Adds the robust design to a document, with the changes of the greatest loss if a bound or
+/// constraint is relaxed.
 fn add_design(document: &mut Document, found: &Robust, system: System) {
     let rows = found.search.vary.iter().enumerate().map(|(i, vary)| {
         vec![

@@ -124,7 +124,7 @@ impl SensitivityReport {
         let body = Self::new(body, &optima.best, analysis);
         let reply = Reply::done("optimum-sensitivity", warnings, body);
         match (analysis, why) {
-            // a parameter without sensitivities has its own message
+            // the body has the reason for each parameter
             (Some(analysis), _) if !analysis.is_answered() => reply.ended(
                 "no-answer",
                 Some("this optimum has none of the requested sensitivities".into()),
@@ -248,8 +248,8 @@ impl Analysis {
 /// Number of sensitivities in a text that fits a screen.
 const FIRST_SENSITIVITIES: usize = 12;
 
-/// Adds the derivatives of the optimum by each parameter to a document. The parameter that changes
-/// the optimal value most, relative to its typical size, comes first.
+/// Adds the derivatives of the optimum by each parameter to a document. The rows are in descending
+/// order of the change of the optimal value for a change of the parameter by its typical size.
 fn add_sensitivities(
     document: &mut Document,
     best: &Optimum,

@@ -92,8 +92,8 @@ impl Histogram {
         format!("{}={low:?}..{high:?}:{}", self.of, self.counts.len())
     }
 
-    /// Lower edge of bin `i`, SI: low + (high − low) i/count. For `i` = count, the upper edge of the
-    /// last bin.
+    /// Lower edge of bin `i`, SI: low + (high − low) i/count. For `i` = count, the upper edge of
+    /// the last bin.
     pub fn edge(&self, i: usize) -> f64 {
         let ([low, high], count) = (self.range, self.counts.len());
         if i >= count {
