@@ -19,12 +19,13 @@ pub struct SwingsAnalysis {
     /// The best design for the mean swing, or the reason why it was not found.
     pub nominal: std::result::Result<Nominal, String>,
     /// The error of each goal at the best design (first the objective, then the limited goals),
-    /// estimated by other scenarios of the same swings. Empty without other scenarios.
+    /// estimated from other scenarios of the same distributions. Empty for recorded swings, which
+    /// have no other scenarios.
     pub errors: Vec<GoalError>,
 }
 
 impl SwingsAnalysis {
-    /// The error of the objective; `None` without other scenarios.
+    /// The error of the objective; `None` for recorded swings.
     pub fn error(&self) -> Option<&GoalError> {
         self.errors.first()
     }

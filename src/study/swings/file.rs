@@ -13,8 +13,9 @@ use toml::de::{DeTable, DeValue};
 const MOST_ROWS: u64 = 100_000;
 
 impl Swings {
-    /// Swings from a file: distributions and correlations in TOML (`.toml`), or the rows of a table
-    /// of recorded swings, whose columns are named by parameters (as [`open_table`] reads them).
+    /// Swings from a file. A file `.toml` has distributions and correlations. Any other file is a
+    /// table of recorded swings: a row for each swing, and column heads that are names of
+    /// parameters, as [`open_table`] reads them.
     ///
     /// ```toml
     /// [distributions]

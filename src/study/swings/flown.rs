@@ -66,8 +66,7 @@ fn of_swing(
     Ok(found.into_iter().map(|outcome| outcome.value).collect())
 }
 
-/// Error for a scenario in which the ball does not fly, with the scenario's parameter values, if
-/// any.
+/// Message that the ball does not fly in a scenario, with the values of the parameters that vary.
 pub(in crate::study) fn no_flight(scenarios: &Scenarios, point: &[f64], error: &Error) -> String {
     if scenarios.is_one_drive() {
         return error.to_string();

@@ -73,6 +73,8 @@ impl Integration {
 }
 
 impl GoalFunction {
+    /// The goal as a function of the parameters `wrt`.
+    ///
     /// # Errors
     /// [`Error::Nothing`] without a parameter; [`Error::Unreadable`] for a parameter that the
     /// swings vary; the errors of [`Setup::validate`].

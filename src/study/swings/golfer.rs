@@ -20,7 +20,7 @@ pub enum Swings {
         parameters: Vec<&'static Parameter>,
         /// Values of the parameters, SI, a row for each swing.
         rows: Vec<Vec<f64>>,
-        /// Remarks on the other columns of the table, which are not read.
+        /// Remarks on the columns of the table that were not read.
         remarks: Vec<Message>,
     },
 }
@@ -60,6 +60,8 @@ impl Correlation {
         )
     }
 
+    /// The correlation of two parameters.
+    ///
     /// # Errors
     /// [`Error::Unreadable`] for a coefficient outside −1 to 1, and for a correlation of a
     /// parameter with itself.
@@ -227,8 +229,8 @@ impl Swings {
 /// diagonal. If A is not positive semidefinite, the error is the index of the row at which the
 /// factorization fails.
 fn factored(a: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, usize> {
-    /// Tolerance of a negative pivot: a pivot above −`ROUNDING` counts as 0, because correlations
-    /// are given with few digits.
+    /// A negative pivot above −`ROUNDING` counts as 0, because correlations are given with few
+    /// digits.
     const ROUNDING: f64 = 1e-12;
     let n = a.len();
     let mut l = vec![vec![0.0; n]; n];

@@ -79,8 +79,8 @@ impl Measure {
         )
     }
 
-    /// Exact measure, without smoothing, from a column of values for each of its outcomes. The
-    /// result is 0 for a parameter of the design, which has no outcomes.
+    /// Exact measure, without smoothing, from a column of values for each of its outcomes. 0 for
+    /// `Parameter` and `One`, which have no outcomes; the search evaluates them itself.
     pub(in crate::study) fn exact(&self, columns: &[&[f64]], weights: &[f64]) -> f64 {
         let each = || columns[0].iter().copied().zip(weights.iter().copied());
         let mean = |f: &dyn Fn(f64) -> f64| each().map(|(x, weight)| weight * f(x)).sum::<f64>();
@@ -107,9 +107,9 @@ impl Measure {
         }
     }
 
-    /// Measure with smoothed kinks and jumps, from the values or gradients of its outcomes in each
-    /// scenario. The second order uses the Hessians of the outcomes that have one. The result is 0
-    /// for a parameter of the design, which has no outcomes.
+    /// Measure with smoothed kinks and jumps, from its outcomes in each scenario, with their
+    /// derivatives. An outcome without a Hessian counts with a Hessian of 0. 0 for `Parameter` and
+    /// `One`, which have no outcomes; the search evaluates them itself.
     pub(in crate::study) fn smoothed(
         &self,
         drives: &[Vec<&Taylor>],
@@ -157,9 +157,14 @@ impl Measure {
     }
 }
 
-/// Σ hₖ(fₖ) from hₖ, hₖ′ and hₖ″ at each drive. The gradient is Σ hₖ′ (∇fₖ − c). The Hessian is Σ
-/// hₖ″ (∇fₖ − c)(∇fₖ − c)ᵀ + Σ hₖ′ ∇²fₖ, with the last sum over the drives that have Hessians. An
-/// empty centre c means 0.
+/// Sum over the drives k of a function hₖ of the drive's outcome fₖ. Each term is fₖ with
+/// derivatives, and [hₖ, hₖ′, hₖ″] at fₖ. `centre` is c, or empty for c = 0.
+///
+/// ```text
+///   value    = Σ hₖ
+///   gradient = Σ hₖ′ (∇fₖ − c)
+///   Hessian  = Σ hₖ″ (∇fₖ − c)(∇fₖ − c)ᵀ + Σ hₖ′ ∇²fₖ, without the last term if ∇²fₖ is missing
+/// ```
 fn summed<'a>(
     terms: impl Iterator<Item = (&'a Taylor, [f64; 3])>,
     centre: &[f64],
@@ -189,8 +194,8 @@ fn summed<'a>(
     all.unwrap_or_default()
 }
 
-/// Mean of the lowest share. The last drive counts with the fraction of its weight that lies in the
-/// share.
+/// Mean of the lowest values, up to a total weight of `share`, from (value, weight) of each drive.
+/// The last drive counts with the part of its weight that completes the share.
 fn lowest_mean(drives: impl Iterator<Item = (f64, f64)>, share: f64) -> f64 {
     let mut sorted: Vec<_> = drives.collect();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -207,7 +212,7 @@ fn lowest_mean(drives: impl Iterator<Item = (f64, f64)>, share: f64) -> f64 {
 fn deviation(drives: &[(&Taylor, f64)], least: f64, is_second: bool) -> Taylor {
     let weighted = drives.iter().map(|(f, w)| (*f, [w * f.value, *w, 0.0]));
     let mean = summed(weighted, &[], false);
-    // Σ w (f − mean) = 0 cancels the derivatives of the mean
+    // the Hessian of the mean is not needed: its factor Σ w (f − mean) is 0
     let squares = drives.iter().map(|(f, w)| {
         let off = f.value - mean.value;
         (*f, [w * off * off, 2.0 * w * off, 2.0 * w])
@@ -242,8 +247,8 @@ fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
     std::array::from_fn(|k| above[k] - below[k])
 }
 
-/// The lowest share α of the values uₖ = ±fₖ. Its mean, smoothed, is the maximum over t of
-/// t − 1/α Σ wₖ φ(t − uₖ), φ(z) = (z + √(z² + 4ε²))/2: for ε → 0 the mean of the lowest share.
+/// The lowest share α of the values uₖ = ±fₖ. Its smoothed mean is the maximum over t of
+/// G(t) = t − 1/α Σ wₖ φ(t − uₖ) with φ(z) = (z + √(z² + 4ε²))/2. For ε → 0, it is the exact mean.
 struct LowestShare<'a> {
     /// Outcome of each drive, with its derivatives if they are needed, and weight of the drive.
     drives: &'a [(&'a Taylor, f64)],
@@ -283,8 +288,8 @@ impl LowestShare<'_> {
         ]
     }
 
-    /// The t of the maximum: the zero of Σ wₖ φ′(t − uₖ) − α, which rises with t from −α to 1 − α,
-    /// bisected to the last bit.
+    /// The t of the maximum: the zero of the excess Σ wₖ φ′(t − uₖ) − α, by bisection to the last
+    /// bit. The excess rises with t, from −α to 1 − α.
     fn threshold(&self) -> f64 {
         let excess = |t: f64| {
             let weighted =
@@ -316,8 +321,8 @@ impl LowestShare<'_> {
         }
     }
 
-    /// Adds to the Hessian the term of the change of t with the variables x, (∂²/∂t∂x)(∂²/∂t∂x)ᵀ /
-    /// (−∂²/∂t²).
+    /// Adds the term of the Hessian that arises because t changes with the variables x:
+    /// (∂²G/∂t∂x)(∂²G/∂t∂x)ᵀ / (−∂²G/∂t²).
     fn add_threshold_change(&self, t: f64, hessian: &mut [Vec<f64>]) {
         let bends: Vec<f64> = self
             .drives
@@ -325,7 +330,7 @@ impl LowestShare<'_> {
             .map(|(f, weight)| weight / self.share * self.plus(t - self.sign * f.value)[2])
             .collect();
         let bend: f64 = bends.iter().sum();
-        // −∂²/∂t∂x
+        // ±∂²G/∂t∂x; the sign cancels in the product
         let mixed = |i: usize| {
             let drives = bends.iter().zip(self.drives);
             drives.map(|(bend, (f, _))| bend * f.gradient[i]).sum()

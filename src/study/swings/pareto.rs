@@ -177,8 +177,8 @@ impl ParetoSearch {
         }
     }
 
-    /// A point of the front with its goals, also after an interrupt. `sign` converts the slope of
-    /// the minimized functions to the slope of the goals.
+    /// A point of the front with its goals, which are computed even after an interrupt. `sign`
+    /// converts the slope of the minimized functions to the slope of the goals.
     fn point(&self, problem: &SearchProblem, point: FrontPoint, sign: f64) -> Result<ParetoPoint> {
         let values = problem.values_uninterrupted(&point.x)?;
         let active = self.active(&point.x, &point.active_set);

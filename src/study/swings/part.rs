@@ -1,9 +1,10 @@
-//! A subset of the scenarios: its second derivatives approximate those of all scenarios.
+//! A weighted subset of the scenarios. A search computes Hessians for the subset only, as an
+//! approximation of the Hessians for all scenarios.
 
 use super::scenarios::{Rule, Scenarios};
 use nalgebra::{DMatrix, DVector};
 
-/// The subset contains about one in this number of scenarios.
+/// Number of all scenarios per scenario in the subset.
 const ONE_IN: usize = 16;
 /// Minimum number of scenarios in the subset.
 const LEAST: usize = 128;
@@ -34,14 +35,14 @@ pub(in crate::study) fn part_of(scenarios: &Scenarios) -> (Vec<usize>, Vec<f64>)
     (part, represents)
 }
 
-/// Number of moments: the constant 1, the parameters, and their products of two.
+/// Number of moments: the constant 1, each parameter, and each product of two (squares included).
 fn moments(parameters: usize) -> usize {
     1 + parameters + parameters * (parameters + 1) / 2
 }
 
 /// Weights of the subset that reproduce the means, variances and covariances of the parameters over
-/// all scenarios, by least squares from equal weights. A mean over the subset is then exact for
-/// quadratic functions of the parameters.
+/// all scenarios. They are equal weights plus the smallest change (least squares). A mean over the
+/// subset is then exact for quadratic functions of the parameters.
 fn part_weights(part: &[usize], scenarios: &Scenarios) -> Vec<f64> {
     /// Relative tolerance of singular values: parameters may be constant or linearly dependent.
     const ROUNDING: f64 = 1e-9;

@@ -37,8 +37,9 @@ fn legendre([low, high]: [f64; 2], nodes: usize) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Gauss rule with this number of nodes for a density. The recurrence follows from many samples of
-/// the density (Stieltjes; Gautschi 1982).
+/// Gauss rule with this number of nodes for a density. `parts` are adjacent intervals on each of
+/// which the density is smooth. The recurrence is computed from many samples of the density
+/// (Stieltjes; Gautschi 1982).
 fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> Vec<(f64, f64)> {
     let ends = [parts[0][0], parts[parts.len() - 1][1]];
     let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));

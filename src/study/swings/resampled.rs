@@ -163,7 +163,7 @@ fn swings_needed(mean: f64, gains: &[f64], n: usize) -> Option<u64> {
     (mean > 0.0 && swings.is_finite()).then(|| swings.ceil() as u64)
 }
 
-/// The 95 % interval of an estimate by the quantiles of its resamples.
+/// The 95 % interval of an estimate: quantiles of the estimates from the resamples.
 fn interval(value: f64, mut resamples: Vec<f64>) -> Interval {
     resamples.sort_by(f64::total_cmp);
     let last = resamples.len().saturating_sub(1) as f64;

@@ -98,7 +98,7 @@ impl Model {
     /// The setup, and the default models that differ from it.
     ///
     /// # Errors
-    /// An error of a built-in change; a test shows that there is none.
+    /// The errors of [`Setup::set_all`]; a test shows that the built-in changes give none.
     pub fn usual(setup: &Setup<f64>) -> Result<Vec<Self>> {
         let mut all = vec![Self::as_set_up(setup)];
         for (changes, reason) in USUAL {
@@ -122,16 +122,17 @@ impl Model {
     }
 }
 
-/// Minimax design: the design whose greatest loss over several models is smallest.
+/// Minimax design: the design whose greatest loss over several models is smallest. The loss of a
+/// design with a model is the amount by which its objective is worse than that of the model's own
+/// best design.
 #[derive(Clone, Debug)]
 pub struct Robust {
     /// The search.
     pub search: Search,
     /// The models, each with its own best design.
     pub models: Vec<(Model, Optimum)>,
-    /// Loss of each model (row) with the best design of each model (column), relative to the best
-    /// design of the row's model; `None` if a constraint is violated or the ball does not fly in
-    /// one of the swings.
+    /// Loss of each model (row) with the best design of each model (column); `None` if a constraint
+    /// is violated or the ball does not fly in one of the swings.
     pub matrix: Vec<Vec<Option<f64>>>,
     /// Result of the search for the minimax design. Its variables are the design parameters and the
     /// greatest loss t.
@@ -160,7 +161,7 @@ pub struct Robust {
 /// A constraint of a model, with the minimax design.
 #[derive(Clone, Debug)]
 pub struct ModelLimit<'a> {
-    /// Number of the model.
+    /// Index of the model in [`Robust::models`].
     pub model: usize,
     /// The constraint.
     pub constraint: &'a Constraint,
@@ -260,11 +261,15 @@ impl Robust {
     }
 }
 
-/// The minimax design: its greatest loss, relative to the best design of each model, is smallest.
-/// The search solves min t subject to f*ₖ − fₖ(x) ≤ t for every model k, where f*ₖ is the best
-/// value of the goal fₖ: a smooth problem with exact derivatives. The constraints hold for all
-/// models. Each search has `count` starts: the setup's own design and others spread evenly over the
-/// ranges; the search for t also starts at the best design of each model and at their mean.
+/// The minimax design of several models (see [`Robust`]).
+///
+/// First, a search finds the best design of each model. Then the minimax search solves: minimize t,
+/// subject to fₖ(x) − f*ₖ ≤ t for every model k. The goal fₖ is minimized (a maximized goal is
+/// negated), and f*ₖ is its value for the model's best design. The problem is smooth, with exact
+/// derivatives. The constraints hold for all models.
+///
+/// Each search has `count` starts: the setup's own design, and others spread evenly over the
+/// ranges. The minimax search also starts at the best design of each model and at their mean.
 ///
 /// # Errors
 /// [`Error::Unreadable`] for fewer than two models; [`Error::NotConverged`] if the best design of a
@@ -388,11 +393,11 @@ fn least_loss(ends: Vec<LocalMinimum>) -> Result<Solution> {
     })
 }
 
-/// The losses of the models as functions of the design x: fₖ(x) − f*ₖ with the goal fₖ, which is
-/// minimized, and its smallest value f*ₖ.
+/// The loss of each model k as a function of the design x: fₖ(x) − f*ₖ, with the minimized goal fₖ
+/// and its smallest value f*ₖ.
 ///
-/// As a [`Problem`], they have the variables (x, t) and these functions: t, and for each model its
-/// loss minus t and its limited goals.
+/// The [`Problem`] has the variables (x, t) and the objective t. Its constraints are, for each
+/// model, the loss minus t, then the limited goals.
 struct Losses<'a> {
     search: &'a Search,
     /// Problem of each model.
@@ -455,9 +460,9 @@ impl<'a> Losses<'a> {
         (0..self.problems.len()).map(own).collect()
     }
 
-    /// The starts (x, t) of the search: the designs, their mean, the setup's own design and points
-    /// spread over the ranges, each with t above the greatest loss of x by at least a tenth of a
-    /// unit. Designs for which a goal has no value are omitted.
+    /// The starts (x, t) of the search. The x are the designs, their mean, the setup's own design
+    /// and points spread over the ranges, except designs for which a goal has no value. Each t
+    /// exceeds the greatest loss of its x by at least a tenth of a display unit.
     fn starts(&self, designs: &[&[f64]], count: usize) -> Result<Vec<Vec<f64>>> {
         let margin = 0.1 * DisplayUnit::from(&self.search.of).size();
         let models = self.problems.len();

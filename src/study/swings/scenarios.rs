@@ -36,7 +36,7 @@ pub struct Scenarios {
     pub weights: Vec<f64>,
     /// Rule that generated the scenarios.
     pub rule: Rule,
-    /// The distributions of the points; `None` for recorded swings and one drive.
+    /// The distributions of the points; `None` for recorded swings, one drive and the mean swing.
     distributed: Option<Swings>,
 }
 
@@ -159,9 +159,10 @@ impl Scenarios {
     /// The scenarios of some swings.
     ///
     /// # Errors
-    /// The errors of [`Uncertain::check`]; [`Error::Unreadable`] for a rule of other swings, and
-    /// for a value outside the allowed range. A `truncated` distribution with bounds inside this
-    /// range avoids such values.
+    /// The errors of [`Uncertain::check`]; [`Error::Unreadable`] for [`Rule::Recorded`] with
+    /// distributions, for another rule with recorded swings, and for a value outside the
+    /// parameter's allowed range. A `truncated` distribution with bounds inside this range has no
+    /// such values.
     pub fn new(swings: &Swings, rule: Rule) -> Result<Self> {
         if let Swings::Distributed { inputs, .. } = swings {
             inputs.iter().try_for_each(Uncertain::check)?;
@@ -244,8 +245,8 @@ impl Scenarios {
         }
     }
 
-    /// The scenarios, then scenarios with the parameters `of` at all combinations of the finite
-    /// bounds of their distributions. The other parameters keep their values in a scenario.
+    /// The scenarios, then copies of them in which parameters of `of` lie at the bounds of their
+    /// distributions, in all combinations. A parameter with an infinite bound keeps its values.
     pub(crate) fn and_ends<'a>(&'a self, of: &[usize]) -> impl Iterator<Item = Vec<f64>> + 'a {
         let ends = |k: &usize| Some((*k, self.ends(*k)?));
         let (bounded, endless): (Vec<_>, Vec<_>) = of
@@ -257,8 +258,8 @@ impl Scenarios {
         } else {
             1_usize << bounded.len()
         };
-        // if all distributions of `of` are bounded, every scenario gives the same combinations: the
-        // first scenario is enough
+        // if all distributions of `of` are bounded, their values are the same in the copies of
+        // every scenario: copies of the first scenario are enough
         let others = if endless.is_empty() {
             1
         } else {
@@ -302,7 +303,8 @@ fn equally_weighted(points: Vec<Vec<f64>>) -> (Vec<Vec<f64>>, Vec<f64>) {
     (points, weights)
 }
 
-/// A point of a scrambled Sobol' sequence, mapped to the distributions by its normal scores.
+/// Point `k` of a scrambled Sobol' sequence. Its coordinates become normal scores within ±`REACH`,
+/// the scores are correlated, and each score becomes the value of its distribution.
 fn sequence_point(inputs: &[Uncertain], factor: &[Vec<f64>], k: u64, seed: u32) -> Vec<f64> {
     let normal = Normal::standard();
     let beyond = normal.cdf(-REACH);

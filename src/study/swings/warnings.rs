@@ -51,10 +51,10 @@ fn warnings(
 }
 
 impl Optimum {
-    /// Warnings about the setup at the optimum and about its drives, and about the total of the
-    /// drive at the start, if the totals before and after the search are compared. Without an
-    /// optimum, the warnings are about the setup only. Once `stop` is true, a warning says that the
-    /// swings were not checked.
+    /// Warnings about the setup at the optimum and about its drives. If the totals before and after
+    /// the search are compared, a flat landing of the drive at the start gives a warning too.
+    /// Without an optimum, the warnings are about the setup only. Once `stop` is true, a warning
+    /// says that the swings were not checked.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let mut of = self.search.outcomes();
         if self.compares_totals() {
@@ -80,7 +80,7 @@ impl Optimum {
 
 impl Robust {
     /// Warnings about the setup with the design, and about its drives with each model. Once `stop`
-    /// is true, no more swings are checked.
+    /// is true, a warning says that swings were not checked.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let of = self.search.outcomes();
         let design: Vec<_> = self.search.parameters().collect();
