@@ -43,7 +43,7 @@ pub struct Nominal {
     pub over_swings: Option<Vec<f64>>,
 }
 
-/// The error of a goal, estimated by other scenarios with the same design.
+/// The error of a goal, estimated from other scenarios with the same design.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GoalError {
     /// The error of the quadrature: twice the change of the goal with 1.5 times as many nodes.
@@ -66,7 +66,7 @@ pub struct SamplingError {
     pub sequences: usize,
 }
 
-/// The quantile of Student's distribution for an interval of 99 %.
+/// Probability level of the quantile of Student's distribution: upper end of a 99 % interval.
 const QUANTILE: f64 = 0.995;
 /// Safety factor of the quadrature error, for the neglected error of the finer rule.
 const SAFETY: f64 = 2.0;

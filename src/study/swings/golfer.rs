@@ -39,7 +39,8 @@ impl Correlation {
     /// Reads `NAME,NAME=COEFFICIENT`.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for text that is not a correlation; the errors of [`Setup::variable`].
+    /// [`Error::Unreadable`] for text that is not a correlation; the errors of [`Setup::column`]
+    /// and [`Correlation::new`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source: String| Error::Unreadable {
             name: format!("the correlation {}", text.trim()),
@@ -162,8 +163,8 @@ impl Swings {
     /// Recorded swings.
     ///
     /// # Errors
-    /// [`Error::Nothing`] without a swing or a parameter; [`Error::Unreadable`] for a value outside
-    /// the allowed range.
+    /// [`Error::Nothing`] without a swing or a parameter; [`Error::Unreadable`] for a value that is
+    /// missing (NaN) or outside the allowed range.
     pub fn recorded(parameters: Vec<&'static Parameter>, rows: Vec<Vec<f64>>) -> Result<Self> {
         if parameters.is_empty() || rows.is_empty() {
             return Err(Error::Nothing {

@@ -485,7 +485,7 @@ impl<'a> Losses<'a> {
         Ok(all.filter_map(start).collect())
     }
 
-    /// The values of each model's goals at a design, also after an interrupt.
+    /// The values of each model's goals at a design. They are computed even after an interrupt.
     fn goals(&self, design: &[f64]) -> Result<Vec<Vec<f64>>> {
         let problems = self.problems.iter();
         problems

@@ -11,7 +11,8 @@ use statrs::distribution::{ContinuousCDF, Normal};
 /// Rule that generates scenarios.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// Gauss's rule with this number of nodes for each parameter, for up to three parameters.
+    /// Product of Gauss's rules with this number of nodes for each parameter. [`Rule::of`] chooses
+    /// it for up to three parameters.
     Quadrature(usize),
     /// A scrambled Sobol' sequence.
     Sequence {

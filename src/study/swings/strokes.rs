@@ -15,6 +15,7 @@ use std::path::Path;
 pub struct Strokes {
     /// Distances, m, ascending.
     distance: Vec<f64>,
+    /// Expected strokes at the distances.
     strokes: Vec<f64>,
     /// Second derivatives of the spline at the distances.
     bend: Vec<f64>,
