@@ -49,7 +49,7 @@ pub struct ConstraintState {
     /// Distance to the nearer limit, SI, negative if violated; `None` if the value is unknown.
     pub margin: Option<f64>,
     /// Gain of the goal per SI unit by which the limit is relaxed (Lagrange multiplier); `None` if
-    /// the constraint is inactive.
+    /// the constraint is inactive, violated, or not enforced by the search.
     pub price: Option<f64>,
 }
 

@@ -155,8 +155,9 @@ impl Design {
         });
     }
 
-    /// Checks a rule on the head's inertia, for the setup or the swings. `None` if the varied
-    /// parameters change the inertia: the search then needs a constraint.
+    /// Checks a rule on the outcome `of` of the head: at the swings if they change the head,
+    /// otherwise at the setup. `None`, without a check, if the varied parameters change the head:
+    /// the search then needs a constraint.
     fn of_head(
         &mut self,
         setup: &Setup<f64>,
@@ -343,7 +344,7 @@ impl Design {
         }
     }
 
-    /// Limits an outcome of the head in the search, and returns the index of the limit.
+    /// Adds a constraint on an outcome of the head to the search, and returns its index.
     fn limit(&mut self, expression: String, of: Outcome, [low, high]: [f64; 2]) -> usize {
         self.search.subject_to.push(Constraint {
             expression,
@@ -354,7 +355,7 @@ impl Design {
         self.search.subject_to.len() - 1
     }
 
-    /// Appends the limit of the search with index `k` to the list. It is no rule.
+    /// Appends constraint `k` of the search to the list, as a constraint that is not a rule.
     fn list_limit(&mut self, name: &str, k: usize) {
         let limit = &self.search.subject_to[k];
         let unit = DisplayUnit::from(&limit.goal);
