@@ -15,8 +15,8 @@ const ITERATIONS: usize = 100;
 /// Stopping tolerance of mean and covariance, in prior standard uncertainties.
 const TOLERANCE: f64 = 1e-7;
 
-/// Shots with the same information matrix Λ. The score of a shot is Λ times its swing's deviation
-/// from the mean.
+/// Shots with the same information matrix Λ. The score of a shot is the gradient of its
+/// log-likelihood by the swing, at the mean swing.
 struct ShotGroup {
     information: DMatrix<f64>,
     scores: Vec<DVector<f64>>,
@@ -47,7 +47,7 @@ fn differences(
 /// prior standard uncertainties.
 pub(super) struct SwingInformation {
     groups: Vec<ShotGroup>,
-    /// Mean of Λ over the shots, with instrument errors only.
+    /// Mean of Λ over the shots, as if the impact were linear: with instrument errors only.
     pub(super) information: DMatrix<f64>,
     /// For each shot the index of each outcome and its difference at the mean swing, measured −
     /// computed, SI.
@@ -57,8 +57,8 @@ pub(super) struct SwingInformation {
 
 impl SwingInformation {
     /// # Errors
-    /// The errors of [`Evaluator::at`], if the mean swing, made with the club of a shot, does not
-    /// strike the ball.
+    /// The errors of [`Evaluator::at`] if the mean swing, with the club of a shot, does not strike
+    /// the ball.
     pub(super) fn new(
         shots: &[&Delivered],
         of: &[Outcome],
@@ -111,7 +111,7 @@ impl SwingInformation {
         let residuals = DVector::from_fn(size, |k, _| {
             (differences[k] - launches.bias[places[k]]) / sigma(k)
         });
-        // positive definite: the identity plus a covariance
+        // `errors` is positive definite (the identity plus a covariance), so its inverse exists
         let weighted = errors.try_inverse().map_or_else(
             || slopes.transpose(),
             |inverse| slopes.transpose() * inverse,
@@ -155,6 +155,7 @@ impl SwingInformation {
 
     /// Mean and covariance of the swings along the directions `along`, iterated from the covariance
     /// `begin`. In the other directions the covariance stays `assumed` and the mean stays `moved`.
+    /// Means are relative to the mean swing of the linearization.
     pub(super) fn maximize_likelihood(
         &self,
         along: &DMatrix<f64>,

@@ -13,7 +13,8 @@ use statrs::distribution::{ContinuousCDF, Normal};
 const PAIRS: u64 = 256;
 
 /// Launches of swings x ~ N(mean, C): f(x) = f(mean) + bias + slopes (x − mean) + e, where e has
-/// the covariance `nonlinear`. Parameters are in prior standard uncertainties, outcomes in SI.
+/// mean 0 and covariance `nonlinear`. Parameters are in prior standard uncertainties, outcomes in
+/// SI.
 pub(super) struct LinearizedLaunches {
     /// f(mean).
     pub(super) at: Vec<f64>,
@@ -35,11 +36,12 @@ pub(super) fn values(unknowns: &[Unknown], scores: &DVector<f64>) -> Vec<f64> {
 }
 
 impl LinearizedLaunches {
-    /// Samples the impact over the distribution. Samples outside the range of a parameter are
-    /// ignored.
+    /// Samples the impact over the distribution. Samples that are outside the range of a parameter
+    /// or do not strike the ball are ignored.
     ///
     /// # Errors
-    /// [`Error::Delivery`] if the mean swing or more than half of the samples are not strikes.
+    /// The errors of [`Evaluator::at`] if the mean swing does not strike the ball;
+    /// [`Error::Delivery`] if more than half of the samples are ignored.
     pub(super) fn of(
         setup: &Setup<f64>,
         of: &[Outcome],

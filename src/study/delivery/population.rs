@@ -109,14 +109,15 @@ impl Population {
     /// Estimates the normal distribution of the swings behind shots with an explained launch, by
     /// maximum likelihood.
     ///
-    /// Unidentified directions keep their prior distribution. Because an impact is nonlinear, this
-    /// can make the predicted launches scatter more than the shots; a smaller prior deviation is
-    /// then used. A parameter's value in a row of `table` is a measurement of the swing in this
-    /// row. For parameters without such values, the prior is the distribution of the swings.
+    /// Along unidentified directions the swings have their prior distribution. Because an impact is
+    /// nonlinear, the predicted launches may then scatter more than the shots; if so, the prior
+    /// deviation along these directions is reduced. The value of an unknown in a row of `table` is
+    /// a measurement of the swing in this row. The prior of any other unknown is not a measurement.
     ///
     /// # Errors
     /// [`Error::Delivery`] for fewer than [`LEAST_SHOTS`] shots, and if most swings of the
-    /// distribution are not strikes.
+    /// distribution are not strikes; the errors of
+    /// [`Evaluator::at`](crate::derivative::Evaluator::at) if the mean swing is not a strike.
     pub fn of(
         setup: &Setup<f64>,
         all: &[ShotDelivery],
@@ -195,7 +196,7 @@ impl IdentifiedDirections {
     }
 }
 
-/// A distribution at the end of the iteration, in prior standard uncertainties.
+/// The distribution at the end of the iterations, in prior standard uncertainties.
 struct ConvergedDistribution {
     mean: DVector<f64>,
     covariance: DMatrix<f64>,
@@ -208,9 +209,10 @@ struct ConvergedDistribution {
     prior_factor: f64,
 }
 
-/// Computes the distribution of the swings, with the standard deviations of the prior multiplied by
-/// `prior_factor`. Repeats the linearization of the launches until they are linearized about the
-/// mean of the distribution.
+/// Computes the distribution of the swings, with the prior's standard deviations along unidentified
+/// directions multiplied by `prior_factor`. Linearizes the launches about the mean and maximizes
+/// the likelihood, again and again, until mean and covariance no longer change, or
+/// [`ITERATIONS`] times.
 fn converged(
     setup: &Setup<f64>,
     shots: &[&Delivered],
@@ -305,8 +307,8 @@ impl ConvergedDistribution {
         }
     }
 
-    /// Variance of each parameter from shot to shot along the identified directions, including the
-    /// launch monitor's errors.
+    /// Variance of each parameter's estimate from shot to shot, along the identified directions. It
+    /// includes the launch monitor's errors.
     fn sampling_variances(&self) -> DVector<f64> {
         let along = &self.directions.identified;
         let size = along.ncols();
@@ -330,7 +332,7 @@ fn predicted(
             for (explained, (at, difference)) in shot.explained.iter().zip(differences) {
                 if *at == place {
                     let Measurement { value, sigma, .. } = explained.measured;
-                    // unwrap directions to within half a turn of the direction of the mean swing
+                    // unwrap angles to within half a turn of the angle for the mean swing
                     let computed = of.unwrap_angle(value - difference, launches.at[place]);
                     rows.push(DVector::from_vec(vec![
                         computed + difference,

@@ -81,8 +81,8 @@ pub struct Delivered {
 }
 
 impl Delivered {
-    /// The outcome with the largest residual, if this residual is too large; then no delivery
-    /// within the ranges gives this launch.
+    /// The outcome with the largest residual, if this residual exceeds 3 standard uncertainties: no
+    /// delivery within the ranges explains the launch. `None` if the launch is explained.
     pub fn unexplained(&self) -> Option<&Explained> {
         let worst = self
             .explained
@@ -119,13 +119,14 @@ pub struct Unidentified {
     pub changes: Vec<(&'static Parameter, f64)>,
 }
 
-/// The unidentified directions: eigenvectors of JᵀJ with small eigenvalues. `jacobian` holds the
-/// derivatives of the residuals by the parameters in units of their prior standard uncertainty.
+/// The unidentified directions: eigenvectors of JᵀJ with small eigenvalues. `free_parameters` are
+/// the parameters that are not at a bound, each with its prior standard uncertainty. J, `jacobian`,
+/// has the derivatives of the residuals by these parameters in units of that uncertainty.
 pub(super) fn unidentified(
     jacobian: &DMatrix<f64>,
     free_parameters: &[(&'static Parameter, f64)],
 ) -> Vec<Unidentified> {
-    // every parameter lies on a bound
+    // if every parameter is at a bound, there is no direction
     if free_parameters.is_empty() {
         return vec![];
     }

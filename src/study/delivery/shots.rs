@@ -51,7 +51,8 @@ pub fn launches(setup: &Setup<f64>) -> Vec<Measurement> {
         .collect()
 }
 
-/// A launch condition as a measured outcome; `None` if no measurement uncertainty is known.
+/// A launch condition as a measured outcome; `None` if it is no outcome, or if its measurement
+/// uncertainty is unknown.
 fn measured(condition: &Parameter, value: f64) -> Option<Measurement> {
     let outcome = Outcome::named(condition.name.strip_prefix("launch.")?).ok()?;
     Some(Measurement {
@@ -61,7 +62,7 @@ fn measured(condition: &Parameter, value: f64) -> Option<Measurement> {
     })
 }
 
-/// The delivery of each shot of a table. An interruption omits the remaining rows.
+/// The delivery of each shot of a table. After an interrupt, the remaining rows are omitted.
 pub fn deliveries(
     setup: &Setup<f64>,
     table: &ShotTable,

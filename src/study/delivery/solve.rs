@@ -15,7 +15,8 @@ use nalgebra::DMatrix;
 ///
 /// # Errors
 /// [`Error::Delivery`] if `measured` or `unknowns` is empty, if a measured outcome does not belong
-/// to the launch, or if the setup's own values are not a strike; the errors of [`Evaluator::new`].
+/// to the launch, or if the club does not strike the ball with the prior values; the errors of
+/// [`Evaluator::new`].
 pub fn delivery(
     setup: &Setup<f64>,
     measured: &[Measurement],

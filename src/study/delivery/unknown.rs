@@ -55,13 +55,14 @@ const CLUB_UNCERTAINTIES: [(&str, &str); 4] = [
 const REACH: f64 = 4.0;
 
 impl Unknown {
-    /// True for a value that was measured with the default uncertainty of a launch monitor.
+    /// True if the prior is a measured value with a launch monitor's default uncertainty.
     pub fn has_uncertainty_of_monitor(&self) -> bool {
         self.source == Some(CLUB)
     }
 
-    /// The unknown with a launch monitor's value as prior. The uncertainty is the monitor's, unless
-    /// the user gave an uncertainty.
+    /// The unknown with a launch monitor's value as prior. The uncertainty becomes the monitor's if
+    /// it is known and the user gave none; otherwise it stays. The search range is widened to
+    /// include the range around the value.
     pub fn measured_as(self, value: f64) -> Self {
         let Self {
             parameter,
