@@ -90,9 +90,9 @@ fn value_warning(estimate: &Estimate) -> Option<Message> {
 const SHOWN: [&str; 3] = ["swing.speed", "swing.attack_angle", "club.loft"];
 
 impl ShotTable {
-    /// Notes that all rows are compared with the setup's drive: this happens if no row has a launch
-    /// or an input of swing, club, strike or impact. The note shows the setup's swing, without the
-    /// fitted parameters.
+    /// Note that all rows are compared with one drive, that of the setup. `None` if a row has a
+    /// launch, or an input of swing, club, strike or impact. The note shows the setup's swing, but
+    /// no value of a fitted parameter.
     pub fn one_drive(&self, setup: &Setup<f64>, fitted: &[Vary]) -> Option<Message> {
         let has_own = |(parameter, _): &(&Parameter, f64)| parameter.is_of_strike();
         if self.is_launched

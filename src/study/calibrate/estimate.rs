@@ -425,10 +425,11 @@ fn estimates(
     fitted.iter().enumerate().map(estimate).collect()
 }
 
-/// For each fitted parameter: true if its value in `x` lies inside its range, and the width of the
-/// range.
+/// For each fitted parameter, whose value is in `x`: its position in its range, and the width of
+/// the range.
 fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<FitRange> {
-    /// Width of an unbounded range, as a multiple of the parameter's magnitude (at least 0.001).
+    /// Width of an unbounded range, as a multiple of the parameter's magnitude. A magnitude below
+    /// 0.001 counts as 0.001.
     const ENDLESS: f64 = 1e6;
     let bounds = &domain.variables;
     let range = |i: usize| {

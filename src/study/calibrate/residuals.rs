@@ -51,8 +51,9 @@ pub(super) struct ShotResiduals<'a> {
     pub setup: Setup<f64>,
     pub shots: &'a [MeasuredShot],
     pub fitted: Vec<&'static Parameter>,
-    /// |∂²carry/∂q²| of each stationary parameter of each shot, m/rad², which converts a slope to
-    /// an angle. Constant during a fit, so that Jacobians stay exact.
+    /// |∂²carry/∂q²| for each stationary parameter q of each shot, m/rad². The quotient of a slope
+    /// ∂carry/∂q and this curvature is an angle. The curvatures are constant during a search, so
+    /// that Jacobians stay exact.
     pub curvatures: Vec<Vec<f64>>,
     /// Cancellation flag: once true, no more shots are flown.
     pub stop: &'a AtomicBool,

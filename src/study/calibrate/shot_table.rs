@@ -28,7 +28,8 @@ pub struct ShotTable {
     pub is_launched: bool,
     /// Notes, such as outcomes without a sigma column.
     pub remarks: Vec<Message>,
-    /// Warnings for a table that is not an export: rejected rows, and contradictory spins.
+    /// Warnings about shots of several clubs; for a table that is not an export, also about
+    /// rejected rows and contradictory spins.
     pub warnings: Vec<Message>,
     /// Column heads of the launch and of the club, if the table has both. The rows are then
     /// deliveries.
@@ -130,8 +131,8 @@ impl MeasuredShot {
     }
 }
 
-/// The ranges of the shots' inputs and of the fitted parameters. A parameter that is fitted without
-/// a range has the setup's value.
+/// The ranges of the shots' inputs, and of the parameters that are fitted within a finite range. A
+/// parameter fitted without a range is omitted, so that it keeps the setup's value.
 pub fn ranges(table: &ShotTable, fit: &[Vary]) -> Vec<Vary> {
     let mut ranges: Vec<Vary> = vec![];
     let mut widen = |parameter, value: f64| match ranges

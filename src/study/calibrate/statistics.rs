@@ -48,7 +48,7 @@ pub struct FitStatistics {
     /// Number of residuals minus the rank of the free parameters' Jacobian.
     pub degrees_of_freedom: usize,
     /// Probability of a χ² at least this large if the standard uncertainties are right. `None` if
-    /// the table does not state them, or if there are no degrees of freedom.
+    /// the table does not state all of them, or if there are no degrees of freedom.
     pub probability: Option<f64>,
     /// True if all residuals are rounding errors.
     pub is_exact: bool,
@@ -287,8 +287,9 @@ impl FitStatistics {
     }
 }
 
-/// True if the gradient of χ² pushes parameter `at` against its bound. A parameter without
-/// influence may have drifted to the bound.
+/// True if the gradient of χ²/2, times the width of the range, exceeds 1: the data push parameter
+/// `at` against its bound. A parameter without influence is not pushed; it may have drifted to the
+/// bound.
 fn is_pressed(rows: &Rows, weights: &[f64], fitted: FitRange, at: usize) -> bool {
     let residuals = rows.residuals.iter().zip(&rows.jacobian);
     let gradient: f64 = residuals
@@ -320,8 +321,8 @@ fn check(rows: &Rows, n: usize) -> Result<()> {
     Ok(())
 }
 
-/// Covariance of all `n` parameters; `None` for parameters that are not in `free` or are
-/// undetermined.
+/// Covariance of all `n` parameters. `None` for each undetermined parameter and each parameter that
+/// is not in `free`; all `None` without a `scale`.
 fn covariance(
     free: &ScaledColumns,
     n: usize,

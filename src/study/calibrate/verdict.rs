@@ -106,16 +106,15 @@ pub(super) fn set_status_of_data(found: &mut Calibration, loss: Loss, origin: Si
     }
 }
 
-/// The row that dominates the fit: the squared gradient of all other rows together is less than
-/// 1e-6 of the row's, and the row's residual exceeds 1000 standard uncertainties. With Huber's
-/// loss, which limits the gradient of each row, a row dominates only if its loss hides the other
-/// rows by rounding.
+/// The residual r that dominates the fit, if any. The derivative of its loss is w r with the weight
+/// w of the loss. It dominates if (w r)² exceeds 1e6 (1000 standard uncertainties), and exceeds 1e6
+/// times the sum of these squares over all other residuals. Huber's loss limits w r, so there a
+/// residual dominates only if rounding in the sum of losses hides the others.
 fn outweighing(residuals: &[FitResidual], loss: Loss) -> Option<&FitResidual> {
-    /// Threshold for the squared gradient of all other rows, as a fraction of the largest row's
-    /// squared gradient.
+    /// Threshold for the sum of (w r)² over all other residuals, as a fraction of the largest.
     const PART: f64 = 1e-6;
-    /// If the loss of all other rows is below this fraction of the largest row's loss, rounding
-    /// hides the other rows. This holds for any loss function.
+    /// Threshold for the sum of the losses of all other residuals, as a fraction of the largest
+    /// loss: below it, rounding hides the others.
     const ROUNDING: f64 = 1e-15;
     let most = residuals
         .iter()
