@@ -250,7 +250,8 @@ impl Distribution {
 
     /// Upper bound of the Poincaré constant C: Var f ≤ C · E f′² for any f. Normal: σ². Uniform:
     /// (width/π)². Triangular: (longer side/j₀,₁)² (Roustant, Barthe & Iooss 2017). Truncated
-    /// normal: the smaller of the first two (Bakry & Émery 1985; Payne & Weinberger 1960).
+    /// normal: the smaller of σ², before truncation, and (width/π)² (Bakry & Émery 1985; Payne &
+    /// Weinberger 1960).
     pub fn poincare(&self) -> f64 {
         match *self {
             Self::Normal { deviation, .. } => deviation.powi(2),
@@ -340,9 +341,9 @@ impl Uncertain {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for invalid text; [`Error::OutOfRange`] if a bound or the mean is not
-    /// an allowed value; the errors of [`Setup::column`]. The setup need not have a value of the
-    /// parameter.
+    /// [`Error::Unreadable`] for invalid text; [`Error::OutOfRange`] if the mean of a normal
+    /// distribution, or a bound of another distribution, is not an allowed value; the errors of
+    /// [`Setup::column`]. A parameter that is unset in the setup is no error.
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source| Error::Unreadable {
             name: format!("the distribution {}", text.trim()),
@@ -398,8 +399,8 @@ impl Uncertain {
     /// Checks the distribution and the allowed values of the parameter.
     ///
     /// # Errors
-    /// The errors of [`Distribution::check`]; [`Error::OutOfRange`] if a bound or the mean is not
-    /// an allowed value.
+    /// The errors of [`Distribution::check`]; [`Error::OutOfRange`] if the mean of a normal
+    /// distribution, or a bound of another distribution, is not an allowed value.
     pub fn check(&self) -> Result<()> {
         if let Some(why) = self.distribution.why_none() {
             let name = format!("the distribution of {}", self.parameter);

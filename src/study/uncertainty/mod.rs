@@ -55,8 +55,8 @@ impl Uncertainty {
     /// Warnings if many sampled values are not allowed or many drives do not land: the remaining
     /// drives are not a sample of the distributions.
     pub fn warnings(&self) -> Vec<Message> {
-        /// Largest fraction without a warning. 2.3 % of a normal distribution lie more than 2
-        /// standard deviations above its mean.
+        /// Largest fraction without a warning. An allowed range that ends 2 standard deviations
+        /// above the mean of a normal distribution excludes 2.3 %, which gives a warning.
         const MANY: f64 = 0.02;
         let percent = |part: f64| significant(100.0 * part, 2);
         let outside = self.part_of(|status| status == Status::OutOfRange);

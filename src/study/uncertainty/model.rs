@@ -212,9 +212,9 @@ impl SaltelliDesign {
             .collect()
     }
 
-    /// Mean of each column of `at_a` over the points of A, divided by the variance of an output,
-    /// with bootstrap intervals from joint resamples. `None` if the output does not vary, or if no
-    /// point of A has a value in the column.
+    /// Mean of each column of `at_a` over the points of A, divided by the variance of an output with
+    /// these `values`. Bootstrap intervals use the same resample for mean and variance. `None` if
+    /// the output does not vary, or if no point of A has a value in the column.
     pub fn means_by_variance(
         &self,
         values: &[Vec<Option<f64>>],
