@@ -114,7 +114,7 @@ def test_an_interval_with_negative_drag_has_a_warning(shots: dict[str, Any]) -> 
 
 def test_an_unused_spin_has_a_warning(shots: dict[str, Any]) -> None:
     _, warned = fitted({**shots, "spin [rpm]": shots["backspin [rpm]"] * 1.2})
-    assert "the backspin (2600 rpm) is not used" in warned[0] and "(so in 4 other rows)" in warned[0]
+    assert "the backspin (2600 rpm) is not used" in warned[0] and "(also in 4 other rows)" in warned[0]
     assert fitted({**shots, "spin [rpm]": shots["backspin [rpm]"]})[1] == []
 
 

@@ -262,7 +262,7 @@ fn unchecked_rules_and_missing_effects_are_reported() {
         "--vary=club.loft=10deg..12deg",
     ]);
     let text = "the rule on the moment of inertia is checked at 32 swings only, since the \
-                distribution of club.inertia.xx has no ends";
+                distribution of club.inertia.xx is unbounded";
     assert!(output.status == 0 && on_one_line(&(output.out + &output.err)).contains(text));
     let bounded = swings.replace(
         "normal(5700 g cm^2,10 g cm^2)",

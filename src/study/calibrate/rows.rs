@@ -229,7 +229,7 @@ impl ShotRows {
         let first = self.contradictions.first()?;
         let others = self.contradictions.len() - 1;
         let others = if others > 0 {
-            format!(" (so in {})", counted(others as u64, "other row"))
+            format!(" (also in {})", counted(others as u64, "other row"))
         } else {
             String::new()
         };

@@ -73,9 +73,9 @@ pub(super) fn set_status_of_data(found: &mut Calibration, loss: Loss, origin: Si
     if let Some(row) = outweighing(&found.residuals, loss) {
         found.fit.status = FitStatus::DominatedByOneResidual;
         found.fit.message = format!(
-            "row {}: {} differs by {:.1e} of its standard uncertainties from every fit. All other \
-             rows together are less than a millionth of the sum of squares; correct the row or \
-             its sigma, or remove the row",
+            "row {}: {} is {:.1e} standard uncertainties from the fit. All other residuals \
+             together are less than a millionth of the sum of squares; correct the row or its \
+             sigma, or remove the row",
             row.row,
             row.outcome.name(),
             row.residual.abs()

@@ -109,7 +109,7 @@ fn shot_delivery(
     }
     if launch.is_empty() {
         let reason =
-            "no outcome of the launch is measured in the row, such as ball_speed or launch_angle"
+            "the row has no measured outcome of the launch, such as ball_speed or launch_angle"
                 .into();
         return Err(Error::Delivery { reason });
     }

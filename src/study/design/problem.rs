@@ -178,8 +178,8 @@ impl Design {
             (true, Some(swung)) => {
                 let source = format!(
                     "the swings have values of it, and a varied parameter changes {} too: the \
-                     rule on the {} could be met on average only; remove the parameter from the \
-                     swings, or the rules with `rules none`",
+                     search could meet the rule on the {} only on average over the swings; remove \
+                     this parameter from the swings, or leave the rules out with `rules none`",
                     of.name(),
                     rule.name
                 );
@@ -336,8 +336,8 @@ impl Design {
         if !names.is_empty() {
             let count = counted(scenarios.points.len() as u64, "swing");
             self.notes.push(format!(
-                "the rule on the {} is checked at {count} only, since the distribution of {} has \
-                 no ends; limit it with truncated(MEAN,DEVIATION,LOW,HIGH)",
+                "the rule on the {} is checked at {count} only, since the distribution of {} is \
+                 unbounded; limit it with truncated(MEAN,DEVIATION,LOW,HIGH)",
                 rule.name,
                 names.join(" and ")
             ));

@@ -52,10 +52,10 @@ fn recorded(setup: &Setup<f64>, table: &mut dyn Points, path: &Path) -> Result<S
     if table.rows() > MOST_ROWS {
         let (rows, limit) = (
             table.rows().to_string(),
-            format!("{MOST_ROWS} recorded swings"),
+            format!("the {MOST_ROWS} recorded swings that are allowed"),
         );
         let (size, advice) = (
-            "too long a search".into(),
+            "too long".into(),
             format!("take a part of {}", path.display()),
         );
         return Err(Error::TooLarge {

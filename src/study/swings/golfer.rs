@@ -151,8 +151,8 @@ impl Swings {
         let factor = factored(&matrix).map_err(|i| Error::Unreadable {
             name: "the correlations".into(),
             source: format!(
-                "they contradict each other: with the correlations before it, {} cannot have all \
-                 of its correlations (the matrix is not positive semi-definite); make them smaller",
+                "no distribution has all of them: those of {} contradict the others (the matrix is \
+                 not positive semidefinite); make them smaller",
                 inputs[i].parameter.name
             )
             .into(),

@@ -179,8 +179,8 @@ impl Scenarios {
                 quadrature_points(inputs, factor, nodes)
             }
             (Swings::Distributed { .. }, Rule::Recorded) => {
-                let source = "distributed swings have no recorded ones; give a quadrature or a \
-                              sequence";
+                let source = "Rule::Recorded is for recorded swings, and these have distributions; \
+                              give Rule::Quadrature or Rule::Sequence";
                 return Err(Error::unreadable("the rule of the scenarios", source));
             }
             (Swings::Recorded { .. }, _) => {

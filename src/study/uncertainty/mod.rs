@@ -63,8 +63,8 @@ impl Uncertainty {
         let outside = (outside > MANY).then(|| {
             format!(
                 "{} % of the drives have a value outside of its allowed range and are left out: \
-                 mean, deviation and shares are of the other drives; cut the distribution, as in \
-                 truncated(MEAN,DEVIATION,LOW,HIGH)",
+                 mean, deviation and shares are computed from the other drives; limit the \
+                 distribution with truncated(MEAN,DEVIATION,LOW,HIGH)",
                 percent(outside)
             )
         });
@@ -76,8 +76,9 @@ impl Uncertainty {
         );
         let missing = (flies && missing > MANY).then(|| {
             format!(
-                "{} % of the drives do not land: mean, deviation and shares of a flight are of the \
-                 drives that land, which are not a sample of the distributions",
+                "{} % of the drives do not land: mean, deviation and shares of each outcome of the \
+                 flight are computed from the drives that land, which are not a sample of the \
+                 distributions",
                 percent(missing)
             )
         });
