@@ -481,7 +481,7 @@ mod tests {
             (Measure::Mean(of), mean, 1e-13),
             (Measure::Deviation(of), about(mean), 1e-12),
             (Measure::RootMeanSquare(of), about(0.0), 1e-12),
-            // smoothing lowers the value by φ at the edge of the share
+            // φ exceeds max(z, 0) near the edge of the share, so that smoothing shifts the mean
             (Measure::Lowest(of, 0.2), low, 0.1),
             (Measure::Highest(of, 1.0 / 3.0), high, 0.1),
             (Measure::Within(of, 9.0), inside, 0.1),

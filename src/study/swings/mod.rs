@@ -1,12 +1,11 @@
-//! Swings that vary: expectations over a golfer's drives as smooth functions of a design, with
-//! exact gradients and Hessians.
+//! Swings that vary: measures of a golfer's drives (their mean, their deviation, the mean of the
+//! lowest share, …) as smooth functions of a design. Gradients are exact. Hessians are exact too,
+//! but in a search over many swings they are approximated from a subset of the drives.
 //!
 //! ```text
 //!   distributions, recorded swings ──▶ scenarios with weights, independent of the design
-//!   design ──▶ each scenario's drive with exact derivatives ──▶ mean, deviation, smoothed lowest
-//!              part, smoothed hits ──▶ optimizer
-//!   best design ──▶ values of the scenarios' drives, or of many more ──▶ mean, deviation, lowest
-//!                   part, hits ──▶ answer
+//!   design ──▶ each scenario's drive, with exact derivatives ──▶ smoothed measures ──▶ optimizer
+//!   best design ──▶ each scenario's drive, or many more drives ──▶ exact measures ──▶ answer
 //! ```
 
 mod analysis;

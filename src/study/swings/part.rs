@@ -1,5 +1,5 @@
-//! A weighted subset of the scenarios. A search computes Hessians for the subset only, as an
-//! approximation of the Hessians for all scenarios.
+//! A weighted subset of the scenarios. A search computes second derivatives for the drives of the
+//! subset only, as an approximation of those of all drives.
 
 use super::scenarios::{Rule, Scenarios};
 use nalgebra::{DMatrix, DVector};

@@ -158,7 +158,7 @@ pub struct Robust {
     pub stopped: usize,
 }
 
-/// A constraint of a model, with the minimax design.
+/// State of a constraint of one model at the minimax design.
 #[derive(Clone, Debug)]
 pub struct ModelLimit<'a> {
     /// Index of the model in [`Robust::models`].
