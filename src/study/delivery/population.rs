@@ -81,8 +81,8 @@ pub struct MeanAndDeviation {
 
 /// Minimum number of shots for a distribution.
 pub const LEAST_SHOTS: usize = 10;
-/// Information above which a direction is identified, in units of the prior. A shot then removes
-/// more than half of the prior variance along the direction.
+/// A direction is identified if a shot's information about it exceeds this multiple of the prior's
+/// information: the shot then removes more than half of the prior variance along the direction.
 const IDENTIFIED: f64 = 1.0;
 /// Factors by which the prior deviation is multiplied along unidentified directions, in the order
 /// of the trials.
@@ -111,8 +111,9 @@ impl Population {
     ///
     /// Along unidentified directions the swings have their prior distribution. Because an impact is
     /// nonlinear, the predicted launches may then scatter more than the shots; if so, the prior
-    /// deviation along these directions is reduced. The value of an unknown in a row of `table` is
-    /// a measurement of the swing in this row. The prior of any other unknown is not a measurement.
+    /// deviation along these directions is reduced. If `table` has values of an unknown, the value
+    /// in a row is a measurement of the swing in this row; in a row without a value, the prior
+    /// takes its place. The prior of any other unknown is not a measurement.
     ///
     /// # Errors
     /// [`Error::Delivery`] for fewer than [`LEAST_SHOTS`] shots, and if most swings of the

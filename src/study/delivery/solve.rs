@@ -103,8 +103,8 @@ fn check(measured: &[Measurement], unknowns: &[Unknown]) -> Result<()> {
     Ok(())
 }
 
-/// Posterior of each unknown at `x`: covariance (JᵀJ + I)⁻¹ of the `free` unknowns, in units of the
-/// prior.
+/// Posterior of each unknown at `x`: the covariance of the `free` unknowns, in prior standard
+/// uncertainties, is (JᵀJ + I)⁻¹.
 fn posteriors(
     jacobian: &DMatrix<f64>,
     free: &[usize],
