@@ -249,8 +249,8 @@ fn starting_points(
     count: usize,
     observer: &FitObserver,
 ) -> Result<Vec<Vec<f64>>> {
-    /// Number of additional starting points to try if the residuals are undefined at all planned
-    /// starting points.
+    /// Number of starting points to try if the residuals are undefined at all planned starting
+    /// points.
     const START_TRIALS: usize = 64;
     let planned = starts(domain, own, count)?;
     if planned.iter().any(|start| problem.begin(start)) {
@@ -259,8 +259,7 @@ fn starting_points(
     if observer.is_interrupted() {
         return Err(stopped("the fit began"));
     }
-    // no planned starting point allows every row to be computed: try other starting points, as the
-    // optimizer does
+    // like the optimizer, try other starting points
     let other = starts(domain, own, START_TRIALS)?
         .into_iter()
         .find(|start| problem.begin(start));

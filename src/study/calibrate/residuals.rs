@@ -14,7 +14,7 @@ use std::sync::atomic::AtomicBool;
 /// Text that completes "stopped before …".
 const FLOWN: &str = "all shots were flown";
 
-/// Upper limit of a residual: the square of a larger residual overflows.
+/// Upper limit of a residual: larger residuals may overflow when they are squared and added.
 const TOO_FAR: f64 = 1e150;
 
 fn too_far(measurement: &Measurement, computed: f64) -> Error {
