@@ -65,8 +65,8 @@ impl ShotColumns {
         cells(text, self.separator)
     }
 
-    /// Interprets the column heads of a table for shots. If the air is given, the air of the export
-    /// is not used.
+    /// Interprets the column heads of a table of shots. If `is_air_given` is true, the columns in
+    /// which the export states the air are ignored.
     ///
     /// # Errors
     /// [`Error::Table`] if a launch column is missing, or if a unit has the wrong dimension.
@@ -157,8 +157,8 @@ impl ShotColumns {
         self.condition = plain.iter().position(|head| is_condition_head(head));
     }
 
-    /// Sorts the parameters other than the launch in the order of another section. Drops
-    /// parameters that the other section does not have.
+    /// Puts the parameters outside of the launch in the order of the section `other`. Drops
+    /// parameters that `other` does not have.
     ///
     /// # Errors
     /// The name of a parameter that has no column in this section.
@@ -173,7 +173,8 @@ impl ShotColumns {
         Ok(())
     }
 
-    /// Adds a column.
+    /// Adds a column by its meaning: a measured outcome, a parameter of the flight, or a value of
+    /// the club. Of several columns with the same meaning, only the first is added.
     fn take(&mut self, setup: &Setup<f64>, at: usize, column: &Column) -> Result<()> {
         match column.content {
             Content::Outcome(of) if self.read.iter().all(|read| read.of != of) => {
@@ -222,7 +223,7 @@ impl ShotColumns {
         Some(&read.column)
     }
 
-    /// Message about missing columns of the launch.
+    /// Message about missing columns of the launch; `None` if none is missing.
     fn why_no_launch(&self, columns: &[Column]) -> Option<String> {
         let missing = missing_of_launch(columns);
         if missing.is_empty() {
@@ -305,12 +306,12 @@ impl ShotColumns {
         columns_remark("columns given twice; only the first is used", &twice)
     }
 
-    /// Parameters of every row other than the launch.
+    /// The parameters that each row states, without those of the launch.
     pub(super) fn further(&self) -> Vec<&'static Parameter> {
         self.further.iter().map(|row| row.parameter).collect()
     }
 
-    /// Column head of a launch condition, for messages.
+    /// Column head of an outcome, for messages; the name of the outcome if it has no column.
     pub(super) fn name_of(&self, of: Outcome) -> String {
         self.column_of(of)
             .map_or(of.name().into(), |column| column.head.clone())
@@ -325,7 +326,8 @@ impl ShotColumns {
         further.find(|further| further.column.is_stated_air())
     }
 
-    /// Message for a row without usable air.
+    /// Message for a row without usable air; `None` if the row states its air, or if the table has
+    /// no air column.
     pub(super) fn air_note(&self, row: &[Cow<'_, str>]) -> Option<String> {
         let air = self.stated_air()?;
         let stated = air.column.stated_air(&row[air.at]);
@@ -378,8 +380,8 @@ fn read_units(units: Option<&[String]>, at: usize) -> Option<&str> {
     (!unit.is_empty()).then_some(unit)
 }
 
-/// The column for a head of the ball's rest position; `None` for any other head. `calibrate`
-/// ignores these columns, since the ground is unknown.
+/// The column for a head of the ball's rest position; `None` for any other head. [`TableHead`] does
+/// not know these heads, because `calibrate` must ignore their columns: the ground is unknown.
 fn total(
     setup: &Setup<f64>,
     name: &str,

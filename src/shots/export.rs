@@ -38,8 +38,9 @@ impl ShotColumns {
         shot
     }
 
-    /// The refusal that an earlier run of `fly` wrote into the row, to replace the refusal `now`.
-    /// `None` without one, or if the row still contains the faulty value, which `now` names.
+    /// The refusal that an earlier run of `fly` wrote into the row, if it replaces the refusal
+    /// `now`: if `now` reports a missing value, or if all cells but the first are empty. `None`
+    /// without an earlier refusal, or if `now` names a faulty value that is still in the row.
     fn refused_before(&self, row: &[Cow<'_, str>], now: &Refusal) -> Option<Refusal> {
         let [_, flight, reason, _] = row.get(self.added.clone())?.first_chunk()?;
         // for a row without valid cells, `fly` writes the whole row into the first cell
@@ -153,7 +154,9 @@ fn says_normalized(text: &str) -> bool {
         .any(|at| at.eq_ignore_ascii_case(word))
 }
 
-/// The launch parameters of the conditions, in the order of [`LAUNCH`](super::shot::LAUNCH).
+/// The launch parameters that stated conditions give, SI, in the order of
+/// [`LAUNCH`](super::shot::LAUNCH). `name` returns the column head of a condition for messages;
+/// `has` is true for a condition that has a column.
 pub(super) fn launch(
     values: &StatedConditions,
     name: impl Fn(Outcome) -> String,

@@ -17,7 +17,7 @@ pub struct Flown {
     pub(super) block: Block,
     /// True if the predicted and measured roll-outs are compared.
     pub(super) is_on_their_ground: bool,
-    /// The section of the table; `None` for messages.
+    /// The section of the table; `None` for messages of GSPro Open Connect.
     pub section: Option<Section>,
 }
 
@@ -65,7 +65,8 @@ impl Flown {
         }
     }
 
-    /// Predicted value of an outcome (by index), SI.
+    /// Predicted value of an outcome (by index), SI; `None` for a refused row, and if the ball did
+    /// not land.
     pub fn predicted(&self, row: usize, outcome: usize) -> Option<f64> {
         self.block.outcome(self.flights[row]?, outcome)
     }

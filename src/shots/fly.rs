@@ -103,8 +103,8 @@ impl Flying {
     /// receives the results of `work` in the order of the rows.
     ///
     /// # Errors
-    /// Errors of the source and of `sink`. `sink` first receives the rows before an unreadable
-    /// place.
+    /// Errors of the source and of `sink`. If the source becomes unreadable, `sink` still receives
+    /// all rows before that place.
     pub fn fly<R: Send>(
         &self,
         shots: &mut Shots,

@@ -21,8 +21,10 @@ enum ScannerState {
     TooLong,
 }
 
-/// Finds objects in bytes as they arrive. Truncated objects and other text are records too. Such a
-/// record ends with its line, or before the next opening brace, so that later objects are found.
+/// Finds objects in bytes as they arrive. Truncated objects and other text are records too. Text
+/// outside of objects ends with its line, or before the next opening brace. A truncated object ends
+/// before a line that begins with a brace, or at a line end within a string. In this way later
+/// objects are found.
 #[derive(Clone, Debug)]
 pub struct Objects {
     state: ScannerState,
@@ -162,7 +164,7 @@ mod tests {
 
     fn pieces(text: &str) -> Vec<(u64, String, bool)> {
         let mut objects = Objects::default();
-        // in pieces of arbitrary length
+        // chunks of 3 bytes split objects and characters
         for bytes in text.as_bytes().chunks(3) {
             objects.push(bytes);
         }

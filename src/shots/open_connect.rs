@@ -11,7 +11,7 @@ use crate::table::{Record, Refusal, implausible};
 use crate::units::Quantity;
 use serde_json::{Map, Value as Json};
 
-/// Origin of assumed launch values.
+/// The origin that `fly` writes for a launch value that it assumed.
 pub(crate) const ASSUMED: &str = "assumed";
 
 /// Keys of `BallData` with their outcomes.

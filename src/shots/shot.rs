@@ -129,7 +129,7 @@ pub struct Shot {
     pub line: u64,
     /// Text of the row.
     pub text: String,
-    /// Ball data, including the launch.
+    /// Stated values of the ball: launch conditions and outcomes of the flight.
     pub values: Vec<StatedValue>,
     /// Club data.
     pub club: Club,
@@ -166,24 +166,26 @@ impl Shot {
         }
     }
 
-    /// The launch: ball speed, launch angle, launch direction, backspin and sidespin, SI.
+    /// The launch: ball speed, launch angle, launch direction, backspin and sidespin, SI. `None` if
+    /// the shot cannot be flown.
     pub fn launch(&self) -> Option<&[f64]> {
         self.point.as_ref().ok().map(|point| &point[..LAUNCH.len()])
     }
 
-    /// Values of the parameters after the launch, SI.
+    /// Values of the other parameters, in the order of
+    /// [`Shots::further`](crate::shots::Shots::further), SI. Empty if the shot cannot be flown.
     pub fn further(&self) -> &[f64] {
         self.point
             .as_ref()
             .map_or(&[], |point| &point[LAUNCH.len()..])
     }
 
-    /// The reason why the shot cannot be flown.
+    /// The reason why the shot cannot be flown; `None` if it can.
     pub fn refusal(&self) -> Option<&Refusal> {
         self.point.as_ref().err()
     }
 
-    /// Value of an outcome.
+    /// Stated value of an outcome; `None` if the row does not state it.
     pub fn value(&self, of: Outcome) -> Option<StatedValue> {
         self.values.iter().find(|value| value.of == of).copied()
     }

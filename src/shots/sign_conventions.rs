@@ -62,7 +62,7 @@ fn turned_spins(
 }
 
 /// Signs of the values of a row, true for +; `None` for a missing value, for 0, and for a curve
-/// that is too small.
+/// below [`STRAIGHT`].
 struct Signs {
     sidespin: Option<bool>,
     axis: Option<bool>,

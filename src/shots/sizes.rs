@@ -18,7 +18,7 @@ static SIZES: LazyLock<Vec<(&str, f64)>> = LazyLock::new(|| {
     .concat()
 });
 
-/// Conversion factor of a unit to SI.
+/// Conversion factor of a unit to SI; 1 for an unknown unit.
 pub(crate) fn size(quantity: Quantity, unit: &str) -> f64 {
     let known = SIZES
         .iter()

@@ -26,7 +26,7 @@ pub struct Shots {
     /// The column heads of the table's first section; `None` for messages.
     columns: Option<Arc<ShotColumns>>,
     pub(super) rows: UnreadRows,
-    /// Parameters of every row other than the launch.
+    /// The parameters that each row states, without those of the launch.
     pub(super) further: Vec<&'static Parameter>,
     /// True if the source is JSON lines written by `fly`.
     is_written: bool,
@@ -44,6 +44,7 @@ pub(super) struct TableRows {
     setup: Setup<f64>,
     /// Column heads of the current section.
     columns: Arc<ShotColumns>,
+    /// True if a section other than the first began after the previous chunk.
     is_begun: bool,
     is_air_given: bool,
     /// Remarks on later sections.
@@ -61,14 +62,14 @@ pub struct Section {
 
 /// A chunk of unread rows or messages.
 pub(super) struct Chunk {
-    /// The section of the table; `None` for messages.
+    /// The section of the table; `None` for messages of GSPro Open Connect.
     section: Option<Section>,
     records: Vec<Record>,
 }
 
 impl Shots {
     /// Opens a file ("-" is standard input). Reads the rows of its table that `filter` selects, by
-    /// default all rows. If the air is given, every row has the air of the setup, even if the
+    /// default all rows. If `is_air_given` is true, every row has the air of the setup, even if the
     /// export states other air.
     ///
     /// # Errors
@@ -103,7 +104,7 @@ impl Shots {
         Self::of_text(setup, Text::open(name, source)?)
     }
 
-    /// Reads a text whose beginning is known.
+    /// Reads shots from a text that was opened before.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read).
@@ -218,7 +219,7 @@ impl Shots {
         self.column_of(of).map(Column::unit)
     }
 
-    /// The parameters that are not launch conditions.
+    /// The parameters that each row states, without those of the launch.
     pub fn further(&self) -> &[&'static Parameter] {
         &self.further
     }
@@ -321,7 +322,7 @@ impl Chunk {
     }
 }
 
-/// Recognizes JSON.
+/// Recognizes the beginning of a text in JSON.
 pub(crate) fn is_json(text: &str) -> bool {
     let mut characters = text.chars().filter(|c| !c.is_whitespace());
     match characters.next() {

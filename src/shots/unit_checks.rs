@@ -10,7 +10,8 @@ const MOST: usize = 4096;
 
 /// Minimum number of rows for a warning.
 const LEAST: usize = 2;
-/// Minimum number of rows for a warning about a unit that gives a ratio near 1, or about sides.
+/// Minimum number of rows for a warning about a unit that gives a ratio near 1, and for a warning
+/// about opposite sides.
 const LEAST_NEAR_ONE: usize = 5;
 
 /// Maximum relative difference between the median of predicted/measured and the ratio that a wrong
@@ -35,13 +36,14 @@ const MISTAKEN: [(Quantity, &str, &str); 6] = [
     (Quantity::SPEED, "m/s", "mph"),
 ];
 
-/// Largest plausible ratio of carry to ball speed, s. The ratio is computed up to 3.8 s at sea level,
-/// and 4.4 s at an altitude of 2500 m. If speeds in m/s were read as mph, it is 4.8 s or more for
-/// launches of a driver (49 to 90 m/s, up to 5000 rpm).
+/// Largest plausible ratio of carry to ball speed, s. Computed drives have ratios up to 3.8 s at
+/// sea level, and up to 4.4 s at an altitude of 2500 m. If speeds in m/s were read as mph, the
+/// ratio is 4.8 s or more for launches of a driver (49 to 90 m/s, up to 5000 rpm).
 const MOST_CARRY_PER_SPEED: f64 = 4.6;
 
-/// Range of predicted/measured carry if speeds in km/h were read as mph: at 1.609 times the ball
-/// speed a driver's carry (50 to 75 m/s, 10° to 12°) is computed 1.5 to 2.1 times as long.
+/// Ratios predicted/measured of the carry that suggest speeds in km/h read as mph. This mistake
+/// makes the ball speed 1.609 times as large. The computed carry of a driver (50 to 75 m/s, 10° to
+/// 12°) is then 1.5 to 2.1 times as long.
 const IN_KMH: std::ops::Range<f64> = 1.45..2.0;
 
 /// Minimum ball speed of the rows in `carries`, m/s: 49 m/s read as mph. For slower balls the ratio
@@ -62,9 +64,9 @@ pub(super) struct UnitChecks {
 
 /// A contradiction between carries and ball speeds.
 struct SpeedFault {
-    /// The carries, compared with the speeds.
+    /// Words that compare the carries with the speeds.
     carry: &'static str,
-    /// The unit that explains them, if the speeds were read in mph.
+    /// The unit in which the speeds are probably stated, if they were read in mph.
     meant: &'static str,
 }
 
@@ -184,7 +186,7 @@ impl UnitChecks {
 }
 
 /// Median of predicted/measured, and the pair of units that explains this ratio, for values that
-/// were read in `unit`.
+/// were read in `unit`. `None` if no pair of units explains it, or if there are too few values.
 fn mistaken(
     quantity: Quantity,
     ratios: &[f64],

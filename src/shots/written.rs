@@ -31,7 +31,7 @@ pub(super) fn begins(beginning: &str) -> bool {
         .is_some_and(is_written)
 }
 
-/// Parameters other than the launch in a text that `fly` wrote, from the first flown line.
+/// The parameters outside of the launch in a text that `fly` wrote, from its first flown line.
 pub(super) fn further(setup: &Setup<f64>, beginning: &str) -> Vec<&'static Parameter> {
     let mut objects = Objects::default();
     objects.push(beginning.as_bytes());
