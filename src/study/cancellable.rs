@@ -9,8 +9,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub(super) const NOT_LOOKED_AT: &str = "the validity limits of the drives were not checked: the \
                                         work was stopped before";
 
-/// Applies `work` to each item in parallel, in order; `None` if `stop` became true before all items
-/// were started.
+/// Applies `work` to the items in parallel, and returns the results in the order of the items.
+/// `None` if `stop` became true before all items were started.
 pub(super) fn each_until<T: Sync, R: Send>(
     items: &[T],
     stop: &AtomicBool,

@@ -17,10 +17,10 @@ const DOUBLED: i32 = 9;
 /// samples is a measure of the rounding.
 const NEIGHBOURS: usize = 8;
 
-/// Distance between neighbouring samples in units of the parameter's scale. At adjacent
-/// floating-point numbers the outcome may have the same value: the spin decay e^(−δ h) in a time
-/// step h is rounded to 1e-16, so outcomes are step functions of δ. The outcome's own change over
-/// the distance is subtracted.
+/// Distance between neighbouring samples in units of the parameter's scale. Adjacent floating-point
+/// numbers would be too close, because they may give the same outcome: the spin decay e^(−δ h) in a
+/// time step h is rounded to 1e-16, so an outcome is a step function of δ. The change of the
+/// outcome over the distance is subtracted ([`extrapolated_back`]).
 const SPACING: f64 = 1e-12;
 
 /// Tolerance of a jump, in multiples of the scatter of the samples.
@@ -199,8 +199,9 @@ fn steps(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Optio
     }
 }
 
-/// Finds adjacent values of the parameter with different numbers of steps, in ascending order. The
-/// search stops once `goes_on` returns false.
+/// Finds two adjacent floating-point values of the parameter, in ascending order, that give
+/// different numbers of time steps. Takes the pair nearest to the setup's value; `None` if the
+/// number does not change up to [`FARTHEST`], or once `goes_on` returns false.
 fn change(
     setup: &Setup<f64>,
     parameter: &'static Parameter,

@@ -123,7 +123,6 @@ pub(super) fn convergence(
         // the landing lies in the middle of the last step, so that no step ends close to the
         // landing
         setup.flight.step = time / (f64::from(steps) - 0.5);
-        // a flight that fails at too coarse a step is skipped
         let is_short = setup.flight.step <= 1.0 && setup.flight.step * decay_rate <= 1.0;
         if !is_short || !goes_on() {
             return None;
@@ -131,6 +130,7 @@ pub(super) fn convergence(
         Some(SteppedDrive {
             level,
             step: setup.flight.step,
+            // a flight that fails at too long a step is skipped
             taylors: jacobian(&setup, of, wrt).ok()?,
         })
     };

@@ -19,7 +19,7 @@ pub enum PlantedError {
 }
 
 variant_names! {
-    /// JSON name: `sign`.
+    /// Name in JSON, for example `sign`.
     PlantedError as "PlantedError" {
         Sign = "sign",
         Millionth = "factor 1 + 1e-6",
@@ -49,7 +49,8 @@ impl DetectionTest {
     }
 }
 
-/// Velocity at landing, and derivative of the landing time by each parameter.
+/// The factors of the landing terms: the changes of the outcomes [`AT_LANDING`] per landing time,
+/// and the derivative of the landing time by each parameter.
 pub(super) struct LandingTerms {
     per_time: [f64; 3],
     times: Vec<(&'static Parameter, f64)>,
@@ -67,7 +68,7 @@ impl LandingTerms {
         })
     }
 
-    /// Landing term of an outcome's derivative; `None` for an outcome without a landing term.
+    /// Landing term of the derivative in a row; `None` for an outcome without a landing term.
     fn of(&self, row: &DerivativeRow) -> Option<f64> {
         let place = AT_LANDING.iter().position(|of| *of == row.of)?;
         let (_, time) = self
@@ -78,7 +79,8 @@ impl LandingTerms {
     }
 }
 
-/// Plants each error in every passing row whose derivative it changes, and repeats the verdict.
+/// Plants each error in every passing row whose derivative the error changes significantly, and
+/// judges the wrong derivatives.
 pub(super) fn detection_tests(
     setup: &Setup<f64>,
     rows: &[DerivativeRow],

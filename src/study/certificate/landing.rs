@@ -50,7 +50,8 @@ pub struct AtLanding {
 }
 
 /// Tests the derivatives of a landing by each parameter. Empty if the ground cannot be lowered: in
-/// a logarithmic wind, which depends on the height above ground, and below the range of the ground.
+/// a logarithmic wind, which depends on the height above ground, and if the lowered ground would be
+/// outside of the range of `ground.height`.
 ///
 /// # Errors
 /// The errors of [`jacobian`].
@@ -137,7 +138,7 @@ fn extrapolated_landing(
     moved.set_value(parameter, Some(value)).ok()?;
     let ground = moved.ground.height;
     moved.ground.height -= LOWERED_BY;
-    // the flight ends with the first step that passes this limit, which ends at T
+    // the flight ends with the first step that passes this limit; this step ends at T
     moved.flight.time_limit = time - 0.5 * setup.flight.step;
     let launch = match Launch::given(&moved) {
         Some(launch) => launch,

@@ -91,7 +91,8 @@ impl Certificate {
         !self.rows.is_empty() && self.stopped.is_none() && self.failures().is_empty()
     }
 
-    /// The failed checks: "convergence with the time step (landing_speed)"; empty if none failed.
+    /// The failed checks, such as "convergence with the time step (landing_speed)"; empty if none
+    /// failed.
     pub fn failures(&self) -> Vec<String> {
         let by =
             |of: Outcome, parameter: &Parameter| format!("{} by {}", of.name(), parameter.name);
@@ -358,7 +359,10 @@ fn not_examined(
         .collect()
 }
 
-/// Separates outcomes that exist, with derivatives, from missing outcomes; at least one must exist.
+/// Separates the outcomes that have derivatives from the missing outcomes.
+///
+/// # Errors
+/// The error of the first missing outcome, if no outcome has derivatives.
 fn present(
     setup: &Setup<f64>,
     of: &[Outcome],

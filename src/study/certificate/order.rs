@@ -16,8 +16,8 @@ use nalgebra::{DMatrix, DVector};
 /// Minimum number of levels.
 pub(super) const MEASURED: usize = 3;
 
-/// Number of the finest levels of the step to which the lower-order term is fitted. Coarser levels
-/// would need more terms.
+/// Number of levels, the finest, to which the lower-order term is fitted. Coarser levels would need
+/// more terms.
 const FITTED: usize = 4;
 
 /// Largest share of the lower-order term in the error at the finest level that counts as
@@ -56,7 +56,7 @@ pub(super) struct MeasuredOrder {
 }
 
 /// Measures the order from errors above the rounding `floor`; `None` if too few levels have such
-/// errors.
+/// errors. `short_of` is the largest allowed deficit of the order.
 pub(super) fn measure(
     samples: &[Errors],
     expected: u32,

@@ -28,8 +28,8 @@ pub struct DerivativeRow {
 }
 
 impl DerivativeRow {
-    /// Verdict on both derivatives. A discontinuous second derivative is not a corner of the
-    /// outcome.
+    /// Verdict on the row: the verdict on the first derivative, or `Fail` if num-dual or the second
+    /// derivative fails. A discontinuous second derivative is not a corner of the outcome.
     pub fn verdict(&self) -> Verdict {
         if self.num_dual_fails() {
             return Verdict::Fail;
@@ -41,8 +41,8 @@ impl DerivativeRow {
         }
     }
 
-    /// True if num-dual shows that the derivative is wrong. At a corner both methods may return
-    /// either one-sided slope.
+    /// True if num-dual shows that the derivative is wrong. At a corner each method may return
+    /// either one-sided slope, so a difference shows nothing.
     pub fn num_dual_fails(&self) -> bool {
         self.first.verdict != Verdict::Corner && self.num_dual.verdict == Verdict::Fail
     }
@@ -65,10 +65,10 @@ impl DerivativeRow {
     }
 }
 
-/// Required accuracy of differences of outcomes. Extrapolation does not cancel all errors if third
-/// derivatives jump where stages cross joins of the law, or if the last steps end at different
-/// heights in a logarithmic wind. In these cases the required accuracy is a tenth of the detectable
-/// error.
+/// Required accuracy of differences of outcomes. Extrapolation leaves errors in two cases: third
+/// derivatives jump where stages cross joins of the law, and the last steps end at different
+/// heights in a logarithmic wind. The smallest tolerance is then 1e-7, a tenth of the relative error
+/// that differences must detect.
 pub(super) fn demand(setup: &Setup<f64>) -> Demand {
     let is_rough =
         setup.wind.roughness.is_some() || setup.law.properties().continuous_derivatives.is_some();
@@ -227,9 +227,9 @@ impl<'a> Neighbours<'a> {
     }
 }
 
-/// Compares with differences over a few step sizes first. If a comparison fails, it is repeated
-/// with all step sizes, because the outcome may have an extremum within the smallest of the few
-/// steps.
+/// Compares with differences over a few step sizes first. If a comparison fails, all comparisons
+/// are repeated with all step sizes, because the outcome may have an extremum within the smallest
+/// of the few steps.
 pub(super) fn in_few_steps<T>(
     sample: impl Fn(Vec<i32>) -> Vec<Ladder>,
     judge: impl Fn((usize, Ladder)) -> T,
