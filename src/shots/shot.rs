@@ -73,8 +73,9 @@ impl Club {
     ];
 
     /// Club data from stated values and their column heads, in the order of [`NAMES`](Self::NAMES).
-    /// An implausible value counts as not measured, with a note in `notes`. A club speed of 0 counts
-    /// as not measured. If all other stated values are 0 too, none of them counts as measured.
+    /// An implausible value counts as not measured, with a note in `notes`. A club speed of 0
+    /// counts as not measured. If all other stated values are 0 too, none of them counts as
+    /// measured.
     pub(super) fn measured(
         stated: [Option<f64>; 4],
         heads: [&str; 4],

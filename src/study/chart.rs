@@ -305,7 +305,8 @@ fn check(search: &Search, along: Vary, at: &[f64]) -> Result<()> {
     Ok(())
 }
 
-/// End of the next step: `to`, or 0 if `to` is nearly 0, but at most the next value in `at`.
+/// End of the next step: `to`, or 0 if `to` differs from 0 only by rounding; but at most the next
+/// value in `at`.
 fn target(to: f64, from: f64, at: &[f64], width: f64) -> f64 {
     let to = if to.abs() < LOCATED * width { 0.0 } else { to };
     at.iter()
@@ -349,7 +350,8 @@ impl Follower<'_> {
     }
 
     /// Adds to `next` the event after `here`: a jump if the optimum is far from its prediction, or
-    /// a change of the active set, which is located.
+    /// a change of the active set. Bisection locates the change, and the located point replaces
+    /// `next`.
     fn with_event(&self, here: &ChartPoint, next: ChartPoint, apart: f64) -> ChartPoint {
         if apart > TOO_FAR {
             ChartPoint {

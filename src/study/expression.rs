@@ -125,7 +125,7 @@ impl Constraint {
     }
 }
 
-/// Error message for a relation with the name of an outcome, which looks like a limit of the
+/// Error message for a relation that has the name of an outcome: the user may mean a limit of the
 /// outcome.
 fn name_of_outcome(of: Outcome) -> String {
     let limit = if of.group() == OutcomeGroup::Head {
@@ -217,7 +217,8 @@ impl Limit {
     }
 }
 
-/// Reads a goal between limits. `text` is the expression without the name of a relation.
+/// Reads a constraint, which is a goal between limits. `text` is the expression without the name of
+/// a relation.
 fn read(text: Piece<'_>, scope: &Scope<'_>) -> Result<Constraint> {
     let pieces = split(text)?;
     let (mut goal, low, high) = match pieces.as_slice() {

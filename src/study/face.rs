@@ -13,8 +13,8 @@ pub struct Face {
     pub golfer: Golfer,
     /// Half-width (towards the toe) and half-height of the face, m.
     pub half: [f64; 2],
-    /// True if impact points are relative to the face centre, because the centre of mass is not
-    /// behind the face centre. False if they are relative to the sweet spot.
+    /// True if impact points are relative to the face centre: `club.cg_high`, `club.cg_toe` or a
+    /// movable weight is set. False if impact points are relative to the sweet spot.
     pub is_from_centre: bool,
     /// Point where the face normal passes through the centre of mass, m: towards the toe, up;
     /// `None` if there is no such point.
@@ -128,7 +128,7 @@ impl Face {
             .is_some_and(|spot| (0..2).all(|axis| (spot[axis] - self.strike[axis]).abs() < 1e-6))
     }
 
-    /// Reports whether a point lies within the outline.
+    /// True if a point lies within the outline.
     pub fn holds(&self, at: [f64; 2]) -> bool {
         is_on(self.half, at)
     }
@@ -144,7 +144,7 @@ fn is_on(half: [f64; 2], at: [f64; 2]) -> bool {
         <= 1.0
 }
 
-/// Fraction of the face over which the tilts are computed.
+/// Half-width and half-height of the area with computed tilts, as a fraction of those of the face.
 const TILTED: f64 = 0.7;
 
 /// Ranges of `strike.toe` and `strike.high`.

@@ -74,7 +74,7 @@ impl WindowLimit {
     }
 }
 
-/// The name.
+/// Serialized as its name.
 impl Serialize for WindowLimit {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())

@@ -22,7 +22,7 @@ pub struct Goal {
     pub unit: &'static str,
 }
 
-/// The text.
+/// Serialized as its text.
 impl Serialize for Goal {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         serializer.serialize_str(&self.expression)

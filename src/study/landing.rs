@@ -5,7 +5,7 @@ use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::parameters::Setup;
 
-/// Landing and rest positions of a drive, with their scatter.
+/// Landing point and rest position of a drive, with the scatter of the landing point.
 #[derive(Clone, Debug)]
 pub struct Landing {
     /// Name of the drive: "as set up", "optimum".

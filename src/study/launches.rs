@@ -18,8 +18,9 @@ pub struct Launches {
     pub plane: Plane,
     /// Launches of the drives shown; the first belongs to the setup.
     pub launched: Vec<NamedLaunch>,
-    /// Best launch angle for each backspin: [launch angle, backspin], if it lies inside the range
-    /// of [`plane`](Self::plane).
+    /// Launch angle of longest carry for each backspin of [`plane`](Self::plane): launch angle
+    /// (rad) and backspin (rad/s). A backspin is omitted if its best launch angle lies at an end of
+    /// the range.
     pub ridge: Vec<[f64; 2]>,
 }
 
@@ -129,7 +130,7 @@ impl Launches {
 }
 
 /// Position of the maximum of each row: vertex of the parabola through the best node and its
-/// neighbours. A row with its maximum at an end has no position.
+/// neighbours. A row whose best node is at an end, or beside a node without a value, is omitted.
 fn ridge(plane: &Plane) -> Vec<[f64; 2]> {
     let width = (plane.across.high - plane.across.low) / (plane.columns - 1) as f64;
     let best = |(row, values): (usize, &[Option<f64>])| {

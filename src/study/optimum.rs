@@ -3,7 +3,7 @@
 //! ```text
 //!   setup, Search ──▶ SearchProblem ──▶ local searches from starts ──▶ best end
 //!   one drive:  best end ──▶ compared with a sample of the ranges, and improved from it
-//!   swings:     ends ──▶ goals by their definitions
+//!   swings:     ends ──▶ goals without smoothing
 //! ```
 
 use super::cancellable::stopped;
@@ -38,12 +38,13 @@ pub struct Optimum {
     /// The drive at the optimum, for a search over one drive; `None` if no drive of the search
     /// flies.
     pub drive: Option<Drive<f64>>,
-    /// The setup at the start of the search.
+    /// The setup that the search was given.
     pub start: Setup<f64>,
-    /// The setup before the search: the start, but a varied parameter may have no value.
+    /// The setup with which the optimum is compared: `start`, unless
+    /// [`compared_with`](Self::compared_with) replaced it. A varied parameter may have no value.
     pub set_up: Setup<f64>,
-    /// The drive before the search, for a search over one drive; `None` if the club does not strike
-    /// the ball.
+    /// The drive of `set_up`, for a search over one drive; `None` if the club does not strike the
+    /// ball.
     pub drive_as_set_up: Option<Drive<f64>>,
     /// Comparison of the optimum of one drive with a sample of the ranges; `None` after a local
     /// search, and after an interrupted search.
@@ -57,7 +58,7 @@ pub struct Optimum {
 }
 
 impl Optimum {
-    /// This optimum of one drive, to be compared with `set_up` in place of the start of the search.
+    /// This optimum of one drive, compared with `set_up` in place of [`start`](Self::start).
     #[must_use]
     pub fn compared_with(self, set_up: Setup<f64>) -> Self {
         Self {
@@ -78,7 +79,7 @@ impl Optimum {
         is_distance.contains(&self.search.of.outcome()) && run.is_some_and(|run| run != 0.0)
     }
 
-    /// Refuses an optimum that the search did not find.
+    /// Refuses the result of a search that did not converge.
     ///
     /// # Errors
     /// [`Error::NotConverged`] without a converged optimum.
@@ -430,8 +431,8 @@ impl Study {
         })
     }
 
-    /// Exact goals at the end of a search, also after an interrupt. `None` if the ball does not fly
-    /// in one of the drives.
+    /// Goals without smoothing at the end of a search, also after an interrupt. `None` if the ball
+    /// does not fly in one of the drives.
     fn goals(&self, solution: &Solution) -> Option<Vec<f64>> {
         let value = solution.value?;
         let search = &self.problem.search;

@@ -174,8 +174,8 @@ impl SearchProblem {
     }
 
     /// The objective and the constraint functions at `x`, with derivatives by the varied parameters
-    /// and by one more parameter, for a search over one drive. Second derivatives are computed only
-    /// with this additional parameter.
+    /// and by one more parameter, for a search over one drive. Of the second derivatives, only
+    /// those that involve the additional parameter are computed; the others are 0.
     pub fn evaluate_with(&self, x: &[f64], parameter: &'static Parameter) -> Result<Evaluation> {
         let wrt: Vec<_> = self.vary.iter().copied().chain([parameter]).collect();
         let goals = derivative::towards_last(&self.moved(x)?, &self.of, &wrt)?;
@@ -382,8 +382,8 @@ impl SearchProblem {
         self.reported(&self.moved(x)?, x, &AtomicBool::new(false))
     }
 
-    /// Values of the goals at the setup's own design. If the setup has no value for a varied
-    /// parameter, the parameter is not set.
+    /// Values of the goals at the setup's own design. A varied parameter without a value in the
+    /// setup remains unset.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
@@ -513,9 +513,9 @@ impl SearchProblem {
     }
 
     /// The objective and the constraint functions from the goals over the scenarios with these
-    /// weights, with smoothed kinks and jumps. Values and gradients are of all drives. The Hessians
-    /// contain all products of outcome gradients, but second derivatives only of the drives in
-    /// `part`.
+    /// weights, with smoothed kinks and jumps. Values and gradients use all drives. Hessians use
+    /// the products of the outcome gradients of all drives, but the second derivatives only of the
+    /// drives in `part`.
     pub fn weighted(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
         if let ([drive], true) = (self.drives.as_slice(), self.is_of_outcomes) {
             let goals = drive.at(x).map_err(|error| error.to_string())?;

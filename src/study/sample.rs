@@ -34,11 +34,11 @@ const SEARCHES: usize = 3;
 /// If less than one in this number of points is feasible, the feasible region may be disconnected.
 const ONE_IN: usize = 8;
 
-/// Compares the end of a search with a sample of the ranges, and replaces it by a better solution
-/// of `search`, if any. `search` starts from the points that are better than the best solution so
-/// far. If few points are feasible, it also starts from the best of them, because the feasible
-/// region may be disconnected. `None` if the search was interrupted before all points were
-/// evaluated.
+/// Compares `end`, the end of a search, with a sample of the ranges. Replaces `end` by a better
+/// solution of `search`, if any. `search` starts from the points that are better than the best
+/// solution so far. If few points are feasible, `search` also starts from the best point, because
+/// the feasible region may be disconnected. `None` if the search was interrupted before all points
+/// were evaluated.
 pub(super) fn resample(
     problem: &SearchProblem,
     end: &mut Solution,

@@ -43,7 +43,8 @@ pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sens
     })
 }
 
-/// The sensitivity to each of several parameters, or the error of this sensitivity.
+/// The sensitivity to each of several parameters, or the error of this sensitivity. `progress`
+/// receives the number of finished parameters and the number of all parameters.
 ///
 /// # Errors
 /// [`Error::NotConverged`] without a converged optimum.

@@ -127,9 +127,11 @@ pub(super) fn amount_of(
     }
 }
 
-/// An amount with its unit, or a fraction of the parameter's value.
+/// A default standard uncertainty.
 enum DefaultSigma {
+    /// An amount with its unit.
     Of(f64, &'static str),
+    /// A fraction of the parameter's value.
     Part(f64),
     /// Uncertainty of the mean wind, m/s, in addition to its gusts.
     Wind(f64),

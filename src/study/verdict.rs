@@ -54,7 +54,8 @@ pub(super) fn only_in(these: &[Active], others: &[Active]) -> Vec<Active> {
         .collect()
 }
 
-/// The active bounds and constraints. `is_lower` selects the bound of a variable.
+/// The active bounds and constraints of `held`. `is_lower` is true for a variable whose lower bound
+/// is active, false if the upper bound is active.
 pub(super) fn active(
     vary: &[Vary],
     constraints: &[Constraint],
@@ -88,8 +89,9 @@ pub(super) fn status_name(status: Status) -> &'static str {
     }
 }
 
-/// Text on the constraints that the end of a search violates, with the exact `goals` at this end.
-/// If the exact goals meet all limits, the text is on the smoothed goals of the search.
+/// Text on the constraints that the final point of a search violates, with the values `goals`,
+/// which are not smoothed. If these values meet all limits, the text has the smoothed values of the
+/// search.
 pub(super) fn violated(
     constraints: &[Constraint],
     found: &Solution,
@@ -322,10 +324,13 @@ impl Optimum {
         }
     }
 
-    /// True if a varied parameter does not affect the objective: over the range of the parameter
-    /// the objective changes, to second order, only by rounding. In a search over swings, a change
-    /// below 1 mm is negligible; if the objective is not a length, a change below 1e-6 of its
-    /// value. The optimal value of such a parameter is arbitrary, or lies at a bound.
+    /// True if the varied parameter `i` does not affect the objective. To second order, the
+    /// objective changes over the range of the parameter:
+    ///
+    /// - for one drive, only by rounding;
+    /// - over swings, by less than 1 mm, or by less than 1e-6 of its value if it is not a length.
+    ///
+    /// The optimal value of such a parameter is arbitrary, or lies at a bound.
     pub fn is_idle(&self, i: usize) -> bool {
         const ROUNDING: f64 = 1e-12;
         let size = self.value().unwrap_or_default().abs();
@@ -366,8 +371,8 @@ impl Optimum {
         slopes.chain(bends).all(|change| change.abs() < ROUNDING)
     }
 
-    /// Message if the search began elsewhere, because the ball does not fly with the setup's own
-    /// values.
+    /// Message on the point at which the search began instead of the setup's own values, because
+    /// the ball does not fly with these; `None` if the search began at the setup's own values.
     pub fn moved_start(&self) -> Option<String> {
         let why = self.solution.undefined_at_start.as_ref();
         let why = why.filter(|_| !self.solution.initial_point.is_empty())?;

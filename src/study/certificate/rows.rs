@@ -67,8 +67,8 @@ impl DerivativeRow {
 
 /// Required accuracy of differences of outcomes. Extrapolation leaves errors in two cases: third
 /// derivatives jump where stages cross joins of the law, and the last steps end at different
-/// heights in a logarithmic wind. The smallest tolerance is then 1e-7, a tenth of the relative error
-/// that differences must detect.
+/// heights in a logarithmic wind. The smallest tolerance is then 1e-7, a tenth of the relative
+/// error that differences must detect.
 pub(super) fn demand(setup: &Setup<f64>) -> Demand {
     let is_rough =
         setup.wind.roughness.is_some() || setup.law.properties().continuous_derivatives.is_some();

@@ -52,7 +52,7 @@ pub struct Difference {
 }
 
 impl Difference {
-    /// Outcome of b minus outcome of a, SI; directions differ by less than half a turn.
+    /// Outcome of b minus outcome of a, SI. For a direction, the difference is at most half a turn.
     pub fn amount(&self) -> f64 {
         let [a, b] = self.values;
         self.of.change(a, b)
@@ -105,7 +105,7 @@ impl Comparison {
         })
     }
 
-    /// Reports whether the setups differ.
+    /// True if the setups differ.
     pub fn differs(&self) -> bool {
         !self.path.causes().is_empty()
     }

@@ -77,7 +77,7 @@ impl Cause {
     }
 }
 
-/// The name.
+/// Serialized as its name.
 impl Serialize for Cause {
     fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
@@ -297,7 +297,7 @@ impl SetupPath {
                 .ends
                 .each_ref()
                 .map(|setup| setup.value(parameter).unwrap_or_default());
-            // rounding must not leave the range
+            // clamp: rounding may leave the range
             ((1.0 - at) * from + at * to).clamp(from.min(to), from.max(to))
         };
         self.continuous.iter().map(between).collect()

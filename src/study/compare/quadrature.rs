@@ -13,8 +13,8 @@ const RULE: [(f64, f64); 4] = [
 /// Relative error below which an integral counts as exact up to rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Number of bisections after which a smooth function, or one with a single kink, is integrated to
-/// rounding.
+/// Number of bisections that suffice for a smooth function, or a function with a single kink, to be
+/// integrated to rounding. After them the tolerance is [`ENOUGH`].
 const USUAL: usize = 100;
 
 /// Relative tolerance for functions with hundreds of kinks. The derivatives of a piecewise C² law
@@ -28,8 +28,8 @@ const MOST: usize = 1000;
 pub(super) struct Integrals {
     /// The values.
     pub values: Vec<f64>,
-    /// Error estimate: sum over the intervals of the change by the last bisection, for the integral
-    /// that changes most.
+    /// Error estimate, summed over the intervals. The estimate of an interval is the change of its
+    /// integral by its bisection, for the function whose integral changes most.
     pub error: f64,
 }
 

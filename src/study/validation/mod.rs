@@ -16,7 +16,7 @@ use crate::parameters::Law;
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
-/// Temperature range for drives without a stated air, K: 15 and 35 °C.
+/// Temperatures of the colder and the warmer air for drives without a stated air, K: 15 and 35 °C.
 pub const SWEPT: [f64; 2] = [288.15, 308.15];
 
 /// The error of a quantity for one drive.
@@ -193,7 +193,8 @@ impl SetScores {
         })
     }
 
-    /// The errors of an aerodynamic law in each published quantity, in air of this temperature.
+    /// The errors of an aerodynamic law in each published quantity. A case without a stated air has
+    /// air of this temperature, by default 25 °C.
     fn scores(
         &self,
         base: Option<&Case>,
@@ -225,8 +226,8 @@ impl SetScores {
             .collect())
     }
 
-    /// Bias of the first quantity for the mean of scattered drives; `None` if a case has no such
-    /// mean.
+    /// Bias of the first quantity for the mean of scattered drives; `None` if this mean cannot be
+    /// computed for a case.
     fn bias_of_scattered(&self, law: Law<f64>, scores: &[Score]) -> Option<f64> {
         let bias = scores.first()?.bias?;
         let less = self

@@ -120,7 +120,7 @@ pub(super) fn of_averaging(case: &Case, law: Law<f64>) -> Option<f64> {
     )
 }
 
-/// Lateral distance of the landing point from the initial direction.
+/// Lateral distance of the landing point from the initial direction, m, + right.
 fn curve(mut setup: Setup<f64>, case: &Case) -> Option<f64> {
     setup.swing.face_angle = case.face_to_path?;
     let drive = Drive::new(&setup).ok()?;
