@@ -85,7 +85,7 @@ pub(super) fn air_as_given(head: &str) -> String {
     format!("the given air replaces the air that the export states for each row: {head}")
 }
 
-/// Replaces the message [`air_of_rows`] by the message that the setup overrides the air.
+/// Replaces the message [`air_of_rows`] by the message [`air_as_given`].
 pub(crate) fn replace_air_remark(remarks: &mut [Message], head: &str) {
     let replaced = air_of_rows(head);
     for remark in remarks {

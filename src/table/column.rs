@@ -34,7 +34,8 @@ pub(crate) struct Column {
     pub content: Content,
     pub head: String,
     unit: Option<String>,
-    /// The parsed unit, if it matches the column's quantity.
+    /// The parsed unit; `None` if there is no unit, or if it is not a unit of the column's
+    /// quantity.
     size: Option<Unit>,
     pub format: TableFormat,
     /// True if the column is an angle of an export and has no unit. It is read in degrees.
@@ -207,7 +208,7 @@ impl Column {
         self.is_in_assumed_degrees && self.content != Content::Note
     }
 
-    /// True for a parameter of the delivery.
+    /// True for a parameter of swing, strike, club or impact.
     pub fn is_of_the_strike(&self) -> bool {
         matches!(self.content, Content::Input(parameter) if parameter.is_of_strike())
     }
@@ -267,7 +268,7 @@ impl Column {
                 .is_some_and(|quantity| !quantity.si.is_empty())
     }
 
-    /// Assumes this unit if the table does not state the unit.
+    /// Assumes this unit if the column has none.
     #[must_use]
     pub fn in_unit(self, unit: &str) -> Self {
         if self.lacks_unit() {
@@ -282,7 +283,7 @@ impl Column {
         }
     }
 
-    /// Computes the size of the unit.
+    /// Parses the unit.
     fn sized(self) -> Self {
         let size = self
             .unit
@@ -390,8 +391,8 @@ impl Column {
 
     /// The sign that converts a number to this program's convention. Launch monitors count path and
     /// face angle as positive to the right for every golfer, also in cells with a side such as `R`;
-    /// this program counts them as positive outwards. In a turned column, positive values are to
-    /// the left.
+    /// this program counts a path from in to out and an open face as positive. In a turned column,
+    /// positive values are to the left.
     fn sign(&self, side: Option<CellSide>) -> f64 {
         if self.is_turned && side.is_none() {
             return -1.0;

@@ -34,8 +34,8 @@ impl ConditionFault {
 /// The values of [`CONDITIONS`] in a row.
 pub(crate) type StatedConditions = [Option<f64>; CONDITIONS.len()];
 
-/// Largest spin axis in a row with backspin, since sidespin = backspin · tan(axis), and tan 90° is
-/// infinite.
+/// Largest spin axis in a row that states backspin and spin axis, rad: sidespin = backspin ·
+/// tan(axis), and tan 90° is infinite.
 const MOST_AXIS: f64 = std::f64::consts::FRAC_PI_2 - 1e-9;
 
 /// Largest relative difference of two spins that rounding explains. For example, rounding a spin

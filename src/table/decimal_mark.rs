@@ -73,8 +73,8 @@ impl DecimalMark {
         found
     }
 
-    /// True if the mark in a cell may separate either decimals or thousands, in a table with the
-    /// mark `of_table`; `None` if the mark of the table is not known.
+    /// True if the mark in a cell may separate either decimals or thousands. `of_table` is the
+    /// decimal mark of the table, `None` if it is not known.
     pub fn is_ambiguous(of_table: Option<Self>, cell: &str) -> bool {
         if of_table == Some(Self::Point) {
             return false;
@@ -108,8 +108,8 @@ impl DecimalMarkCheck {
     /// Checks a cell against all cells so far.
     ///
     /// # Errors
-    /// A message if the mark of this cell, or that of an earlier cell beside it, may be a decimal mark
-    /// or a separator of thousands.
+    /// A message if this cell and an earlier cell have different marks, and one of the two marks
+    /// may separate either decimals or thousands.
     pub fn check(&mut self, row: u64, column: &Column, text: &str) -> Result<(), String> {
         if !(column.format.has_decimal_comma && column.is_a_number()) {
             return Ok(());

@@ -19,7 +19,7 @@ const DEFAULT_UNITS: [(Quantity, &str); 4] = [
 ];
 
 /// Assumes default units for columns without a unit and returns a remark. Angles are in degrees
-/// already, and columns whose cells contain units are skipped.
+/// already. A column is skipped if its cells contain units: `states_unit` is true for it.
 pub(crate) fn assume_units(
     columns: &mut [Column],
     states_unit: impl Fn(usize, &Column) -> bool,
@@ -70,7 +70,7 @@ pub(crate) fn has_outcome(columns: &[Column], of: Outcome) -> bool {
         .any(|column| column.content == Content::Outcome(of))
 }
 
-/// True if there are all columns of a launch.
+/// True if no column of a launch is missing.
 pub(crate) fn has_whole_launch(columns: &[Column]) -> bool {
     missing_of_launch(columns).is_empty()
 }
@@ -119,7 +119,7 @@ pub(crate) fn near_known(columns: &[Column]) -> String {
     }
 }
 
-/// Message for exports whose air the setup overrides.
+/// Message for exports whose air the setup overrides; `None` for other tables.
 pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
     columns
         .iter()
@@ -146,7 +146,7 @@ pub(crate) fn in_degrees(columns: &[Column]) -> Option<String> {
 /// Ignores the unknown columns of an export. If the launch is measured, also ignores
 ///
 /// - the smash factor,
-/// - columns of the club, if `club` says so,
+/// - columns of the club, if `club` is [`ClubColumns::Ignored`],
 /// - redundant spin columns, unless `selects_spin_by_row` is true and no columns of the club are
 ///   read.
 ///

@@ -15,9 +15,10 @@ use std::borrow::Borrow;
 pub(crate) struct TableOptions {
     /// Use of the club columns in a table with measured launches.
     pub club: ClubColumns,
-    /// True if each row selects among its spin values where the spin is stated more than once
-    /// ([`without_redundant_spins`](super::conditions::without_redundant_spins)); false if the
-    /// whole table uses the same columns.
+    /// Selection of the spin values if the columns state the spin more than once. True if each row
+    /// selects among its own values
+    /// ([`without_redundant_spins`](super::conditions::without_redundant_spins)); false if all rows
+    /// use the same columns.
     pub selects_spin_by_row: bool,
     /// Advice for unknown column heads.
     pub advice: &'static str,
@@ -142,14 +143,14 @@ impl TableHead {
         })
     }
 
-    /// True if there is a column of the delivery.
+    /// True if a column is a parameter of swing, strike, club or impact.
     pub fn has_strike(&self) -> bool {
         self.columns.iter().any(Column::is_of_the_strike)
     }
 }
 
-/// All columns, or the errors of the columns that cannot be read, with this advice for unknown
-/// names.
+/// All columns, or the errors of the columns that cannot be read. A message about unknown names
+/// ends with `advice`.
 fn all(
     read: impl Iterator<Item = (usize, Result<Column>)>,
     advice: &'static str,
@@ -201,7 +202,7 @@ pub(crate) fn remark_from_line(line: u64, remark: &Message) -> Message {
     Message::from(format!("from line {line} on: ")).message(remark.clone())
 }
 
-/// Errors in column heads: all unknown names; without any, the first error of another kind.
+/// Errors in column heads: all unknown names, if there are several; otherwise the first error.
 #[derive(Debug)]
 pub(crate) struct ColumnErrors {
     /// Positions, from 0.
@@ -220,8 +221,8 @@ pub(super) const OF_LAUNCHES: &str = "give the columns of the launch heads that 
                                       the heads are in one of the first lines";
 
 impl ColumnErrors {
-    /// Collects the errors of columns, numbered from 0, with this advice for unknown names; `None`
-    /// if there are no errors.
+    /// Collects the errors of columns, which are numbered from 0. A message about unknown names
+    /// ends with `advice`. `None` if there are no errors.
     fn of(faults: Vec<(usize, Error)>, advice: &str) -> Option<Self> {
         let (mut at_unknown, mut unknown) = (vec![], vec![]);
         for (at, error) in &faults {

@@ -36,8 +36,8 @@ const OF_DELIVERY: &[(&str, &str)] = &[
 ];
 
 /// Known column heads with their meanings: the column heads of the delivery, and those in the
-/// declarations of outcomes. Outcomes of the rest position are omitted, because they are read only
-/// if the ground is known (see [`rest_of_head`]).
+/// declarations of outcomes. Outcomes of the rest position are omitted, because they depend on the
+/// ground; `shots` finds their heads with [`rest_of_head`].
 pub(super) fn heads() -> impl Iterator<Item = (&'static str, Meaning)> {
     let of_delivery = OF_DELIVERY
         .iter()
@@ -55,13 +55,13 @@ pub(crate) fn rest_of_head(words: &str) -> Option<Outcome> {
     of_rest.find(|of| of.heads().contains(&words))
 }
 
-/// True for the column head, in lower case without punctuation, of the conditions for which the
-/// values of a row hold, such as normalized weather.
+/// True for the head of a column that states the conditions for which the values of a row hold,
+/// such as normalized weather. `words` is the head in lower case without punctuation.
 pub(crate) fn is_condition_head(words: &str) -> bool {
     ["condition", "conditions"].contains(&words)
 }
 
-/// Known column heads of launch monitors that are not used.
+/// Column heads of launch monitors that are not used. They are no misspelt heads of used columns.
 pub(super) const NOT_USED: &[&str] = &[
     "ball type",
     "club brand",

@@ -90,7 +90,7 @@ pub(crate) fn is_export<'a>(heads: impl Iterator<Item = &'a str>) -> bool {
     heads.filter(|head| is_known(head) || is_near(head)).count() >= 2
 }
 
-/// Recognizes column heads of launch monitors, also `ball_speed_mph`.
+/// Recognizes column heads of launch monitors, including `ball_speed_mph`.
 fn is_known(head: &str) -> bool {
     let (name, unit) = split_unit(head);
     meaning(name).is_some()

@@ -1,5 +1,5 @@
-//! Plausible ranges of measured values. Values outside are errors of the table, such as a wrong
-//! unit.
+//! Plausible ranges of measured values. A value outside of its range is an error of the table, such
+//! as a wrong unit.
 
 use super::CONDITIONS;
 use super::conditions::{StatedConditions, conditions, without_redundant_spins};
@@ -34,7 +34,8 @@ static OF_CLUB_IN_SI: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
     OF_CLUB.iter().map(range).collect()
 });
 
-/// Message for implausible values of a club; `head` is the column head.
+/// Message for an implausible value of the club, and for a club speed of 0; `None` for a plausible
+/// value. `head` is the column head.
 pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Option<String> {
     let at = OF_CLUB.iter().position(|(known, ..)| *known == parameter)?;
     let [lowest, highest] = OF_CLUB_IN_SI[at];
@@ -71,7 +72,8 @@ static IN_SI: LazyLock<Vec<Option<[f64; 2]>>> = LazyLock::new(|| {
     Outcome::ALL.iter().map(in_si).collect()
 });
 
-/// Message for values that no drive has; `name` is the column head.
+/// Message for a value that no drive has; `None` for a plausible value. `name` returns the column
+/// head.
 pub(crate) fn implausible(
     of: Outcome,
     value: f64,
@@ -100,8 +102,8 @@ pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
     ))
 }
 
-/// Message for values that are impossible for a landed drive: a negative value of an outcome that
-/// cannot be negative, or 0 for an outcome that is always positive.
+/// Message for a value that is impossible for a landed drive: a negative value of an outcome that
+/// cannot be negative, or 0 for an outcome that is always positive. `None` for a possible value.
 pub(crate) fn impossible(of: Outcome, value: f64) -> Option<String> {
     let (is_possible, least) = match of.sign() {
         Sign::Positive => (value > 0.0, "above 0"),

@@ -9,8 +9,8 @@ use std::io::{self, BufRead, Read};
 /// Maximum length of a line, bytes.
 const LONGEST: u64 = 1 << 20;
 
-/// Maximum number of lines of a record. A quote that stays open longer is an error of the first
-/// line.
+/// Maximum number of further lines of a record. A quote that stays open over more lines is an error
+/// of the first line.
 const MOST_LINES: usize = 32;
 
 /// A row of a table; or, in a stream of messages, a JSON object or other text.
@@ -43,7 +43,7 @@ pub(super) struct Lines {
     encoding: Encoding,
     /// Line terminator.
     end: u8,
-    /// Lines that have been read from the source.
+    /// Number of lines that have been read from the source.
     read: u64,
     /// Lines that were pushed back.
     held: VecDeque<(u64, String)>,

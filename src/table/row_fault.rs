@@ -6,8 +6,7 @@ use crate::units::counted;
 
 /// Why a row of a table is not read.
 pub(crate) enum RowFault<'a> {
-    /// An average or another statistic of other rows of an export, with the word that identifies it:
-    /// `Average`.
+    /// A statistic of other rows of an export, with the word that identifies it, such as `Average`.
     Summary(&'a str),
     /// A title of an export with a single filled cell, such as the name of a club above its shots.
     Title(&'a str),

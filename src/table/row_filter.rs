@@ -30,7 +30,7 @@ struct ColumnFilter {
     values: Vec<String>,
     /// Index of the column in the current section.
     at: usize,
-    /// Number of rows by their text in this column.
+    /// Number of rows for each text in this column; at most [`MOST_VALUES`] texts.
     seen: BTreeMap<String, u64>,
 }
 
@@ -134,7 +134,8 @@ impl RowFilter {
         Err(format!("no row has {}{listed}", self.conditions()))
     }
 
-    /// A remark on the number of rows that satisfy the conditions, after the last row.
+    /// A remark on the number of rows that satisfy the conditions, complete after the last row;
+    /// `None` without conditions.
     pub(crate) fn remark(&self) -> Option<Message> {
         let (kept, rows) = (self.kept, self.rows);
         (!self.is_empty()).then(|| format!("{}: {kept} of {rows} rows", self.conditions()).into())

@@ -179,8 +179,8 @@ impl TextTable {
         Ok((table, head))
     }
 
-    /// Begins a section at a line of column heads; `None` if the column heads and their units equal
-    /// those of the section before.
+    /// Begins a section at a line of column heads. `None` if the line only repeats the column heads
+    /// and units of the current section.
     ///
     /// # Errors
     /// The errors of [`open`](Self::open).
@@ -230,7 +230,8 @@ impl TextTable {
         Ok(head)
     }
 
-    /// Rows below the line `head` of column heads, within the first 64 KiB, at most [`MOST_ROWS`].
+    /// Rows below the line `head` of column heads: at most [`MOST_ROWS`], and only rows in the
+    /// first 64 KiB of the text.
     pub fn rows_below(&self, head: u64) -> Vec<Vec<String>> {
         let has_returns = self.beginning.contains('\r') && !self.beginning.contains('\n');
         let end = if has_returns { '\r' } else { '\n' };

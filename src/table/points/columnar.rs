@@ -14,7 +14,7 @@ pub(super) trait ColumnarFile: Sized {
     /// Column names.
     fn names(&self) -> Vec<String>;
 
-    /// Message for columns without readable numbers.
+    /// Reason why a column cannot be read as numbers; `None` if it can.
     fn refusal(&self, column: usize) -> Option<String>;
 
     fn rewind(&mut self);

@@ -15,7 +15,7 @@ pub(super) trait PointRows {
     /// Reads values as [`Points::read`] does; a missing value is NaN.
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
 
-    /// Remarks after the last row.
+    /// Remarks on the columns and rows, complete after the last row.
     fn notes(&self) -> Vec<Message> {
         self.columns().notes.clone()
     }
@@ -119,7 +119,7 @@ impl InvalidRows {
     }
 }
 
-/// Message for values outside their range.
+/// Reason why a value is invalid: it is missing or out of range. `None` for a valid value.
 fn wrong(parameter: &'static Parameter, value: f64) -> Option<String> {
     let name = parameter.name;
     if value.is_nan() {
