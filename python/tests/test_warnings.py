@@ -192,7 +192,7 @@ def test_a_fit_names_the_impossible_value_and_the_swing_of_all_rows() -> None:
     }
     with pytest.raises(
         longdrive.InputError,
-        match="^data, row 2, column carry: 825 yd is outside of what a drive has, above 0 to 600 yd; check",
+        match="^data, row 2, column carry: 825 yd is outside of the range of drives, above 0 to 600 yd; check",
     ):
         longdrive.calibrate({**launch, "carry [yd]": [240.0, 825.0]}, fit="aero.cd0")
     with pytest.warns(

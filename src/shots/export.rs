@@ -53,8 +53,8 @@ impl ShotColumns {
     fn number(&self, read: &MeasuredColumn, text: &str) -> Result<Option<f64>, String> {
         if DecimalMark::is_ambiguous(self.decimal_mark, text) {
             return Err(format!(
-                "'{text}' may have decimals or thousands; write a number without a mark between \
-                 thousands"
+                "the mark in '{text}' may separate decimals or thousands; write a number without a \
+                 mark between thousands"
             ));
         }
         read.column.value(text)

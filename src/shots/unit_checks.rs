@@ -131,7 +131,7 @@ impl UnitChecks {
             let read = shots.unit_of(Outcome::BallSpeed);
             let is_mph = read.is_some_and(|unit| Quantity::SPEED.size_of(unit) == mph);
             let as_if = match is_mph {
-                true => format!(", as if they were in {} and read in mph", fault.meant),
+                true => format!(", as if the speeds were in {} and read in mph", fault.meant),
                 false => String::new(),
             };
             warnings.push(format!(
@@ -144,8 +144,8 @@ impl UnitChecks {
                 let (ratio, (_, meant, read)) =
                     mistaken(of.quantity(), ratios, shots.unit_of(*of))?;
                 Some(format!(
-                    "{}: predicted values are {ratio:.2} times the measured ones in the median, as \
-                     if these were in {meant} and read in {read}; \
+                    "{}: predicted values are {ratio:.2} times the measured values in the median, \
+                     as if the measured values were in {meant} and read in {read}; \
                      check the unit in the head",
                     name(*of)
                 ))

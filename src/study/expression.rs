@@ -67,8 +67,8 @@ impl Constraint {
     /// [`Error::Constraint`], which points into the expression.
     pub fn read(expression: &str) -> Result<Self> {
         if Self::is_relation(expression) {
-            let reason = "a relation of parameters is a limit over many swings (`swings` or \
-                          `distribution`) and of `design()`; for one \
+            let reason = "a relation of parameters limits a search over many swings (`swings` or \
+                          `distribution`) or `design()`; for one \
                           drive, give the range of a parameter with `vary`, or limit an outcome";
             return Err(Piece::whole(expression).error(reason));
         }
@@ -419,8 +419,8 @@ impl Scope<'_> {
             let first = terms.first().unwrap_or(&term).quantity;
             let Some(first) = first else {
                 return Err(piece.error(
-                    "this is no kind of quantity that is known, such as a mass, a length or a \
-                     volume; check the units",
+                    "the units of this term give no known quantity, such as a mass, a length or a \
+                     volume; check them",
                 ));
             };
             self.check_kind(piece, term.quantity, first)?;
@@ -440,7 +440,7 @@ impl Scope<'_> {
             ))),
             Self::Swings(_) if found.is_none_or(|found| found.si != first.si) => {
                 Err(piece.error(format!(
-                    "this is {name}, and the first term {}: terms that are added must be of one \
+                    "this is {name}, and the first term is {}: terms that are added must be of one \
                      kind; weight a share with an amount, for \
                      example 30yd*within(lateral, 15yd)",
                     first.name

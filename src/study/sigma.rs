@@ -174,7 +174,8 @@ const BALL: &str = "assumed: the uncertainty of launch monitors for the ball, as
                     for columns without sigma";
 const STRIKE: &str = "assumed: a mark on the face, read to a millimetre";
 const STRIKE_HIGH: &str = "assumed: a mark on the face, read to a millimetre; the height of the \
-                           sweet spot, from which it counts, is known within 3 mm (docs/sources.md)";
+                           sweet spot, from which strike.high is measured, is known within 3 mm \
+                           (docs/sources.md)";
 const SPOT: &str = "docs/sources.md: the height of the sweet spot is known within 3 mm";
 const LAW_DRAG: &str = "docs/sources.md: credible laws differ by 0.015 in C_D";
 const LAW_LIFT: &str = "docs/sources.md: credible laws differ by 0.02 in C_L, or 10 %";

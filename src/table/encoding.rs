@@ -145,7 +145,7 @@ impl<R> Decoded<R> {
         }
         if is_end && !self.raw.is_empty() {
             return Err(no_text(
-                "the text is in UTF-16, and its last byte is half a character: it was cut",
+                "the text is in UTF-16, and ends with half a character: it was cut short",
             ));
         }
         self.text.extend(text.into_bytes());

@@ -187,7 +187,10 @@ pub(super) fn ignore_columns(
     let repeated = heads_of(columns, is_redundant);
     if !repeated.is_empty() {
         let reason = match is_of_row {
-            true => "the spin is stated twice; used only in rows whose other spin cells are empty",
+            true => {
+                "the spin is stated twice; these columns are used only in rows whose other spin \
+                 cells are empty"
+            }
             false => "the spin is stated twice; left out",
         };
         remarks.push(format!("{reason}: {}", repeated.join(", ")).into());

@@ -50,8 +50,8 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
     }
     let shown = quantity_in(unit).show(value, unit);
     Some(format!(
-        "{head}: {shown} is outside of what a club has, {low} to {high} {unit}; it counts as not \
-         measured"
+        "{head}: {shown} is outside of the range of clubs, {low} to {high} {unit}; it counts as \
+         not measured"
     ))
 }
 
@@ -97,8 +97,8 @@ pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
     let (shown, unit) = (of.show(value), of.unit());
     let from = if low_included { "" } else { "above " };
     Some(format!(
-        "{shown} is outside of what a drive has, {from}{low} to {high} {unit}; check the value and \
-         its unit"
+        "{shown} is outside of the range of drives, {from}{low} to {high} {unit}; check the value \
+         and its unit"
     ))
 }
 

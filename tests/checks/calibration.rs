@@ -609,7 +609,7 @@ fn exports_omit_summaries_and_incomplete_rows_by_name_and_have_angles_in_degrees
     assert!(
         error
             .to_string()
-            .contains("row 1: ball_speed: 3000 mph is outside of what a drive has"),
+            .contains("row 1: ball_speed: 3000 mph is outside of the range of drives"),
         "{error}"
     );
 }

@@ -339,12 +339,12 @@ fn impossible_values_are_refused_with_row_column_value_and_range() {
         (
             carry,
             "160,12,2500,825",
-            "row 4, column carry: 825 yd is outside of what a drive has, above 0 to 600 yd",
+            "row 4, column carry: 825 yd is outside of the range of drives, above 0 to 600 yd",
         ),
         (
             ["descent_angle [deg]", "38"],
             "160,12,2500,195",
-            "row 4, column descent_angle: 195 deg is outside of what a drive has, above 0 to 90 \
+            "row 4, column descent_angle: 195 deg is outside of the range of drives, above 0 to 90 \
              deg",
         ),
         (
@@ -355,17 +355,17 @@ fn impossible_values_are_refused_with_row_column_value_and_range() {
         (
             ["carry [yd],spin_axis [deg]", "246,1"],
             "160,12,2500,250,195",
-            "row 4: spin_axis: 195 deg is outside of what a drive has, -180 to 180 deg",
+            "row 4: spin_axis: 195 deg is outside of the range of drives, -180 to 180 deg",
         ),
         (
             carry,
             "160,195,2500,250",
-            "row 4: launch_angle: 195 deg is outside of what a drive has, -90 to 90 deg",
+            "row 4: launch_angle: 195 deg is outside of the range of drives, -90 to 90 deg",
         ),
         (
             carry,
             "420,12,2500,250",
-            "row 4: ball_speed: 420 mph is outside of what a drive has, above 0 to 270 mph",
+            "row 4: ball_speed: 420 mph is outside of the range of drives, above 0 to 270 mph",
         ),
         (
             carry,

@@ -585,7 +585,7 @@ fn bad_input_to_a_search_is_status_2_with_advice() {
         ),
         (
             vec!["optimize", "--subject-to", "weights: club.mass <= 200 g"],
-            "a relation of parameters is a limit over many",
+            "a relation of parameters limits a search over many",
         ),
         (
             vec!["optimize", "--subject-to", "club.loft <= 8deg"],

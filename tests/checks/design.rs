@@ -295,7 +295,11 @@ fn a_relation_is_read_or_refused_with_its_position() {
             "has no name",
             ":",
         ),
-        ("x: 3 s*club.mass <= 4 kg s", "no kind of quantity", "3 s"),
+        (
+            "x: 3 s*club.mass <= 4 kg s",
+            "give no known quantity",
+            "3 s",
+        ),
         ("x: 1 g + 2*club.face_semi_axis <= 4 g", "unset", "2*"),
     ] {
         let longdrive::Error::Constraint {

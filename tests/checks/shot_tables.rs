@@ -508,16 +508,17 @@ fn implausible_units_are_warned_of() {
     for (warnings, words) in [
         (
             warned(text(1.0, 1.0, 7.0)),
-            "Carry: predicted values are 1.09 times the measured ones in the median, as if these \
-             were in m",
+            "Carry: predicted values are 1.09 times the measured values in the median, as if the \
+             measured values were in m",
         ),
         (
             warned(text(0.447_04, yards, 7.0)),
-            "Ball Speed: the balls carry farther than such speeds allow, as if they were in m/s",
+            "Ball Speed: the balls carry farther than such speeds allow, as if the speeds were in \
+             m/s",
         ),
         (
             warned(text(1.609_344, yards, 7.0)),
-            "as if they were in km/h and read in mph",
+            "as if the speeds were in km/h and read in mph",
         ),
         // a stated unit other than mph explains nothing
         (

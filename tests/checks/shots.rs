@@ -269,7 +269,7 @@ const BAD: [(&str, &str, &str); 13] = [
     (
         "500,12,2500,3,262",
         "out of range",
-        "500 mph is outside of what a drive has, above 0 to 270 mph",
+        "500 mph is outside of the range of drives, above 0 to 270 mph",
     ),
     ("0,12,2500,3,262", "out of range", "Ball Speed: 0 mph"),
     ("160,95,2500,3,262", "out of range", "Launch Angle: 95 deg"),
@@ -545,7 +545,7 @@ fn ambiguous_decimal_and_thousands_marks_are_refused() {
     assert!(
         refusal
             .reason
-            .contains("'2.500' may have decimals or thousands"),
+            .contains("the mark in '2.500' may separate decimals or thousands"),
         "{refusal:?}"
     );
     let rows = |text: &'static str| crate::shots::flown(text.as_bytes());

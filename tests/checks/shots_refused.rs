@@ -145,7 +145,7 @@ fn an_impossible_measured_value_is_not_compared() {
     }
     for sentence in [
         "row 2: not compared: Carry: ",
-        "row 3: not compared: Carry: 9999 yd is outside of what a drive has",
+        "row 3: not compared: Carry: 9999 yd is outside of the range of drives",
     ] {
         assert!(
             remarks(&table).contains(sentence),
@@ -204,8 +204,8 @@ fn no_spin_and_topspin_are_out_of_range_in_every_format() {
     };
     let message =
         |ball: &str| format!("{{\"BallData\":{{\"Speed\":150,\"VLA\":12,\"HLA\":0,{ball}}}}}\n");
-    let none = "0 rpm is outside of what a drive has, above 0 to 20000 rpm";
-    let top = "2500 rpm is outside of what a drive has, 0 to 20000 rpm";
+    let none = "0 rpm is outside of the range of drives, above 0 to 20000 rpm";
+    let top = "2500 rpm is outside of the range of drives, 0 to 20000 rpm";
     for (text, says) in [
         (of_cells("Total Spin [rpm]", "0"), none),
         (of_cells("Back Spin [rpm]", "0"), none),

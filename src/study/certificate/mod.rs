@@ -333,7 +333,9 @@ fn not_examined(
     let checks = [
         (
             "the landing as an implicit function",
-            without_log_wind("the ground is too far down"),
+            without_log_wind(
+                "the check lowers the ground by 2000 m, below the range of ground.height",
+            ),
         ),
         (
             "smoothness where the number of time steps changes",
@@ -343,8 +345,8 @@ fn not_examined(
         (
             "convergence with the time step",
             without_log_wind(
-                "the steps at which an order shows are too long for this flight, or for the decay \
-                 of its spin",
+                "the time steps from which the order is measured are too long for this flight, or \
+                 for the decay of its spin",
             ),
         ),
     ];

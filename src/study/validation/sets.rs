@@ -79,14 +79,14 @@ const CHART: &str = "Output of a vendor's model of 2010. The chart also states t
                      with that loft the club of lpga-average gives the chart's spin within 3 % and \
                      its launch \
                      angle within 0.5°, modern-driver spins 14 % less, tour-average 18 to 29 % \
-                     less. So most of the spin that tour-average is short of at the optimum is \
-                     missing at the \
-                     impact, and not in the flight. No club meets the chart and the PGA TOUR's \
+                     less. So the impact, not the flight, explains most of the spin that \
+                     tour-average lacks at the optimum. No club meets the chart and the PGA TOUR's \
                      average together: at 115 mph, an attack angle of -0.9° and a launch angle of \
                      10.4° the chart's \
-                     ball has 3340 rpm, the average 2545 rpm. With the LPGA Tour's delivery it has \
-                     2420 rpm, and that average is 2506 rpm. Launch angle and spin at the best \
-                     loft are known less well than its carry, which changes little about it.";
+                     ball has 3340 rpm, the average 2545 rpm. With the LPGA Tour's delivery the \
+                     chart's ball has 2420 rpm, the LPGA Tour's average 2506 rpm. Near the best \
+                     loft the carry changes little, so the launch angle and the spin at this loft \
+                     are known less well than the carry.";
 
 /// The sets, the most informative first.
 pub static SETS: [Set; 14] = [
@@ -123,7 +123,7 @@ pub static SETS: [Set; 14] = [
               and sea level",
         misses: "Elevation and wind are not taken out. The time of flight is not compared: the \
                  published 6.2 to 6.4 s is 0.4 to 0.8 s less than with any \
-                 law that meets the apex, and how it is defined is not known.",
+                 law that meets the apex, and its definition is not known.",
         computation: Computation::Launch,
         is_averaged: true,
         is_measured: true,
