@@ -23,7 +23,7 @@ const PIECE: usize = 1 << 16;
 
 /// Shots in a file.
 pub struct Shots {
-    /// The column heads of the table's first section; `None` for messages.
+    /// The column heads of the table's first section; `None` for messages of GSPro Open Connect.
     columns: Option<Arc<ShotColumns>>,
     pub(super) rows: UnreadRows,
     /// The parameters that each row states, without those of the launch.
@@ -206,7 +206,7 @@ impl Shots {
         self.column_of(of).is_some()
     }
 
-    /// Column head of an outcome.
+    /// Column head of an outcome; the name of the outcome if it has no column.
     pub fn name_of(&self, of: Outcome) -> String {
         match &self.columns {
             Some(columns) => columns.name_of(of),
@@ -226,7 +226,7 @@ impl Shots {
 }
 
 impl TableRows {
-    /// The next rows of the current section.
+    /// The next rows of one section, at most `most`; `None` at the end of the table.
     fn next_rows(&mut self, most: usize) -> Result<Option<Chunk>> {
         let mut records = vec![];
         while records.len() < most {

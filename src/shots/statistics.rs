@@ -32,7 +32,7 @@ pub fn instrument_deviation(of: Outcome) -> Option<f64> {
     Some(deviation * of.quantity().size_of(unit)?)
 }
 
-/// Moments and mean absolute value of residuals, SI.
+/// Sums over residuals, or over predictions, SI: moments, and the sum of the absolute values.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sums {
     moments: Moments,

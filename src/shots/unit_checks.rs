@@ -20,7 +20,7 @@ const NEAR: f64 = 0.06;
 /// `NEAR` for a wrong unit that gives a ratio near 1.
 const NEAR_ONE: f64 = 0.025;
 
-/// The side of a landing counts if it is farther than this from the target line, m.
+/// The side of a landing counts if the landing point is farther than this from the target line, m.
 const STRAIGHT: f64 = 3.0;
 
 /// Minimum fraction of rows with opposite sides for a warning.

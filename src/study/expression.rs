@@ -42,7 +42,7 @@ impl Goal {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Constraint`], which points into the expression.
+    /// [`Error::Constraint`] with the position in the expression.
     pub fn read(expression: &str, strokes: Option<&Strokes>) -> Result<Self> {
         let whole = Piece::whole(expression);
         Scope::Swings(strokes).goal(whole.slice(0..expression.len()))
@@ -64,7 +64,7 @@ impl Constraint {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Constraint`], which points into the expression.
+    /// [`Error::Constraint`] with the position in the expression.
     pub fn read(expression: &str) -> Result<Self> {
         if Self::is_relation(expression) {
             let reason = "a relation of parameters limits a search over many swings (`swings` or \
@@ -79,7 +79,7 @@ impl Constraint {
     /// `LOW <= GOAL <= HIGH`.
     ///
     /// # Errors
-    /// [`Error::Constraint`], which points into the expression.
+    /// [`Error::Constraint`] with the position in the expression.
     pub fn read_over_swings(expression: &str, strokes: Option<&Strokes>) -> Result<Self> {
         read(Piece::whole(expression), &Scope::Swings(strokes))
     }
@@ -103,8 +103,8 @@ impl Constraint {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Constraint`], which points into the expression, for a relation without a name, with
-    /// the name of an outcome, or without a parameter, and for text that cannot be parsed.
+    /// [`Error::Constraint`], with the position in the expression, for a relation without a name,
+    /// with the name of an outcome, or without a parameter, and for text that cannot be parsed.
     pub fn read_relation(setup: &Setup<f64>, expression: &str) -> Result<Self> {
         let whole = Piece::whole(expression);
         let colon = expression.find(':');

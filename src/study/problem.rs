@@ -77,8 +77,8 @@ impl SearchProblem {
         Ok(problem)
     }
 
-    /// The problem of a search that may have no varied parameter; only the values of its goals are
-    /// needed.
+    /// The problem of a search that may have no varied parameter, to compute the values of its
+    /// goals.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).

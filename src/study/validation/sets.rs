@@ -11,9 +11,9 @@ pub enum Computation {
     /// From the launch of the first case, in each case's air; the carry is relative to the first
     /// case.
     AltitudeAlone,
-    /// Club of a preset with its face open by the face-to-path angle.
+    /// From an impact of a preset's club, with the face open by the face-to-path angle.
     FaceToPath,
-    /// Club of a preset at the loft of longest carry.
+    /// From an impact of a preset's club, at the loft of longest carry.
     Optimum,
 }
 

@@ -60,7 +60,7 @@ impl CsvRows {
         })
     }
 
-    /// Cells of the next row with a shot.
+    /// Cells of the next row; `None` at the end. Averages and titles of an export are skipped.
     fn cells(&mut self) -> Result<Option<Vec<String>>> {
         loop {
             let record = match self.table.next_entry()? {
