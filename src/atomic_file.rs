@@ -4,7 +4,8 @@ use std::io;
 use std::path::Path;
 use tempfile::{PathPersistError, TempPath};
 
-/// Creates a temporary file in the folder of `path`. It is deleted unless it is persisted.
+/// Creates a temporary file in the folder of `path`. The file is deleted when it is dropped, unless
+/// [`persist`] renames it.
 pub(crate) fn create_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".longdrive-");
@@ -35,7 +36,7 @@ pub(crate) fn persist(
         return file.persist(at);
     }
     match file.persist_noclobber(at) {
-        // some file systems have no atomic rename that never replaces a file
+        // some file systems have no rename that refuses to replace a file: check before the rename
         Err(failed) if failed.error.kind() != io::ErrorKind::AlreadyExists && !at.exists() => {
             failed.path.persist(at)
         }

@@ -1,8 +1,8 @@
 //! The separator of the cells of a CSV table.
 
-/// The separator of the cells, and the text of the table. A first line such as `sep=;` states the
-/// separator and is removed. Otherwise the separator is the most frequent of tab, semicolon and
-/// comma in the line of column heads.
+/// The separator of the cells, and the text of the table. If the first line states the separator,
+/// as in `sep=;`, the text of the table begins after this line. Otherwise the separator is the most
+/// frequent of tab, semicolon and comma in the line of column heads.
 pub(crate) fn detect_separator(text: &str) -> (u8, &str) {
     let text = text.trim_start_matches('\u{feff}');
     if let Some(rest) = text.strip_prefix("sep=") {
@@ -16,7 +16,8 @@ pub(crate) fn detect_separator(text: &str) -> (u8, &str) {
         .find(|line| !line.starts_with('#') && !line.trim().is_empty())
         .unwrap_or_default();
     let count = |separator: &u8| head.bytes().filter(|byte| byte == separator).count();
-    // a single column head has no separator: `max_by_key` then returns the last one, the comma
+    // a table of one column has no separator: all counts are 0, and `max_by_key` returns the last
+    // element, the comma
     let separator = [b'\t', b';', b',']
         .into_iter()
         .max_by_key(count)

@@ -405,15 +405,15 @@ impl Error {
         }
     }
 
-    /// True if the input is valid, but has no result (a drive that does not fly, a flight that
-    /// diverges, an angle without direction).
+    /// True if the input is valid, but has no result, such as a drive that does not fly, a flight
+    /// that diverges, or an outcome that is not defined for the drive.
     pub fn has_valid_input(&self) -> bool {
         self.status() != "error"
     }
 
-    /// Status in JSON: `no-flight`, `diverged`, `interrupted`, `undefined`, the status of a search (`infeasible`,
-    /// …), `no-answer` for rows of a calibration with different statuses, or `error` for invalid
-    /// input.
+    /// Status in JSON: `no-flight`, `diverged`, `interrupted`, `undefined`, the status of a search
+    /// (`infeasible`, …), `no-answer` for rows of a calibration with different statuses, or `error`
+    /// for invalid input.
     pub fn status(&self) -> &'static str {
         match self {
             Self::NoFlight { .. } => "no-flight",
@@ -454,10 +454,10 @@ pub(crate) fn nearest<'a>(
         .iter()
         .map(|(similarity, _)| *similarity)
         .max_by(f64::total_cmp)?;
-    // among equally similar names, prefer the name that looks most similar: o like 0, l like 1
+    // of equally similar names, prefer the name that looks most similar: o is taken as 0, l as 1
     let glyphs = |text: &str| text.replace('0', "o").replace('1', "l");
     let by_glyphs = |known: &str| similarity(&glyphs(name), &glyphs(known));
-    // of equally similar names, take the first: swing.speed before wind.speed
+    // if two names also look equally similar, take the first: swing.speed before wind.speed
     similarities
         .into_iter()
         .rev()
@@ -465,10 +465,11 @@ pub(crate) fn nearest<'a>(
         .max_by(|a, b| by_glyphs(a.1).total_cmp(&by_glyphs(b.1)))
 }
 
-/// Jaro–Winkler similarity of two names, 0 to 1. If both names have the same number of parts
-/// separated by points, the result is the similarity of the groups times the similarity of the last
-/// parts: a long group then does not outweigh the last part. A name without its group ("loft") is
-/// also compared with the last part of `known`. Names that differ only in case have similarity 1.
+/// Jaro–Winkler similarity of two names, 0 to 1. The last point of a name separates its group from
+/// its last part: "club.weight_1" and "toe". If both names have equally many points, the result is
+/// the similarity of the groups times the similarity of the last parts, so that a long group does
+/// not outweigh the last part. A name without a group ("loft") is also compared with the last part
+/// of `known`. Names that differ only in case have similarity 1.
 fn similarity(given: &str, known: &str) -> f64 {
     if given.eq_ignore_ascii_case(known) {
         return 1.0;

@@ -1,4 +1,4 @@
-//! Values of nested calls on a thread.
+//! A stack of the values of nested calls on a thread.
 
 use std::cell::RefCell;
 use std::thread::LocalKey;

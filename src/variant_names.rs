@@ -1,20 +1,20 @@
 //! Enums whose variants have names in files, in JSON and on the command line.
 
-/// Names the variants of an enum. The enum gets `ALL`, `NAMES`, `name()`, `from_name()`, and a `Display`
-/// that writes the name. With `as "Schema"` it is also written and read by serde as its name, and has a
-/// JSON schema called `Schema`, in which the names of the variants are the allowed strings.
+/// Names the variants of an enum. The enum gets `ALL`, `NAMES`, `name()`, `from_name()`, and a
+/// `Display` that writes the name. With `as "Schema"`, serde writes and reads a variant as its
+/// name, and the enum has the JSON schema `Schema`, which allows the names of the variants.
 macro_rules! variant_names {
     ($(#[doc = $doc:literal])* $Enum:ident as $schema:literal { $($names:tt)* }) => {
         variant_names! { $(#[doc = $doc])* $Enum { $($names)* } }
 
-        /// The name.
+        /// Writes the name.
         impl serde::Serialize for $Enum {
             fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
                 serializer.serialize_str(self.name())
             }
         }
 
-        /// The name.
+        /// Reads the name.
         impl<'de> serde::Deserialize<'de> for $Enum {
             fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
                 let name = String::deserialize(deserializer)?;
@@ -56,7 +56,7 @@ macro_rules! variant_names {
             }
         }
 
-        /// The name.
+        /// Writes the name.
         impl std::fmt::Display for $Enum {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
                 f.pad(self.name())

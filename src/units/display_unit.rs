@@ -1,7 +1,7 @@
 use super::{Quantity, System};
 
-/// A quantity with its display unit. Texts in the units of the other system have the counterpart of
-/// this unit.
+/// A quantity with its display unit. Texts in the units of a [`System`] use the unit that
+/// [`System::unit`] gives for this unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DisplayUnit {
     /// Physical quantity.
