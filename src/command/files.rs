@@ -225,8 +225,8 @@ pub struct Destination {
     /// The path of the file itself, with links resolved.
     pub path: PathBuf,
     pub kind: DestinationKind,
-    /// True if the file may be replaced. False for a new file without `--overwrite`: another
-    /// program may create the file before it is written.
+    /// True if an existing file may be replaced. Without `--overwrite` it is false, also if no file
+    /// exists at the check: another program may create one before this program writes its own.
     may_replace: bool,
 }
 
@@ -245,7 +245,7 @@ pub enum DestinationKind {
 }
 
 impl Destination {
-    /// Standard output, or nowhere.
+    /// A destination that is no file: standard output, or a destination that discards its content.
     pub fn without_file(kind: DestinationKind) -> Self {
         Self {
             shown: "-".into(),
@@ -277,14 +277,15 @@ impl Destination {
     /// [`Error::Results`] if the file cannot be written. An existing file is then unchanged.
     pub fn write(&self, bytes: &[u8]) -> Result<()> {
         let write = || self.stage(bytes)?.put_in_place();
-        // writing to a pipe may block forever without a reader
+        // let Ctrl-C end the program here: a write to a pipe without a reader may block forever
         if self.kind != DestinationKind::File {
             return write();
         }
         interrupt::undisturbed(&self.shown, write)
     }
 
-    /// Begins a file that is written in pieces and renamed once it is complete.
+    /// Opens the output, to write it in pieces. A file on disk has a temporary name until it is
+    /// complete.
     ///
     /// # Errors
     /// [`Error::Results`] if the file cannot be written.
@@ -319,7 +320,7 @@ pub struct OutputStream {
     destination: Destination,
 }
 
-/// The open end of an output.
+/// Where the pieces of an output are written.
 enum Sink {
     /// A temporary file in the same folder. It is deleted unless it is renamed.
     Beside(NamedTempFile),
@@ -342,7 +343,7 @@ impl OutputStream {
         })
     }
 
-    /// Writes the next piece; the error is that of the system.
+    /// Writes the next piece, and returns an error of the system unchanged.
     ///
     /// # Errors
     /// If the piece cannot be written.
@@ -356,7 +357,7 @@ impl OutputStream {
         }
     }
 
-    /// Moves the complete file to its path, which Ctrl-C does not interrupt.
+    /// Moves the complete file to its path. Ctrl-C does not interrupt the move.
     ///
     /// # Errors
     /// [`Error::Results`] if the file cannot be moved. An existing file is then unchanged.
@@ -405,8 +406,9 @@ pub struct Folder {
 }
 
 impl Folder {
-    /// Writes files. All destinations are checked before the first file is written. After an error
-    /// a folder that was created for them is deleted if it is empty.
+    /// Writes files, and returns their number. All destinations are checked before the first file
+    /// is written. After an error, a folder that was created for the files is deleted if it is
+    /// empty.
     ///
     /// # Errors
     /// The errors of [`OutputRule::file`] and [`Destination::write`].

@@ -15,14 +15,15 @@ pub enum MessageKind {
     Warning,
     /// The reason why there is no answer.
     Error,
-    /// An error in the arguments from the argument parser, with colours.
+    /// An error in the arguments, as the argument parser words it, with escape codes for colours.
     Usage,
 }
 
 /// The caller of a command: a terminal, or a program that embeds the library. A command calls the
 /// host from its own thread; worker threads also report progress to it.
 pub trait Host: Send + Sync {
-    /// Receives the answer, or else the requested help or version, which has colours.
+    /// Receives the answer, or the text of `--help` or `--version`. That text has escape codes for
+    /// colours.
     ///
     /// # Errors
     /// If the answer cannot be written.
@@ -102,8 +103,8 @@ pub trait Host: Send + Sync {
     /// Receives the content of an output file that the host keeps in memory.
     fn keep(&self, _name: &Path, _content: Vec<u8>) {}
 
-    /// Announces work that can be interrupted: once `stop` is true, the work returns its result so
-    /// far. The host then shows the message `stopping`.
+    /// Announces work that can be interrupted. To interrupt it, the host sets `stop` to true and
+    /// shows the message `stopping`; the work then returns its result so far.
     fn can_stop(&self, _stopping: &'static str, _stop: &Arc<AtomicBool>) {}
 
     /// Announces that the following work cannot be interrupted.

@@ -25,7 +25,7 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let mut program = running().program.clone().disable_help_subcommand(true);
-    // `build` completes the names of subcommands and adds the options of every command
+    // `build` completes the names of subcommands, and adds the global options to each of them
     program.build();
     let Some(folder) = &args.output else {
         return Ok(Answer::text(page(found(&program, &args.command)?)?));

@@ -97,7 +97,8 @@ pub fn mark_options(help: &str) -> String {
     marked + rest
 }
 
-/// The argument or command between two backquotes, if it exists.
+/// Parses the text between two backquotes. `None` if it is no command with parentheses and does not
+/// begin with the name of an option.
 fn mention<'a>(program: &Command, inside: &'a str) -> Option<Mention<'a>> {
     if let Some(command) = inside.strip_suffix("()") {
         return Some(Mention::Command(command));

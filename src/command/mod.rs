@@ -323,7 +323,8 @@ fn asks_for_json(matches: &ArgMatches) -> bool {
     json == Some(&true) || below.is_some_and(|(_, matches)| asks_for_json(matches))
 }
 
-/// The first command named in `words` that can answer in JSON. `words` is an invalid command line.
+/// The command that an error in JSON names, for the invalid command line `words`: the first word
+/// that is the name of a command with `--json`.
 fn named_in(words: &[OsString]) -> Option<&'static str> {
     let with_json = mention::commands_with(program(), "json");
     let has_json = |name| {

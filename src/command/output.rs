@@ -25,8 +25,8 @@ pub fn system() -> System {
     running().system()
 }
 
-/// Reports a warning before the work of the command, once. The warning comes first in the answer,
-/// also in an answer without a result.
+/// Reports a warning before the work of the command begins, unless it was reported already. These
+/// warnings come first in the answer; an answer without a result has no other warnings.
 pub fn warn_early(warning: Message) {
     if running().early().contains(&warning) {
         return;
@@ -140,7 +140,7 @@ impl Answer {
     }
 }
 
-/// A document as text, with the width and the detail of this command.
+/// A document as text, with the width and the details that the running command asks for.
 pub fn text_of(document: &Document) -> String {
     let document = document.clone().map_texts(in_host_syntax);
     document.text(&running().text_options())
@@ -151,8 +151,8 @@ fn value_of(answer: &impl Serialize) -> Value {
     serde_json::to_value(answer).unwrap_or_default()
 }
 
-/// Writes the arguments that the texts of a JSON value mention as its user types them: as options
-/// in a shell, as keyword arguments in Python.
+/// Replaces the arguments in backquotes, in every text of a JSON value, by the syntax of the host:
+/// options in a shell, keyword arguments in Python.
 fn put_in_host_syntax(value: &mut Value) {
     match value {
         Value::String(text) if text.contains('`') => *text = in_host_syntax(text),
@@ -381,8 +381,8 @@ pub fn shown(work: Work<'_>) -> SharedProgress {
     }
 }
 
-/// A function that returns true at most once a second, first after a second: most searches end
-/// before a line about them could be read.
+/// A function that returns true at most once a second. Its first second returns false, because most
+/// searches end before a line about them could be read.
 pub fn once_a_second() -> impl Fn() -> bool + Send + Sync {
     let last = Mutex::new(Instant::now());
     move || {

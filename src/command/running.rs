@@ -89,7 +89,7 @@ impl Running {
         self.options.verbose || self.host.receives_details()
     }
 
-    /// The width and the detail of answers as text.
+    /// The width of answers as text, and the details in them.
     pub fn text_options(&self) -> TextOptions {
         TextOptions {
             width: self.host.width(),

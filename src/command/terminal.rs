@@ -35,7 +35,7 @@ struct Now {
     is_json: bool,
     /// The current work, if it can be interrupted.
     work: Option<Interruptible>,
-    /// True while the answer is printed.
+    /// True once the program has begun to print the answer.
     is_printed: bool,
     /// Completed files.
     written: Vec<String>,

@@ -26,7 +26,8 @@ pub fn of_messages() -> usize {
     width(terminal_size_of(io::stderr()).map(|(Width(columns), _)| columns))
 }
 
-/// The width of a terminal with this number of columns.
+/// The width that `COLUMNS` states, or else `columns`, the width of the terminal. The result is
+/// limited to [`WIDTHS`].
 fn width(columns: Option<u16>) -> usize {
     let stated = std::env::var("COLUMNS").ok();
     let stated = stated.and_then(|columns| columns.parse().ok());

@@ -14,8 +14,8 @@ pub fn in_host_syntax(message: &str) -> String {
 }
 
 /// The name of an argument in the syntax of this command's host; `shown` is its name in the
-/// parser's message (`--width <PIXELS>`, `<STUDY>`). `None` in a terminal, and for an unknown
-/// argument.
+/// parser's message (`--width <PIXELS>`, `<STUDY>`). `None` if the host writes the name as the
+/// command line does.
 pub fn name_in_host_syntax(shown: &str) -> Option<String> {
     let name = match shown.strip_prefix("--") {
         Some(option) => option.split([' ', '=']).next()?.replace('-', "_"),
@@ -36,7 +36,7 @@ pub fn with_argument(error: Error) -> Error {
             doing,
             what: missing_argument(doing).unwrap_or(what),
         },
-        // the shell took `>` or `<` for a redirection and removed it from the words
+        // a constraint without a comparison: the shell may have removed `>` or `<` as a redirection
         Error::Constraint {
             expression,
             column,
@@ -53,8 +53,8 @@ pub fn with_argument(error: Error) -> Error {
     }
 }
 
-/// The argument that a command lacks, with an example; `doing` is the operation that has nothing to
-/// do.
+/// The argument that a command lacks, with an example; `doing` is the operation that
+/// [`Error::Nothing`] names.
 fn missing_argument(doing: &str) -> Option<&'static str> {
     match doing {
         "vary" => Some(
