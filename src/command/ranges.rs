@@ -22,8 +22,8 @@ pub fn varied(
     }
 }
 
-/// The parameters that a search keeps at their stated values: those of the ranges that `usual`
-/// gives, without `--vary`.
+/// The parameters of the default ranges that a search keeps at their stated values. Empty with
+/// `--vary`; without this option, `usual` gives the default ranges.
 ///
 /// # Errors
 /// The errors of `usual`.
@@ -39,7 +39,8 @@ pub fn held(
 
 impl Request {
     /// The setup that the answer of a search over `vary` is about, with the parameters that the
-    /// search keeps. `given` are the texts of `--vary`, `usual` the ranges without it.
+    /// search keeps at their stated values. `given` are the texts of `--vary`; `usual` gives the
+    /// default ranges.
     ///
     /// # Errors
     /// The errors of `usual`.
@@ -56,7 +57,8 @@ impl Request {
 }
 
 impl SwingsArgs {
-    /// The default ranges of a search: over swings the loft alone.
+    /// The default ranges of a search: the loft for a search over swings, and loft and attack angle
+    /// for one drive.
     ///
     /// # Errors
     /// The errors of [`Search::longest_drive`].
@@ -68,15 +70,15 @@ impl SwingsArgs {
     }
 }
 
-/// The default ranges of a command. A parameter that the command line states is not varied.
+/// The default ranges of a command. A parameter that the request states is not varied.
 pub struct DefaultRanges {
     vary: Vec<Vary>,
-    /// The parameters that the command line states.
+    /// The parameters that the request states.
     held: Vec<&'static Parameter>,
 }
 
 impl DefaultRanges {
-    /// Separates the parameters to vary from the parameters that the command line states.
+    /// Separates the parameters to vary from the parameters that the request states.
     pub fn new(ranges: Vec<Vary>, request: &Request) -> Self {
         let (held, vary): (Vec<_>, Vec<_>) = ranges
             .into_iter()
@@ -100,7 +102,7 @@ impl DefaultRanges {
         Ok(Self::new(ranges, request))
     }
 
-    /// The loft alone: the attack angle of a golfer varies from swing to swing.
+    /// The loft alone, for a search over swings: there the attack angle varies from swing to swing.
     ///
     /// # Errors
     /// The errors of [`Search::longest_drive`].

@@ -20,12 +20,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 impl SearchArgs {
     /// The search. By default it varies loft and attack angle, except for a parameter that the
-    /// command line states.
+    /// request states.
     pub fn search(&self, request: &Request, setup: &Setup<f64>) -> Result<Search> {
         self.search_beside(request, setup, None)
     }
 
-    /// The search of a chart. By default it does not vary the parameter of the chart.
+    /// The search of a chart along the parameter `along`. The default ranges omit this parameter.
     pub fn search_beside(
         &self,
         request: &Request,
@@ -56,7 +56,8 @@ impl SearchArgs {
         Ok(search)
     }
 
-    /// The reason why there is nothing to vary without `--vary`; `None` otherwise.
+    /// The reason why there is nothing to vary. `None` with `--vary`, and if there is a default
+    /// range.
     ///
     /// # Errors
     /// The errors of [`DefaultRanges::longest_drive`].
@@ -181,8 +182,8 @@ impl OptimumArgs {
     }
 }
 
-/// Writes the setup at the optimum into the given file, and returns the file. Without an optimum,
-/// writes nothing.
+/// Writes the setup at the optimum into the given file, and returns the name of the file. Without
+/// an optimum, writes nothing and returns `None`.
 pub fn write(
     output: Option<&Destination>,
     request: &Request,

@@ -39,8 +39,10 @@ impl SwingsArgs {
         self.swings.is_some() || !self.distribution.is_empty()
     }
 
+    /// Refuses options about swings if no swings are given.
+    ///
     /// # Errors
-    /// [`Error::Unreadable`] if an option needs swings, but no swings are given.
+    /// [`Error::Unreadable`], which names the option.
     pub fn refuse_stray(&self) -> Result<()> {
         let options = [
             ("`correlation`", !self.correlation.is_empty()),
@@ -58,7 +60,8 @@ impl SwingsArgs {
         }
     }
 
-    /// The rule that chooses the scenarios. The seed also applies to resamples of recorded swings.
+    /// The rule that chooses the scenarios. Refuses a seed without effect: recorded swings use a
+    /// seed only if the command resamples them (`is_resampled`).
     pub fn rule(&self, swings: &Swings, is_resampled: bool) -> Result<Rule> {
         let rule = Rule::of(swings, self.scenarios, self.seed.unwrap_or(0))?;
         if !(is_resampled && rule == Rule::Recorded) {
@@ -177,7 +180,8 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     request.note_starts(&setup, &search.vary);
     let found = optimize_and_write(args, &request, setup, swings, search)?;
     interrupt::ends();
-    // the default search varies the loft alone, and refuses a stated loft: no parameter is held
+    // no parameter is held: the default search varies only the loft, and is refused if the request
+    // states the loft
     let origin = request.origin_of_search(&found.optima.best.search.vary);
     let answer = Answer::of(
         request.is_json,
@@ -234,8 +238,8 @@ pub fn optimize_and_write(
     })
 }
 
-/// The search over swings. By default it maximizes the mean carry and varies the loft: the attack
-/// angle belongs to the golfer and varies from swing to swing.
+/// The search over swings, whose scenarios the caller sets. By default it maximizes the mean carry
+/// and varies the loft: the attack angle belongs to the golfer and varies from swing to swing.
 pub fn search_over_swings(
     request: &Request,
     search: &SearchArgs,
@@ -252,7 +256,8 @@ pub fn search_over_swings(
     )
 }
 
-/// The search over swings, with a default objective and default ranges.
+/// The search over swings, whose scenarios the caller sets. `usual` gives the default objective,
+/// `usual_vary` the default ranges.
 pub fn search_with_defaults(
     search: &SearchArgs,
     swings: &SwingsArgs,
@@ -326,7 +331,8 @@ pub fn goal(option: &str, text: &str, strokes: Option<&Strokes>) -> Result<Goal>
     })
 }
 
-/// Ranges of the drives in a search: ranges of the varied parameters and of the swings.
+/// The ranges of all drives in a search: the ranges of the varied parameters, and the ranges of the
+/// parameters that differ between the swings.
 pub fn swing_ranges(vary: &[Vary], scenarios: &Scenarios) -> Vec<Vary> {
     let vary = vary.iter().copied();
     vary.chain(scenarios.ranges()).collect()

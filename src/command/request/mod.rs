@@ -71,8 +71,8 @@ impl DriveArgs {
 }
 
 impl Request {
-    /// Applies these settings to the source. The caller of the command receives notes for the user.
-    /// `args` has the options other than settings.
+    /// Applies these settings to the source, and prints notes on values that are replaced or not
+    /// used. `args` has the options other than settings.
     ///
     /// # Errors
     /// If two settings state one parameter, or if a setting does not apply to the source.
@@ -120,8 +120,8 @@ impl Request {
             setup.replace_spin(setup.parameter(&setting.parameter)?);
             self.note_replaced(&setup, &before, setting);
         }
-        // reset parameters with the value `none`, without the check of `set`: columns of a table
-        // may give the parameters that determine them
+        // reset parameters with the value `none`, without the check of `set`: the parameters that
+        // then determine their values may be columns of a table
         let (taken_back, settings): (Vec<_>, Vec<_>) =
             settings.into_iter().partition(|setting| setting.is_reset());
         setup.set_all(
@@ -161,8 +161,9 @@ impl Request {
         self.with_starts(self.partial_setup, ranges)
     }
 
-    /// The setup without the start values of a search, and with the integration of the search.
-    /// `None` if the search has no such start values, or if the setup is incomplete without them.
+    /// The setup of the request with method and step of the setup `searched`, but without the start
+    /// values that [`with_starts`](Self::with_starts) added. `None` if no start value was added, or
+    /// if the setup is incomplete without them.
     pub fn set_up_without_starts(&self, searched: &Setup<f64>) -> Option<Setup<f64>> {
         let mut set_up = self.partial_setup;
         set_up.method = searched.method;
@@ -280,9 +281,9 @@ impl Request {
         }
     }
 
-    /// The setup that the answer of a search is about. The best loft depends on shaft and strike,
-    /// by some degrees. If shaft and strike are averages of many golfers, the answer of a search
-    /// for the loft contains advice on this.
+    /// The setup that the answer of a search is about. A search for the loft gets advice if shaft
+    /// and strike are averages of many golfers: the best loft of a single golfer differs by some
+    /// degrees.
     pub fn origin_of_search(&self, vary: &[Vary]) -> SetupOrigin {
         let varies_loft = vary.iter().any(|vary| vary.parameter.name == "club.loft");
         let advice = if varies_loft && self.source.is_average() {
@@ -391,8 +392,8 @@ impl Request {
         }
     }
 
-    /// Refuses settings of parameters whose values have another source, because they would have no
-    /// effect. Values that a program states are settings too.
+    /// Refuses settings of these parameters: their values come from another source, so a setting
+    /// would have no effect. A value that the host states counts as a setting.
     ///
     /// # Errors
     /// [`Error::Unreadable`], which names the setting and gives the reason `why`.
@@ -418,8 +419,8 @@ impl Request {
         Some(format!("{name} of the setup"))
     }
 
-    /// Refuses settings that another option replaces. A setting is allowed if its parameter has no
-    /// value in the source, or is a launch condition.
+    /// Like [`refuse_stated`](Self::refuse_stated), but allows a setting of a launch condition, and
+    /// of a parameter without a value in the source.
     ///
     /// # Errors
     /// The errors of [`refuse_stated`](Self::refuse_stated).

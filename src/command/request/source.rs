@@ -44,8 +44,8 @@ impl Source {
         })
     }
 
-    /// True for an argument that can only be a setup: a preset, a file, an argument written like a
-    /// file or a setting, or standard input.
+    /// True if the argument is a setup and not a search word: a preset, standard input, an existing
+    /// file, or a text like a path or a setting that is no part of a parameter name.
     pub fn is_named_by(argument: &str) -> bool {
         let path = Path::new(argument);
         let is_written_like_a_file =
@@ -140,7 +140,8 @@ fn read_standard_input() -> Result<SetupFile> {
     }
     let read = SetupFile::read(&text, name)?;
     Ok(SetupFile {
-        // this name is written to setup files: standard input cannot be read again, the preset can
+        // a written setup file names its base: it names the preset, since standard input cannot be
+        // read again
         name: read.preset.name.into(),
         ..read
     })

@@ -25,7 +25,8 @@ impl SetupArgs {
     }
 }
 
-/// Warns of settings of the wind profile without effect, unless the wind is in a range.
+/// Warns of settings of the wind profile without effect, unless `ranges` has a parameter of the
+/// wind.
 fn warn_of_idle_wind(setup: &Setup<f64>, ranges: &[Vary]) {
     let mut varied = ranges.iter().map(|vary| vary.parameter.name);
     if varied.all(|name| !name.starts_with("wind.")) {
@@ -47,8 +48,8 @@ impl Request {
         self.one_of_two_within_tolerance(setup)
     }
 
-    /// The setup of one of two drives to compare, with a step for `--tolerance`. A wind profile
-    /// without effect on this drive may have an effect on the other.
+    /// Like [`within_tolerance`](Self::within_tolerance), for one of two drives to compare. It does
+    /// not warn of a wind profile without effect, which may have an effect on the other drive.
     ///
     /// # Errors
     /// The errors of [`integration`](Self::integration).
@@ -59,7 +60,8 @@ impl Request {
         }
     }
 
-    /// The setup with a step for many drives whose parameters are in these ranges.
+    /// The setup with method and step for many drives whose parameters are in these ranges. Warns
+    /// of a wind profile without effect.
     ///
     /// # Errors
     /// The errors of [`integration`](Self::integration).
@@ -72,7 +74,8 @@ impl Request {
     }
 
     /// Method and step for many drives whose parameters are in these ranges, for the tolerance of
-    /// `--tolerance`, or for one micrometre without this option.
+    /// `--tolerance`, or for one micrometre without this option. They are those of the setup with
+    /// `--own-step`, and without both options if the setup states one of them.
     ///
     /// # Errors
     /// [`Error::Tolerance`] if no step is fine enough, and [`Error::Unreadable`] if a setting
