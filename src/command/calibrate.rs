@@ -195,7 +195,8 @@ fn read_shots(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Shot
     Ok(table)
 }
 
-/// Warning if measured rest positions are compared on a ground that nobody stated or fits.
+/// A warning if the table has measured rest positions, and no parameter of the ground is stated or
+/// fitted.
 fn assumed_ground(request: &Request, table: &ShotTable, plan: &FitPlan) -> Option<Message> {
     let measured = table.shots.iter().flat_map(|shot| &shot.measured);
     let is_at_rest = measured.map(|one| one.outcome).any(Outcome::needs_run);
@@ -350,9 +351,10 @@ fn show_iteration(is_numbered: bool) -> impl Fn(u64, f64) {
 /// The label of a law whose parameters are not fitted.
 const AS_SET_UP: &str = "as the setup has it";
 
-/// Another law on the same rows: its published coefficients, and its fit to the rows.
+/// A law to compare on the rows: without a fit, and with all its coefficients fitted.
 struct ComparedLaw<'a> {
     law: &'a str,
+    /// The label of the law without a fit.
     as_it_stands: &'static str,
     setup: Setup<f64>,
     plan: FitPlan,

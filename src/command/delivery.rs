@@ -118,8 +118,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let is_setup_written = outputs.write_setup(&found, &requests.club, &setup)?;
     let setup_words = || match &outputs.setup {
         Some(output) if is_setup_written => vec![output.path.display().to_string()],
-        // omit the unknowns, which vary between the swings; all swings have the same club, ball and
-        // air
+        // omit the settings of the unknowns: the file of swings has their values
         _ => requests.club.as_arguments(
             &unknowns
                 .iter()
@@ -132,7 +131,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer(args, &found).found(is_found))
 }
 
-/// The deliveries found; for several deliveries, also the population of their swings.
+/// The deliveries found; for a table of shots, also the population of their swings.
 struct Deliveries {
     all: Vec<ShotDelivery>,
     population: Option<Result<Population>>,
@@ -221,11 +220,11 @@ fn of_shots(
     })
 }
 
-/// The club parameter that a golfer can read on the club.
+/// The club parameter whose value is printed on the club.
 const LOFT: &str = "club.loft";
 
-/// The warning that the loft of the setup is an average golfer's loft: the delivery is computed
-/// with this loft, and a later search finds the best loft relative to it.
+/// A warning if the loft is that of an average golfer, and is neither stated nor varied: the
+/// delivery is computed with this loft, and a later search finds the best loft relative to it.
 fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec<Message> {
     let is_varied = unknowns
         .iter()
@@ -324,9 +323,9 @@ impl DeliveryFiles {
         Ok(false)
     }
 
-    /// Writes the swings that explain the shots. `setup_words` are the command-line arguments for
-    /// the setup of the shots, for the command `optimize` that a remark suggests. Returns false if the
-    /// swings were requested but not written.
+    /// Writes the swings that explain the shots, and prints the command that optimizes a design for
+    /// them. `setup_words` are the arguments of this command for the setup of the shots. Returns
+    /// false if the swings were requested but not written.
     fn write_swings(
         &self,
         found: &Deliveries,
@@ -426,7 +425,7 @@ fn note_assumed(unknowns: &[Unknown]) {
     }
 }
 
-/// Prints a note on the uncertainty of each club column whose parameter is also an unknown.
+/// Prints a note on the uncertainty of each column that measures an unknown.
 fn note_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
     for unknown in unknowns {
         let name = unknown.parameter.name;

@@ -121,8 +121,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(found.is_found()))
 }
 
-/// Refuses a file that names no preset. The default preset of the other commands exceeds the limits
-/// of the Rules of Golf, so this command has another default preset.
+/// Refuses a setup file that names no preset. Such a file starts from the default preset of the
+/// other commands, which exceeds the limits of the Rules of Golf.
 fn refuse_unnamed_preset(request: &Request) -> Result<()> {
     if request.source.content.names_preset {
         return Ok(());
@@ -132,7 +132,7 @@ fn refuse_unnamed_preset(request: &Request) -> Result<()> {
     Err(Error::unreadable(request.source.name(), source))
 }
 
-/// The stated swings; without any, those of a golfer whose drives were measured.
+/// The stated swings; without them, the swings of a golfer whose drives were measured.
 fn read_swings(args: &SwingsArgs, setup: &Setup<f64>) -> Result<Swings> {
     if args.is_given() {
         return args.read(setup);
@@ -173,8 +173,8 @@ fn notes_on_defaults(args: &Args, requested: &Search) -> Vec<String> {
     notes
 }
 
-/// The parameters whose distributions the user stated; empty for the default golfer, whose
-/// parameters a setting may override.
+/// The parameters whose distributions the user stated. Empty for the default golfer: these swings
+/// scatter about the values of the setup, so a setting has an effect.
 fn distributed(args: &Args, swings: &Swings) -> Vec<&'static Parameter> {
     if args.optimize.swings.is_given() {
         swings.parameters()

@@ -61,7 +61,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         note(&moved);
     }
     warn(best.warnings(&AtomicBool::new(false)));
-    // choose an integration step for each changed setup, as `optimize` does for that setup
+    // for each changed setup, choose the integration step that `optimize` would choose
     let integrated = |mut changed: Setup<f64>| {
         (changed.method, changed.flight.step) = (own.method, own.flight.step);
         request.for_many(changed, &search.vary)

@@ -328,7 +328,8 @@ impl ParetoFile {
         }))
     }
 
-    /// Writes the file and reports its content. Writes nothing if the point does not exist.
+    /// Writes the file, and returns its name. If the requested point does not exist, adds a warning
+    /// and returns `None`.
     fn write(
         &self,
         found: &Pareto,

@@ -39,7 +39,7 @@ pub struct PictureArgs {
     pub width: Option<u32>,
 }
 
-/// The width of a picture, pixels.
+/// The default width of a picture, pixels.
 const WIDTH: u32 = 480;
 
 /// The format of a plot.
@@ -87,7 +87,7 @@ impl<'a> PlotDestination<'a> {
         Self::beside(request.inputs(), drawing)
     }
 
-    /// The checked destination of a plot that reads these files.
+    /// The checked destination of a plot, for a command that reads the files `inputs`.
     pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &'a PictureArgs) -> Result<Self> {
         let format = PlotFormat::of(&drawing.output)?;
         let look = [

@@ -108,8 +108,9 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer(args, &origin, &findings, names))
 }
 
-/// The link to the explorer with the drive as set up: the state for its page, or the command that
-/// serves the page. `None` for a setup that the explorer cannot represent.
+/// The link to the explorer with the drive as set up: the state for the explorer's page, or, if the
+/// page is not compiled in, the command `explore`. `None` for a setup that the explorer cannot
+/// represent.
 fn explorer_link(request: &Request, setup: &Setup<f64>) -> Option<ExplorerLink> {
     let state = explorer_state(setup, request.source.content.preset, system()).ok()?;
     if compiled_in().is_some() {
@@ -141,7 +142,8 @@ struct ReportRequest {
 /// The search of a report.
 struct ReportSearch {
     search: Search,
-    /// The parameter along which the chart runs; `None` if the search varies the default one.
+    /// The parameter along which the chart runs. `None`, for no chart, if this is the default
+    /// parameter and the search varies it.
     along: Option<Vary>,
 }
 
@@ -262,7 +264,7 @@ fn add_drives(
     Ok(())
 }
 
-/// The reason why there is no optimum. `reason` is why there was no search.
+/// The reason why there is no optimum. `reason` is the reason why there was no search.
 fn why_none(findings: &Findings, reason: Option<&str>) -> Option<Message> {
     match (&findings.found, findings.best()) {
         (None, _) => reason.map(|reason| {
@@ -490,12 +492,13 @@ fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<
         wrt.push(speed);
     }
     let mut rows = certify(setup, &[of], &wrt, &|_, _| true)?.rows;
-    // drop the derivatives of the landing, which are verified separately
+    // keep the rows of this outcome
     rows.retain(|row| row.of == of);
     Ok(rows)
 }
 
-/// A section of the report. A section without an answer becomes a remark, and the report continues.
+/// The section of a report. If it has no answer, adds the reason to the remarks and returns `None`,
+/// so that the report continues.
 fn or_remark<T>(part: Result<T>, remarks: &mut Vec<Message>) -> Result<Option<T>> {
     match part {
         Ok(part) => Ok(Some(part)),

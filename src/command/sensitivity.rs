@@ -95,8 +95,9 @@ fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Op
     Ok(Some(found))
 }
 
-/// Total derivatives of an optimum by every parameter that is not varied and has an effect: the
-/// varied parameters are re-optimized.
+/// Total derivatives of the optimal outcome by every parameter that is not varied: the varied
+/// parameters are re-optimized. Parameters of the roll-out are omitted if no outcome of the search
+/// depends on the roll-out.
 fn total_slopes(best: &Optimum) -> Result<Vec<(&'static Parameter, Result<Sensitivity>)>> {
     let is_varied = |parameter: &Parameter| {
         let mut varied = best.search.vary.iter();

@@ -182,8 +182,8 @@ pub fn at_optimum(best: &Optimum) -> Vec<Message> {
         .collect()
 }
 
-/// The setup and its optimum. Without an optimum, or if the setup gives the launch and nothing is
-/// varied, the plot shows only the drive, with a remark.
+/// The setup and its optimum. The optimum is `None`, with a remark, if the search has nothing to
+/// vary or finds no optimum; the plot then shows only the drive.
 fn setup_and_optimum(
     request: &Request,
     search: &SearchArgs,

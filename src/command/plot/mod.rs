@@ -129,7 +129,7 @@ fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)>
 }
 
 /// The constraints of a search, each with a map of the limited outcome over the first two varied
-/// parameters.
+/// parameters. Empty if fewer than two parameters vary.
 pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, Map)>> {
     let [across, up, ..] = search.vary[..] else {
         return Ok(vec![]);
@@ -280,7 +280,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
         })
     })?;
     note_missing_outcomes(&certificate);
-    // draw the requested derivatives in their order, without the other rows of the certificate
+    // draw the derivatives in the requested order: the rows of a certificate are sorted by verdict
     let requested = of
         .iter()
         .flat_map(|of| wrt.iter().map(move |parameter| (*of, *parameter)));

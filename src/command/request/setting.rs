@@ -83,9 +83,9 @@ impl CommandSetting {
         self.parameter.starts_with("launch.")
     }
 
-    /// Returns true for a launch condition from `--launch` or an option such as `--ball-speed`. Its
-    /// total spin unsets backspin and sidespin of the setup; its backspin unsets total spin and spin
-    /// axis. With `--set launch.…`, two forms of the spin are an error.
+    /// Returns true for a launch condition from `--launch` or an option such as `--ball-speed`. The
+    /// total spin then unsets backspin and sidespin of the setup; the backspin unsets total spin and
+    /// spin axis. With `--set launch.…`, two forms of the spin are an error.
     pub fn replaces_launch(&self) -> bool {
         self.is_of_launch() && self.name != self.parameter
     }
