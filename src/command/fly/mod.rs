@@ -161,8 +161,8 @@ fn not_compared(shots: &Shots, of: &[Outcome], is_on_their_ground: bool) -> Vec<
     remarks
 }
 
-/// Warns about the validity of the law and the units of the columns. If the units are plausible,
-/// returns the remark on lofted clubs.
+/// Warns about shots outside of the validity range of the law, and about columns with a likely
+/// wrong unit or sign. If there is no such column, returns the remark on lofted clubs.
 fn warn_about_shots(tally: &ShotStatistics, shots: &Shots, law: &Law<f64>) -> Option<Message> {
     warn(tally.exceeded.warnings(
         law,

@@ -15,7 +15,8 @@ pub fn requested_outcomes(args: &Args) -> Result<Vec<Outcome>> {
     Ok(of)
 }
 
-/// The setup with ball, air and law. The rows state the launches.
+/// The setup with ball, air and law. Refuses a launch and club settings: the rows, which `rows`
+/// names, state the launches.
 pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
     let setup = request.partial_setup;
     request.refuse_launch(

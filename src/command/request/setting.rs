@@ -84,8 +84,8 @@ impl CommandSetting {
     }
 
     /// Returns true for a launch condition from `--launch` or an option such as `--ball-speed`. The
-    /// total spin then unsets backspin and sidespin of the setup; the backspin unsets total spin and
-    /// spin axis. With `--set launch.…`, two forms of the spin are an error.
+    /// total spin then unsets backspin and sidespin of the setup; the backspin unsets total spin
+    /// and spin axis. With `--set launch.…`, two forms of the spin are an error.
     pub fn replaces_launch(&self) -> bool {
         self.is_of_launch() && self.name != self.parameter
     }

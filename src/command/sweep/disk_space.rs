@@ -121,7 +121,7 @@ fn available_space(folder: &Path) -> Option<u64> {
     fs4::available_space(folder).ok()
 }
 
-/// `None`: a host without a terminal limits the size of its files itself.
+/// `None`: without the feature `cli`, the host limits the size of its files itself.
 #[cfg(not(feature = "cli"))]
 fn available_space(_: &Path) -> Option<u64> {
     None

@@ -22,8 +22,10 @@ struct JournalHeader {
 pub struct Journal {
     path: PathBuf,
     file: File,
-    /// For each entry, the size of the file of rows and the offset in the journal, bytes.
+    /// For each entry, the size of the file of rows and the offset of the entry in the journal,
+    /// bytes.
     entries: Vec<(u64, u64)>,
+    /// Length of the journal, bytes.
     length: u64,
     /// True if the rows may replace an existing file.
     pub overwrite: bool,
@@ -46,7 +48,7 @@ pub struct WrittenRows {
     /// Status counts; their total is the number of rows.
     #[serde(flatten)]
     pub status_counts: StatusCounts,
-    /// The metadata of the row group that ends here.
+    /// The metadata of the Parquet row group that ends at `bytes`; empty for text.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub group: Vec<u8>,
 }
@@ -92,7 +94,7 @@ impl Journal {
         // lock the journal before other programs can find it
         lock(beside.as_file())?;
         let (file, at) = beside.into_parts();
-        // if two programs begin at once, the second one finds the journal of the first
+        // if two programs begin at the same time, the second one finds the journal of the first one
         persist(at, &path, replaced.is_some()).map_err(|failed| match failed.error.kind() {
             io::ErrorKind::AlreadyExists => busy(),
             _ => failed.error,

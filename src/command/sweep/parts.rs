@@ -202,7 +202,7 @@ fn wanted(args: &Args) -> Result<Option<SweepDefinition>> {
         return refuse_without_points(args).map(|()| None);
     }
     let SweepRequest { points, batch, .. } = SweepRequest::of(args, &args.setup_args.request()?)?;
-    // 1 is a placeholder: the files state the number of parts
+    // 1 is a placeholder: the files determine the number of parts
     Ok(Some(
         dataset_of(args, batch, points.as_ref(), 1)?
             .definition()
@@ -210,7 +210,8 @@ fn wanted(args: &Args) -> Result<Option<SweepDefinition>> {
     ))
 }
 
-/// Refuses options of the sweep without its points: the parts are not compared with them.
+/// Refuses options of a sweep if its points are not given: without points, the parts are not
+/// compared with the options.
 fn refuse_without_points(args: &Args) -> Result<()> {
     let drive = &args.setup_args.drive;
     let options = [

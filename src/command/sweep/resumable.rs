@@ -150,7 +150,8 @@ impl<'a> ResumableFile<'a> {
         }
     }
 
-    /// Continues the file after its journal. The destination must have been checked.
+    /// Continues the file after the rows that its journal records. The destination must have been
+    /// checked.
     pub fn resume(path: &Path, identity: &Identity, formatter: &'a RowFormatter) -> Result<Self> {
         let unusable =
             |error: io::Error| refused(path, format!("its sweep cannot be resumed ({error})"));
@@ -362,7 +363,7 @@ impl ResumableFile<'_> {
                 .map_err(|error| self.failed(&error))?;
             no_room = Some(error);
         }
-        // with row groups removed, the file is incomplete
+        // if row groups were removed, the file is incomplete: return the error of the full disk
         no_room.map_or(Ok(()), |error| Err(self.failed(&error)))
     }
 

@@ -50,7 +50,7 @@ impl Identity {
         })
     }
 
-    /// The first difference from another identity.
+    /// The name, in plural, of the first part that differs from `other`; `None` if no part differs.
     pub fn difference(&self, other: &Self) -> Option<&'static str> {
         let parts = [
             ("the versions of longdrive", &self.version, &other.version),
@@ -99,7 +99,7 @@ pub enum RowFormatter {
 }
 
 impl RowFormatter {
-    /// The first bytes of a file.
+    /// The bytes of a file before the first row.
     pub fn head(&self) -> Vec<u8> {
         match self {
             Self::Csv(table) => table.head(),
@@ -109,7 +109,7 @@ impl RowFormatter {
         }
     }
 
-    /// The rows of a block; called on the thread that computed it.
+    /// The rows of a block. The thread that computed the block calls this function.
     pub fn rows(&self, block: Block) -> FormattedRows {
         let bytes = match self {
             Self::Csv(table) => table.rows(&block),

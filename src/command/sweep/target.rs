@@ -116,7 +116,8 @@ impl<'a> SweepOutput<'a> {
         })
     }
 
-    /// Number of rows that need not be computed again: at the start, the rows of an earlier run.
+    /// Number of rows after which a sweep continues: those that the journal records. Always 0 for a
+    /// stream.
     pub fn safe(&self) -> u64 {
         match self {
             Self::Resumable(file) => file.safe,
