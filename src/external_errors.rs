@@ -32,8 +32,7 @@ fn csv_error_text(error: &csv::Error) -> String {
 #[cfg(any(feature = "arrow", feature = "parquet"))]
 pub(crate) const DAMAGED: &str = "copy it again, or write it again with the program that made it";
 
-/// Message for an error of the Parquet reader. The file has the magic bytes of Parquet at both
-/// ends.
+/// Message for an error of the Parquet reader. An error without a known cause counts as damage.
 #[cfg(feature = "parquet")]
 pub(crate) fn parquet_error_text(error: &parquet::errors::ParquetError) -> String {
     use parquet::errors::ParquetError;
@@ -44,7 +43,7 @@ pub(crate) fn parquet_error_text(error: &parquet::errors::ParquetError) -> Strin
         }
         ParquetError::External(error) => match error.downcast_ref::<std::io::Error>() {
             Some(error) if error.raw_os_error().is_some() => read_error_text(error),
-            // error of a decoder
+            // any other error comes from a decoder
             _ => format!("it is damaged; {DAMAGED}"),
         },
         _ => format!("it is damaged or was cut short; {DAMAGED}"),
@@ -69,8 +68,8 @@ pub(crate) fn arrow_error_text(error: &arrow_schema::ArrowError) -> String {
     }
 }
 
-/// Message for a file that is not TOML: place, the parser's own sentence, advice, and the line with a
-/// mark. `place` converts a byte offset to line and column.
+/// Message for a file that is not TOML: the place, the parser's sentence, advice, and the line with
+/// a mark. `place` converts a byte offset to line and column.
 pub(crate) fn toml_error_text(
     error: &toml::de::Error,
     text: &str,
@@ -134,8 +133,8 @@ pub(crate) fn write_error_text(error: &std::io::Error) -> String {
     why.into()
 }
 
-/// Message for an error in a row of a CSV table. `text` is the whole table, read again: an unclosed
-/// quote swallows the rows after it.
+/// Message for an error in a row of a CSV table. `text` is the whole table, read again to find an
+/// unclosed quote: the reader takes the rows after it for a part of the quoted cell.
 pub(crate) fn csv_row_error_text(error: &csv::Error, text: impl std::io::BufRead) -> String {
     let is_odd = |line: &Vec<u8>| line.iter().filter(|byte| **byte == b'"').count() % 2 == 1;
     let mut lines = text.split(b'\n').map_while(Result::ok);

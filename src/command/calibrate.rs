@@ -348,7 +348,7 @@ fn show_iteration(is_numbered: bool) -> impl Fn(u64, f64) {
     }
 }
 
-/// The label of a law whose parameters are not fitted.
+/// The label of the setup's law without a fit.
 const AS_SET_UP: &str = "as the setup has it";
 
 /// A law to compare on the rows: without a fit, and with all its coefficients fitted.

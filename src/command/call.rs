@@ -54,8 +54,8 @@ pub enum ArgumentValue {
     },
     /// A distribution: its kind, and its numbers.
     Distribution(String, Vec<ArgumentValue>),
-    /// A value with the name of its parameter or outcome. The name may be a list with commas; the
-    /// value then has no unit.
+    /// A value with the name of its parameter or outcome. The name may be a list with commas, as
+    /// for a correlation; the value then has no unit.
     Named(String, Box<ArgumentValue>),
     /// Several values of one argument.
     Several(Vec<ArgumentValue>),

@@ -121,8 +121,8 @@ fn follow(
         let (spinner, last) = (spinner.clone(), RefCell::new(String::new()));
         move |at| {
             let place = place_text(at);
-            // near the end of a chart the steps are so small that consecutive values have equal
-            // texts
+            // show each text once: near the end of a chart the steps are so small that consecutive
+            // values have equal texts
             if last.replace(place.clone()) != place {
                 let doing = format!("searching for an optimum at {place}");
                 spinner.set_message(doing.clone());

@@ -28,8 +28,8 @@ pub fn today() -> Result<String> {
     Ok(date(seconds))
 }
 
-/// The date of a time in seconds since 1970: days counted from 1 March of the year 0, so that leap
-/// days come last (Hinnant, "chrono-compatible low-level date algorithms").
+/// The date of a time in seconds since 1970. The years of the algorithm begin on 1 March, so that a
+/// leap day is the last day of a year (Hinnant, "chrono-compatible low-level date algorithms").
 fn date(seconds: u64) -> String {
     let days = seconds / 86_400 + 719_468;
     let (era, of_era) = (days / 146_097, days % 146_097);

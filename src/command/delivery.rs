@@ -135,7 +135,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 struct Deliveries {
     all: Vec<ShotDelivery>,
     population: Option<Result<Population>>,
-    /// The name of the measurement, for the first line of a setup file.
+    /// The measurement, as the written files name it: the table, or "a measured launch".
     from: String,
     /// Number of rows that an interruption left out.
     left_out: usize,

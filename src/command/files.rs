@@ -195,7 +195,7 @@ impl OutputRule {
         }
         create_beside(&path.join("file")).map_err(|error| unwritable(path, &error))?;
         if is_new {
-            // remove the trial folder: work that ends without an answer leaves no folder
+            // the folder was created only for this check: work without an answer leaves no folder
             fs::remove_dir(path).map_err(|error| unwritable(path, &error))?;
         }
         Ok(folder)
@@ -334,8 +334,8 @@ impl OutputStream {
     /// Writes the next piece.
     ///
     /// # Errors
-    /// If the piece cannot be written: [`Error::Output`] for standard output, [`Error::Results`] for
-    /// a file.
+    /// If the piece cannot be written: [`Error::Output`] for standard output, [`Error::Results`]
+    /// for a file.
     pub fn write(&mut self, bytes: &[u8]) -> Result<()> {
         self.try_write(bytes).map_err(|error| match self.sink {
             Sink::StandardOutput => Error::Output(error),

@@ -13,7 +13,7 @@ pub enum MessageKind {
     Note,
     /// A warning about the request or the answer.
     Warning,
-    /// The reason why there is no answer.
+    /// The reason why the answer, or a part of it, is missing.
     Error,
     /// An error in the arguments, as the argument parser words it, with escape codes for colours.
     Usage,

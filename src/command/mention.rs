@@ -36,7 +36,7 @@ impl Mention<'_> {
         };
         match value {
             None => option,
-            // the value of this option is optional, so that it needs an equals sign
+            // `--tolerance` may have no value, so its value needs an equals sign
             Some(value) if name == "tolerance" => format!("{option}={value}"),
             Some(value) => format!("{option} {value}"),
         }

@@ -30,7 +30,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         Some(word) => report.with_word(word)?,
         None => report,
     };
-    // the list shows the setup; its warnings are only in the JSON
+    // do not print the warnings of the setup: only the JSON has them
     running().warnings().extend(setup.warnings());
     let origin = request.origin();
     Ok(Answer::report(&report, &origin, args.json))

@@ -63,7 +63,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let found = with_bar("uncertainties", |show| {
         effects(&setup, &of, &sigmas, &mut |done, all| show(done, all))
     })?;
-    // warn about the values that the table lacks, with the reasons
+    // the report has no value where a drive is missing: warn with the reason
     let unflown = found.first().map(|effects| unflown(&setup, &of, effects));
     warn(unflown.into_iter().flatten());
     let slopes = best.as_ref().map(total_slopes).transpose()?;
@@ -109,7 +109,7 @@ fn total_slopes(best: &Optimum) -> Result<Vec<(&'static Parameter, Result<Sensit
     sensitivities(best, &wrt, &mut |_, _| ())
 }
 
-/// The reasons for missing total derivatives.
+/// Warnings about missing total derivatives, with the reasons.
 fn missing_slopes(slopes: &[(&'static Parameter, Result<Sensitivity>)]) -> Vec<Message> {
     let reasons = slopes
         .iter()

@@ -70,7 +70,8 @@ impl SwingsArgs {
         Ok(rule)
     }
 
-    /// The swings of a request.
+    /// Reads the swings of a request. Refuses settings of the parameters that vary between the
+    /// swings.
     pub fn request(&self, request: &Request, is_resampled: bool) -> Result<SwingsRequest> {
         let setup = request.partial_setup;
         let swings = self.read(&setup)?;
@@ -101,7 +102,7 @@ impl SwingsArgs {
         self.swings.iter().chain(&self.strokes).cloned()
     }
 
-    /// The swings.
+    /// Reads the swings from the file or from the distributions.
     pub fn read(&self, setup: &Setup<f64>) -> Result<Swings> {
         if let Some(file) = &self.swings {
             if let Some(option) = self

@@ -28,7 +28,7 @@ pub struct Terminal {
     now: Arc<Mutex<Now>>,
 }
 
-/// The state of the command, for Ctrl-C.
+/// The state of the command that the handler of Ctrl-C reads.
 #[derive(Default)]
 struct Now {
     command: &'static str,

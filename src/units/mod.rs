@@ -50,9 +50,9 @@ pub struct Quantity {
     dimension: Dimension,
     /// Usual units, separated by commas; the first unit is for examples.
     usual: &'static str,
-    /// Decimals by display unit. A unit that is not listed has five significant digits.
+    /// Decimals by display unit. A number in another unit has five significant digits.
     decimals: &'static [(&'static str, usize)],
-    /// Pairs of metric and US display units. A unit that is not listed belongs to both systems.
+    /// Pairs of metric and US display units. Another unit belongs to both systems.
     metric_and_us: &'static [(&'static str, &'static str)],
 }
 
@@ -199,7 +199,7 @@ quantities! {
         metric_and_us: &[],
     }
 
-    /// Per angular velocity, s/rad.
+    /// Reciprocal of an angular velocity, s/rad.
     PER_ANGULAR_VELOCITY {
         name: "a quantity per angular velocity",
         si: "s/rad",
@@ -209,7 +209,7 @@ quantities! {
         metric_and_us: &[],
     }
 
-    /// Per speed, s/m.
+    /// Reciprocal of a speed, s/m.
     PER_SPEED {
         name: "a quantity per speed",
         si: "s/m",
@@ -388,7 +388,8 @@ impl Quantity {
         self.size_of(known).map(|_| known)
     }
 
-    /// The unit of this name, to convert many numbers; `None` for a unit of another quantity.
+    /// The unit of this name; `None` for a unit of another quantity. A caller that converts many
+    /// numbers parses the name only once.
     pub(crate) fn unit_named(self, unit: &str) -> Option<Unit> {
         read_unit(unit).filter(|unit| unit.dimension == self.dimension)
     }
@@ -428,7 +429,7 @@ impl Quantity {
     }
 
     /// Hint for an unknown unit: the known unit in the right case or with the missing `deg`, or the
-    /// advice to write a decimal point instead of a comma. Empty without a hint.
+    /// advice to write a decimal point instead of a comma. Empty if none of them applies.
     fn hint(self, unit: &str) -> String {
         if unit
             .strip_prefix(',')

@@ -37,8 +37,8 @@ impl System {
     }
 
     /// The unit of this system for a unit of either system: yards for metres, miles per hour for
-    /// metres per second, and vice versa. The US system keeps feet, for altitudes, and millimetres,
-    /// for strikes on the face.
+    /// metres per second, and vice versa. In the US system, feet stay feet (altitudes), and
+    /// millimetres stay millimetres (strikes on the face).
     pub fn unit(self, unit: &'static str) -> &'static str {
         let mut pairs = Quantity::ALL.iter().flat_map(|known| known.metric_and_us);
         match self {

@@ -40,7 +40,7 @@ pub fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
     name.into()
 }
 
-/// The rows at the beginning of a file of rows; an entry of the journal.
+/// The rows up to a place in the file of rows: an entry of the journal.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct WrittenRows {
     /// Size, bytes.
