@@ -348,9 +348,9 @@ impl DeliveryFiles {
         let count = counted(explained as u64, "swing");
         note(&if self.is_table {
             format!(
-                "wrote {count} into {file}: what a shot does not identify is drawn towards the \
-                 prior, so these swings scatter less than the golfer's; a name that ends in .toml \
-                 gives the distribution"
+                "wrote {count} into {file}: a parameter that a shot does not identify is close to \
+                 its prior value, so these swings scatter less than the golfer's; for their \
+                 distribution, name a file that ends in .toml"
             )
         } else {
             format!("wrote the distribution of {count} into {file}")

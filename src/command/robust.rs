@@ -128,7 +128,8 @@ fn lost_settings(request: &Request, setup: &Setup<f64>, models: &[Model]) -> Vec
             let lost = request.stated().filter(|name| is_lost(model, name));
             lost.map(|name| {
                 Message::from(format!(
-                    "{name} as stated is not in the model '{}', whose law has coefficients of its own",
+                    "the stated {name} has no effect in the model '{}': its law has coefficients of \
+                     its own",
                     model.name
                 ))
             })

@@ -353,7 +353,7 @@ fn a_foreign_file_among_all_parts_is_reported() {
         printed.status == 1
             && printed
                 .out
-                .contains("4 parts are present and valid, but not alone"),
+                .contains("4 parts are present and valid, but the folder has other files too"),
         "{} {}",
         printed.out,
         printed.err

@@ -28,8 +28,8 @@ fn a_host_without_a_terminal_serves_nothing() {
     let words = ["longdrive", "explore", "mae494"];
     assert_eq!(run(words.map(Into::into).to_vec(), host.clone()), 2);
     let output = host.output.lock().unwrap();
-    let expected = "explore: it serves a page until Ctrl-C, for which there is no terminal here; \
-                    type it in a terminal: longdrive explore";
+    let expected = "explore: it serves a page until Ctrl-C, so it needs a terminal; type there: \
+                    longdrive explore";
     assert_eq!(*output, expected);
 }
 

@@ -360,11 +360,15 @@ fn coefficients_that_the_law_of_a_model_does_not_have_are_named() {
     let warnings = found["warnings"].to_string();
     assert_eq!(status, 0);
     assert!(
-        warnings.contains("aero.cd0 as stated is not in the model 'aero.law=ferguson'"),
+        warnings.contains("the stated aero.cd0 has no effect in the model 'aero.law=ferguson'"),
         "{warnings}"
     );
     let (_, found) = json(&["robust", "--set", "swing.speed=110mph"]);
-    assert!(!found["warnings"].to_string().contains("as stated"));
+    assert!(
+        !found["warnings"]
+            .to_string()
+            .contains("has no effect in the model")
+    );
 }
 
 /// Rows that are launches fly from their measured launch; totals need a ground.

@@ -19,8 +19,8 @@ use page::refused;
 
 pub fn run(args: &Args) -> Result<Answer> {
     if !running().host.is_terminal() {
-        let why = "it serves a page until Ctrl-C, for which there is no terminal here; type it in \
-                   a terminal: longdrive explore";
+        let why = "it serves a page until Ctrl-C, so it needs a terminal; type there: longdrive \
+                   explore";
         return Err(refused(why));
     }
     let request = args.request()?;

@@ -154,8 +154,8 @@ fn not_compared(shots: &Shots, of: &[Outcome], is_on_their_ground: bool) -> Vec<
         && !of.contains(&Outcome::CarryDistance)
     {
         remarks.push(Message::from(
-            "the measured carry is not compared: it is the distance from the tee, carry_distance; \
-             name that with `of`",
+            "the measured carry is not compared: it is the distance from the tee; name \
+             carry_distance with `of`",
         ));
     }
     remarks

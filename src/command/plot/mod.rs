@@ -84,7 +84,7 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
     let spinner = spinner("computing the map");
     let (best, map) = mapped(&setup, &search)?;
     if let Some(flat) = map.flat() {
-        let reason = format!("{flat}; vary what it depends on");
+        let reason = format!("{flat}; vary parameters that change it");
         return Err(target.refused(reason));
     }
     let best = best.as_ref();

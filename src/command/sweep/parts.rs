@@ -240,8 +240,8 @@ fn refuse_without_points(args: &Args) -> Result<()> {
         Some(unused) => Err(Error::Together {
             given: format!("`check` with {unused}"),
             reason: format!(
-                "give the swept parameters too (`over` or `points`), or leave {unused} out: the \
-                 answer has the definition of the sweep"
+                "the parts are compared with the options only if the swept parameters are given; \
+                 give them with `over` or `points`, or leave {unused} out"
             ),
         }),
     }
@@ -268,8 +268,8 @@ fn sentences(checked: &Checked) -> Vec<String> {
             definition.instructions
         ),
         false if *present == definition.parts => format!(
-            "{} are present and valid, but not alone: remove the files that are no part of the \
-             sweep",
+            "{} are present and valid, but the folder has other files too; remove the files that \
+             are no part of the sweep",
             counted(*present, "part")
         ),
         false => format!(

@@ -91,8 +91,8 @@ pub fn refuse_unfinished_sweep(path: &Path, resume: bool, overwrite: bool) -> Re
 
 fn nothing_left(path: &Path) -> Error {
     let reason = format!(
-        "there is nothing to resume: without {} it is complete, or not from a sweep; `overwrite` \
-         replaces it",
+        "there is nothing to resume, because {} does not exist: the file is complete, or no sweep \
+         wrote it; `overwrite` replaces it",
         Journal::path(path).display()
     );
     refused(path, reason)
