@@ -2,8 +2,8 @@
 
 use super::symbols::{Dimension, symbol};
 
-/// A unit: size, dimension and zero. The SI size is a fraction: decimal units (g, cm², %) have whole
-/// denominators, so that 5679 g cm² is 5679/10⁷ kg m² to the last bit.
+/// A unit: size, dimension and zero. The SI size is a fraction: decimal units (g, cm², %) have
+/// whole denominators, so that 5679 g cm² is 5679/10⁷ kg m² to the last bit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Unit {
     numerator: f64,

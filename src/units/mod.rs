@@ -330,7 +330,7 @@ impl Quantity {
         }
     }
 
-    /// The text of a quantity, with the unit of `other` if it has no unit of its own: the low end of
+    /// The text of a quantity. If `text` has no unit, it gets the unit of `other`: the low end of
     /// `4..20deg` is 4 deg.
     ///
     /// # Errors

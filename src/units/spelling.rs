@@ -79,7 +79,8 @@ pub fn per(of: &str, by: &str) -> String {
     }
 }
 
-/// The number at the start of a text: "162.0" of "162.0 mph", "-7.5" of "-7.5°", "1e-9" of "1e-9 m".
+/// The number at the start of a text: "162.0" of "162.0 mph", "-7.5" of "-7.5°", "1e-9" of
+/// "1e-9 m".
 pub(crate) fn leading_number(text: &str) -> &str {
     let end = text
         .find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e')))

@@ -100,8 +100,8 @@ pub struct Args {
     )]
     pub histogram: Vec<String>,
 
-    /// With --part: also store in the summary the N rows with the highest values of an outcome, e.g.
-    /// carry:10. Repeatable.
+    /// With --part: also store in the summary the N rows with the highest values of an outcome,
+    /// e.g. carry:10. Repeatable.
     #[arg(long, value_name = "OUTCOME:N")]
     pub highest: Vec<String>,
 
