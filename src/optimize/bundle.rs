@@ -1,7 +1,8 @@
 //! Bundle: nearby points on the other sides of kinks of f. At a kink the quadratic model of one
-//! side does not describe the other sides: steps fail, and the trust region shrinks to nothing far
-//! from the minimum along the kink. A trial point on another side therefore adds a term to a
-//! piecewise model: its second-order expansion, at most one term per side.
+//! side does not describe the other sides: steps fail, and the trust region shrinks to zero before
+//! the search reaches the minimum along the kink. A trial point on another side therefore adds a
+//! term to a piecewise model: the second-order expansion about this point. Each side adds at most
+//! one term.
 
 use super::qp::MaxTerm;
 use super::scaling::{EvaluatedPoint, Scaling};
@@ -65,9 +66,9 @@ impl Bundle {
     }
 
     /// Terms of the piecewise model, in scaled variables: the second-order expansion of each other
-    /// side, rewritten as an expansion about `at`. Its value at `at` is limited to f(at): at a kink
-    /// that stalls a search, f is the maximum of its sides, so a larger value is an error of the
-    /// expansion.
+    /// side, rewritten as an expansion about `at`. The value of a term at `at` is limited to f(at).
+    /// At a kink that stalls a search, f is the maximum of its sides, so a larger value is an error
+    /// of the expansion.
     pub fn max_terms(
         &self,
         scaling: &Scaling,

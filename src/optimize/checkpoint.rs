@@ -23,8 +23,8 @@ pub enum SavedSearch {
     Unfinished(Box<Snapshot>),
 }
 
-/// Checkpoint file of the searches of one problem. Each state is written to a temporary file and
-/// renamed, so that the file is complete at any time.
+/// Checkpoint file of the searches of one problem. Each change writes all states to a temporary
+/// file, which then replaces the checkpoint: the checkpoint is complete at any time.
 #[derive(Debug)]
 pub struct Checkpoint {
     path: PathBuf,
@@ -33,13 +33,14 @@ pub struct Checkpoint {
 
 #[derive(Debug, Serialize, Deserialize)]
 struct CheckpointContent {
-    /// Identifies the problem: a text that is different for every problem.
+    /// Text that identifies the problem.
     question: String,
     runs: BTreeMap<usize, SavedSearch>,
 }
 
 impl Checkpoint {
-    /// Opens a checkpoint file, or creates it if it does not exist.
+    /// Opens a checkpoint file, or creates it if it does not exist. `question` identifies the
+    /// problem: a text that is different for every problem.
     ///
     /// # Errors
     /// [`Error::Checkpoint`] if the file cannot be read or written, is not a checkpoint, or belongs
@@ -88,7 +89,7 @@ impl Checkpoint {
         Ok(checkpoint)
     }
 
-    /// Saved state of search `number`.
+    /// Saved state of search `number`; `None` if nothing was saved.
     pub fn run(&self, number: usize) -> Option<SavedSearch> {
         self.lock().runs.get(&number).cloned()
     }

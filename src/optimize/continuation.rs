@@ -50,8 +50,11 @@ impl AdaptiveStep {
         can
     }
 
-    /// Judges a corrected optimum by its distance from the prediction. `None`: it is rejected, and
-    /// the step is halved, but not after an interruption.
+    /// Accepts or rejects the result of the corrector: the corrected optimum and its distance from
+    /// the prediction. Returns `None` if the distance is too large or the corrector failed; the
+    /// step is then halved. After an interruption a failure does not halve the step.
+    ///
+    /// If the step is already the shortest, an optimum is accepted at any distance.
     ///
     /// # Errors
     /// The error of the corrector, if the step is already the shortest.
@@ -103,9 +106,11 @@ pub(crate) fn relative_distance(x: &[f64], predicted: &[f64], bounds: &Bounds) -
     parts.fold(0.0, f64::max)
 }
 
-/// Locates, within a tolerance, the first point at which `is_as_before` is false. `guess` predicts
-/// the location; `next` computes the point at a location from an earlier point. If `next` fails,
-/// returns the earliest known point at which `is_as_before` is false.
+/// Locates the change between two points by bisection: returns a point at which `is_as_before` is
+/// false, at most `tolerance` after a point at which it is true. `at` returns the location of a
+/// point, `guess` predicts the location of the change, and `next` computes the point at a location
+/// from an earlier point. If `next` fails, returns the earliest known point at which `is_as_before`
+/// is false.
 pub(crate) fn locate_change<P>(
     [mut before, mut after]: [P; 2],
     tolerance: f64,

@@ -1,27 +1,30 @@
 use super::null_space::null_space;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-/// Smallest eigenvalue after a reflection, relative to the largest eigenvalue.
+/// Smallest eigenvalue that is not reflected, relative to the largest |eigenvalue|. A smaller
+/// |eigenvalue| is raised to this size before the reflection.
 const FLOOR: f64 = 1e-8;
 /// The curvature added to the Hessian along the active normals grows by this factor from one
 /// attempt to the next. The first attempt adds the Hessian's size.
 const GROWTH: f64 = 4.0;
-/// Maximum number of attempts. More added curvature makes the sum numerically singular.
+/// Maximum number of attempts. More added curvature makes the matrix numerically singular.
 const MOST_RAISES: u32 = 15;
 /// Curvature added along the active normals before a reflection, relative to the Hessian's size. It
 /// separates the eigenvalues of the active normals from the eigenvalues of the tangents.
 const APART: f64 = 100.0;
 
-/// Result of the convexification. Added curvature is recorded only if eigenvalues were reflected.
+/// Result of the convexification.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Convexified {
-    /// Curvature added along each active unit normal before the reflection.
+    /// Curvature added along each active unit normal before a reflection; 0 if none was added, or
+    /// if no eigenvalue was reflected.
     pub raise: f64,
     /// True if eigenvalues were reflected.
     pub is_reflected: bool,
 }
 
-/// Replaces a Hessian by a positive definite matrix, equal to it near a minimum.
+/// Replaces a Hessian by a positive definite matrix. Near a minimum, both have the same curvature
+/// along the tangents of the active constraints.
 ///
 /// A quadratic program needs a convex matrix (for an indefinite matrix Clarabel returns a wrong
 /// point). In order of preference:
@@ -29,10 +32,10 @@ pub(super) struct Convexified {
 /// 2. if only directions along active normals make it indefinite: the Hessian plus curvature along
 ///    these normals (the term of the augmented Lagrangian; Nocedal & Wright 2006, §18.3). The sum
 ///    is exact on the tangents, which preserves Newton's rate of convergence;
-/// 3. this sum with its negative eigenvalues λ reflected to `reflection` |λ|, at least 1e-8 of the
-///    largest (Gill, Murray & Wright 1981, §4.4.2.1, with reflection in place of truncation). The
-///    added curvature separates the normals' eigenvalues from the tangents' eigenvalues. If
-///    `reflection` < 1, the Hessian is reflected on the tangents only.
+/// 3. this sum with its negative eigenvalues λ reflected to `reflection` |λ|, with |λ| raised to at
+///    least 1e-8 of the largest (Gill, Murray & Wright 1981, §4.4.2.1, with reflection in place of
+///    truncation). The added curvature separates the normals' eigenvalues from the tangents'
+///    eigenvalues. If `reflection` < 1, the Hessian is reflected on the tangents only.
 ///
 /// A zero Hessian stays zero: the program is then linear. The result is written to `convex`.
 pub(super) fn convexify(
@@ -108,7 +111,8 @@ fn reflected_along(
     &tangents * along * tangents.transpose() + across * hessian.amax()
 }
 
-/// The matrix with its negative eigenvalues λ reflected to `reflection` |λ|.
+/// The matrix with each eigenvalue λ below the floor replaced by `reflection` max(|λ|, floor). The
+/// floor is [`FLOOR`] times the largest |eigenvalue|.
 fn reflected(matrix: DMatrix<f64>, reflection: f64) -> DMatrix<f64> {
     if matrix.is_empty() {
         return matrix;

@@ -21,7 +21,8 @@ impl Bounds {
         Ok(bounds)
     }
 
-    /// Repeats the checks of [`new`](Self::new): the fields are public.
+    /// Checks the limits. A search repeats the checks of [`new`](Self::new), because the fields are
+    /// public.
     fn check(&self) -> Result<()> {
         let Self { low, high } = self;
         if low.len() != high.len() {
@@ -61,7 +62,7 @@ impl Bounds {
     }
 
     /// Scale of each number: the width of its range, but at most ten times max(|x|, 1). For an
-    /// infinite range the scale is max(|x|, 1).
+    /// infinite range the scale is max(|x|, 1), for a fixed number 1.
     ///
     /// # Panics
     /// If `x` has fewer numbers than the limits.
@@ -129,7 +130,8 @@ impl Domain {
         })
     }
 
-    /// Checks the domain again, and that the start is finite and of the right length.
+    /// Checks all limits again, because the fields are public. Also checks that the start has a
+    /// finite number for each variable.
     pub(super) fn check(&self, start: &[f64]) -> Result<()> {
         self.variables.check()?;
         self.constraints.check()?;

@@ -88,9 +88,9 @@ impl<F: Functions> Problem for Gradients<F> {
     }
 }
 
-/// Writes `values`, the functions at dual numbers, into the Taylor polynomials of `evaluation`.
-/// `write` copies the derivatives of one function. The first call allocates the polynomials, with
-/// `columns` gradient entries and `rows` rows of the Hessian.
+/// Writes `values`, the result of one evaluation with dual numbers, to `evaluation`. `write` copies
+/// the value and derivatives of one function. The first call allocates `columns` gradient entries
+/// and `rows` rows of the Hessian for each function.
 fn put<T>(
     evaluation: &mut Option<Evaluation>,
     values: Evaluation<T>,

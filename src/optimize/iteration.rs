@@ -15,7 +15,7 @@ pub struct Iteration {
     pub violation: f64,
     /// Trust-region radius Δ for the next step, in units of the variables' scale.
     pub radius: f64,
-    /// True if the step was accepted.
+    /// True if the step was accepted; true at the start.
     pub accepted: bool,
     /// Reduction of the merit function (of f if there are no constraints) that the model predicted
     /// for the step; 0 at the start.

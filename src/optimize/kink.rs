@@ -31,9 +31,9 @@ impl Kink {
 /// Half the distance between the two compared points, in units of the variables' scale.
 const REACH: f64 = 1e-6;
 
-/// Looks for a kink at a point. A variable has a kink if the derivative by it changes, between two
-/// points 2·REACH apart, by much more than the curvature on either side explains. `evaluate`
-/// returns `None` where the functions are undefined.
+/// Looks for a kink at a point. A variable has a kink if the derivative by this variable changes,
+/// between two points 2·REACH apart, by much more than the curvature on either side explains.
+/// `evaluate` returns `None` where the functions are undefined; the search for a kink then ends.
 pub(super) fn find(
     scaling: &Scaling,
     at: &EvaluatedPoint,
@@ -68,7 +68,7 @@ pub(super) fn find(
     Ok(None)
 }
 
-/// The derivatives of the objective just beside a point, on one side.
+/// The derivatives of the objective at a distance [`REACH`] from a point, on one side.
 struct KinkSide {
     x: f64,
     slope: f64,
@@ -102,8 +102,9 @@ fn is_kink(
         && is_unexplained(above)
 }
 
-/// True if a converged point may be a smoothed kink: over a thousandth of the variable's scale, the
-/// curvature changes the scaled derivative by as much as the objective's size.
+/// True if a converged point may be a smoothed kink: by some variable, the curvature is so large
+/// that over a thousandth of the variable's scale the scaled derivative changes by more than the
+/// objective's size.
 pub(super) fn is_suspected(scaling: &Scaling, at: &EvaluatedPoint) -> bool {
     let hessian = &at.f.objective.hessian;
     let curvature = |i: usize| hessian[i][i].abs() * scaling.scale[i] * scaling.scale[i];

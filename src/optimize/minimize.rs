@@ -19,7 +19,7 @@ use std::cell::RefCell;
 ///
 /// # Errors
 /// [`Error::Optimizer`] if the domain, the start or an option is invalid. A search that does not
-/// converge has a [`Status`], not an error.
+/// converge is not an error; the [`Status`] of its solution reports it.
 pub fn minimize(
     problem: &dyn Problem,
     domain: &Domain,
@@ -125,9 +125,10 @@ fn run(
     ))
 }
 
-/// If the objective falls towards a bound, and has a kink on the bound, the variable is optimal on
-/// the bound. Fixes the variable there, with the one-sided derivative as multiplier, and minimises
-/// over the other variables.
+/// If the kink lies on a bound towards which the objective falls, fixes the variable on this bound
+/// and minimises over the other variables. The one-sided derivative is the multiplier of the bound.
+/// Returns `found` if the kink does not lie on such a bound, or if the new search does not
+/// converge.
 fn fix_on_bound(
     problem: &dyn Problem,
     domain: &Domain,
@@ -199,7 +200,7 @@ struct SnapshotIo {
 
 impl Checkpoint<Sqp, SqpState> for SnapshotIo {
     fn save(&self, solver: &Sqp, state: &SqpState) -> std::result::Result<(), argmin::core::Error> {
-        // an interrupted iteration is repeated after a resume
+        // do not save an interrupted iteration: the resumed search repeats it
         let Some(save) = self
             .save
             .as_ref()
@@ -227,7 +228,7 @@ impl Checkpoint<Sqp, SqpState> for SnapshotIo {
 struct IterationObserver(Box<dyn FnMut(&Iteration)>);
 
 impl IterationObserver {
-    /// An interrupted iteration has no numbers, and is not shown.
+    /// Passes an iteration to the observer. An interrupted iteration has no numbers and is omitted.
     fn show(&mut self, state: &SqpState) {
         if let Some(iteration) = state.get_residuals() {
             (self.0)(iteration);

@@ -35,7 +35,7 @@ pub(super) struct Workspace {
     feasibility: QpSolver,
 }
 
-/// Weight of ½‖d‖², which is added to the squared violations to make the step of least violation
+/// Weight of the term ½‖d‖² in the elastic program. The term makes the step of least violation
 /// unique and short.
 const SHORT: f64 = 1e-8;
 /// Slack for rounding added to relaxed inequality rows.
@@ -115,7 +115,8 @@ impl LagrangianModel<'_> {
         trial
     }
 
-    /// If a step has no multipliers, the multipliers of the previous iteration are used.
+    /// The step of least violation with the multipliers of the previous iteration. Its own
+    /// multipliers belong to the elastic program, which does not contain f.
     fn with_previous_multipliers(&self, step: QpStep) -> QpStep {
         let multipliers = self
             .multipliers
@@ -179,7 +180,7 @@ impl LagrangianModel<'_> {
         (limit(bounds.low[i]), limit(bounds.high[i]))
     }
 
-    /// Limits of row j, for a constraint with this value at d = 0.
+    /// Limits of row j, in units of γⱼ, for a constraint with this value at d = 0.
     fn row_limits(&self, j: usize, value: f64) -> (f64, f64) {
         let (limits, gamma) = (&self.scaling.domain.constraints, self.scaling.gamma[j]);
         let low = (limits.low[j] - value) / gamma;
@@ -303,8 +304,8 @@ impl LagrangianModel<'_> {
             .collect()
     }
 
-    /// Predicted reduction of f. If the maximum has a single term, the exact Hessian is used,
-    /// because the convexified Hessian has added curvature along the normals of constraints.
+    /// Predicted reduction of f. If the piecewise model has a single term, the exact Hessian is
+    /// used, because the convexified Hessian has added curvature along the normals of constraints.
     fn objective_reduction(&self, program: &QuadraticProgram, d: &DVector<f64>) -> f64 {
         if program.max_terms.len() > 1 {
             return -program.value(d);

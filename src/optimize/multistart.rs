@@ -22,8 +22,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct LocalMinimum {
     /// Result of the search.
     pub solution: Solution,
-    /// Numbers of the starts that ended here. All starts that were interrupted before their first
-    /// evaluation form one group.
+    /// Numbers of the starts whose searches ended here. All searches that were interrupted before
+    /// they found a point with defined functions form one group.
     pub starts: Vec<usize>,
 }
 
@@ -33,7 +33,7 @@ pub type Callback<T> = Arc<dyn Fn(usize, &T) + Send + Sync>;
 /// Callbacks, interrupt flag and checkpoint of searches that run in parallel.
 #[derive(Clone, Default)]
 pub struct Observers {
-    /// Called after every iteration, with the number of the start.
+    /// Called at the start (iteration 0) and after every iteration, with the number of the start.
     pub iteration: Option<Callback<Iteration>>,
     /// Called at the end of every search, with the number of the start.
     pub end: Option<Callback<Solution>>,
@@ -67,8 +67,8 @@ const SAME: f64 = 1e-6;
 /// spread over its scale on that side.
 ///
 /// # Errors
-/// [`Error::Optimizer`] if there are more starts than one scrambling of the sequence has points, or
-/// more variables than it has dimensions, or if the domain or the start is invalid.
+/// [`Error::Optimizer`] if one scrambling of the sequence has too few points for `count`, if the
+/// sequence has too few dimensions for the variables, or if the domain or the start is invalid.
 pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f64>>> {
     domain.check(start)?;
     let (bounds, scale) = (&domain.variables, domain.variables.scale(start));
@@ -187,7 +187,7 @@ fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimum> {
     for (number, solution) in solutions.into_iter().enumerate() {
         let scale = domain.variables.scale(&solution.x);
         let is_same = |local: &LocalMinimum| {
-            // searches interrupted before their first evaluation are equal
+            // interrupted searches without a point at which f is defined form one group
             if solution.value.is_none() && solution.status == Status::Interrupted {
                 return local.solution.value.is_none()
                     && local.solution.status == Status::Interrupted;
@@ -240,9 +240,8 @@ fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimum> {
     locals
 }
 
-/// Largest scaled derivative of each constraint at the results of all searches (1 if unknown): a
-/// common unit of violation. The unit γ of a single search depends on its start, so it is no common
-/// unit.
+/// Common unit for the violations of each constraint in all searches: its largest scaled derivative
+/// at the results (1 if this is 0 or unknown). The unit γ of a single search depends on its start.
 fn steepest(domain: &Domain, locals: &[LocalMinimum]) -> Vec<f64> {
     let mut steepest = vec![0.0_f64; domain.constraints.dimension()];
     for LocalMinimum { solution, .. } in locals {

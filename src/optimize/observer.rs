@@ -10,7 +10,7 @@ use std::sync::atomic::AtomicBool;
 
 /// Receives the iterations of a search, can interrupt it, and can save and resume its state.
 pub struct Observer {
-    /// Called after every iteration.
+    /// Called at the start (iteration 0) and after every iteration.
     pub iteration: Box<dyn FnMut(&Iteration)>,
     /// Interrupt flag: once true, the search ends with the best point so far. It ends before the
     /// next evaluation, or during an evaluation that [checks the flag](super::Problem::evaluate).

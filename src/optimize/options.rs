@@ -10,7 +10,7 @@ pub struct Options {
     /// Initial trust-region radius, in units of [`Bounds::scale`](super::Bounds::scale) (0.5: half
     /// the box to each side).
     pub initial_radius: f64,
-    /// Number of other points that are tried if f is undefined at the start (64).
+    /// Maximum number of other points that are tried if f is undefined at the start (64).
     pub start_trials: u32,
 }
 

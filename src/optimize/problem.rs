@@ -34,7 +34,7 @@ pub struct Evaluation<T = Taylor> {
 }
 
 impl<T> Evaluation<T> {
-    /// The objective of a problem without constraint functions.
+    /// Evaluation of a problem without constraint functions.
     pub fn unconstrained(objective: T) -> Self {
         Self {
             objective,

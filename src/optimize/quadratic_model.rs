@@ -16,14 +16,15 @@ pub struct QuadraticModel {
     /// Hessian H of the Lagrangian (of f if there are no constraints); empty if the problem has no
     /// Hessians.
     pub hessian: Vec<Vec<f64>>,
-    /// Lower ends of the trust region, within the bounds.
+    /// Lower limits of x + d: the trust region within the bounds.
     pub low: Vec<f64>,
-    /// Upper ends of the trust region, within the bounds.
+    /// Upper limits of x + d: the trust region within the bounds.
     pub high: Vec<f64>,
     /// Trial point x + d of the next iteration, before any second-order correction.
     pub trial: Vec<f64>,
-    /// True if the step uses H with its negative eigenvalues reflected, since H is not positive
-    /// definite on the active set. The trial point then need not minimise m.
+    /// True if the step uses H with its negative eigenvalues reflected, because H is not positive
+    /// definite on the tangents of the active constraints. The trial point then need not minimise
+    /// m.
     pub is_reflected: bool,
 }
 

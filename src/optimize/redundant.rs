@@ -1,6 +1,7 @@
 //! Bounds that a constraint makes redundant. If the gradient of a constraint is almost parallel to
 //! the normal of an active bound, their small difference times huge multipliers can balance a
-//! gradient of f along the constraint: the KKT residual vanishes although f falls there.
+//! gradient of f along the constraint: the KKT residual vanishes although f still falls along the
+//! constraint.
 
 use super::least_squares;
 use super::state::{Evaluate, SearchState};
@@ -9,7 +10,7 @@ use argmin::core::Error;
 /// Limit for a multiplier, relative to the gradient of f. If the KKT conditions hold only with a
 /// larger multiplier, they do not prove an optimum.
 const HUGE: f64 = 1e6;
-/// Maximum number of steps across redundant bounds in a search.
+/// Maximum number of attempts of a search to step across a redundant bound.
 const MOST_CROSSINGS: u32 = 10;
 /// First step along the constraint, in units of the scale. Each further step is a quarter of the
 /// previous step.
@@ -26,7 +27,8 @@ pub(super) struct RedundantBound {
 }
 
 impl SearchState {
-    /// Finds the constraint with a huge multiplier and the active bound that balances most of it.
+    /// Finds the constraint with a huge multiplier and the active bound that balances the largest
+    /// part of it; `None` if no multiplier is huge.
     pub fn redundant_bound(&self) -> Option<RedundantBound> {
         let slope = self.scaling.largest(&self.point.f.objective.gradient);
         let most = HUGE * slope.max(self.scaling.initial_size.min(1.0) * f64::EPSILON);

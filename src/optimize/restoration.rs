@@ -18,9 +18,9 @@ use std::cell::RefCell;
 const STARTS: u32 = 32;
 /// Number of iterations from each starting point.
 const ITERATIONS: u64 = 50;
-/// Convergence tolerance from each starting point, as
-/// [`tolerance`](least_squares::FitOptions::tolerance). At a minimum of the violation above 0 the
-/// iterations converge slowly, and the search polishes the best result afterwards.
+/// [Convergence tolerance](least_squares::FitOptions::tolerance) from each starting point. It is
+/// large because the iterations converge slowly where the least violation is above 0; the search
+/// polishes the best result afterwards.
 const TOLERANCE: f64 = 1e-4;
 /// Maximum number of restorations in a search.
 const MAX_RESTORATIONS: u32 = 3;
@@ -32,9 +32,9 @@ const CONTINUE_BELOW: f64 = 0.99;
 const MOVE_BELOW: f64 = 1.0 - 1e-6;
 
 impl SearchState {
-    /// Minimises the violation by least squares from points spread over the box, up to the first
-    /// feasible result. If the violation fell, restarts the search at the best result and returns
-    /// true.
+    /// Minimises the violation by least squares from several points of the box, and stops at the
+    /// first feasible result. If the best result has a smaller violation than the iterate, restarts
+    /// the search there and returns true.
     pub fn restore(
         &mut self,
         options: &Options,
@@ -66,7 +66,8 @@ impl SearchState {
         };
         let first_point = |from: &[f64]| spread(&self.scaling.domain.variables, from, 0);
         if violation > options.kkt_tolerance && first_point(&x) == first_point(&self.point.x) {
-            // the bounds alone determine the points: another restoration would repeat this one
+            // the starting points depend on the bounds only, not on the iterate: another
+            // restoration would repeat this one
             self.counters.restorations = MAX_RESTORATIONS;
         }
         let Some(point) = self.evaluate_at(x, evaluate)? else {

@@ -14,7 +14,7 @@ const CURVATURE_ROUNDING: f64 = 1e-8;
 /// count as zero.
 const ZERO_MULTIPLIER: f64 = 1e-8;
 
-/// Maximum number of saddle points that a search leaves.
+/// Maximum number of attempts of a search to leave a saddle point.
 const MOST_SADDLES: u32 = 20;
 
 /// Function to be reduced along negative curvature.
@@ -140,8 +140,9 @@ fn violation_hessian(scaling: &Scaling, at: &EvaluatedPoint) -> Option<DMatrix<f
     Some(sum)
 }
 
-/// Orthonormal basis, in scaled variables, of the tangents of the active bounds and constraints:
-/// equations, and bounds and limits with a multiplier above rounding.
+/// Orthonormal basis, in scaled variables, of the tangents of the active bounds and constraints.
+/// Fixed variables and equality constraints are active, and so are bounds and limits with a
+/// multiplier above rounding.
 fn tangents(scaling: &Scaling, at: &EvaluatedPoint, multipliers: &[f64]) -> DMatrix<f64> {
     let least_multiplier = ZERO_MULTIPLIER * scaling.size(at);
     let gradient = at.lagrangian_gradient(multipliers);

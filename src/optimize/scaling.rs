@@ -41,7 +41,7 @@ pub(super) struct Scaling {
     /// Scale sᵢ of each variable ([`Bounds::scale`](super::Bounds::scale)).
     pub scale: Vec<f64>,
     /// Scale γⱼ of each constraint: the larger of its violation and its largest scaled derivative,
-    /// at the start.
+    /// at the start; 1 if both are 0.
     pub gamma: Vec<f64>,
     /// Size φ₀ of the objective at the start.
     pub initial_size: f64,
@@ -207,8 +207,8 @@ impl Scaling {
                 limits.low[j]
             };
             match multiplier {
-                // an infinite limit has no multiplier
                 _ if *multiplier == 0.0 => 0.0,
+                // at an optimum an infinite limit has the multiplier 0
                 _ if limit.is_infinite() => f64::INFINITY,
                 // a violated constraint counts in `feasibility` only
                 _ => {

@@ -23,8 +23,9 @@ pub struct OptimumResponse {
     pub multipliers: Vec<f64>,
     /// dc/dp of the constraint functions along the optimum.
     pub constraints: Vec<f64>,
-    /// Derivative by p of the Lagrangian's gradient. In a variable at its lower bound, it is the
-    /// derivative of the bound's multiplier; at its upper bound, the negative derivative.
+    /// Derivative by p of the Lagrangian's gradient along the optimum. For a variable at its lower
+    /// bound, this component is the derivative of the bound's multiplier; at its upper bound, minus
+    /// that derivative.
     pub slopes: Vec<f64>,
 }
 
@@ -44,8 +45,8 @@ pub enum Event {
 /// Threshold for multipliers, relative to the size of the objective. Smaller multipliers count as
 /// zero.
 const ZERO_MULTIPLIER: f64 = 1e-9;
-/// Threshold for curvature, relative to the size of the objective over the scales of the variables.
-/// Smaller curvature counts as rounding.
+/// Threshold for curvature in scaled variables, relative to the size of the objective. Smaller
+/// curvature counts as rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// Active set at a solution: variables on an active bound, and active constraints.
@@ -101,8 +102,8 @@ fn size(solution: &Solution, scale: &[f64]) -> f64 {
     largest_scaled(&solution.gradient, scale).max(solution.value.unwrap_or_default().abs())
 }
 
-/// Hessian of the Lagrangian in scaled variables, with rounding errors set to 0. Otherwise the row
-/// of a variable without effect would look like the curvature of an isolated optimum.
+/// Hessian of the Lagrangian in scaled variables, with rounding errors set to 0: they would
+/// otherwise make the optimum look isolated along a variable without effect.
 fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
     let least = ROUNDING * size(solution, scale);
     DMatrix::from_fn(scale.len(), scale.len(), |i, k| {
@@ -115,8 +116,9 @@ fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
     })
 }
 
-/// Reduced Hessian: the Hessian of the Lagrangian on the tangents of the active set, in units of
-/// [`Bounds::scale`]. Returns a basis of the tangents, a column each, and the reduced Hessian.
+/// Reduced Hessian: the Hessian of the Lagrangian on the tangents of the active set, in variables
+/// scaled by [`Bounds::scale`]. Returns a basis of the tangents, one in each column, and the
+/// reduced Hessian.
 ///
 /// # Panics
 /// If the domain does not belong to the solution, or the solution has no Hessian.
@@ -278,8 +280,8 @@ impl KktSystem<'_> {
         Ok([x, multipliers])
     }
 
-    /// Length of the scaled gradient of constraint j. Rows of the system are divided by it, so that
-    /// their singular values are comparable.
+    /// Largest scaled derivative of constraint j. Dividing the row of each constraint by it makes
+    /// the rows comparable in size, so that a small singular value shows a singular system.
     fn row_length(&self, j: usize) -> f64 {
         largest_scaled(&self.solution.jacobian[j], &self.scale).max(f64::MIN_POSITIVE)
     }
@@ -341,8 +343,8 @@ fn solve_refined(matrix: DMatrix<f64>, right: &DVector<f64>) -> Result<DVector<f
     Ok(refined)
 }
 
-/// First change of the active set if the parameter changes by `delta`, to first order. Also returns
-/// the fraction of `delta` at which this change occurs.
+/// First change of the active set if the parameter changes by `delta`, to first order. Returns the
+/// fraction of `delta` at which the set changes, and the change; `None` if the set does not change.
 pub fn first_event(
     solution: &Solution,
     domain: &Domain,

@@ -7,7 +7,8 @@ use super::state::{Effort, SearchState};
 use super::status::{SearchVerdict, Status};
 use serde::{Deserialize, Serialize};
 
-/// Result of a search.
+/// Result of a search. If the functions were never defined, `value` is `None`, and the KKT
+/// residuals are `f64::MAX`; the derivatives, `constraints` and `initial_point` are empty.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Solution {
     /// Outcome of the search.
@@ -156,7 +157,7 @@ impl Solution {
         Self::without_point(domain, Status::Interrupted, message, start)
     }
 
-    /// Result of a search that has evaluated the functions at no point where they are defined.
+    /// Result of a search that found no point at which the functions are defined.
     fn without_point(domain: &Domain, status: Status, message: String, x: Vec<f64>) -> Self {
         let n = domain.variables.dimension();
         let none = KktResidual {

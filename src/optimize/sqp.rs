@@ -46,7 +46,8 @@ pub(super) struct SearchProgress {
     pub initial_point: Vec<f64>,
     /// Kink of f at which the search ended.
     pub kink: Option<Kink>,
-    /// Number of evaluations of a search that found no point where f is defined.
+    /// Number of evaluations of a search that found no point where f is defined; 0 for any other
+    /// search.
     #[serde(skip)]
     pub undefined_evaluations: u64,
 }
@@ -74,8 +75,8 @@ impl Sqp {
         number: u64,
         evaluate: &mut Evaluate<'_>,
     ) -> Result<Iteration, Error> {
-        // linearise the constraints, convexify the Hessian, solve the quadratic program: minimise ½
-        // dᵀB d + ∇f·d with c + ∇c·d within limits, x + d within bounds, ‖d‖∞ ≤ Δ
+        // linearise the constraints, convexify the Hessian, solve the quadratic program: minimise
+        // ½ dᵀB d + ∇f·d with c + ∇c·d within limits, x + d within bounds, ‖d‖∞ ≤ Δ
         let mut step = state.trial_step();
         // ν ≥ ‖λ‖₂, and large enough for a predicted reduction of φ (eq. 18.36)
         state.update_penalty(&step);
@@ -116,7 +117,7 @@ impl Sqp {
         })
     }
 
-    /// The iterate in `state` as observers receive it at the start of a search.
+    /// Iteration 0: the iterate in `state`, with the values of a search that has made no step.
     fn iteration(&self, state: &SearchState) -> Iteration {
         Iteration {
             number: 0,
@@ -136,7 +137,11 @@ impl Sqp {
         self.interrupt.load(Ordering::Relaxed)
     }
 
-    /// Verdict after an interrupted evaluation. The result is the last completed iterate.
+    /// Sets the verdict of a search that was interrupted during an evaluation. The result is the
+    /// last completed iterate.
+    ///
+    /// # Errors
+    /// `error`, if the search was not interrupted.
     fn interrupted_by(
         &mut self,
         error: Error,
@@ -257,9 +262,12 @@ fn with_iteration(info: SqpState, iteration: Iteration) -> SqpState {
     info.cost(iteration.value).residuals(iteration)
 }
 
-/// Evaluates the functions at x. The inner error means that they are undefined there (a wrong shape
-/// or a non-finite value counts as undefined); the outer error is argmin's and ends an interrupted
-/// search. An evaluation that fails after an interrupt counts as interrupted.
+/// Evaluates the functions at x.
+///
+/// # Errors
+/// The inner error means that the functions are undefined at x; a wrong shape or a value that is
+/// not finite counts as undefined. The outer error ends an interrupted search; an evaluation that
+/// fails after an interrupt counts as interrupted.
 fn evaluate(
     problem: &mut Counted<&dyn Problem>,
     interrupt: &AtomicBool,

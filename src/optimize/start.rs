@@ -2,13 +2,14 @@ use super::domain::Bounds;
 use super::problem::Evaluation;
 use super::scaling::EvaluatedPoint;
 
-/// Number of points tried if f is undefined at the start. The search begins at the best point at
-/// which f is defined. If f is undefined at all of these points, further points are tried until f
-/// is defined, up to the limit of the options.
+/// Number of other points that are compared if f is undefined at the start: the search begins at
+/// the point with the smallest f. If f is undefined at all of them, further points are tried until
+/// f is defined at one, or the limit of the options is reached.
 const CHOICE: u32 = 8;
 
-/// Finds the first iterate: the start, or another point of the box if f is undefined there.
-/// `evaluate` returns `None` once the search is interrupted; no further points are tried then.
+/// Finds the first iterate: the start, or another point of the box if f is undefined at the start.
+/// Returns the iterate (`None` if no point was found), and the reason why f is undefined at the
+/// start. `evaluate` returns `None` once the search is interrupted; no further points are tried.
 pub(super) fn first_point(
     bounds: &Bounds,
     start: &[f64],
@@ -46,8 +47,9 @@ pub(super) fn first_point(
     (best, Some(why))
 }
 
-/// Point `k` of a low-discrepancy sequence over the box: multiples, modulo 1, of powers of the
-/// inverse generalised golden ratio (Roberts 2018). Point 0 is the centre.
+/// Point `k` of a low-discrepancy sequence: multiples, modulo 1, of powers of the inverse
+/// generalised golden ratio (Roberts 2018). The sequence covers the part of the bounds within one
+/// scale of `start`; point 0 is the centre of this part.
 pub(super) fn spread(bounds: &Bounds, start: &[f64], k: u32) -> Vec<f64> {
     let n = start.len();
     let scale = bounds.scale(start);

@@ -97,11 +97,11 @@ pub(super) struct SearchState {
 pub(super) struct Counters {
     /// Consecutive iterations without progress.
     pub stalled: u32,
-    /// Number of saddle points that the search left along negative curvature.
+    /// Attempts to leave a saddle point along negative curvature.
     pub saddles: u32,
-    /// Feasibility restorations: restarts from a point with a smaller violation.
+    /// Feasibility restorations, also without success.
     pub restorations: u32,
-    /// Steps across a redundant bound.
+    /// Attempts to step across a redundant bound.
     pub redundant_bounds: u32,
 }
 
@@ -154,9 +154,9 @@ impl SearchState {
                 .is_none_or(|active| active.has_dimensions(n, m))
     }
 
-    /// Trial step of the quadratic model. If the model predicts no reduction because it contains
-    /// another side of a kink, expanded from a distant point, drops that side and computes the step
-    /// again.
+    /// Trial step of the quadratic model. If the model predicts no reduction, drops the other side
+    /// of a kink with the most distant point, whose expansion may be inaccurate, and computes the
+    /// step again.
     pub fn trial_step(&mut self) -> TrialStep {
         loop {
             let step = self.solve_model(None);
@@ -271,8 +271,8 @@ impl SearchState {
         }
     }
 
-    /// Applies second-order corrections to a rejected step, as long as each lowers the merit
-    /// function further and the reduction is not yet good.
+    /// Applies second-order corrections to a rejected step. Stops when a correction does not lower
+    /// the merit function further, or when the reduction is good.
     pub fn correct_step(
         &mut self,
         mut trial: Trial,

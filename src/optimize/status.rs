@@ -1,13 +1,19 @@
 //! Stopping tests and verdicts of a search. A [`Status`] is the outcome of a search; bad input is
 //! an [`Error`](crate::Error) instead.
 //!
-//! Each stopping test is one function. All quantities are relative: variables to
-//! [`Bounds::scale`](super::Bounds::scale) (s); the objective to φ = max(|f|, min(1, φ₀)), with φ₀
-//! the larger of |f| and its largest s-scaled derivative at the start; constraint j to γⱼ, the
-//! larger of its violation and its largest s-scaled derivative at the start. The KKT residual is
-//! the maximum of the stationarity maxᵢ sᵢ |pᵢ|/φ (p: gradient of the Lagrangian, projected on the
-//! bounds), the constraint violations over γ, and the complementarity: multiplier times distance
-//! from its limit, over φ.
+//! Each stopping test is one function. All quantities are relative to a scale:
+//!
+//! - variable i to sᵢ: [`Bounds::scale`](super::Bounds::scale)
+//! - the objective to φ = max(|f|, min(1, φ₀)), with φ₀ the larger of |f| and the largest s-scaled
+//!   derivative of f at the start
+//! - constraint j to γⱼ: the larger of its violation and its largest s-scaled derivative at the
+//!   start.
+//!
+//! The KKT residual is the largest of three components:
+//!
+//! - stationarity: maxᵢ sᵢ |pᵢ|/φ, with p the gradient of the Lagrangian projected on the bounds
+//! - feasibility: the largest constraint violation over γ
+//! - complementarity: the largest product of a multiplier and the distance from its limit, over φ.
 
 use super::kink::Kink;
 use super::redundant::RedundantBound;

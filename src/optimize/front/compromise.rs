@@ -25,6 +25,7 @@ pub(super) struct Compromise {
     /// The point of the front. Unknown derivatives dx/ds are set to zero, so that the predictor
     /// returns the point itself.
     pub point: FrontPoint,
+    /// Solution of the corrector with its derivatives by s; `None` if they are unknown.
     pub derivatives: Option<(Solution, OptimumResponse)>,
 }
 
@@ -38,7 +39,9 @@ impl Compromise {
 /// minimum.
 pub(super) struct FrontPlane<'a> {
     pub context: &'a FrontContext<'a>,
+    /// Minimum of each function.
     pub zero: [f64; 2],
+    /// Increase of each function from its own minimum to the other function's minimum.
     pub span: [f64; 2],
 }
 

@@ -12,11 +12,12 @@ use crate::optimize::solution::Solution;
 use crate::optimize::status::Status;
 use std::cell::Cell;
 
-/// Relative tolerance within which a value of a function counts as equal to its minimum.
+/// Tolerance within which two values of a function count as equal, relative to the size of the
+/// function or to its change over the front.
 pub(super) const SAME: f64 = 1e-9;
 /// Allowed increase of a function above its minimum, as a fraction of its change over the front.
-/// The points within this increase count as minimisers; the point at which the other function is
-/// smallest is selected.
+/// All points within this increase count as minimisers; among them, the point at which the other
+/// function is smallest is selected.
 const UNIQUE_WITHIN: f64 = 1e-7;
 /// A minimum is isolated if the ratio of the smallest to the largest curvature is above this limit.
 const FLAT: f64 = 1e-9;

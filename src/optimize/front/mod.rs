@@ -6,7 +6,7 @@
 //! subject to a − b = s (normal-boundary intersection, Das & Dennis 1998). The multiplier μ of this
 //! equality gives the slope of the front, da/db = −(1 − μ)/(1 + μ), and the KKT system gives dx/ds.
 //! The ε-constraint method, a bound ε on b, finds the same points, but dx/dε is infinite at an end
-//! in the interior of the bounds; dx/ds is not.
+//! of the front that lies inside the bounds of x; dx/ds is finite there.
 
 mod compromise;
 mod context;

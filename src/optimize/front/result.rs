@@ -13,8 +13,8 @@ pub struct Front {
     /// smaller values, with both functions scaled from 0 to 1 (Das 1999). `None` if the front is
     /// nearly straight, or curves towards larger values.
     pub knee: Option<usize>,
-    /// Distance of the front from the straight line between its ends, relative to the length of
-    /// that line.
+    /// Largest distance of the front from the straight line between its ends, towards smaller
+    /// values, relative to the length of that line; both functions are scaled from 0 to 1.
     pub bend: f64,
     /// Number of dominated points that were removed.
     pub dominated: usize,
@@ -31,10 +31,11 @@ pub struct FrontPoint {
     pub x: Vec<f64>,
     /// Values of the two functions.
     pub values: [f64; 2],
-    /// Derivative of the first function by the second along the front; `None` where it is not
-    /// unique.
+    /// Derivative of the first function by the second along the front; `None` where it is infinite,
+    /// not unique or unknown.
     pub slope: Option<f64>,
-    /// Derivative dx/ds of each variable by the position s = a − b along the front.
+    /// Derivative dx/ds of each variable by the position s = a − b along the front; 0 where it is
+    /// unknown.
     pub rates: Vec<f64>,
     /// Active set.
     pub active_set: ActiveSet,

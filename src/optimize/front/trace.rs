@@ -60,8 +60,8 @@ pub(super) fn trace_front(
     points.extend(knee);
     points.sort_by(|a, b| a.at.total_cmp(&b.at));
     let (mut points, dominated) = nondominated(points, &path, plane.span);
-    // at an end of the front, the active set is that of the search for the one function that is
-    // minimal there: in a search for a compromise the multipliers of this point are 0
+    // at an end of the front, take the active set from the minimisation of a single function: in a
+    // search for a compromise the multipliers at the end are 0
     for place in points.iter_mut().filter(|place| place.at.abs() >= 1.0) {
         let end = &ends[usize::from(place.at > 0.0)];
         place.point.active_set = ActiveSet::new(end, &context.domain);

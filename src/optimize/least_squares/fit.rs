@@ -22,10 +22,10 @@ const MOST_DAMPING: f64 = 1e20;
 /// Smallest damping. JᵀJ of the scaled columns is accurate to about 1e-16; with less damping,
 /// rounding would drive steps along directions in which the residuals do not change.
 const LEAST_DAMPING: f64 = 1e-12;
-/// Length limit of the undamped step. If no step lowers the sum and the undamped step is shorter,
-/// the fit counts as converged. The unit is the size of the point or of its distance from the
-/// start, whichever is larger (Moré 1978, MINPACK's `xtol`). The gradient is no criterion near a
-/// sum of 0, where the residuals are rounding errors.
+/// If no step lowers the sum, and the undamped step is at most this fraction of the size of the
+/// point, the fit counts as converged (Moré 1978, MINPACK's `xtol`). The size of each variable is
+/// |x| or its distance from the start, whichever is larger. The gradient is no criterion near a sum
+/// of 0, where the residuals are rounding errors.
 const SHORTEST: f64 = 1e-8;
 
 /// Name, in messages, of the convergence measure, which is 0 at a stationary point.
@@ -80,7 +80,7 @@ pub struct Fit {
     pub x: Vec<f64>,
     /// Residuals and Jacobian at the point; empty if they were never defined.
     pub rows: Rows,
-    /// Sum of losses F = Σ ρ(rᵢ).
+    /// Sum of losses F = Σ ρ(rᵢ); ∞ if the residuals were never defined.
     pub cost: f64,
     /// Number of iterations.
     pub iterations: u64,
@@ -107,7 +107,7 @@ pub struct FitObserver {
     /// Called at every iteration with its number and F.
     pub iteration: Option<Arc<dyn Fn(u64, f64) + Send + Sync>>,
     /// Interrupt flag: once true, the fit ends with the best point so far. It ends after the
-    /// current evaluation, or during an evaluation that [checks the
+    /// current iteration, or during an evaluation that [checks the
     /// flag](super::Residuals::evaluate).
     pub interrupt: Arc<AtomicBool>,
 }
@@ -256,9 +256,11 @@ struct FitState {
     /// Convergence measure at the point ([`GaussNewtonPoint::cosine`]).
     cosine: f64,
     initial_point: Vec<f64>,
+    /// Largest length so far of each column of the Jacobian.
     scale: Vec<f64>,
     solver: QpSolver,
     damping: f64,
+    /// Factor by which the damping grows after the next rejected step.
     growth: f64,
     iterations: u64,
     evaluations: u64,
@@ -341,7 +343,7 @@ impl FitState {
         }
     }
 
-    /// Step that minimises the model with this damping.
+    /// Step that minimises the model with this damping; `None` if the step is too long.
     fn step(&mut self, bounds: &Bounds, damping: f64) -> Option<ModelStep> {
         self.at.step(bounds, &self.scale, damping, &mut self.solver)
     }

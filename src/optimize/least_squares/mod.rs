@@ -66,10 +66,11 @@ pub struct FitOptions {
     /// Maximum number of iterations (200).
     pub max_iterations: u64,
     /// Convergence tolerance: largest cosine of the angle between the residuals and a column of the
-    /// Jacobian whose variable can move (1e-10; Moré 1978, MINPACK's `gtol`).
+    /// Jacobian (1e-10; Moré 1978, MINPACK's `gtol`). Columns whose variable is blocked by a bound
+    /// are omitted.
     pub tolerance: f64,
-    /// Rounding error of the residuals. A fit has converged if no residual exceeds this error (0:
-    /// unknown).
+    /// Rounding error of the residuals; 0, the default, if it is unknown. A fit has converged if no
+    /// residual exceeds this error.
     pub rounding: f64,
 }
 

@@ -101,8 +101,9 @@ impl GaussNewtonPoint {
         (0..self.x.len()).map(of).fold(0.0, f64::max)
     }
 
-    /// Minimises the model ½ dᵀ(JᵀWJ + μ D²) d + gᵀd within the bounds. Returns the trial point and
-    /// the predicted reduction of the undamped model; `None` if the step is too long.
+    /// Minimises the model ½ dᵀ(JᵀWJ + μ D²) d + gᵀd within the bounds, with the damping μ and
+    /// D = diag(`scale`). Returns the trial point and the predicted reduction of the undamped
+    /// model; `None` if the step is too long.
     pub fn step(
         &self,
         bounds: &Bounds,

@@ -37,8 +37,8 @@ impl fmt::Debug for InteriorPoint {
     }
 }
 
-/// Clarabel's tolerances. If polishing fails, Clarabel's own multipliers must satisfy the KKT
-/// tolerance of a search.
+/// Clarabel's tolerances. They equal the default KKT tolerance of a search: if polishing fails, the
+/// search uses Clarabel's own multipliers.
 const TOLERANCE: f64 = 1e-10;
 
 /// Constraint as a row a · x + s = limit of Clarabel's standard form, with s = 0 (equality) or s ≥
@@ -82,8 +82,8 @@ struct StandardForm {
 }
 
 impl InteriorPoint {
-    /// Solves a program; `None` if its rows are infeasible within the bounds, or if Clarabel finds
-    /// neither a solution nor a proof of infeasibility.
+    /// Solves a program; `None` if Clarabel proves that its rows are infeasible within the bounds,
+    /// or if a number of Clarabel's result is not finite.
     pub fn solve(&mut self, program: &QuadraticProgram) -> Option<ClarabelResult> {
         let form = StandardForm::new(program);
         let solver = self.updated(&form)?;

@@ -1,5 +1,5 @@
-//! Quadratic programs, solved by a warm start from the previous active set. If it fails, Clarabel
-//! solves the program, and polishing gives an exact KKT point (`QpSolver::solve`).
+//! Quadratic programs, solved by a warm start from the previous active set. If the warm start
+//! fails, Clarabel solves the program, and polishing gives an exact KKT point (`QpSolver::solve`).
 
 mod interior_point;
 mod linear;
@@ -83,7 +83,7 @@ mod tests {
 
     #[test]
     fn exact_step_to_a_kink() {
-        // ½ d² + max(−d₀, 2 d₀ − 0.3) + d₁-parabola: the terms meet at d₀ = 0.1
+        // ½‖d‖² + ½ d₁ + max(−d₀, 2 d₀ − 0.3): the terms of the maximum are equal at d₀ = 0.1
         let qp = QuadraticProgram {
             hessian: DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 1.0]),
             max_terms: vec![
@@ -151,9 +151,9 @@ mod tests {
         })
     }
 
-    /// Checks the KKT conditions from the program's data: they are sufficient, because the program
-    /// is convex. If Clarabel reports infeasibility, the smallest possible violation is computed
-    /// and must be positive.
+    /// Computes the KKT conditions from the program's data; they are sufficient for a minimum,
+    /// because the program is convex. If a program is reported as infeasible, its least violation
+    /// is computed and must be positive.
     #[test]
     fn exact_kkt_conditions_of_random_programs_with_rows() {
         let (mut infeasible, mut solved) = (0, 0);

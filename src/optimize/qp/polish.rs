@@ -43,7 +43,7 @@ impl Unknowns {
 
 impl SymmetricSystem {
     /// Adds the equation normal · d = limit of an active term or row, and the column of its
-    /// multiplier.
+    /// multiplier. `free` lists the unknown components of d; `d` holds the other components.
     fn add_equation(
         &mut self,
         at: usize,
@@ -101,9 +101,10 @@ impl QuadraticProgram {
         None
     }
 
-    /// Exact point of a working set with the multipliers of an approximate solution. If gradients
-    /// of active constraints are linearly dependent, the point is unique but its multipliers are
-    /// not: the equations may give multipliers with the wrong sign.
+    /// Exact point of a working set with the multipliers of an approximate solution; `None` if the
+    /// point is not near this solution. If gradients of active constraints are linearly dependent,
+    /// the point is unique but its multipliers are not: the equations may give multipliers with the
+    /// wrong sign.
     pub(super) fn with_multipliers_of(
         &self,
         active: &WorkingSet,
@@ -158,11 +159,15 @@ impl QuadraticProgram {
         self.value(&step.d) <= at_zero + rounding
     }
 
-    /// Solves the program with the active bounds, rows and terms as equations: B d plus Σ αₖ
-    /// gradientₖ plus Σ μⱼ normalⱼ is 0 for the inactive variables, Σ αₖ = 1, and offsetₖ +
-    /// gradientₖ · d is equal for all active terms. Subtracting the first active term from the
-    /// others eliminates its multiplier and the equation Σ αₖ = 1. The solution may violate other
-    /// constraints.
+    /// Solves the program with the active bounds, rows and terms as equations:
+    ///
+    /// - B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ = 0 for the inactive variables
+    /// - Σ αₖ = 1
+    /// - offsetₖ + gradientₖ · d is equal for all active terms
+    /// - normalⱼ · d is equal to the limit of each active row.
+    ///
+    /// Subtracting the first active term from the other active terms eliminates its multiplier and
+    /// the equation Σ αₖ = 1. The solution may violate inactive constraints.
     fn candidate(&self, active: &WorkingSet) -> Option<QpStep> {
         let unknowns = Unknowns::new(self, active)?;
         let mut d = DVector::from_fn(self.dimension(), |i, _| match active.bounds[i] {

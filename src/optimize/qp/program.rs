@@ -3,9 +3,9 @@ use nalgebra::{DMatrix, DVector};
 /// Quadratic program: minimise ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d) over low ≤ d ≤ high and
 /// linear constraints, with B positive semidefinite.
 ///
-/// A smooth function has one term, its quadratic model; a function with a kink has one term for
-/// each smooth side. All numbers must be finite, except limits; no lower limit may exceed its upper
-/// limit.
+/// The model of a smooth function has one term; the model of a function with a kink has one term
+/// for each smooth side. All numbers must be finite, except limits; no lower limit may exceed its
+/// upper limit.
 #[derive(Clone, Debug, Default)]
 pub struct QuadraticProgram {
     /// Hessian B.

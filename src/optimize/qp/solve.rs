@@ -29,16 +29,17 @@ impl QpSolver {
         }
     }
 
-    /// Solves a program; `None` if its rows are infeasible within the bounds.
+    /// Solves a program; `None` if its rows are infeasible within the bounds, or if all four
+    /// attempts fail.
     ///
     /// 1. Warm start: the previous active set, solved as equations. If the KKT conditions hold at
     ///    the result, it is the solution, because the program is convex.
     /// 2. Clarabel: it proves infeasibility or finds an active set, which is polished to an exact
     ///    KKT point.
-    /// 3. If no exact KKT point is found near Clarabel's solution, because normals of active
-    ///    constraints are linearly dependent: the exact point of Clarabel's active set, with
-    ///    Clarabel's multipliers.
-    /// 4. If this point violates a constraint: Clarabel's own solution, projected on the bounds.
+    /// 3. If polishing fails, for example because normals of active constraints are linearly
+    ///    dependent: the exact point of Clarabel's active set with Clarabel's multipliers, if this
+    ///    point is near Clarabel's solution and meets the rows.
+    /// 4. Otherwise: Clarabel's own solution, projected on the bounds, if it meets the rows.
     ///
     /// # Panics
     /// If there is no term of the maximum, or lengths differ.
