@@ -1,7 +1,7 @@
 //! Chain rule between impact and flight. Club and strike affect a flight only through the launch.
-//! The launch has six components: velocity and spin. If club and strike have more parameters, the
-//! flight is differentiated by the components and by its own parameters. The chain rule combines
-//! the derivatives of impact and flight.
+//! The launch has six components: three of velocity, three of spin. If there are many parameters of
+//! club and strike, the flight is differentiated by these components and by its own parameters, and
+//! the chain rule combines the derivatives of impact and flight.
 
 use super::Taylor;
 use super::pass::{COMPONENTS, EvaluationPoint, Stage};
@@ -60,7 +60,7 @@ impl ParameterSplit {
 
 /// Outcomes and derivatives at a point, by the chain rule if `split` is given. `progress` receives
 /// the number of completed passes (evaluations of a drive in all lanes) and the number of all
-/// passes.
+/// passes; with the chain rule, passes of the impact are not counted.
 pub(super) fn derivatives(
     point: &EvaluationPoint<'_>,
     split: Option<&ParameterSplit>,
@@ -122,8 +122,8 @@ fn is_of_flight(outcome: &Outcome) -> bool {
     outcome.group() == OutcomeGroup::Flight
 }
 
-/// Variables of the flight: components of the launch that depend on a parameter, then the flight's
-/// own parameters.
+/// Indices of the flight's variables: first the components of the launch that depend on a
+/// parameter, then the flight's own parameters.
 fn flight_variables(
     point: &EvaluationPoint<'_>,
     split: &ParameterSplit,

@@ -20,8 +20,8 @@ pub(super) enum Entries {
     Last,
 }
 
-/// The two variables of each of these entries of the lower triangle of a Hessian, one entry after
-/// the other.
+/// Variables of the requested entries in the lower triangle of a Hessian: two variables for each
+/// entry, in the order of the entries.
 pub(super) fn pairs(variables: &[usize], entries: Entries) -> Vec<usize> {
     let row = |i: usize| {
         variables[..=i]
@@ -63,8 +63,8 @@ impl Directions<'_> {
         self.variables.len().div_ceil(per_lane).max(1)
     }
 
-    /// Passes each variable to `put` as a number, seeded in its lanes and directions. A variable of
-    /// several pairs is passed once for each pair.
+    /// Passes the number of each variable to `put`. Its derivative is 1 in the lanes and directions
+    /// of this variable. A variable of several pairs is passed several times.
     #[inline(always)]
     pub fn seeded<J: Lanes>(
         &self,

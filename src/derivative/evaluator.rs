@@ -47,6 +47,8 @@ pub struct Evaluator {
 }
 
 impl Evaluator {
+    /// Evaluator of the outcomes `of`, with derivatives by `wrt` up to `order`.
+    ///
     /// # Errors
     /// Errors of [`Setup::validate`] and [`Setup::variable`] (for values only: [`Setup::column`]);
     /// [`Error::OtherLaw`] for a coefficient of another law; [`Error::Together`] for a repeated
@@ -194,6 +196,8 @@ impl Evaluator {
         })
     }
 
+    /// Evaluates with the step of `setup`.
+    ///
     /// # Errors
     /// [`Error::Diverged`] if the defect of a drive exceeds the largest accepted defect.
     fn with_step_of(

@@ -55,8 +55,8 @@ pub fn jacobian(
     evaluate(setup, of, wrt, Order::First)
 }
 
-/// Values and gradients of several outcomes of one drive, and the diagonals of their Hessians: the
-/// second derivatives by each parameter alone. The other entries of the Hessians are 0.
+/// Values and gradients of several outcomes of one drive, and the diagonals of their Hessians: for
+/// each parameter p the second derivative ∂²/∂p². The other entries of the Hessians are 0.
 ///
 /// For 8 parameters, 8 second derivatives are computed instead of 36.
 ///
@@ -102,9 +102,9 @@ pub fn evaluate_with(
     Evaluator::new(setup, of, wrt, order)?.at_setup(None, &mut progress)
 }
 
-/// Like [`evaluate`] to second order, but only the second derivatives that involve the last
-/// parameter are computed. The sensitivity of an optimum needs no others. The other entries of the
-/// Hessians are 0.
+/// Like [`evaluate`] to second order, but computes only the second derivatives that involve the
+/// last parameter. The other entries of the Hessians are 0; the sensitivity of an optimum does not
+/// need them.
 ///
 /// # Errors
 /// The errors of [`evaluate`].

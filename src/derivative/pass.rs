@@ -28,10 +28,11 @@ pub(super) struct EvaluationPoint<'a> {
     pub columns: usize,
     /// Computed entries of the Hessians; `None` for first order.
     pub entries: Option<Entries>,
-    /// `flies`, `has_apex`, `has_run`: true if an outcome belongs to the flight, depends on the
-    /// apex, or depends on the run after landing.
+    /// True if an outcome belongs to the flight.
     pub flies: bool,
+    /// True if an outcome depends on the apex.
     pub has_apex: bool,
+    /// True if an outcome depends on the run after landing.
     pub has_run: bool,
     /// Largest accepted defect of the integration, m.
     pub largest_defect: f64,
@@ -48,7 +49,7 @@ pub(super) enum Stage<'a> {
     Whole,
     /// Impact only. The components of the launch come after the outcomes in `Pass::taylors`.
     Impact,
-    /// Flight only, from this launch.
+    /// Flight only, from a launch with these components.
     Flight(&'a [Taylor]),
 }
 
@@ -190,7 +191,7 @@ impl Pass<'_> {
         }
     }
 
-    /// Components of the given launch, as constants.
+    /// Components of the given launch, as constants; zeros without a given launch.
     #[inline(always)]
     fn launch_constants<J: Lanes>(&self) -> [J; COMPONENTS] {
         let given = self.given_launch();

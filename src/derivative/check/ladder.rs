@@ -98,8 +98,8 @@ impl Ladder {
     }
 
     /// Raises the size that determines the rounding to at least `size`, for a function that is a
-    /// small difference of numbers of this size (for example spins that cancel). Function values
-    /// below 1e-5 `size` count as zero.
+    /// small difference of numbers of this size (for example spins that cancel). The assumed size
+    /// of the function becomes at least 1e-5 `size`.
     #[must_use]
     pub fn rounded_as(self, size: f64) -> Self {
         Self {

@@ -41,24 +41,24 @@ pub const NEGLIGIBLE: f64 = 1e-2;
 /// Required accuracy of differences.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Demand {
-    /// Smallest tolerance, relative to the derivative (or to the size below which the derivative is
-    /// negligible). Jumps of higher derivatives, for example where the number of steps of a flight
+    /// Smallest tolerance, relative to the derivative or to [`Ladder::negligible_size`], whichever
+    /// is larger. Jumps of higher derivatives, for example where the number of steps of a flight
     /// changes, disturb differences by more than the error estimate.
     pub least_tolerance: f64,
-    /// Relative error that differences must resolve. For a negligible derivative
-    /// ([`NEGLIGIBLE`]) the error is relative to the size below which a derivative is
-    /// negligible.
+    /// Largest tolerance with which a derivative can pass, relative to the same size; `None` if
+    /// there is no limit.
     pub resolution: Option<f64>,
 }
 
 impl Demand {
-    /// For differences of values. They detect a relative error of 1e-6, which is 100 times the
+    /// For differences of values. They detect relative errors above 1e-6, which is 100 times the
     /// smallest tolerance.
     pub const FIRST: Self = Self {
         least_tolerance: 1e-8,
         resolution: Some(1e-6),
     };
-    /// For differences of gradients, whose derivative may jump: no required resolution.
+    /// For differences of gradients. The derivative of a gradient may jump, so the tolerance has no
+    /// upper limit.
     pub const SECOND: Self = Self {
         least_tolerance: 1e-7,
         resolution: None,
@@ -204,8 +204,8 @@ impl Ladder {
     }
 
     /// Like [`judge`](Self::judge), for a function with a known kink at this point. At the end of
-    /// the variable's range only one of the two one-sided derivatives is visible, so a derivative
-    /// between the two does not fail.
+    /// the variable's range only one of the two one-sided derivatives can be computed. The exact
+    /// derivative may then differ from it, so the verdict is `Corner` in place of `Fail`.
     pub fn judge_on_a_corner(&self, exact: f64, demand: Demand) -> Check {
         let check = self.judge(exact, demand);
         let sides =
