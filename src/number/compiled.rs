@@ -1,11 +1,12 @@
 //! The number types that impact and flight are compiled for.
 //!
 //! Only this file names these types, and a test compares it with docs/architecture.md. Each number
-//! type below is compiled once at each [`Level`](super::Level) of the processor: on x86-64 five
-//! number types for the baseline level and for AVX2, and the four number types of sweeps for
-//! AVX-512. Two more number types reach this code through public generics: `f64`
+//! type below is compiled once for each [`Level`](super::Level). On x86-64 these are five number
+//! types for the baseline level, five for AVX2, and the four number types of sweeps for AVX-512.
+//!
+//! Two more number types are used with the public generic functions: `f64`
 //! ([`Drive::new`](crate::Drive::new)), which the baseline level uses too, and `num_dual::Dual64`
-//! (`study::certificate`), which adds one copy.
+//! (`study::certificate`), for which impact and flight are compiled once more.
 
 use super::{Derivatives, Jet, Lanes, Mixed};
 
@@ -13,8 +14,8 @@ use super::{Derivatives, Jet, Lanes, Mixed};
 /// share the compiled flight.
 pub(crate) const MOST_PER_LANE: usize = 3;
 
-/// Work that is compiled for each number type of [`over_directions`] or [`over_drives`]. As for
-/// [`Task`](super::Task), `over` and its calls on numbers must be `#[inline(always)]`.
+/// Work that is compiled for each number type of [`over_directions`] or [`over_drives`]. `over` and
+/// everything that it calls on numbers must be inlined, as for [`Task`](super::Task).
 pub(crate) trait OverNumbers {
     /// Result of the work.
     type Output;

@@ -1,6 +1,7 @@
 //! Inlining: the macro `inlined!`, and [`Numbers::not_inlined`](super::Numbers::not_inlined) for
 //! each level. A function that is not inlined uses only the instructions of its own
-//! `target_feature`. Each level has a module, so that the modules are compiled in parallel.
+//! `target_feature`. Each level has a module of its own, so that the levels are compiled in
+//! parallel.
 
 /// A closure with `#[inline(always)]`; see [Inlining](crate::number).
 macro_rules! inlined {

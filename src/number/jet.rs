@@ -45,9 +45,9 @@ fn filled<B: Copy, const K: usize>(number: B) -> [B; K] {
         .unwrap_or([number; K])
 }
 
-/// Dual number: a value of type `B` with its first derivatives in `K` directions. `Jet<2>` contains
-/// numbers of type `f64`. If `B` has lanes, each lane is one drive, or one set of directions. A
-/// nested jet has second derivatives: [`Jet<1, Jet<1>>`](Mixed) has one second derivative.
+/// Dual number: a value of type `B` (by default `f64`) with its first derivatives in `K`
+/// directions. If `B` has lanes, each lane is one drive, or one set of directions. A nested jet has
+/// second derivatives: [`Jet<1, Jet<1>>`](Mixed) has one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<const K: usize, B = f64> {
     /// Value.

@@ -18,7 +18,8 @@ pub(crate) trait Lanes: Numbers {
     fn seeded(self, changes_in: &impl Fn(usize) -> Self::Mask, first: usize) -> Self;
 }
 
-/// Function that extracts one lane. All readers of outcomes use it, so that they are compiled once.
+/// Function that extracts one lane. All code that reads outcomes from lanes uses this function: a
+/// closure for each use would have a type of its own, for which the code is compiled again.
 #[inline(always)]
 pub(crate) fn in_lane<J: Lanes>(lane: usize) -> impl Fn(J) -> J::Lane + Copy {
     inlined!(move |number: J| number.lane(lane))

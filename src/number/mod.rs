@@ -20,21 +20,22 @@
 //!
 //! Polynomials are summed in pairs or as a tree (Estrin's scheme): the dependency chain is as long
 //! as the logarithm of the degree. [`Numbers::sqrt_recip`] computes 1/√x as √x · (1/x), because the
-//! quotient need not wait for the root; with AVX-512 a table and one iteration replace both,
-//! because root and quotient would occupy the divider three times as long.
+//! quotient need not wait for the root. With AVX-512 a table and one iteration replace root and
+//! quotient, for which the divider would need three times as long.
 //!
 //! A flight is a chain of dependent operations: each stage needs the acceleration of the stage
 //! before. The equation of motion (`flight/motion.rs`, `flight/step.rs`) is ordered for latency:
 //!
-//! - The operand that is ready last is used last. |v_r|² is summed in pairs; the wind is subtracted
-//!   before the accelerations of the stages are added; lift is computed before drag, whose
-//!   coefficient is ready later; the airspeed multiplies their sum, so that laws that depend on the
-//!   spin only do not wait for it.
+//! - The operand that is ready last is used last. |v_r|² is summed in pairs. The wind is subtracted
+//!   before the accelerations of the stages are added. Lift is computed before drag, because the
+//!   coefficient of drag is ready later. The airspeed multiplies the sum of lift and drag, so that
+//!   a law that depends on the spin only does not wait for the airspeed.
 //! - The nodes at both ends of a step swap places by reference. A copy would load data that was
 //!   just stored in smaller pieces. The processor cannot forward such stores to the load: copies
 //!   take 16 to 24 % of a drive with rk4.
 //! - Long functions that are called rarely, or at several places, are compiled once for each number
-//!   type ([`Numbers::not_inlined`]). Two evaluations are a loop, so that their code is inlined once.
+//!   type ([`Numbers::not_inlined`]). Two evaluations of one function are written as a loop, so
+//!   that its code is inlined once.
 
 mod compiled;
 mod dual;
@@ -156,7 +157,8 @@ pub trait Numbers:
     }
 
     /// Runs `work` in a function that is not inlined but compiled for the instructions of this
-    /// number type. (`FnMut`: a `FnOnce` would be called through a shim without the attribute.)
+    /// number type. `work` is `FnMut`, because a `FnOnce` would be called through a shim that is
+    /// not compiled for these instructions.
     #[inline(always)]
     fn not_inlined<R>(work: impl FnMut() -> R) -> R {
         inlined::plain::not_inlined(work)

@@ -95,9 +95,9 @@ impl Level {
         self.min(Self::Avx2)
     }
 
-    /// Runs a task of one drive at the first, in the order of the variants, of this level, the widest
-    /// level of this processor, and AVX2. `Batch::with_level` refuses a level that this processor
-    /// does not have.
+    /// Runs a task of one drive at the lowest of three levels: this level, the widest level of this
+    /// processor, and AVX2. Levels are ordered like the variants. `Batch::with_level` refuses a
+    /// level that this processor does not have.
     #[inline]
     #[cfg_attr(
         target_arch = "x86_64",

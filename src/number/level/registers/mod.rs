@@ -1,9 +1,9 @@
 //! Vector registers as lanes: the only code with processor instructions.
 //!
-//! Only [`Level`](super::Level) can name a register type. It does so after detecting the
-//! processor's features (AVX2, AVX-512), or where every processor of the architecture (NEON) or of
-//! the build (WebAssembly) has the instructions. All other code is generic over the lane type of a
-//! [`Task`](super::Task). Every `unsafe` here relies on this choice.
+//! Only [`Level`](super::Level) can name a register type, and does so only where the processor has
+//! the instructions: they are detected when the program runs (AVX2, AVX-512), are part of the
+//! architecture (NEON), or are required by the build (WebAssembly). All other code is generic over
+//! the lane type of a [`Task`](super::Task). Every `unsafe` here relies on this choice.
 #![allow(unsafe_code)]
 // an operation may be unsafe on one architecture only
 #![allow(unused_unsafe)]

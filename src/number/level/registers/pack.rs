@@ -1,8 +1,16 @@
-/// Declares a lane type for a register. `not_inlined`: module of `number/inlined.rs` for the
-/// instructions of the register, `plain` for baseline instructions. `fused`: a b + c, rounded once
-/// if a fused operation is as fast. `least`: minimum and maximum of two numbers, NaN if the second
-/// is NaN. `power`: 2ᵏ, from `k + ROUNDER`. `below`: comparison as a bit mask, lane 0 lowest.
-/// `select`: `yes` where the bit is set.
+/// Declares a lane type for a register. Its arguments:
+///
+/// - `not_inlined`: module of `number/inlined.rs` for the instructions of the register; `plain` for
+///   baseline instructions
+/// - `operators`: sum, difference, product and quotient
+/// - `spread`: register with one number in all lanes
+/// - `fused`: a b + c, rounded once if a fused operation is as fast
+/// - `root`: square root
+/// - `least`: minimum and maximum of two numbers; NaN if the second is NaN
+/// - `power`: 2ᵏ from k + `ROUNDER`
+/// - `below`: comparison x < limit as a bit mask; lane 0 is the lowest bit
+/// - `select`: `yes` where the bit of the mask is set, `no` elsewhere
+/// - `root and inverse`, optional: √x and 1/√x.
 macro_rules! pack {
     (
         $(#[doc = $doc:literal])+

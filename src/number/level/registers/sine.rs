@@ -1,8 +1,8 @@
 use super::exponential::{Powers, TAYLOR};
 use crate::number::{Mask, inlined};
 
-/// Largest x² at which Taylor's polynomials of degrees 17 and 16 are exact to rounding: 46°, the
-/// range of clubs and launches.
+/// Largest x² at which Taylor's polynomials of degrees 17 and 16 are exact to rounding. The limit
+/// of 46° for x covers the angles of clubs and launches.
 const MOST_SQUARED: f64 = 0.64;
 
 /// sin x and cos x: by polynomials if all lanes are within 46°, else by `large`.
