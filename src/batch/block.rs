@@ -213,8 +213,8 @@ impl Block {
         (0..self.outcomes.len()).map(move |outcome| self.outcome(row, outcome))
     }
 
-    /// A result column, by index: outcomes come first, then derivatives. Empty if there is no such
-    /// column.
+    /// A result column by index: outcomes come first, then derivatives. The iterator is empty if
+    /// the index is too large.
     pub fn result(&self, column: usize) -> impl Iterator<Item = Option<f64>> + Clone {
         let column = self.outcomes.iter().chain(&self.derivatives).nth(column);
         column

@@ -22,7 +22,7 @@ pub(super) struct LaneBatch<'a> {
     pub wrt: &'a [&'static Parameter],
     /// Index of the first of `wrt` among all parameters of differentiation.
     pub first: usize,
-    /// Interrupt flag of long flights.
+    /// Interrupt flag; once true, flights of many steps end early.
     pub stop: &'a AtomicBool,
     /// Rows whose ball flies. The launches of all rows are computed first to find them.
     pub flying: Vec<FlyingRow>,

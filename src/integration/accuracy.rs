@@ -45,19 +45,20 @@ const REFERENCE: f64 = 1.0 / 4.0;
 const SHORTEST_REFERENCE: f64 = 1e-3;
 /// Number of sampled points inside the ranges.
 const INSIDE: u64 = 64;
-/// Number of drives tested first. If a step fails for one of them, the other drives are not tested.
+/// Number of drives tested first. The other drives are not tested with a step that fails for one of
+/// these drives.
 const FIRST: usize = 16;
-/// Largest number of parameters whose range ends are combined. Any further parameter keeps the
-/// value of the setup.
+/// Number of parameters whose range ends are combined. In these drives, any further parameter has
+/// the value of the setup.
 const COMBINED: usize = 4;
 /// Number of steps tested per drive: the step itself and slightly shorter steps. The error depends
 /// on the position of the landing within the last step.
 const PHASES: u32 = 8;
-/// Difference of two of these steps, as a fraction of the step: the steps of the phases are at most a
-/// quarter shorter.
+/// Difference of consecutive steps among these, as a fraction of the tested step: the shortest of
+/// the 8 steps is a quarter shorter than the tested step.
 const PHASE_DIFFERENCE: f64 = 0.035;
-/// Threshold for errors, m. Smaller errors are rounding (for example in a flight almost without
-/// air).
+/// Smallest value of [`Accuracy::largest_defect`], m. Smaller defects are rounding (for example in
+/// a flight almost without air).
 const ROUNDING: f64 = 1e-12;
 
 /// The longest step for which all lengths among the outcomes have errors below `tolerance` (m). The
@@ -126,7 +127,7 @@ struct FailingDrive {
     /// The step, s.
     step: f64,
     row: usize,
-    /// The outcome whose error is too large; `None` if the drive does not land.
+    /// The outcome whose error is too large; `None` if an outcome does not exist.
     missed: Option<MissedTolerance>,
 }
 
@@ -313,6 +314,8 @@ impl<'s> TestedDrives<'s> {
     }
 }
 
+/// Computes the drives of `points`.
+///
 /// # Errors
 /// [`Error::Stopped`] once `stop` is true.
 fn flown(batch: &Batch, points: Vec<f64>, stop: &AtomicBool) -> Result<Block> {
@@ -338,7 +341,7 @@ fn points(setup: &Setup<f64>, ranges: &[Vary]) -> Vec<f64> {
     if ranges.iter().all(|range| range.low == range.high) {
         return ranges.iter().map(|range| range.low).collect();
     }
-    // parameters without a value in the setup start at the middle of their range
+    // a parameter without a value in the setup gets the middle of its range
     let middle = |range: &Vary| 0.5 * (range.low + range.high);
     let own: Vec<f64> = ranges
         .iter()

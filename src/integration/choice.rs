@@ -67,16 +67,16 @@ impl StepChoice {
     pub fn for_setup_until(self, setup: &Setup<f64>, stop: &AtomicBool) -> Result<Integration> {
         setup.validate()?;
         let mut found = self.for_ranges(setup, &[], &of_the_flight(), stop)?;
-        // this defect belongs to an error of at most `SAFETY` times the tolerance; a single drive
-        // may use the whole tolerance
+        // drives with this defect have errors of at most `SAFETY` times the tolerance; a single
+        // drive may use the whole tolerance
         found.largest_defect /= SAFETY;
         Ok(found)
     }
 
     /// Method and step for outcomes as functions of parameters near the setup's own values. Each
     /// parameter may change by half its value, and by at least 10°, 5 m/s or 1 cm; with more than
-    /// four parameters the allowed changes are smaller. Farther away, a drive whose error estimate
-    /// exceeds the limit is repeated with half the step.
+    /// four parameters the allowed changes are smaller. Farther away, a drive is repeated with half
+    /// the step if its defect exceeds the [limit](Integration::largest_defect).
     ///
     /// ```
     /// use longdrive::derivative::Order;
@@ -276,7 +276,7 @@ pub(crate) fn neighbourhood(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> V
     wrt.iter().filter_map(around).collect()
 }
 
-/// All outcomes except the outcomes of the roll-out, whose step error is unknown.
+/// All outcomes that do not depend on the run. The error caused by the step is unknown in the run.
 pub(crate) fn of_the_flight() -> Vec<Outcome> {
     let all = Outcome::ALL.iter().copied();
     all.filter(|outcome| !outcome.needs_run()).collect()
