@@ -14,7 +14,7 @@ pub(super) struct Directions<'a> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Entries {
     All,
-    /// Second derivatives by each variable alone.
+    /// Second derivatives ∂²/∂x² by each variable x.
     Diagonal,
     /// Second derivatives that involve the last variable.
     Last,
@@ -63,8 +63,9 @@ impl Directions<'_> {
         self.variables.len().div_ceil(per_lane).max(1)
     }
 
-    /// Passes the number of each variable to `put`. Its derivative is 1 in the lanes and directions
-    /// of this variable. A variable of several pairs is passed several times.
+    /// Calls `put` with each variable and a number of type `J`: its value, with the derivative 1 in
+    /// the lanes and directions of the variable. A variable of several pairs is passed several
+    /// times.
     #[inline(always)]
     pub fn seeded<J: Lanes>(
         &self,

@@ -26,7 +26,7 @@ pub(super) struct EvaluationPoint<'a> {
     pub x: &'a [f64],
     /// Number of parameters to differentiate by: all of `wrt`, or 0 if only values are computed.
     pub columns: usize,
-    /// Computed entries of the Hessians; `None` for first order.
+    /// Computed entries of the Hessians; `None` without second derivatives.
     pub entries: Option<Entries>,
     /// True if an outcome belongs to the flight.
     pub flies: bool,
@@ -288,7 +288,7 @@ impl Pass<'_> {
     }
 }
 
-/// Writes a number's derivatives to the indices of their variables.
+/// Writes the value of `number`, and its derivatives to the entries of their variables.
 fn put<J: Derivatives>(taylor: &mut Taylor, variables: &[usize], number: &J) {
     taylor.value = number.re();
     for (i, &variable) in variables.iter().enumerate() {

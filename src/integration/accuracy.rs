@@ -75,7 +75,7 @@ const ROUNDING: f64 = 1e-12;
 ///
 /// # Errors
 /// [`Error::Tolerance`] if `tolerance` is ≤ 0, or if no step down to 4 ms reaches it (the message
-/// names the worst drive); [`Error::NoFlight`] if no drive lands; the errors of [`Batch::new`].
+/// names a failing drive); [`Error::NoFlight`] if no drive lands; the errors of [`Batch::new`].
 pub fn accuracy(
     setup: &Setup<f64>,
     ranges: &[Vary],

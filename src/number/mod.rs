@@ -93,7 +93,7 @@ pub trait Numbers:
     fn sqrt(self) -> Self;
     /// eˣ.
     fn exp(self) -> Self;
-    /// eˣ − 1, exact near 0.
+    /// eˣ − 1, accurate also near 0.
     fn exp_m1(self) -> Self;
     /// ln x.
     fn ln(self) -> Self;

@@ -168,7 +168,7 @@ fn fix_on_bound(
     }
 }
 
-/// The solver, continued from the progress of a snapshot.
+/// The solver with the progress of a snapshot, from which it continues.
 fn resumed(solver: &Sqp, snapshot: Snapshot) -> Sqp {
     let mut solver = Sqp {
         progress: snapshot.progress,

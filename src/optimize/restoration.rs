@@ -16,7 +16,7 @@ use std::cell::RefCell;
 
 /// Number of starting points of one restoration.
 const STARTS: u32 = 32;
-/// Number of iterations from each starting point.
+/// Maximum number of iterations from each starting point.
 const ITERATIONS: u64 = 50;
 /// [Convergence tolerance](least_squares::FitOptions::tolerance) from each starting point. It is
 /// large because the iterations converge slowly where the least violation is above 0; the search

@@ -11,7 +11,7 @@ use super::Lanes;
 #[cfg(target_arch = "x86_64")]
 use super::inlined;
 
-/// Instruction set for computing drives. Each level is a separate copy of the code. Results of
+/// Instruction set for computing drives. Each level has its own copy of the code. Results of
 /// different levels agree to rounding. Results of the same level, version of longdrive and
 /// operating system are identical to the last bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -30,12 +30,12 @@ impl Unknowns {
         })
     }
 
-    /// Index of the first term's equation.
+    /// Index of the equation of the first of `other_terms`.
     fn first_term_row(&self) -> usize {
         self.free.len()
     }
 
-    /// Index of the first active row's equation.
+    /// Index of the equation of the first active row.
     fn first_row(&self) -> usize {
         self.free.len() + self.other_terms.len()
     }
@@ -64,8 +64,8 @@ impl SymmetricSystem {
     }
 }
 
-/// Largest distance between Clarabel's solution and the polished solution, relative to the size of
-/// the step.
+/// Largest distance between Clarabel's solution and the exact point of its active set, relative to
+/// the size of the step.
 const NEARBY: f64 = 1e-6;
 /// Rounding error of a row's value, relative to its terms.
 const ROW_ROUNDING: f64 = 1e-11;

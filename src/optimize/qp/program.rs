@@ -75,8 +75,8 @@ pub enum StepSource {
     WarmStart,
     /// Clarabel's active set, polished to an exact KKT point.
     Clarabel,
-    /// No exact KKT point was found near Clarabel's solution: the exact point of Clarabel's active
-    /// set with Clarabel's multipliers, or Clarabel's own solution, projected on the bounds.
+    /// Polishing failed. The step is the exact point of Clarabel's active set with Clarabel's
+    /// multipliers, or Clarabel's own solution, projected on the bounds.
     Unpolished,
 }
 
