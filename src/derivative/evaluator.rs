@@ -246,8 +246,8 @@ fn check(taylor: &Taylor, outcome: Outcome, wrt: &[&'static Parameter]) -> Resul
     if !taylor.value.is_finite() {
         return undefined(outcome.name().into(), outcome.why_undefined());
     }
-    let edge = "this outcome is not smooth at this drive (a vertical launch, no spin, a landing at \
-                the apex)";
+    let edge = "this outcome is not smooth at this drive; examples are a vertical launch, a launch \
+                without spin, and a landing at the apex";
     for (i, parameter) in wrt.iter().enumerate() {
         if taylor.gradient.get(i).is_some_and(|d| !d.is_finite()) {
             return undefined(format!("d {}/d {}", outcome.name(), parameter.name), edge);

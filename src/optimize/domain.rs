@@ -27,8 +27,8 @@ impl Bounds {
         let Self { low, high } = self;
         if low.len() != high.len() {
             return Err(Error::Optimizer(format!(
-                "the numbers of lower limits ({}) and of upper limits ({}) differ; give one of \
-                 each for every number",
+                "there are {} lower limits, but {} upper limits; give one lower and one upper \
+                 limit for each number",
                 low.len(),
                 high.len()
             )));
@@ -37,8 +37,8 @@ impl Bounds {
             let is_range = low <= high && *low < f64::INFINITY && *high > f64::NEG_INFINITY;
             if !is_range {
                 return Err(Error::Optimizer(format!(
-                    "the limits of number {i} are {low} .. {high}; the lower must not exceed the \
-                     upper"
+                    "the limits of number {i} are {low} .. {high}; the lower limit must be below \
+                     inf, the upper limit above -inf, and the lower must not exceed the upper"
                 )));
             }
         }

@@ -71,11 +71,12 @@ impl Evaluation {
             let is_square = hessian.len() == n && hessian.iter().all(|row| row.len() == n);
             if gradient.len() != n || !(hessian.is_empty() || is_square) {
                 return Err(format!(
-                    "it has {}, a gradient of length {} and a Hessian of {}; gradient and Hessian \
-                     must have {n}",
-                    counted(n as u64, "variable"),
+                    "a function has a gradient of length {} and a Hessian of {}, but the domain \
+                     has {}; the gradient must have {n} entries, the Hessian {n} rows of {n} \
+                     entries or none",
                     gradient.len(),
-                    counted(hessian.len() as u64, "row")
+                    counted(hessian.len() as u64, "row"),
+                    counted(n as u64, "variable")
                 ));
             }
         }

@@ -113,7 +113,9 @@ impl SearchVerdict {
             slope_above,
         } = kink;
         let side = |slope: &Option<f64>| {
-            slope.map_or("out of bounds".into(), |slope| format!("{slope:.6}"))
+            slope.map_or("unknown (out of bounds)".into(), |slope| {
+                format!("{slope:.6}")
+            })
         };
         let message = format!(
             "the objective has a kink in variable {variable} at {at:e}: its derivative is {} below \
@@ -133,9 +135,10 @@ impl SearchVerdict {
             multiplier,
         } = pair;
         let message = format!(
-            "constraint {constraint} and the bound of variable {variable} have parallel gradients here, \
-             and only a multiplier of {multiplier:.1e} balances them: this is no KKT point; KKT \
-             residual {residual:.1e}. Remove that bound or start elsewhere"
+            "the gradient of constraint {constraint} is almost parallel to the axis of variable \
+             {variable}, which lies on its bound: the KKT conditions hold only with a multiplier of \
+             {multiplier:.1e}, and so do not prove an optimum; KKT residual {residual:.1e}. Remove \
+             that bound or start elsewhere"
         );
         Self::new(Status::Stalled, message)
     }

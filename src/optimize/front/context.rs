@@ -60,7 +60,9 @@ impl Problem for Combined<'_> {
             objective,
             mut constraints,
         } = functions.checked(x.len(), count)?;
-        let second = constraints.pop().ok_or("it has no second function")?;
+        let second = constraints
+            .pop()
+            .ok_or("the problem has no second function; return a constraint function")?;
         if objective.hessian.is_empty() != second.hessian.is_empty() {
             return Err(
                 "only one of the two functions has a Hessian; give a Hessian for both functions or \

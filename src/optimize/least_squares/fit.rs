@@ -392,11 +392,9 @@ impl FitState {
     /// Verdict if even the largest damping gives no acceptable step.
     fn no_step_verdict(&mut self, bounds: &Bounds) -> SearchVerdict<FitStatus> {
         self.rounding_verdict(bounds).unwrap_or_else(|| {
-            let why = self
-                .rejected
-                .last
-                .as_ref()
-                .map_or(String::new(), |why| format!(" (last refused: {why})"));
+            let why = self.rejected.last.as_ref().map_or(String::new(), |why| {
+                format!(" (last undefined trial point: {why})")
+            });
             stalled(&format!("no step makes the sum smaller{why}"), self.cosine)
         })
     }
