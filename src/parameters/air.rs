@@ -78,8 +78,8 @@ pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Alternat
         .collect()
 }
 
-/// True if the parameter belongs to one of the [`Alternatives`], and both setups give the quantity of
-/// these alternatives by the same parameters with the same values.
+/// True if both setups describe the quantity of this parameter (air or wind, see [`Alternatives`])
+/// by the same parameters with the same values. False if the parameter describes neither.
 pub(crate) fn is_given_alike([a, b]: [&Setup<f64>; 2], parameter: &Parameter) -> bool {
     let Some(alternatives) = ALTERNATIVES.iter().find(|one| one.has(parameter)) else {
         return false;
@@ -89,7 +89,7 @@ pub(crate) fn is_given_alike([a, b]: [&Setup<f64>; 2], parameter: &Parameter) ->
 }
 
 impl<T> Air<T> {
-    /// True if the weather is set, from which density and viscosity follow.
+    /// True if a weather parameter is set. Density and viscosity then follow from the weather.
     #[inline(always)]
     pub fn has_weather(&self) -> bool {
         self.temperature.is_some()
@@ -115,7 +115,7 @@ pub(crate) fn follows_from(name: &str, other: &str) -> bool {
     replacing(name).is_some_and(|alternatives| alternatives.by.contains(&other))
 }
 
-/// End of a sentence, which lists the parameters that may replace the parameter `name`; empty if
+/// Advice for the end of a sentence: the parameters that may replace the parameter `name`. Empty if
 /// none can replace it.
 pub(super) fn instead(name: &str) -> String {
     replacing(name).map_or_else(String::new, |alternatives| {
@@ -148,7 +148,7 @@ pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> 
             .find(|name| names.contains(name) || is_set(name))
         {
             let place = |name: &&&str| names.iter().position(|given| *given == **name);
-            // a parameter that is set and not named was given before
+            // a parameter that is set but not in `names` was given before all of `names`
             let is_by_first = place(&by) < place(&given);
             let is_given = |name: &&&str| names.contains(*name) || is_by_first && is_set(name);
             let first = if is_by_first { by_all } else { replaced };
@@ -171,9 +171,9 @@ pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> 
 }
 
 impl Setup<f64> {
-    /// Refuses parameters of `names` that others replace: density and viscosity follow from the
-    /// weather if any weather parameter is set, and the components of the wind from its speed and
-    /// direction.
+    /// Refuses a parameter of `names` that another parameter, set or in `names`, replaces. Any
+    /// weather parameter replaces density and viscosity. Speed and direction of the wind replace
+    /// its horizontal components.
     ///
     /// ```
     /// let mut setup = longdrive::Setup::default();
@@ -188,16 +188,15 @@ impl Setup<f64> {
         refuse_replaced(names, |name| self.is_set(name))
     }
 
-    /// True if an optional parameter is set.
+    /// True if the parameter `name` exists and has a value.
     pub(super) fn is_set(&self, name: &str) -> bool {
         self.row(name)
             .is_some_and(|parameter| self.value(parameter).is_some())
     }
 
-    /// Warnings about weather for which the equation of the density is extrapolated: it is outside
-    /// the range in which the equation is validated (docs/sources.md). The range begins at 15 °C,
-    /// but colder air causes no warning: cold air holds little vapour, and the density of dry air
-    /// is known.
+    /// Warnings about weather outside the range in which the equation of the density is validated
+    /// (docs/sources.md): there the equation is extrapolated. The range begins at 15 °C, but colder
+    /// air causes no warning: cold air holds little vapour, and the density of dry air is known.
     pub(super) fn weather_warnings(&self) -> Vec<Message> {
         const PRESSURE: [f64; 2] = [60_000.0, 110_000.0];
         // altitudes with about these pressures in the standard atmosphere, m
@@ -308,10 +307,10 @@ impl Setup<f64> {
         }
     }
 
-    /// Warning about a roughness or reference height without effect, and about a wind stated below
-    /// the roughness. The warning is valid for a single drive only, so it is not part of
-    /// [`warnings`](Self::warnings): if wind or roughness varies from drive to drive, roughness and
-    /// reference height have an effect.
+    /// Warning about a roughness or a reference height without effect, and about a reference height
+    /// that is not above the roughness length. It applies to a single drive, so
+    /// [`warnings`](Self::warnings) does not contain it: in a batch whose wind or roughness varies,
+    /// roughness and reference height have an effect.
     pub fn wind_profile_warning(&self) -> Option<Message> {
         let wind = &self.wind;
         let stated = self.parameter("wind.reference_height").ok()?;

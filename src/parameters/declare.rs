@@ -96,8 +96,8 @@ pub struct Parameter {
     pub doc: &'static str,
     /// Required, optional or a setting.
     pub kind: Kind,
-    /// Value, SI, that counts while the parameter is unset; `None` if the unset parameter has no
-    /// number.
+    /// Value, SI, equivalent to leaving the parameter unset (`or 0.0` in the table); `None` if the
+    /// table declares none.
     pub unset: Option<f64>,
     /// Aerodynamic law of a coefficient; `None` for other parameters.
     pub law: Option<&'static str>,

@@ -52,12 +52,12 @@ pub struct SetupFile {
     /// Parameters that the file gives, in the order of the file.
     pub given: Vec<&'static Parameter>,
     /// Comments after the values, by the dotted names of parameters and choices. A setup file that
-    /// is written with an unchanged value repeats its comment.
+    /// is written again repeats the comment of each unchanged value.
     pub remarks: BTreeMap<String, String>,
 }
 
 impl SetupFile {
-    /// A preset, as a file that names only the preset.
+    /// The contents of a file that names only this preset.
     ///
     /// # Errors
     /// [`Error::Unknown`] if there is no preset `name`.
@@ -261,7 +261,7 @@ impl Setup<f64> {
     }
 }
 
-/// Type of the values of a parameter, with an example.
+/// Accepted type of the values of a parameter, with an example, for messages.
 fn accepted(parameter: &Parameter) -> String {
     let kind = if parameter.unit.is_empty() {
         "a number, or a string"

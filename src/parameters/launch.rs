@@ -76,8 +76,8 @@ impl Setup<f64> {
         }
     }
 
-    /// Unsets the other form of the spin: total spin and axis for a given backspin, backspin and
-    /// sidespin for a given total spin.
+    /// Unsets the form of the spin that conflicts with `given`. Backspin unsets total spin and
+    /// axis. Total spin unsets backspin and sidespin.
     pub fn replace_spin(&mut self, given: &super::Parameter) {
         match given.name {
             "launch.backspin" => (self.launch.spin, self.launch.spin_axis) = (None, None),
@@ -101,7 +101,8 @@ impl Setup<f64> {
             .collect()
     }
 
-    /// The launch condition with this name without its prefix: `ball_speed`.
+    /// The launch condition of this name, which has no prefix: `ball_speed`. `None` if there is
+    /// none.
     pub fn launch_condition(&self, name: &str) -> Option<&'static super::Parameter> {
         self.parameter(&format!("{GROUP}{name}")).ok()
     }

@@ -72,7 +72,8 @@ impl Range {
         above && below
     }
 
-    /// The smallest and the largest number in the range.
+    /// The smallest and the largest number in the range. An infinite end is returned even if it is
+    /// excluded.
     pub fn ends(self) -> [f64; 2] {
         let is_low = self.low_included || self.low.is_infinite();
         let is_high = self.high_included || self.high.is_infinite();

@@ -196,7 +196,7 @@ impl Parameter {
 }
 
 impl Setup<f64> {
-    /// Converts the number type, without derivatives.
+    /// Converts the values to constants of the type `T`, whose derivatives are 0.
     #[inline(always)]
     pub(crate) fn constant<T: Numbers>(&self) -> Setup<T> {
         T::not_inlined(inlined!(|| self.map(|_, value| T::constant(value))))
@@ -204,7 +204,8 @@ impl Setup<f64> {
 }
 
 impl<T: Copy> Setup<T> {
-    /// Sets parameters without checks; `value` returns the number for each index of `parameters`.
+    /// Sets parameters without checks. `value` returns the number for each index of `parameters`.
+    /// Settings of the computation stay unchanged.
     #[inline(always)]
     pub(crate) fn put(
         &mut self,
@@ -227,7 +228,7 @@ impl Setup<f64> {
     ///
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no parameter has this name, and
-    /// [`Error::OtherLaw`] if a coefficient of another law has it.
+    /// [`Error::OtherLaw`] if only coefficients of other laws have it.
     pub fn parameter(&self, name: &str) -> Result<&'static Parameter> {
         if let Some(row) = self.row(name) {
             return Ok(row);
@@ -406,8 +407,8 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Sets a parameter to an SI value. `None` unsets an optional parameter; a parameter that other
-    /// parameters replace gets its default.
+    /// Sets a parameter to an SI value. `None` unsets an optional parameter, and resets a parameter
+    /// that other parameters replace to its default.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if the value is outside the range, [`Error::NotANumber`] if it is NaN,

@@ -115,7 +115,7 @@ impl Vary {
     }
 
     /// Checks a range that was not made by [`new`](Self::new). The range may exceed the allowed
-    /// values of the parameter; drives outside of these values do not exist.
+    /// values of the parameter. At a value that is not allowed there is no drive.
     ///
     /// # Errors
     /// [`Error::NotANumber`] if an end is NaN, and [`Error::SearchRange`] if the range is reversed.

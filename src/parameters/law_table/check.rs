@@ -1,4 +1,5 @@
-//! Checks that nodes form a full grid, and that the splines through it are a law.
+//! Checks that the nodes form a full grid, and that the splines through them are finite and have no
+//! negative drag.
 
 use super::grid::{AxisVariable, CoefficientGrid, LawTableAxis};
 use super::read::{GridNode, GridNodes, LawTableFault};

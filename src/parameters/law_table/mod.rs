@@ -113,7 +113,7 @@ fn fingerprint(nodes: &read::GridNodes) -> u64 {
     fingerprint.0
 }
 
-/// Tables with the same content are equal, also from different files.
+/// Tables with equal axes and equal nodes in equal order are equal, also from different files.
 impl PartialEq for LawTable {
     fn eq(&self, other: &Self) -> bool {
         self.fingerprint == other.fingerprint && self.nodes == other.nodes

@@ -254,7 +254,7 @@ fn column(head: &str) -> Result<LawColumn, String> {
     })
 }
 
-/// Parses a number, with a decimal comma unless the comma separates cells.
+/// Parses a number. A decimal comma is accepted if the comma does not separate cells.
 fn number(cell: &str, separator: u8) -> Result<f64, String> {
     if cell.is_empty() {
         return Err("the cell is empty; every row needs a value".into());

@@ -1,8 +1,8 @@
 //! Natural bicubic splines through a grid of numbers. The surface is C² in both directions.
 
 /// A cell of the grid: its corner and reciprocal sizes (x, 1/width, y, 1/height), then 16
-/// coefficients for each of the two surfaces. They multiply the powers of u and w, the coordinates
-/// in the cell from 0 to 1: for each power of u, four powers of w.
+/// coefficients for each of the two surfaces. Coefficient 4i + j multiplies uⁱ wʲ, where u and w
+/// are the coordinates in the cell along x and y, from 0 to 1.
 pub(crate) type Cell = [f64; 36];
 
 /// Two surfaces over one grid, through two numbers at each node. They live until the program ends,
