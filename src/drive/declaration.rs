@@ -92,9 +92,10 @@ pub struct Instrument {
     /// Source, or "assumed" with the reasoning if no source was found. Braces enclose lengths and
     /// speeds, which are printed in the user's units.
     pub(super) source: &'static str,
-    /// Values that a drive can have, in the display unit of the outcome. A measured value outside of
-    /// them is taken for an error of the table, such as a wrong unit. `None` if any value is accepted.
-    /// The lower end is excluded where launch monitors export 0 for a value that was not measured.
+    /// Plausible values of a drive, in the display unit of the outcome. A measured value outside of
+    /// them is treated as an error in the table, such as a wrong unit. `None` if any value is
+    /// accepted. The lower end is excluded where launch monitors export 0 for a value that was not
+    /// measured.
     pub(crate) plausible: Option<Range>,
     /// Column heads of exports, in lower case, without punctuation.
     pub(crate) heads: &'static [&'static str],

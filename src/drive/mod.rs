@@ -70,8 +70,8 @@ impl<T: Number> Drive<T> {
         Self::without_step_check(setup, None)
     }
 
-    /// Like [`new`](Self::new), without the check of the step: any number of steps is allowed,
-    /// until `stop` is true.
+    /// Like [`new`](Self::new), without the check of the step: the flight may have any number of
+    /// steps. It is interrupted once `stop` is true.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new), except the error for the step; [`Error::Stopped`] after an
@@ -111,8 +111,8 @@ impl<T: Number> Drive<T> {
     }
 }
 
-/// Calls `compute`, and halves the step in `setup` until `compute` accepts the defect of the
-/// integration, or the step is the shortest. An infinite `largest_defect` keeps the step.
+/// Calls `compute`. After [`Error::Diverged`], halves the step in `setup` and calls `compute`
+/// again, at most [`MAX_HALVINGS`] times. An infinite `largest_defect` keeps the step.
 ///
 /// # Errors
 /// The errors of `compute`.

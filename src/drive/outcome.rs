@@ -117,8 +117,8 @@ impl Outcome {
         self.computed_from() == ComputedFrom::Rest
     }
 
-    /// True for a distance to the right of the target line, which depends on launch direction and
-    /// spin axis.
+    /// True for a distance to the right of the target line. Such a distance depends on launch
+    /// direction and spin axis.
     pub(crate) fn is_lateral(self) -> bool {
         self.sign() == Sign::Right && self.group() == OutcomeGroup::Flight
     }

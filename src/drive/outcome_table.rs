@@ -17,8 +17,8 @@ pub(crate) struct OutcomeInputs<'a, T, Read> {
     pub landed: Option<&'a Landed<T>>,
     /// The head, if there is a club and if an outcome of the head is requested.
     pub head: Option<&'a Head<T>>,
-    /// Converts a number, for example to its value in one lane. It is only called for the numbers
-    /// that an outcome depends on.
+    /// Converts a number, for example to its value in one lane. An outcome converts only the parts
+    /// of the drive (launch, landing, head) that its formula reads.
     pub read: Read,
 }
 

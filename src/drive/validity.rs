@@ -86,8 +86,9 @@ pub enum CheckScope {
 }
 
 impl Drive<f64> {
-    /// Validity limits that the drive of this setup exceeds, if the outcomes `of` are requested.
-    /// The ranges of the law are checked in `scope`.
+    /// Validity limits that this drive exceeds. `scope` is the part of the drive in which the
+    /// ranges of the law are checked. A flat landing counts only if an outcome in `of` depends on
+    /// the run.
     pub fn exceeded_limits(
         &self,
         setup: &Setup<f64>,
@@ -115,8 +116,8 @@ impl Drive<f64> {
     }
 }
 
-/// Validity limits that the drive of a setup exceeds during its flight, if the outcomes `of` are
-/// requested; `None` if the ball does not land.
+/// Validity limits that the drive of a setup exceeds, checked along its whole flight; see
+/// [`Drive::exceeded_limits`]. `None` if the ball does not land.
 #[cfg(feature = "studies")]
 pub(crate) fn exceeded_in_flight(setup: &Setup<f64>, of: &[Outcome]) -> Option<ExceededLimits> {
     let drive = Drive::new(setup).ok()?;
@@ -171,7 +172,7 @@ impl ExceededLimits<f64> {
     /// Smallest share of drives that causes a warning.
     const LEAST_WARNED: f64 = 0.01;
 
-    /// Adds a drive with this share of all drives.
+    /// Adds a drive that counts as `share` of all drives.
     pub fn add(&mut self, drive: ExceededLimits, share: f64) {
         self.law += share * f64::from(u8::from(drive.law));
         self.face += share * f64::from(u8::from(drive.face));
