@@ -29,13 +29,13 @@ use serde::Serialize;
 /// Flow of the air past the ball. A law computes from it the variables that it needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Stream<T> {
-    /// |ω|, rad/s.
+    /// Spin |ω|, rad/s.
     pub spin: T,
-    /// |v|, m/s.
+    /// Airspeed |v|, m/s.
     pub speed: T,
     /// |v|², m²/s²: 1/|v| is computed from it without waiting for |v|.
     pub(crate) square: T,
-    /// R, m.
+    /// Radius of the ball R, m.
     pub radius: T,
     /// Re/|v| = ρ 2R/μ, s/m.
     pub reynolds_per_speed: T,

@@ -16,13 +16,13 @@ pub struct WindField<T> {
 
 #[derive(Clone, Copy, Debug)]
 struct Profile<T> {
-    /// z₀, m.
+    /// Roughness length z₀, m.
     roughness: T,
     /// ln z₀, computed once.
     ln_roughness: T,
     /// Height of the ground, m.
     ground: T,
-    /// 1/L(z_ref).
+    /// 1/L(z_ref): the wind at the reference height is then the stated wind.
     scale: T,
 }
 

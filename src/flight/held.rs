@@ -58,8 +58,9 @@ pub(crate) fn carry_by_holding(
     result.has_landed.then_some(result.landed.carry)
 }
 
-/// True if the flow stays within these ranges at all steps of the flight, with a margin for the
-/// time between the steps. False if the flow may leave a range.
+/// True if the variables of the law ([`Stream::variables`]) stay within `ranges` at all nodes of
+/// the flight, with a margin for the time between the nodes. False if a variable may leave its
+/// range, or if the flight cannot be computed.
 pub(crate) fn stays_within(
     setup: &Setup<f64>,
     launch: &Launch<f64>,

@@ -19,13 +19,13 @@ pub(crate) struct Inputs<T, L = Law<T>> {
     pub axis: Vector<T>,
     /// ρ A/(2 m): deceleration per C_D |v_r|², 1/m.
     pub force_per_mass: T,
-    /// g, m/s².
+    /// Acceleration of gravity g, m/s².
     pub gravity: T,
-    /// R, m.
+    /// Radius of the ball R, m.
     pub radius: T,
     /// Re/|v_r|, s/m.
     pub reynolds_per_speed: T,
-    /// δ, 1/s.
+    /// Decay rate of the spin in time δ, 1/s.
     pub decay: T,
     /// κ/R, 1/m: decay rate of the spin with the distance through the air; `None` without damping.
     pub damping: Option<T>,

@@ -40,8 +40,8 @@ struct StepEvents<M> {
 }
 
 impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
-    /// Integrates the flights of `lanes` up to the landing. A lane flies if it starts above the
-    /// ground or upwards.
+    /// Integrates the flights of `lanes` up to the landing. A ball flies if it is above the landing
+    /// area at launch, or if it rises.
     #[inline(always)]
     pub(crate) fn integrate(
         &self,
@@ -216,8 +216,9 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
             apex.height = top.x.select(apex.height, is_higher);
             apex.time = (s * h + result.time).select(apex.time, is_higher);
             apex.downrange = top.z.select(apex.downrange, is_higher);
-            // D_A = 400 d |v_A|/(h a_A), eq. 16a. An error of the path proportional to s⁴ (1 − s)⁴
-            // has a derivative by s of up to 4 times its maximum, which shifts the apex.
+            // D_A = 400 d |v_A|/(h a_A), eq. 16a, with the defect d of the step. An error of the
+            // path proportional to s⁴ (1 − s)⁴ has a derivative by s of up to 4 times its maximum.
+            // This derivative shifts the apex.
             if result.landed.defect.is_some() {
                 let per_defect = path.velocity(s).norm() * (4.0 * INTERPOLATION_WEIGHT * h)
                     / -path.up.second_derivative(s);

@@ -7,7 +7,8 @@ use super::inputs::Inputs;
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::number::{Numbers, Vector, inlined};
 
-/// Smallest airspeed, m/s (eq. 14): |v_r| and its derivatives stay finite in still air.
+/// Smallest airspeed, m/s: eq. 14 adds its square to |v_r|², so that the derivatives of |v_r| are
+/// finite at zero airspeed.
 const LEAST_SPEED: f64 = 1e-6;
 /// Half the interval of the central difference for the jerk, s. Truncation error:
 /// 6.7e-9 s² d³a/dt³; rounding error: about 5e-12 m/s³.
@@ -18,7 +19,8 @@ const JERK_HALF_INTERVAL: f64 = 2e-4;
 pub(crate) struct Rate<T> {
     /// Acceleration dv/dt, m/s².
     pub acceleration: Vector<T>,
-    /// Airspeed |v_r| = dℓ/dt, m/s: the spin decays with ℓ (eq. 13).
+    /// Airspeed |v_r| = dℓ/dt, m/s, with the distance ℓ through the air. The spin decays with ℓ
+    /// (eq. 13).
     pub speed: T,
 }
 

@@ -19,9 +19,9 @@ pub struct Trajectory {
     pub points: Vec<TrajectoryPoint>,
     /// Result of the flight.
     pub flight: Flight<f64>,
-    /// Path from the landing through the bounces to the rest, m, relative to the landing and along
-    /// the axes of the ground frame; a straight line after the last bounce. Empty if the ball embeds
-    /// or does not land.
+    /// Path from the landing through the bounces to rest, m, relative to the landing point, along
+    /// the axes of the ground frame. After the last bounce it is a straight line. Empty if the ball
+    /// embeds or does not land.
     pub run: Vec<Vector<f64>>,
 }
 

@@ -26,13 +26,13 @@ impl<T: Numbers> Motion<T> {
 const SPEED: f64 = 18.6;
 /// Angle of incidence of the impact whose crater has the tilt θ_g, rad.
 const INCIDENCE: f64 = 44.4 / 180.0 * PI;
-/// Start and width of the smooth clamp of the ratio of the tilt to the angle of incidence (H in eq.
-/// 19). The clamped ratio is at most 1, where the ball meets the crater head-on; above 1, Penner's
+/// Start and width of the smooth clamp (H in eq. 19) of the tilt divided by the angle of incidence.
+/// The clamped ratio is at most 1: there the ball meets the crater head-on. Above 1, Penner's
 /// φ − θ_c would be negative.
 const TILT_CLAMP: [f64; 2] = [0.7, 0.6];
-/// Angle to the ground below which the ball digs less than in Penner's formula (S in eq. 19). A
-/// ball that moves along the ground does not dig at all, although Penner's angle is largest for it.
-/// The width is chosen beside TrackMan's 60 drives (docs/sources.md).
+/// Angle to the ground, rad, below which the ball digs less than in Penner's formula (S in eq. 19).
+/// Penner's tilt is largest for a ball that moves along the ground, but such a ball does not dig at
+/// all. The angle was chosen by the runs of TrackMan's 60 drives (docs/sources.md).
 const FLAT: f64 = 70.0 / 180.0 * PI;
 /// Coefficients, s/m and s²/m², of e/e_g = 1 + e₁ u + e₂ u² (eq. 20): Penner (2002), p. 933.
 const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];
@@ -44,15 +44,17 @@ const CLAMP_WIDTH: f64 = 2.0 * (-RESTITUTION[0] / (2.0 * RESTITUTION[1]) - CLAMP
 const STICKS: f64 = 0.8;
 /// Width in x of the transition from sticking to slipping.
 const SLIPS_OVER: f64 = 0.4;
-/// Margin, (m/s)², in the comparison of squared impulses per mass. With it, a contact without slip
-/// counts as sticking even without friction: the friction would have no direction.
+/// Margin, (m/s)², in the comparison of squared impulses per mass. With this margin, a contact
+/// without slip counts as sticking even if there is no friction: its friction would have no
+/// direction.
 const NO_SLIP: f64 = 1e-24;
 /// Smallest squared speed along the ground, (m/s)². It keeps the direction and the derivatives
 /// finite for a ball that falls vertically.
 const LEAST_SPEED_SQUARED: f64 = 1e-12;
 
 impl<T: Numbers> Turf<T> {
-    /// Motion after an impact (eqs. 19–22).
+    /// Motion after an impact (eqs. 19–22). `ground` is the upward unit normal of the ground,
+    /// `restitution` is e_g.
     #[inline(always)]
     pub(super) fn bounce(
         &self,

@@ -47,17 +47,17 @@ pub(crate) struct LandingState<T> {
     pub velocity: Vector<T>,
     /// Angular velocity, rad/s.
     pub spin: Vector<T>,
-    /// R, m.
+    /// Radius of the ball R, m.
     pub radius: T,
-    /// g, m/s².
+    /// Acceleration of gravity g, m/s².
     pub gravity: T,
     /// ρ A/(2 m) with the mass m: deceleration by the air per C_D |v|², m⁻¹.
     pub force_per_mass: T,
 }
 
-/// Speed away from the ground, m/s, below which the ball stays on the ground. From twice this speed
-/// on, the ball hops fully (eq. 22). Penner ends the bounces at a height of 5 mm, which corresponds
-/// to 0.31 m/s.
+/// Speed away from the ground, m/s, below which the ball stays on the ground. Between this speed
+/// and twice this speed, a smooth step reduces the hop (eq. 22). Penner ends the bounces at a
+/// height of 5 mm, which corresponds to 0.31 m/s.
 const LEAST_HOP_SPEED: f64 = 0.2;
 /// Smallest speed along the ground, m/s. It keeps the speed's derivatives finite at rest.
 const LEAST_SPEED: f64 = 1e-6;
@@ -142,7 +142,8 @@ impl<T: Numbers> Turf<T> {
         let (time, slip_distance) = sliding.stop(slip);
         let pulled = pull * time;
         let half = pull * (time * 0.5);
-        // v T + G T²/2 − k (s T + G T²/2 − D)
+        // v T + G T²/2 − k (s T + G T²/2 − D), with the time T until the slip s ends, and the
+        // integral D of the slip over this time
         let slid = (velocity + half) * time - ((slip + half) * time - slip_distance) * k;
         let rolling_velocity = velocity + pulled - (slip + pulled) * k;
         let rolling = Sliding {

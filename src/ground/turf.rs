@@ -8,11 +8,11 @@ use crate::parameters::Setup;
 pub(crate) struct Turf<T> {
     /// e_g: restitution of a slow impact; `None` if the ball embeds.
     pub restitution: Option<T>,
-    /// μ_g.
+    /// μ_g: coefficient of friction between the ball and the turf.
     pub friction: T,
-    /// θ_g, rad.
+    /// θ_g, rad: compliance, the tilt of the crater at 18.6 m/s and 44.4° from the vertical.
     pub compliance: T,
-    /// ρ_g.
+    /// ρ_g: deceleration of a rolling ball on level ground, in units of gravity.
     pub rolling: T,
     /// β_z: slope downrange, rad.
     pub slope: T,

@@ -86,7 +86,8 @@ pub(crate) struct LaunchState<T: Numbers> {
     pub launch: Launch<T>,
     /// Speed of the head, m/s, if a club strikes the ball.
     pub club_speed: Option<T>,
-    /// Lanes in which [`strike`] returns this launch and no error.
+    /// Lanes in which [`strike`] returns this launch and no error; all lanes if the setup gives the
+    /// launch.
     pub is_valid: T::Mask,
 }
 
