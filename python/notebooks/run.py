@@ -75,8 +75,8 @@ def run(path: Path, is_writing: bool) -> list[str]:
 
 
 def as_picture(output: Any) -> None:
-    """Stores a picture as SVG: readers of notebooks on the web show it, but remove SVG from
-    HTML."""
+    """Stores an SVG picture with the MIME type of SVG instead of HTML: viewers of notebooks on the
+    web remove SVG from HTML."""
     data = output.get("data", {})
     if data.get("text/html", "").startswith("<svg"):
         data["image/svg+xml"] = data.pop("text/html")

@@ -19,8 +19,8 @@ const GATHERED: usize = 65_536;
 const LOOKED_AT: usize = 1 << 20;
 
 /// Imports NumPy's functions at the start. Otherwise the first use of an array would import them,
-/// and a Ctrl-C during that import would panic. Without NumPy, the first use of an array raises the
-/// error.
+/// and a Ctrl-C during that import would panic. If NumPy is missing, the first use of an array
+/// raises the error.
 pub fn prepared(py: Python<'_>) {
     if py.import("numpy").is_ok() {
         let array = PyArray1::<f64>::zeros(py, [0], false);

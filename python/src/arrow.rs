@@ -47,8 +47,9 @@ fn numbers(array: &Bound<'_, PyArray1<f64>>) -> Answer<Float64Array> {
     Ok(Float64Array::new(values, nulls))
 }
 
-/// The capsule of `__arrow_c_stream__`: columns of numbers with their units. The column of
-/// `status`, if it is given, is inserted before column `at`.
+/// The capsule of `__arrow_c_stream__`: columns of numbers with their units. `status`, if given,
+/// has a status number for each row, and `names` has the words for these numbers. The column of the
+/// status is inserted before column `at`.
 #[pyfunction]
 pub fn arrow_stream<'py>(
     py: Python<'py>,

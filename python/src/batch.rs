@@ -61,7 +61,7 @@ impl Request {
         points.chain(outcomes).chain(derivatives).collect()
     }
 
-    /// The results for Python, whose arrays are not copied.
+    /// The results for Python. The arrays are moved, not copied.
     fn result(
         self,
         py: Python<'_>,
@@ -174,7 +174,7 @@ struct Work {
     first_row: usize,
     threads: usize,
     choice: StepChoice,
-    /// The ranges for which `choice` chooses.
+    /// Ranges of the parameters for which `choice` chooses method and step.
     ranges: Vec<Vary>,
     /// Method and step, if they were chosen before.
     chosen: Option<Arc<Integration>>,

@@ -135,8 +135,8 @@ impl Given<'_> {
         ))
     }
 
-    /// The number of a quantity of pint, SI. The check looks at the attributes of the value: pint
-    /// need not be installed.
+    /// The SI number of a quantity of pint; `None` for another value. The check looks at the
+    /// attributes of the value, because pint need not be installed.
     fn of_pint(&self, setup: &Setup<f64>) -> Answer<Option<f64>> {
         if !self.is_of_pint() {
             return Ok(None);

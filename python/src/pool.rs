@@ -48,7 +48,7 @@ fn pool() -> std::io::Result<&'static ThreadPool> {
         .ok_or_else(|| std::io::Error::other("no threads"))
 }
 
-/// `OWN` is never freed.
+/// The value at `own`; `None` for a null pointer.
 #[expect(
     unsafe_code,
     reason = "the pointer is from Box::into_raw; its target is never freed, and only read"

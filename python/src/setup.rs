@@ -180,7 +180,7 @@ impl PySetup {
         Ok(())
     }
 
-    /// A setup from Python, or None.
+    /// Like [`of`](Self::of); without an argument, the preset `tour-average`.
     pub fn of_any(given: Option<&Bound<'_, PyAny>>) -> Answer<Self> {
         given.map_or_else(|| Self::of_preset(DEFAULT_PRESET), Self::of)
     }
@@ -265,8 +265,8 @@ impl PySetup {
         })
     }
 
-    /// The names of the choices and parameters that make the setup, without parameters that other
-    /// parameters determine.
+    /// The names of the choices and parameters that determine the setup. A parameter that follows
+    /// from others is not among them.
     fn names(&self) -> Vec<&'static str> {
         let used = self
             .setup
@@ -284,8 +284,8 @@ impl PySetup {
             .collect()
     }
 
-    /// The content of the user's own table of drag and lift; setup files contain only the name of
-    /// its file.
+    /// Hash of the content of the user's own table of drag and lift. Setup files contain only the
+    /// name of its file.
     fn table(&self) -> Option<String> {
         self.setup.law.table().map(|table| format!("{table:?}"))
     }
@@ -345,8 +345,8 @@ impl PySetup {
     }
 }
 
-/// The state of a pickled setup: its preset with the values that differ from it, and the content of
-/// its table.
+/// The state of a pickled setup: its preset with the values that differ from it, and the hash of
+/// the content of its table.
 type State<'py> = (Bound<'py, PyDict>, Option<String>);
 
 impl PySetup {
@@ -558,7 +558,8 @@ impl PySetup {
         })
     }
 
-    /// Returns true if the name has a value.
+    /// Returns true for the name of a choice, or of a parameter of this setup, also of an unset
+    /// one.
     fn __contains__(&self, name: &Bound<'_, PyAny>) -> bool {
         let Ok(name) = name.cast::<PyString>() else {
             return false;

@@ -151,7 +151,7 @@ class Integration:
 
 @final
 class Simulated:
-    """One drive. Its report is computed when it is first read."""
+    """One drive. Each call of ``report`` computes the report."""
 
     @property
     def outcomes(self) -> dict[str, float | None]: ...

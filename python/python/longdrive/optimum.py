@@ -160,7 +160,7 @@ def optimum(reply: Reply, request: Request) -> Optimum:
 
 def _with_own_model(reply: Reply) -> float | None:
     """The objective of a robust design with the setup's own model, the first of the models: the
-    best value with this model, minus the loss."""
+    best value with this model, made worse by the loss."""
     own = reply["models"][0]
     if own["value"] is None or own["loss"] is None:
         return None
