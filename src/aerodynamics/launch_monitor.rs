@@ -2,9 +2,9 @@ use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stre
 use crate::number::Numbers;
 use crate::parameters::LaunchMonitor;
 
-/// C_D = cd0 + cd1 s_c + cd2 s_c² + cd_re (Re/10⁵ − 1.5), s_c = s_cap tanh(s/s_cap);
-/// C_L = cl_max cl_rate s/(1 + cl_rate s). Fit to the predictions of a launch monitor for
-/// 0.06 < s < 0.33 and 7e4 < Re < 2.3e5; smooth everywhere, no lift without spin.
+/// C_D = cd0 + cd1 s_c + cd2 s_c² + cd_re (Re/10⁵ − 1.5), s_c = s_cap tanh(s/s_cap); C_L = cl_max
+/// cl_rate s/(1 + cl_rate s). The law is fitted to the predictions of a launch monitor for 0.06 < s
+/// < 0.33 and 7e4 < Re < 2.3e5. It is smooth everywhere, and gives no lift without spin.
 impl<T: Numbers> AerodynamicLaw<T> for LaunchMonitor<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {

@@ -33,7 +33,7 @@ pub struct Stream<T> {
     pub spin: T,
     /// Airspeed |v|, m/s.
     pub speed: T,
-    /// |v|², m²/s²: 1/|v| is computed from it without waiting for |v|.
+    /// |v|², m²/s². Laws compute 1/|v| from it, so that they need not wait for |v|.
     pub(crate) square: T,
     /// Radius of the ball R, m.
     pub radius: T,
@@ -42,7 +42,8 @@ pub struct Stream<T> {
 }
 
 impl<T: Numbers> Stream<T> {
-    /// The flow with |ω|, rad/s; |v|, m/s; R, m; Re/|v|, s/m.
+    /// The flow with the spin |ω|, rad/s, the airspeed |v|, m/s, the radius R of the ball, m, and
+    /// Re/|v|, s/m.
     ///
     /// ```
     /// use longdrive::aerodynamics::Stream;
@@ -102,7 +103,7 @@ pub struct Published {
     pub source: &'static str,
 }
 
-/// The source of a law, and where it holds.
+/// The source of a law, the ranges that it was fitted to, and its smoothness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LawProperties {
     /// The source.
@@ -126,7 +127,7 @@ pub trait AerodynamicLaw<T: Numbers> {
     /// "Pipelines").
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T>;
 
-    /// The source of the law, and where it holds.
+    /// The source of the law, the ranges that it was fitted to, and its smoothness.
     fn properties(&self) -> LawProperties;
 }
 

@@ -6,7 +6,7 @@ use crate::parameters::NaruoMizota;
 /// Spin ratios of the measurements. Below this range a cubic replaces the lift coefficient, because
 /// the formula gives lift without spin.
 const MEASURED: [f64; 2] = [0.03, 1.13];
-/// Width of the upper clamp of the spin ratio, which bounds the fourth powers.
+/// Width of the upper clamp of the spin ratio. The clamp bounds the terms in s⁴.
 const HELD_OVER: f64 = 0.2;
 
 /// C_D = cd0 + cd1 s + … + cd4 s⁴, C_L = cl0 + cl1 s + … + cl4 s⁴: Naruo, Mizota & Shimozono

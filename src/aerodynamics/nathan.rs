@@ -9,8 +9,8 @@ const FALLS: [f64; 2] = [0.5, 1.0];
 const ROUNDED: f64 = 0.05;
 
 /// With r = Re/10⁵, C_D = cd_s s + c, where c is cd_low for r < 0.5, cd_high for r > 1, and linear
-/// between. Its corners are rounded over 0.05 in r. C_L = cl_amp s^cl_exp. Nathan's calculator of
-/// golf trajectories, fitted to the averages of seven clubs.
+/// between. The corners of c are rounded over 0.05 in r. C_L = cl_amp s^cl_exp. Nathan's calculator
+/// of golf trajectories, fitted to the averages of seven clubs.
 impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {

@@ -6,8 +6,8 @@ use crate::parameters::UsgaItr;
 /// Lowest spin ratio of the measured shots. Below it a cubic replaces the lift coefficient, because
 /// the formula gives lift without spin.
 const SMOOTH_BELOW: f64 = 0.042;
-/// Start of the upper clamp of the spin ratio, which bounds the square in the drag: the formula
-/// holds for s < 0.3.
+/// Start of the upper clamp of the spin ratio. The clamp bounds the term in s² of the drag. The
+/// formula is valid for s < 0.3.
 const LARGEST: f64 = 0.3;
 /// Width of the upper clamp of the spin ratio.
 const HELD_OVER: f64 = 0.1;

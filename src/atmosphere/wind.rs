@@ -84,9 +84,9 @@ pub(super) fn horizontal_components<T: Numbers>(wind: &Wind<T>) -> [T; 2] {
 }
 
 impl<T: Numbers> Profile<T> {
-    /// L(z) = ln(1 + ζ/z₀) with ζ = (z + √(z² + ℓ²))/2 at the height z above the ground. The
-    /// logarithmic profile for z ≫ ℓ; smooth also below the ground, where the last step of a flight
-    /// ends.
+    /// L(z) = ln(1 + ζ/z₀) with ζ = (z + √(z² + ℓ²))/2 at the height z above the ground. L is the
+    /// logarithmic profile for z ≫ ℓ. It is smooth also below the ground, where the last step of a
+    /// flight ends.
     #[inline(always)]
     fn logarithm(&self, height: T) -> T {
         let zeta = (height + (height * height + SMOOTHING_HEIGHT * SMOOTHING_HEIGHT).sqrt()) * 0.5;

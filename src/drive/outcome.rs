@@ -81,7 +81,7 @@ impl Outcome {
         self.quantity().read(self.instrument()?.sigma).ok()
     }
 
-    /// Values that a drive can have, in the display unit; `None` if any value is accepted.
+    /// Plausible values of a drive, in the display unit; `None` if any value is accepted.
     pub(crate) fn plausible(self) -> Option<Range> {
         self.instrument()?.plausible
     }
@@ -179,7 +179,8 @@ impl Outcome {
         })
     }
 
-    /// Error for an outcome that does not exist, although the ball lands.
+    /// Error for an outcome whose inputs are missing: no club strikes the ball, or the apex and the
+    /// run were not computed.
     pub(crate) fn unavailable(self) -> Error {
         let reason = match self.group() {
             OutcomeGroup::Launch | OutcomeGroup::Head => {

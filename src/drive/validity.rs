@@ -37,8 +37,9 @@ pub(crate) fn any_face() -> String {
     )
 }
 
-/// Angle between the path of a landing ball and the ground, rad, if the ball bounces and the angle
-/// is smaller than in any measured bounce. `slopes` are the two slopes of the ground.
+/// Angle between the path of a landing ball and the ground, rad. `None` if bounces at such an angle
+/// were measured, or if the ball does not bounce or does not come to rest. `slopes` are the slopes
+/// of the ground downrange and to the right, rad.
 pub(crate) fn flat_landing_angle<T: Number>(slopes: [f64; 2], landed: &Landed<T>) -> Option<f64> {
     landed
         .rest

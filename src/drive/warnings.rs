@@ -61,8 +61,8 @@ pub struct FlownRange {
 }
 
 impl Setup<f64> {
-    /// The [warnings](Drive::warnings_about) about the setup and its drive, if the outcomes `of`
-    /// are requested. Without a drive, the warnings are about the setup only.
+    /// The [warnings](Drive::warnings_about) about the setup and its drive, for the requested
+    /// outcomes `of`. Without a drive, the warnings are about the setup only.
     pub fn drive_warnings(&self, of: &[Outcome]) -> Vec<Message> {
         Drive::new(self).map_or_else(|_| self.warnings(), |drive| drive.warnings_about(self, of))
     }
@@ -82,9 +82,8 @@ impl Drive<f64> {
         self.warnings_about(setup, &[])
     }
 
-    /// The [`warnings`](Self::warnings) of a drive, if the outcomes `of` are requested. If one of
-    /// the outcomes depends on the run, there is also a warning about a landing flatter than any
-    /// measured bounce.
+    /// Like [`warnings`](Self::warnings). If an outcome in `of` depends on the run, there is also a
+    /// warning about a landing flatter than any measured bounce.
     pub fn warnings_about(&self, setup: &Setup<f64>, of: &[Outcome]) -> Vec<Message> {
         self.warnings_until(setup, of, false, &AtomicBool::new(false))
     }
@@ -319,8 +318,8 @@ impl Drive<f64> {
         })
     }
 
-    /// The time, and spin ratio, spin, Reynolds number and airspeed in this order, for each point
-    /// of the trajectory.
+    /// For each point of the trajectory, the time, s, and [`Stream::variables`]. Empty if the
+    /// flight cannot be computed.
     fn stream(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<(f64, [f64; 4])> {
         let Ok(path) = trajectory_until(setup, &self.launch, stop) else {
             return vec![];

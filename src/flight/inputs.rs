@@ -46,7 +46,8 @@ pub(crate) struct Inputs<T, L = Law<T>> {
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// The inputs of a flight from this launch in the air of a setup; with the turf, if `has_run`.
+    /// The inputs of a flight from this launch in the air of a setup. They contain the turf if
+    /// `has_run` is true.
     #[inline(always)]
     pub fn new(setup: &Setup<T>, launch: &Launch<T>, has_run: bool) -> Self {
         T::not_inlined(inlined!(|| {

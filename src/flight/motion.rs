@@ -140,9 +140,9 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         }
     }
 
-    /// |ω| within a step at s = (t − t₀)/h (eq. 13). Exact without damping. With damping, the
-    /// Hermite polynomial of degree 5 through the spin and its first two derivatives at both ends;
-    /// neighbouring polynomials join C².
+    /// |ω| within a step at s = (t − t₀)/h (eq. 13). Without damping the value is exact. With
+    /// damping it is that of the Hermite polynomial of degree 5 through the spin and its first two
+    /// derivatives at both ends; neighbouring polynomials join C².
     #[inline(always)]
     pub(super) fn spin_within(&self, [from, to]: [&StepNode<T>; 2], s: T) -> T {
         let Some(damping) = self.damping else {

@@ -206,8 +206,8 @@ mod tests {
     }
 
     /// The crater faces the ball at most head-on: its tilt never exceeds the angle of incidence.
-    /// From 54 m/s on, Penner's angle between crater and ball is negative: a surface that the ball
-    /// does not meet would throw it back.
+    /// From 54 m/s on, Penner's tilt exceeds this angle: a surface that the ball does not meet
+    /// would throw the ball back.
     #[test]
     fn no_ball_meets_the_crater_from_behind() {
         let turf = Turf::new(&Setup::default());

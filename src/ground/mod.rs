@@ -134,7 +134,8 @@ impl<T: Numbers> Turf<T> {
         let (normal, pull, k) = (plane.normal, plane.pull, self.sticking_factor());
         let velocity = ball.velocity - normal * normal.dot(ball.velocity);
         let slip = ball.slip(velocity, normal, radius);
-        // the slip s decelerates by μ_g g n_x/k and is accelerated by G, like a sliding body
+        // friction decelerates the slip s by μ_g g n_x/k, and gravity accelerates it by G: the slip
+        // ends like the motion of a sliding body
         let sliding = Sliding {
             deceleration: self.friction * plane.press / k,
             pull,
@@ -236,7 +237,7 @@ impl<T: Numbers> Hop<T> {
     fn displacement(&self, part: f64) -> Vector<T> {
         let time = self.time * part;
         let fall = self.gravity * time;
-        // 1/(1 + x/2) for ln(1 + x)/x, within 1 % up to x = 0.3
+        // 1/(1 + x/2) approximates ln(1 + x)/x, within 1 % up to x = 0.3
         let displacement =
             self.along * (time / (self.slowdown * (0.5 * part) + 1.0)) + self.rising * time;
         Vector::new(

@@ -16,8 +16,8 @@ const SMOOTHING_SPEED: f64 = 1e-4;
 impl<T: Numbers> Sliding<T> {
     /// Time T and displacement D to rest (eq. 23). NaN if |G| ≥ a: the body does not stop.
     ///
-    /// T follows from d(a|v| + v·G)/dt = −(a² − |G|²), D likewise from quadratic functions of |v|
-    /// and v·G.
+    /// T follows from d(a|v| + v·G)/dt = −(a² − |G|²). D follows in the same way from quadratic
+    /// functions of |v| and v·G.
     #[inline(always)]
     pub fn stop(&self, velocity: Vector<T>) -> (T, Vector<T>) {
         T::not_inlined(inlined!(|| self.stop_inlined(velocity)))

@@ -136,7 +136,8 @@ mod tests {
         setup.club.loft = 0.3;
         (setup.strike.high, setup.strike.toe) = (0.011, -0.02);
         let face = FacePoint::new(&setup.club, &setup.strike).unwrap();
-        // equal radii: a sphere whose centre lies at depth d − R behind the face along k'
+        // equal radii: the face is a sphere, whose centre is at d − R along k′ from the centre of
+        // mass
         let (sin, cos) = setup.club.loft.sin_cos();
         let centre = setup.club.cg_depth - setup.club.bulge_radius;
         let from_centre = [

@@ -24,9 +24,9 @@ pub struct Collision<T> {
     pub ball_inertia: T,
     /// Radius of the ball R, m.
     pub ball_radius: T,
-    /// Contact point from the head's centre of mass r_P, m.
+    /// r_P: contact point relative to the head's centre of mass, m.
     pub contact: Vector<T>,
-    /// Unit normal of the face at the contact point n, towards the ball.
+    /// n: unit normal of the face at the contact point, towards the ball.
     pub normal: Vector<T>,
     /// Normal coefficient of restitution e.
     pub restitution: T,

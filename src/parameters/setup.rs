@@ -358,8 +358,8 @@ impl Setup<f64> {
         self.apply_text(setting.name, setting.text, setting.is_bare)
     }
 
-    /// Changes the aerodynamic law, with the published coefficients. The law that is already set
-    /// keeps its coefficients.
+    /// Changes the aerodynamic law to the law `name` with its published coefficients. If this is
+    /// the current law, its coefficients are kept.
     ///
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no law has this name, and [`Error::Together`]

@@ -61,8 +61,8 @@ pub struct LawTableAxis {
 pub(crate) struct CoefficientGrid {
     pub speed: Option<LawTableAxis>,
     pub spin: Option<LawTableAxis>,
-    /// The variable with which the lift falls to 0 below a limit, and the reciprocal of this limit,
-    /// SI. `None` if the grid begins at zero spin.
+    /// Spin ratio or spin, and the reciprocal of a limit of this variable, SI: below the limit the
+    /// lift falls to 0 with the variable. `None` if the grid begins at zero spin.
     pub full_lift: Option<(AxisVariable, f64)>,
     pub surface: Surface,
 }

@@ -25,8 +25,8 @@ pub const TABLE: &str = "aero.table";
 pub const TABLE_LAW: &str = "table";
 
 /// A table of C_D and C_L over spin and speed, with the splines through it. A setup is copied for
-/// each drive, so the setup has a static reference to the table. A table is stored until the
-/// program ends, and only once if its file is read again.
+/// each drive, so the setup has a static reference to the table. The table is stored until the
+/// program ends. Reading an unchanged file again returns the stored table.
 pub struct LawTable {
     /// Absolute path of the file.
     pub file: String,

@@ -10,7 +10,8 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 
 /// A fault of a table.
 pub(super) struct LawTableFault {
-    /// Place in the file, as the end of its name: ", line 3, column cd"; empty for the whole file.
+    /// Place in the file, which follows the name of the file in a message: ", line 3, column cd".
+    /// Empty for the whole file.
     pub place: String,
     pub reason: String,
 }
