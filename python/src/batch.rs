@@ -144,11 +144,13 @@ impl Request {
 /// A batch for Python.
 #[pyclass(get_all, frozen, module = "longdrive._longdrive")]
 pub struct BatchResult {
-    /// Status of each row. After the computed rows, the arrays have space for the remaining points.
+    /// Status of each row. Beyond the computed rows, the arrays have unused space for the other
+    /// points.
     status: Py<PyArray1<i8>>,
-    /// A row of the array for each parameter of the points, outcome and derivative.
+    /// The columns of the table, as rows of this array: parameters of the points, outcomes,
+    /// derivatives.
     columns: Py<PyArray2<f64>>,
-    /// Shape (rows, outcomes, parameters, parameters), if requested.
+    /// Second derivatives, shape (rows, outcomes, parameters, parameters); None if not requested.
     hessians: Option<Py<PyArray4<f64>>>,
     /// Names of the outcomes.
     of: Vec<&'static str>,

@@ -65,7 +65,7 @@ impl Given<'_> {
             .is_ok_and(|text| text == UNSET)
     }
 
-    /// The value as a text; and true for a number in SI that was given without a unit.
+    /// The value as a text, and true if this text is a number in SI without its unit.
     fn text(&self, setup: &Setup<f64>) -> Answer<(String, bool)> {
         let value = &self.value;
         if value.is_none() {
@@ -157,7 +157,7 @@ fn is_bool(value: &Bound<'_, PyAny>) -> bool {
     value.is_instance_of::<PyBool>() || name.is_ok_and(|name| name == "bool" || name == "bool_")
 }
 
-/// The entries of a dict under their dotted names, which may repeat.
+/// The entries of a dict under their dotted names. A name may repeat.
 pub fn flattened<'py>(dict: &Bound<'py, PyAny>) -> Answer<Vec<Given<'py>>> {
     let mut all = vec![];
     flatten(
