@@ -351,8 +351,8 @@ fn refuse_first_row(first_row: usize, rows: usize) -> Answer<()> {
         return Ok(());
     }
     Err(Failure::Input(format!(
-        "first_row = {first_row}; expected a multiple of {CHUNK} up to the {rows} rows, as a table \
-         that was interrupted ends with"
+        "first_row = {first_row}; expected a multiple of {CHUNK} up to the {rows} rows: the number \
+         of rows of an interrupted table"
     )))
 }
 

@@ -251,7 +251,7 @@ impl Setup<f64> {
             Digits::Significant(2),
         );
         Some(message.words(format!(
-            " there, and so air that is {denser:.0} % denser; give air.temperature too"
+            " there, so its air is {denser:.0} % denser; give air.temperature too"
         )))
     }
 
@@ -301,7 +301,7 @@ impl Setup<f64> {
             [true, true] if wind.right != 0.0 || wind.downrange != 0.0 => refuse(
                 "wind.speed and a component of the wind along the ground are both given",
                 "wind.right and wind.downrange follow from wind.speed and wind.from; keep one of \
-                 the two (0 m/s for the components, none for wind.speed and wind.from)",
+                 the two: set the components to 0 m/s, or wind.speed and wind.from to none",
             ),
             _ => self.refuse_replaced(names),
         }

@@ -114,8 +114,8 @@ pub static PRESETS: &[Preset] = &[
             entry(
                 "aero.cd0",
                 "0.1575",
-                "the law's 0.14972 and 0.0078, chosen to agree with the carry: an average of \
-                 drives carries less than the drive of average launch, docs/sources.md",
+                "the law's 0.14972, plus 0.0078 chosen to agree with the carry: the mean carry of \
+                 drives is shorter than the carry of their mean launch, docs/sources.md",
             ),
         ],
     },
@@ -143,8 +143,8 @@ pub static PRESETS: &[Preset] = &[
             entry(
                 "impact.restitution",
                 "0.818",
-                "chosen to agree with the ball speed, 132.6 mph: it stands for strikes off the \
-                 centre too",
+                "chosen to agree with the ball speed, 132.6 mph: it includes the loss of \
+                 strikes off the centre",
             ),
         ],
     },

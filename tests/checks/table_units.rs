@@ -53,7 +53,7 @@ fn exact_uncertainties_of_temperatures_are_differences() {
 #[test]
 fn an_altitude_without_a_temperature_has_a_note_on_the_standard_temperature() {
     let says = "air.altitude is given without air.temperature, which is then 77 °F; the standard \
-                atmosphere has 41 °F there, and so air that is 7 % denser";
+                atmosphere has 41 °F there, so its air is 7 % denser";
     let output = longdrive(&["simulate", "-q", "--altitude", "5000ft"]);
     assert!(on_one_line(&output.err).contains(says), "{}", output.err);
     let (_, found) = json(&["simulate", "--altitude", "5000ft"]);

@@ -162,8 +162,8 @@ def _interrupted(after: int, whole: int) -> str:
         else "has nothing left to do"
     )
     return (
-        f"longdrive.batch was interrupted after {after} of {whole} rows, which `table` of this "
-        f"exception has; batch(…, first_row={after}) {advice}"
+        f"longdrive.batch was interrupted after {after} of {whole} rows, which are in `table` of "
+        f"this exception; batch(…, first_row={after}) {advice}"
     )
 
 

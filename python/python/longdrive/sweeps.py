@@ -233,8 +233,8 @@ def _points(
 
 def _interrupted(after: int, whole: int) -> str:
     return (
-        f"longdrive.sweep was interrupted after {after} of {whole} rows, which `table` of this "
-        "exception has; the same call begins again; a call with output=FILE keeps its rows, and "
+        f"longdrive.sweep was interrupted after {after} of {whole} rows, which are in `table` of "
+        "this exception; the same call begins again; a call with output=FILE keeps its rows, and "
         "goes on with resume=True"
     )
 
