@@ -19,6 +19,8 @@ pub struct Hessians {
 }
 
 impl Hessians {
+    /// Second derivatives of the outcomes `of` by `wrt`, at points that give values to `points`.
+    ///
     /// # Errors
     /// The errors of [`Evaluator::new`].
     pub fn new(

@@ -62,7 +62,7 @@ fn shared(own: *const Own) -> Option<&'static Own> {
 pub enum Ended<R> {
     /// The result of the work, with the exception if Python interrupted the work.
     Done(R, Option<PyErr>),
-    /// The work was abandoned.
+    /// The work was abandoned because of this exception.
     Left(PyErr),
 }
 

@@ -60,14 +60,14 @@ impl<T: Numbers> Stream<T> {
         }
     }
 
-    /// s = R |ω|/|v|.
+    /// Spin ratio s = R |ω|/|v|.
     #[inline(always)]
     pub fn spin_ratio(&self) -> T {
         let (_, per_speed) = self.square.sqrt_recip();
         self.radius * self.spin * per_speed
     }
 
-    /// Re = ρ |v| 2R/μ.
+    /// Reynolds number Re = ρ |v| 2R/μ.
     #[inline(always)]
     pub fn reynolds(&self) -> T {
         self.reynolds_per_speed * self.speed
@@ -83,9 +83,9 @@ impl<T: Numbers> Stream<T> {
 /// Coefficients of drag and lift.
 #[derive(Clone, Copy, Debug)]
 pub struct Coefficients<T> {
-    /// C_D.
+    /// Drag coefficient C_D.
     pub drag: T,
-    /// C_L.
+    /// Lift coefficient C_L.
     pub lift: T,
 }
 

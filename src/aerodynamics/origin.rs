@@ -6,7 +6,7 @@ use crate::number::{Numbers, inlined};
 /// infinite slope. For s < s₀, C_L = a u + b u² + c u³ with u = s/s₀ has the value, slope and
 /// curvature of the formula at s₀. C_L vanishes with the spin, and is C² throughout.
 struct CubicOrigin<T> {
-    /// s₀.
+    /// s₀: spin ratio at which the cubic joins the formula.
     join: f64,
     /// C_L at s₀.
     value: T,

@@ -7,9 +7,9 @@ const FREEZING: f64 = 273.15;
 /// Density and viscosity of the air (docs/model.md, eqs. 12a–12d).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AirState<T> {
-    /// ρ, kg/m³.
+    /// Density ρ, kg/m³.
     pub density: T,
-    /// μ, Pa s.
+    /// Dynamic viscosity μ, Pa s.
     pub viscosity: T,
 }
 

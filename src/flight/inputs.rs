@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 pub(crate) struct Inputs<T, L = Law<T>> {
     /// Velocity at launch, m/s.
     pub velocity: Vector<T>,
-    /// |ω₀| = √(ω₀·ω₀ + η²), rad/s.
+    /// Spin at launch |ω₀| = √(ω₀·ω₀ + η²), rad/s, with η = [`LEAST_SPIN`].
     pub spin: T,
     /// Spin axis ω₀/|ω₀|, constant during the flight. As the spin tends to 0, the length of this
     /// vector tends to 0.
@@ -23,7 +23,7 @@ pub(crate) struct Inputs<T, L = Law<T>> {
     pub gravity: T,
     /// Radius of the ball R, m.
     pub radius: T,
-    /// Re/|v_r|, s/m.
+    /// Reynolds number per airspeed, Re/|v_r|, s/m.
     pub reynolds_per_speed: T,
     /// Decay rate of the spin in time δ, 1/s.
     pub decay: T,

@@ -42,7 +42,7 @@ pub(crate) struct StepNode<T> {
     pub position: Vector<T>,
     /// Velocity, m/s.
     pub velocity: Vector<T>,
-    /// |ω|, rad/s.
+    /// Spin |ω|, rad/s.
     pub spin: T,
     /// Rate of change.
     pub rate: Rate<T>,

@@ -171,7 +171,7 @@ struct LandingPlane<T> {
     press: T,
     /// Gravity along the plane, G = −g X + g n_x n, m/s².
     pull: Vector<T>,
-    /// g, m/s².
+    /// Acceleration of gravity g, m/s².
     gravity: T,
 }
 
@@ -225,7 +225,7 @@ struct Hop<T: Numbers> {
     time: T,
     /// Relative slowdown along the plane by drag during the hop: x in eq. 22 of docs/model.md.
     slowdown: T,
-    /// g, m/s².
+    /// Acceleration of gravity g, m/s².
     gravity: T,
     /// Lanes in which the ball leaves the plane.
     leaves: T::Mask,

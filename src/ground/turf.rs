@@ -18,7 +18,7 @@ pub(crate) struct Turf<T> {
     pub slope: T,
     /// β_y: slope to the right, rad.
     pub side_slope: T,
-    /// I_b/(m R²) of the ball.
+    /// I_b/(m R²): dimensionless moment of inertia of the ball.
     pub inertia: T,
 }
 

@@ -17,7 +17,7 @@ pub struct Preset {
 /// One number of a preset.
 #[derive(Debug)]
 pub struct PresetEntry {
-    /// The parameter.
+    /// Name of the parameter, or of a choice such as `aero.law`.
     pub name: &'static str,
     /// Value, with its unit.
     pub value: &'static str,
@@ -307,7 +307,7 @@ pub static PRESETS: &[Preset] = &[
 ];
 
 impl Preset {
-    /// The preset of this name.
+    /// The preset of this name; `None` if no preset has it.
     pub fn named(name: &str) -> Option<&'static Self> {
         PRESETS.iter().find(|preset| preset.name == name)
     }
