@@ -151,10 +151,12 @@ def slsqp(oracle):
 
 
 def trust_constr(oracle):
-    """Runs trust-constr, which ends by its trust region and barrier parameter only (gtol 0).
+    """Runs trust-constr with gtol = 0: only the tests of its trust region and of its barrier
+    parameter end a search.
 
-    Its gtol test looks at the gradient of the Lagrangian with least-squares multipliers, and not at complementarity nor
-    at the barrier parameter: with gtol = 1e-10 it stops far from the optimum on many problems with inequalities.
+    The gtol test checks the gradient of the Lagrangian with least-squares multipliers, but neither
+    complementarity nor the barrier parameter. With gtol = 1e-10 a search stops far from the optimum
+    on many problems with inequalities.
     """
     constraints = []
     if len(oracle.least):
@@ -181,7 +183,7 @@ SOLVERS = {"SciPy SLSQP": slsqp, "SciPy trust-constr": trust_constr}
 
 
 def solve(program, solver, problem, pipe):
-    """Sends the outcome of each repetition."""
+    """Sends the outcome of each repetition through `pipe`."""
     warnings.simplefilter("ignore")
     evaluator = Evaluator(program)
     for _ in range(REPETITIONS):
@@ -202,7 +204,7 @@ def solve(program, solver, problem, pipe):
 
 
 def run(context, program, solver, problem):
-    """The outcome with the fastest time."""
+    """The outcome of the fastest repetition."""
     receive, send = context.Pipe(duplex=False)
     process = context.Process(target=solve, args=(program, solver, problem, send))
     process.start()

@@ -34,9 +34,8 @@ TITLES = {
     "W&T": "23 optima, Winfield & Tan",
     "W&T-1um": "the 23 at 1 µm",
 }
-# number of operations in a run whose instructions are counted. For T6 it is the number of
-# repetitions of GRID_POINTS points, or of SAMPLED_POINTS points if the peer computes only every
-# 25th attack angle
+# number of operations in a run whose instructions are counted. An operation of T6 computes
+# GRID_POINTS points, or SAMPLED_POINTS points if the peer computes only every 25th attack angle
 OPERATIONS = {
     "T1": 10,
     "T2": 10,
@@ -89,8 +88,8 @@ def lines(command, patience=600):
 
 
 class Peer:
-    """A program that does tasks, with the commands that time a task and that count its
-    instructions."""
+    """A program that does tasks: a command that times a task, and a command that counts the
+    instructions of a task."""
 
     def __init__(self, name, tasks, timed, counted=None, is_sampled=False, note=""):
         self.name, self.tasks, self.timed, self.counted = name, tasks, timed, counted

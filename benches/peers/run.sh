@@ -2,8 +2,8 @@
 # Compares longdrive with its peers and writes the tables to results.md and docs/performance.md.
 # Usage: benches/peers/run.sh [--python]
 #   --python  the Python peers too (NumPy, SciPy, Numba, JAX, in a virtual environment in target; takes some minutes)
-# CORE: processor of all measurements (default: the last one). If clang-14, valgrind or ceres is missing, it is installed
-# by apt-get without a prompt, or else left out.
+# CORE: processor of all measurements (default: the last one). If clang-14, valgrind or ceres is
+# missing, apt-get installs it without a prompt; what apt-get cannot install is left out.
 set -eu
 cd "$(dirname "$0")"
 build=target/peers
@@ -41,7 +41,7 @@ for compiler in g++ $clang; do
   compile "$compiler" "cpp-tuned-$tag" tuned.cpp
   compile "$compiler" "cpp-tuned-$tag.twelve" tuned_twelve.cpp -mprefer-vector-width=512
   compile "$compiler" "cpp-simd4-$tag" tuned.cpp -DVEC=v4 -DINLEXP
-  # the machine may lack these instructions: no binary for valgrind
+  # AVX-512, which this machine may lack, and which the binary for valgrind (haswell) cannot have
   if [ -n "$wide" ]; then
     compile "$compiler" "cpp-simd8-$tag" tuned.cpp -DVEC=v8 -DINLEXP -DRSQRT -mprefer-vector-width=512
     compile "$compiler" "cpp-simd2x8-$tag" tuned.cpp -DTWO_VECTORS -DVEC=V2 -DINLEXP -DRSQRT -mprefer-vector-width=512
@@ -50,7 +50,8 @@ done
 if [ -e /usr/include/ceres/jet.h ]; then compile g++ ceres-jet ceres.cpp -DNDEBUG -I/usr/include/eigen3; fi
 gcc -O2 -march=native cpp/machine.c -o "$build/machine"
 
-# the library at level 3 with thin local LTO, as in a package that depends on it; the program with the profile with which it is installed
+# the library at level 3 with thin local LTO, as cargo compiles it for a package that depends on it;
+# the program with its own release profile, as it is installed
 cargo build --release --locked --target-dir target --config profile.release.lto=false --config profile.release.package.longdrive.opt-level=3
 cargo build --release --locked --target-dir target --package longdrive --bin longdrive
 

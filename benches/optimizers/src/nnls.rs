@@ -35,8 +35,8 @@ pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool]) -> DVector<f64> 
     DVector::from_fn(columns, |j, _| z[j] / size(j))
 }
 
-/// Solves least squares over the passive columns, and drops the columns whose unknown would change
-/// its sign.
+/// Solves least squares over the passive columns (those whose unknown is not held at 0). If an
+/// unknown that is not `free` would become negative, its column leaves the passive set.
 fn descend(
     a: &DMatrix<f64>,
     b: &DVector<f64>,

@@ -79,7 +79,8 @@ pub fn start(case: &Case) -> Vec<f64> {
         .collect()
 }
 
-/// A constraint in the form sign · (c − limit) = 0 or ≤ 0, for solvers without two-sided limits.
+/// One limit of a constraint c, as sign · (c − limit) = 0 or ≤ 0: for solvers without two-sided
+/// limits.
 #[derive(Clone, Copy)]
 pub struct Row {
     pub constraint: usize,
@@ -97,7 +98,7 @@ impl Row {
     }
 }
 
-/// The equalities and the inequalities of a problem.
+/// The constraints of a problem as rows: the equalities, and the inequalities.
 pub fn rows(case: &Case) -> (Vec<Row>, Vec<Row>) {
     let (mut equalities, mut inequalities) = (vec![], vec![]);
     for (constraint, (&least, &most)) in case.least.iter().zip(case.most).enumerate() {

@@ -51,7 +51,7 @@ impl Record<'_> {
             .sum()
     }
 
-    /// Ratio of this solver's `of(outcome)` to the other solver's: the median over the problems.
+    /// Median over the problems of the ratio of `of(outcome)`: this solver's to the other solver's.
     fn ratio(&self, other: &Self, problems: &[&str], of: impl Fn(&Outcome) -> f64) -> f64 {
         let both = problems
             .iter()

@@ -1,7 +1,8 @@
-// The work of every C++ peer with automatic differentiation: the carry of the mae494 drive in its plane, a template
-// over the number types. T: type of differentiated variables; C: type of constants (double for T1-T3, T for T4).
-// x is up, z is down the range. RK4 in (vx, vz) at a step of 0.01 s, positions by the same RK4; the landing is
-// Newton's on the quintic Hermite polynomial of the last step (longdrive: degree 7; at this step both give the same carry to 1e-12 m).
+// The work of every C++ peer with automatic differentiation: the carry of the mae494 drive in a
+// vertical plane, a template over the number types. T: type of differentiated variables; C: type of
+// constants (double for T1-T3, T for T4). x is up, z is downrange. RK4 integrates velocities and
+// positions in steps of 0.01 s. Newton's method finds the landing on the quintic Hermite polynomial
+// of the last step. longdrive has degree 7; at this step both give the same carry to 1e-12 m.
 #pragma once
 #include <cmath>
 static inline double tovalue(double x) { return x; }

@@ -61,10 +61,11 @@ struct Bench {
     emit(name, once ? 0 : fastest(work), show(result));
   }
 
-  // T6: loft 0..25 deg x attack -10..10 deg, 1000 x 1000 points. row(lam, first, stride, add) computes the points of one
-  // loft at every stride-th attack angle and calls add(j, carry, dlam, deps). Timed: every 25th loft; counted: lofts 250
-  // and 750, with attack angles around the middle of the range. Value: the check sum over every 25th row and column;
-  // "grad": the check sum without the row of loft 0, where the ball does not spin and carry has a kink.
+  // T6: loft 0..25 deg x attack -10..10 deg, 1000 x 1000 points; a row is one loft. row(lam, first,
+  // stride, add) computes one row at every stride-th attack angle from `first` on, and calls add(j,
+  // carry, dlam, deps). Timed: every 25th row. Instructions are counted in rows 250 and 750, from
+  // first = stride/2 on. Value: the check sum over every 25th row and column. "grad": the check sum
+  // without the row of loft 0, where the ball does not spin and carry has a kink.
   template <class RowOp> void grid(int stride, RowOp row) const {
     if (!wants("T6")) return;
     const int N = 1000, every = 25;

@@ -1,5 +1,6 @@
-// The clock (a chain of dependent multiplications, 3 cycles each) and what bounds the tasks, in cycles: latencies of
-// sqrtsd and of a fused multiply-add, and where there is AVX-512 the cycles between two vsqrtpd of 8 lanes.
+// Measures the clock rate by a chain of dependent multiplications of 3 cycles each. Then the bounds
+// of the tasks, in cycles: latencies of sqrtsd and of a fused multiply-add; with AVX-512 also the
+// cycles between two vsqrtpd of 8 lanes.
 #include <immintrin.h>
 #include <stdio.h>
 #include <time.h>

@@ -20,7 +20,7 @@ template <class F> Opt maximise(F f, double l0, double e0) {
     double s[2] = {0, 0}, a = -r.h[0], b = -r.h[1], c = -r.h[2];
     if (act[0]) b = 0, a = 1;
     if (act[1]) b = 0, c = 1;
-    // shift to positive definite if needed
+    // add a multiple of the identity if the Hessian of -f is not positive definite
     double tr = 0.5 * (a + c), dd = std::sqrt(0.25 * (a - c) * (a - c) + b * b), mn = tr - dd;
     double sh = mn < 1e-3 * std::fabs(tr + dd) ? 1e-3 * std::fabs(tr + dd) - mn : 0; a += sh; c += sh;
     double g0 = act[0] ? 0 : r.g[0], g1 = act[1] ? 0 : r.g[1], det = a * c - b * b;

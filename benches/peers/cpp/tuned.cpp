@@ -1,4 +1,5 @@
-// Derivatives worked out by hand. Scalar: T1, T2, T6; with -DVEC=v4, v8 or V2 (-DTWO_VECTORS) attack angles in lanes: T6.
+// Derivatives worked out by hand. The scalar program does T1, T2 and T6. With -DVEC=v4, v8 or V2
+// (-DTWO_VECTORS) the lanes of a vector are attack angles, and the program does T6 only.
 #include "tuned.hpp"
 #include "harness.hpp"
 #ifdef TWO_VECTORS

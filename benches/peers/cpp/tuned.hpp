@@ -107,7 +107,7 @@ template <class V, bool GRAD> __attribute__((flatten)) static Res<V> tuned(V lam
     return k; };
   Nd n0 = node(E), nm; K k1 = rhs(n0, vx, vz, ex, ez, lx, lz), k2, k3, k4, kb;
   M done{}; int n = 0;
-  // landing step, both ends
+  // position, velocity, acceleration and their tangents at both ends of the step that lands
   V S[2][18];
   for (n = 0; n < 4000; ++n) {
     V Em = E * eh; E = Em * eh; nm = node(Em); n0 = node(E);

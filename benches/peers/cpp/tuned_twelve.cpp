@@ -1,5 +1,6 @@
-// T4 by structure: the twelve parameters reach the flight through (vx0, vz0, w0, k, delta) alone: 5 tangents in one vector
-// of 8 lanes, then the chain rule through the impact (duals of 12).
+// T4 by the chain rule. The twelve parameters change the flight only through vx0, vz0, w0, k and
+// delta: the flight has 5 tangents, in one vector of 8 lanes. The impact has dual numbers with 12
+// tangents.
 #include "dual.hpp"
 typedef double W8 __attribute__((vector_size(64)));
 struct DV { double v; W8 d; DV() {} DV(double x) : v(x), d{} {} DV(double x, W8 d) : v(x), d(d) {} };

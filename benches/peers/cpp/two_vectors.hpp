@@ -1,4 +1,5 @@
-// Two vectors of 8 lanes in flight: hides the latency of the chain of an RK4 step.
+// Two independent vectors of 8 lanes. An RK4 step is a chain of dependent operations: while one
+// vector waits for a result, the processor computes the other vector.
 #pragma once
 #include "tuned.hpp"
 struct V2 { v8 a, b; };

@@ -22,7 +22,8 @@ def emit(peer, task, sec, value, grad=(), note=""):
         flush=True,
     )
 def bench(f, budget=0.8, clock=time.process_time):
-    """min over batches; process CPU time (the machine is shared; pinned to one core by compare.py)"""
+    """seconds of one call: the fastest batch, because the machine is shared; CPU time of the
+    process, which compare.py pins to one core"""
     f(); t = clock(); f(); one = max(clock() - t, 1e-7)
     per = max(1, int(2e-3 / one)); best = 1e9; end = time.perf_counter() + budget
     while True:
