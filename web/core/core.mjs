@@ -1,6 +1,6 @@
 // The JavaScript side of the core: README.md has the layout of a message.
 
-/** Bytes of a length. */
+/** Size of a length field, bytes. */
 const LENGTH = 4;
 
 const encoder = new TextEncoder();
@@ -12,7 +12,7 @@ const decoder = new TextDecoder();
  */
 
 /**
- * An answer: its JSON, and its numbers.
+ * An answer: `head` is its JSON, `block` has its numbers.
  * @typedef {{ head: any, block: Float64Array }} Numbers
  */
 

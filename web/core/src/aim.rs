@@ -26,10 +26,10 @@ const NEAR: f64 = 10.0;
 /// Smallest step, as a fraction of each range; a smaller step ends the search.
 const SHORTEST: f64 = 1e-7;
 
-/// The largest number of drives of the last search, from the best point so far.
+/// The largest number of drives of the last search, which begins at the best point so far.
 const MOST_DRIVES: u64 = 20;
 /// The largest number of drives of the first search from each start. A few drives reach the target,
-/// unless it lies on the other side of a maximum.
+/// unless a maximum of carry lies between the start and the target.
 const FIRST_DRIVES: u64 = 3;
 
 /// The largest number of halvings of a step.
@@ -151,8 +151,9 @@ impl Aim {
         self.search(best, MOST_DRIVES)
     }
 
-    /// Starts of the search: the points where the landing, interpolated linearly in the triangles
-    /// of a grid, is at the target. The last start is the node that lands nearest to the target.
+    /// Starts of the search: the points whose landing is the target, if landings are interpolated
+    /// linearly in the triangles of a grid. The last start is the node that lands nearest to the
+    /// target.
     fn starts(&self, from: [f64; 2]) -> Result<Vec<[f64; 2]>, Error> {
         let [across, up] = self.vary;
         let plane = Plane::fly(&self.setup, &LANDING, across, up, NODES, Order::Value)?;
@@ -188,7 +189,8 @@ impl Aim {
         Ok(starts)
     }
 
-    /// Continues a search until no step lands nearer to the target, or for this number of drives.
+    /// Continues a search until it lands within half of [`REACHED`], until no step lands nearer to
+    /// the target, or for this number of drives.
     fn search(&self, mut best: Point, drives: u64) -> Result<Point, Error> {
         let last = self.drives.get() + drives;
         while best.distance() > 0.5 * REACHED && self.drives.get() < last {
@@ -200,8 +202,8 @@ impl Aim {
         Ok(best)
     }
 
-    /// The drive after a step, if it lands nearer to the target. A step that does not land nearer
-    /// is halved.
+    /// The drive after a step. A step that does not land nearer to the target is halved; `None` if
+    /// no halved step lands nearer either.
     fn step(&self, best: &Point) -> Result<Option<Point>, Error> {
         let mut to = self.nearest(best)?;
         for _ in 0..=MOST_HALVINGS {
@@ -263,7 +265,7 @@ impl Point {
     }
 }
 
-/// Half the square of the distance from the target, by the quadratic model of the landing.
+/// Half of the squared distance from the target, m², by the quadratic model of the landing.
 struct Model<'a>(&'a Point);
 
 impl Functions for Model<'_> {
@@ -302,8 +304,9 @@ struct Zero {
 }
 
 impl Zero {
-    /// The zero in a triangle, or slightly outside of the triangle, because the landing is not
-    /// exactly linear.
+    /// The zero of the linear function with these values in the corners; `None` if it is farther
+    /// outside of the triangle than `SLACK`. Zeros slightly outside count, because the landing is
+    /// not exactly linear.
     fn of([corner, side, above]: [[f64; 2]; 3]) -> Option<Self> {
         const SLACK: f64 = 0.1;
         let [a, b] = [side, above].map(|end| [end[0] - corner[0], end[1] - corner[1]]);

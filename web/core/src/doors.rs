@@ -13,8 +13,8 @@ thread_local! {
     static ANSWER: RefCell<Vec<u8>> = const { RefCell::new(vec![]) };
 }
 
-// SAFETY: the linker makes the first function, and the page gives the second one; neither touches
-// memory of this module that Rust uses at that time
+// SAFETY: the linker makes `__wasm_call_ctors`, and the page gives `progress`. During a call,
+// neither of them touches memory of this module that Rust uses
 unsafe extern "C" {
     safe fn __wasm_call_ctors();
 }
@@ -24,14 +24,14 @@ unsafe extern "C" {
     safe fn progress(done: f64, of: f64);
 }
 
-/// Called once, before all others. Without this function, each call of an exported function would
-/// run the constructors of the C library.
+/// Must be called once, before any other function. Without this function, each call of an exported
+/// function would run the constructors of the C library.
 #[unsafe(no_mangle)]
 extern "C" fn _initialize() {
     __wasm_call_ctors();
 }
 
-/// Makes space for a request of this many bytes, and returns its address.
+/// Makes space for a request of this many bytes, and returns the address of the space.
 #[unsafe(no_mangle)]
 extern "C" fn input(bytes: usize) -> *mut u8 {
     REQUEST.with_borrow_mut(|request| {
@@ -40,7 +40,7 @@ extern "C" fn input(bytes: usize) -> *mut u8 {
     })
 }
 
-/// The answer.
+/// The address of the last answer.
 #[unsafe(no_mangle)]
 extern "C" fn output() -> *const u8 {
     ANSWER.with_borrow(Vec::as_ptr)
@@ -81,7 +81,7 @@ extern "C" fn iterations() -> usize {
     answer(Door::Iterations)
 }
 
-/// Answers the request, and returns the bytes of the answer.
+/// Answers the request, and returns the size of the answer, bytes.
 fn answer(door: Door) -> usize {
     let request = REQUEST.take();
     let answer = answered(door, &request, |done, of| progress(done, of));

@@ -53,7 +53,8 @@ struct Head<'a> {
     warnings: Vec<String>,
 }
 
-/// An outcome without a value or derivative, or a parameter without derivatives.
+/// The reason why an outcome (`of`) has no derivatives, or why no outcome has a derivative by a
+/// parameter (`wrt`).
 #[derive(Serialize)]
 struct Missing {
     of: Option<&'static str>,
@@ -203,8 +204,8 @@ struct Derivatives<'a> {
 }
 
 impl Derivatives<'_> {
-    /// Appends gradients and Hessians, NaN where they do not exist. Returns the missing
-    /// derivatives.
+    /// Appends gradients and Hessians, with NaN for derivatives that do not exist. Returns the
+    /// reasons for the missing ones.
     fn append(mut self, of: &[Outcome], numbers: &mut Vec<f64>) -> Result<Vec<Missing>, Refusal> {
         if of.is_empty() || self.columns.count == 0 || self.order == Order::Value {
             return Ok(vec![]);
@@ -267,7 +268,7 @@ impl Derivatives<'_> {
     }
 }
 
-/// Derivatives that do not exist.
+/// NaN in place of a value and of derivatives that do not exist.
 fn undefined(parameters: usize) -> Taylor {
     let none = vec![f64::NAN; parameters];
     Taylor {

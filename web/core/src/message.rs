@@ -3,7 +3,7 @@
 use crate::refusal::Refusal;
 use serde::Serialize;
 
-/// Bytes of a length.
+/// Size of a length field, bytes.
 const LENGTH: usize = 4;
 
 /// A request.
@@ -19,7 +19,7 @@ impl<'a> Message<'a> {
     /// Reads a message.
     ///
     /// # Errors
-    /// If the bytes do not have the lengths of the message.
+    /// If the lengths in the message do not add up to its number of bytes.
     pub fn read(bytes: &'a [u8]) -> Result<Self, Refusal> {
         let parts = || {
             let (head, rest) = length(bytes)?;

@@ -26,8 +26,8 @@ impl Refusal {
         }
     }
 
-    /// The refusal with the message of an error, and with the parameters that the message mentions,
-    /// from the parameters of the setup and from the names `stated` in the request.
+    /// The refusal with the message of an error, and with the parameters that the message mentions.
+    /// These are found among the parameters of the setup and the names `stated` in the request.
     pub fn of<'a>(
         error: &Error,
         system: System,
@@ -50,8 +50,8 @@ impl Refusal {
     }
 }
 
-/// The place of a parameter in a message. The message may name a launch condition without its
-/// group.
+/// Index of the byte at which a message mentions a parameter; `None` without a mention. A message
+/// may name a launch condition without its group `launch`.
 fn place(message: &str, name: &str) -> Option<usize> {
     let is_of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
     let whole = |name: &str| {

@@ -45,7 +45,7 @@ test('same outcomes and derivatives of a drive as the program', () => {
     }
     const words = ['gradient', ...wordsOf(setup), '--hessian', '--of', 'carry,total,spin', '--wrt', wrt.join(','), '--json'];
     const told = JSON.parse(run(words).stdout).outcomes;
-    // units of prices, SI: yards per degree, mph or inch
+    // SI sizes of the units of prices: degree, mph, degree, inch, mph
     const units = [DEG, 0.44704, DEG, 0.0254, 0.44704];
     derivatives.forEach(({ of, gradient, hessian }, k) => {
       const size = of === 'spin' ? 1 : YARD;
@@ -156,7 +156,7 @@ test('1000 reachable landing points are reached within 1 mm in at most 8 drives'
     const about = JSON.stringify([preset, set, there, head, ...block]);
     assert.equal(head.status, 'reached', about);
     assert.ok(head.drives <= 8, about);
-    // compute the drive with the found values again
+    // compute the drive again, with the found values
     const found = { ...set, [ranges[0].name]: block[0], [ranges[1].name]: block[1] };
     const { outcomes } = drive({ setup: { preset, set: found } });
     assert.ok(Math.hypot(outcomes.carry - carry, outcomes.lateral - lateral) <= 1e-3, about);

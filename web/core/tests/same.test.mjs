@@ -64,8 +64,8 @@ test('same drives as the program', () => {
 test('same gradients and Hessians as the program', () => {
   for (const setup of setups) {
     const { ours, theirs, about } = both('gradient', setup, '--hessian', '--of', 'carry,lateral,total,apex_height,spin');
-    // each derivative of an outcome is a sum of terms as large as its largest derivative, and has their
-    // rounding error
+    // a derivative of an outcome may be a sum of terms as large as the largest derivative of this
+    // outcome, and then has the rounding error of these terms
     const sizes = theirs.outcomes.map(({ value, gradient, hessian }) =>
       Math.max(...[value, ...Object.values(gradient ?? {}), ...(hessian?.values.flat() ?? [])].map(Math.abs)));
     const size = ([, k, order], number) => {
