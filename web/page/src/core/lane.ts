@@ -1,6 +1,6 @@
-// A worker with a queue. It does one piece of work at a time, and at most one piece of each topic
-// waits. A newer piece replaces the waiting piece of its topic; the replaced piece gets the answer
-// null. The thread starts at once, but the work waits until the worker has the core.
+// A worker with a queue. The worker does one job at a time, and at most one job of each topic
+// waits. A newer job replaces the waiting job of its topic, whose answer is then null. The thread
+// starts at once, but jobs wait until the worker has the core.
 import workerCode from 'virtual:worker';
 import type { Packed } from './load';
 import type { Call, Command, FromWorker, Numbers, Reply, ToWorker } from './messages';

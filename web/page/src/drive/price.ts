@@ -36,16 +36,16 @@ export function bandOf(value: number, { first, second }: Slope, loss: number): B
   return { low: value + low, high: value + high };
 }
 
-/** The number of units to which a printed price applies, if the price of one unit is too small. */
+/** The number of units to which a printed price applies, for units whose price is too small. */
 const STEPS: Readonly<Record<string, number>> = {
   rpm: 100, ft: 1000, m: 100, degF: 10, degC: 10, 'g cm^2': 100, hPa: 10, 'rad/s': 1,
 };
 
-/** Numbers of units by parameter, which take precedence over `STEPS`. */
+/** Like `STEPS`, but by the name of the parameter; takes precedence over `STEPS`. */
 const STEPS_OF: Readonly<Record<string, number>> = { 'wind.from': 10, 'ground.height': 1 };
 
 export interface Price {
-  /** The change of the outcome for this number of units of the parameter, yd or m. */
+  /** The change of the outcome, yd or m, for the number of units that the price applies to. */
   change: number;
   /** "+2.4 yd per mph". */
   text: string;

@@ -1,5 +1,5 @@
-// Pictures, each with a name, a sentence and a table of the same content; tables without a picture;
-// buttons that download both.
+// A picture with a name, a sentence and a table of the same content; a table without a picture; and
+// the buttons that download pictures and tables.
 import type { ComponentChildren, Ref } from 'preact';
 import { useState } from 'preact/hooks';
 import { download, pictureOf } from './download';

@@ -41,7 +41,7 @@ export function IterationsPicture(props: Props) {
     if (!first) return undefined;
     return isRefused(first) ? null : readMap(first, axes);
   });
-  // the last map has other parameters: wait for the new map
+  // `map` may still be the last map, of other parameters: wait for the new map
   if (!map || map.across !== axes.across || (!isCurve && map.up !== axes.up)) return null;
   return isCurve ? <CurvePicture {...props} map={map} /> : <PlanePicture {...props} map={map} />;
 }
@@ -134,7 +134,7 @@ interface BoundsProps {
   plan: Plan;
 }
 
-/** A bar at each bound that holds the iterate. */
+/** A bar at each bound that the iterate has reached. */
 function ActiveBounds({ iteration, iterations, map, plan }: BoundsProps) {
   const [left, right] = [map.ranges[0].low, map.ranges[0].high].map(plan.x) as [number, number];
   const [bottom, top] = [map.ranges[1].low, map.ranges[1].high].map(plan.y) as [number, number];
@@ -173,7 +173,7 @@ const Legend = ({ width }: { width: number }) => (
   </g>
 );
 
-/** Room above the curve and below it, as a fraction of its height. */
+/** Space above the curve, and below it, as a fraction of the curve's height. */
 const ROOM = 0.15;
 
 function CurvePicture({ iterations, at, width, sentence, map }: Props & { map: MapData }) {

@@ -101,7 +101,7 @@ export function levelsOf(map: MapData, units: System): number[] {
   return ticks(fromSI(from, unit), fromSI(high, unit), LEVELS).map((level) => toSI(level, unit));
 }
 
-/** The value of a drive that does not land, below every level. */
+/** Value in place of a drive that does not land; it is below every level. */
 const NONE = -1;
 
 const ringsOf = ({ columns, rows, values }: Grid, levels: number[]) =>
@@ -123,7 +123,7 @@ function contoursOf(map: MapData, units: System, plan: Plan): Area[] {
   });
 }
 
-/** Contours of other values over the same two parameters, as lines without the edge of the map. */
+/** Contours of a grid over the two parameters of a map, as lines without the edge of the map. */
 export function linesOf(grid: Grid, levels: number[], map: MapData, plan: Plan): string {
   const { columns, rows } = grid;
   const pixel = pixelOf(grid, map, plan);
@@ -165,7 +165,7 @@ export function Areas({ map, width }: AreasProps) {
   );
 }
 
-/** The lowest point of the longest ring that is inside of the picture. */
+/** The lowest of the points of the longest ring that are inside of the picture; null if few are. */
 function spotOf(rings: readonly (readonly (readonly [number, number])[])[], plan: Plan) {
   const longest = rings.reduce<readonly (readonly [number, number])[]>(
     (best, ring) => (ring.length > best.length ? ring : best), []);

@@ -33,9 +33,12 @@ interface Result {
 
 const OUTPUT = 'flown.csv';
 
-/** The setup of the flight, without what the measured shots give. */
+/**
+ * The arguments that give the setup of the flight, without the parameters of strike and launch: the
+ * shots give these.
+ */
 function flightWords({ preset, set }: Design): string[] {
-  // `fly` refuses values of a club that no row uses
+  // `fly` refuses a stated parameter of the club if no row uses it
   const isMeasured = (name: string) => isReplaced(name, true) || isReplaced(name, false);
   const kept = Object.entries(set).filter(([name]) => !isMeasured(name));
   return setupWords({ preset, set: Object.fromEntries(kept) });

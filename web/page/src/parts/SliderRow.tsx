@@ -144,7 +144,10 @@ interface FieldProps {
   hasMessage: boolean;
 }
 
-/** The number of a field as it was typed, or converted into the unit of the field. */
+/**
+ * The text of a field: the number as it was typed, or converted into the unit of the field. A text
+ * that only the core can read is shown as it was typed; an unset parameter has an empty text.
+ */
 function shownOf(explorer: Explorer, name: string): string {
   const text = explorer.design.value.set[name];
   const { unit, decimals, parameter } = explorer.field(name);
@@ -160,7 +163,10 @@ function shownOf(explorer: Explorer, name: string): string {
   return String(Number(fromSI(value, unit).toFixed(decimals + 1)));
 }
 
-/** A number as it is typed, until it is committed or the state has another number. */
+/**
+ * The text of a field while it is typed. It is shown until it is committed, or until the state has
+ * another number than `instead`.
+ */
 interface Draft {
   instead: string;
   text: string;

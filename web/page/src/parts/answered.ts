@@ -4,7 +4,10 @@ import { useEffect, useState } from 'preact/hooks';
 /** An answer; null if there is none, or undefined if a newer request replaced this one. */
 type Answered<T> = Promise<T | null | undefined>;
 
-/** The last answer. It is requested again `milliseconds` after the last change of `key`. */
+/**
+ * The last answer of `ask`, null before the first one. `ask` is called again `milliseconds` after
+ * the last change of `key`.
+ */
 export function useAnswer<T>(key: string, milliseconds: number, ask: () => Answered<T>): T | null {
   const [found, setFound] = useState<T | null>(null);
   useEffect(() => {

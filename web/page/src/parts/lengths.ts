@@ -23,7 +23,7 @@ export function sideways(metres: number, system: System): string {
 
 export const tickText = (tick: number) => digits(tick, Number.isInteger(tick) ? 0 : 1);
 
-/** Round numbers that divide a range into about `count` parts. */
+/** Round numbers within a range, in steps of which about `count` fit into the range. */
 export function ticks(low: number, high: number, count: number): number[] {
   const raw = (high - low) / Math.max(1, count);
   if (!(raw > 0) || !Number.isFinite(raw)) return [];

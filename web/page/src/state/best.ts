@@ -16,7 +16,8 @@ export interface Best {
   design: Design;
   flight: Readonly<Record<string, number | null>>;
   /**
-   * The gain of moving the bound of a parameter outwards, SI; 0 for a parameter within its bounds.
+   * Derivative of the best value by the active bound of each parameter, SI: positive at an upper
+   * bound, negative at a lower bound; 0 for a parameter within its bounds.
    */
   beyond: Readonly<Record<string, number>>;
   warnings: readonly string[];

@@ -61,7 +61,8 @@ export class Explorer {
   /** The open group among the sliders below the first screen. */
   readonly openGroup = signal<string | null>(null);
   readonly design = computed(() => activeOf(this.state.value));
-  // parts of the state that seldom change: their components are not rendered at each move
+  // parts of the state that seldom change: components that read only these are not rendered at each
+  // move of a slider
   readonly units = computed(() => this.state.value.units);
   readonly goal = computed(() => this.state.value.goal);
   readonly law = computed(() => lawOf(this.design.value, this.catalog));
@@ -203,7 +204,7 @@ export class Explorer {
     });
   }
 
-  /** The sliders whose price is computed. */
+  /** The parameters whose prices are computed. */
   #priced(): string[] {
     const design = this.design.value;
     const open = this.openGroup.value;
@@ -247,7 +248,8 @@ export class Explorer {
   }
 
   /**
-   * The call for prices of unstated parameters of wind and air, at the values that the drive uses.
+   * The call for prices of parameters of wind and air that are unset, at the values that the drive
+   * uses for them; null without such parameters.
    */
   #unsetCall(): Call | null {
     const { set } = this.design.value;
@@ -341,7 +343,10 @@ export class Explorer {
     if (reply) this.mapBest.value = readBest(reply, design, this);
   }
 
-  /** Values of two parameters with which the ball lands at this point. */
+  /**
+   * Sets two parameters so that the ball lands at this point (m), or as near to it as the sliders
+   * allow.
+   */
   async aim(names: readonly [string, string], carry: number, lateral: number) {
     const vary = names.map((name) => ({ name, ...ends(this.travel(name)) }));
     const request = { setup: this.setup(), units: this.state.value.units, vary, carry, lateral };

@@ -31,7 +31,7 @@ export interface Trial {
   predicted: number;
   /** Actual gain of the outcome, from the drive at `x`. */
   actual: number;
-  /** True if the model has no maximum; the step is then computed with a reflected curvature. */
+  /** True if the model has no maximum; the step then uses the model with reflected eigenvalues. */
   isReflected: boolean;
 }
 
