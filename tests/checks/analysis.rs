@@ -59,8 +59,8 @@ fn off_centre() -> Setup<f64> {
     setup
 }
 
-/// Compares d x*/dp and d f*/dp with central differences of new optima, after one Richardson
-/// extrapolation.
+/// Compares d x*/dp and d f*/dp, for every parameter p that is not varied, with central differences
+/// of new optima. One Richardson extrapolation improves the differences.
 fn differences_agree(setup: &Setup<f64>, search: &Search) {
     let best = best(setup, search);
     let parameters = best.setup.variables();
@@ -72,7 +72,7 @@ fn differences_agree(setup: &Setup<f64>, search: &Search) {
     for (parameter, sensitivity) in sensitivities(&best, &wrt, &mut |_, _| ()).unwrap() {
         let exact = sensitivity.unwrap_or_else(|e| panic!("{}: {e}", parameter.name));
         let value = best.setup.value(parameter).unwrap();
-        // a small change of the parameter, far above rounding
+        // scale of the step of the differences: the parameter's value, or 0.1 units at 0
         let unit = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
         let size = if value == 0.0 {
             0.1 * unit
@@ -298,8 +298,8 @@ fn every_error_in_a_constraint_has_its_position() {
 #[test]
 fn independent_mae494_optimum_from_every_batch_of_sixteen() {
     let setup = Setup::preset("mae494").unwrap();
-    // the box, and a box twice as wide, whose maximum is the corner at zero spin (model page:
-    // 38.53°, 170.574 m)
+    // the box, and a box twice as wide, whose maximum is the kink at zero spin (model page: an
+    // attack angle of 38.53°, 170.574 m)
     for (vary, value) in [
         (BOX, 153.333_552_730_5),
         (
@@ -313,7 +313,7 @@ fn independent_mae494_optimum_from_every_batch_of_sixteen() {
         let mut values = vec![];
         for batch in 0..4 {
             let mut start = setup;
-            // a small shift of the first start replaces another seed: the other starts are fixed
+            // the batches differ only in their first start, which is shifted: the others are fixed
             start.swing.attack_angle = f64::from(batch) * 0.02;
             let found = optima(
                 &start,

@@ -5,7 +5,7 @@ use crate::program;
 use longdrive::{Drive, Outcome, Setup};
 use serde_json::Value;
 
-/// Lines of a screen.
+/// Number of lines of a screen.
 const SCREEN: usize = 40;
 
 /// Runs a command in a terminal of this width; `None` for a pipe.
@@ -99,7 +99,7 @@ fn details_of_the_computation_are_for_verbose() {
     let (_, answer) = json(&words);
     let left_out = answer["left_out"][0].as_str().unwrap();
     assert!(left_out.contains("ball.inertia"), "{left_out}");
-    // a search without an optimum keeps its numbers
+    // a search that ends without an optimum still prints its KKT residual
     let printed = longdrive(&["optimize", "--max-iterations", "1"]);
     assert_eq!(printed.status, 1);
     assert!(printed.out.contains("KKT residual"), "{}", printed.out);
@@ -235,8 +235,9 @@ fn same_gain_of_the_club_as_a_search_over_the_loft_alone() {
     assert!(printed.contains("the club alone, with the swing as set up: "));
 }
 
-/// The Reynolds number of an amateur's ball leaves the range of the law near the landing; this
-/// changes the carry little. The extrapolated lift of a ball with little spin changes it.
+/// Near the landing, the Reynolds number of an amateur's ball is below the range of the law. This
+/// changes the carry little, so there is no warning. The extrapolated lift of a ball with little
+/// spin changes the carry enough for a warning.
 #[test]
 fn a_law_outside_its_range_is_a_warning_where_it_changes_the_carry() {
     for preset in ["amateur-average", "tour-average", "lpga-average"] {

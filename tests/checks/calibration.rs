@@ -19,8 +19,8 @@ use std::io::Write as _;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// Uniform random numbers with a fixed seed (Steele, Lea & Flood 2014), and normal ones by Box &
-/// Muller's transform.
+/// Random numbers with a fixed seed: uniform ones (splitmix64, Steele, Lea & Flood 2014), and
+/// normal ones by the transform of Box & Muller.
 struct Noise(u64);
 
 impl Noise {
@@ -179,8 +179,8 @@ fn hubers_loss_limits_the_effect_of_an_outlier() {
 
 #[test]
 fn confounded_parameters_are_named() {
-    // the data do not determine the viscosity, because the law does not depend on the Reynolds
-    // number, nor the density, because drag and lift are proportional to it
+    // the data do not determine the viscosity: the law does not depend on the Reynolds number. They
+    // do not determine the density: coefficients and density enter as products only
     let names = ["aero.cd", "aero.cl_slope", "air.density", "air.viscosity"];
     let found = fitted(&shots(&mut Noise(3), 1.0), &truth(), &names, Loss::Squares);
     let named: Vec<Vec<usize>> = found
@@ -279,7 +279,7 @@ fn yards(metres: f64) -> f64 {
     metres / 0.9144
 }
 
-/// Compares every number of the tables, within the accuracy of one smooth law.
+/// Every number of the paper's tables, within the accuracy that one smooth law can have.
 #[test]
 fn published_tables_of_winfield_and_tan_by_the_preset() {
     let (status, found) = json(&["reproduce", "winfield-tan"]);
@@ -791,8 +791,8 @@ fn confounded_parameters_are_no_answer() {
             "{answered}"
         );
     }
-    // without a Reynolds number in the law, no measured value depends on the viscosity; the fit
-    // starts within the range of the viscosity, and at a bound of its range
+    // no measured value depends on the viscosity, because the law has no Reynolds number; one fit
+    // starts within the range of the viscosity, the other one at a bound of its range
     for range in ["air.viscosity", "air.viscosity=1e-5Pas..1.837e-5Pas"] {
         let (status, answered, found) = text_and_json(
             &flown(&[45.0, 50.0], &[Outcome::Carry], None),
@@ -826,7 +826,7 @@ fn one_datum_and_parameters_all_on_bounds_are_reported() {
     let text = flown(&[50.0], &[Outcome::Carry], None);
     let (status, answered, _) = text_and_json(&text, &["--fit", "aero.cd0"]);
     assert_eq!(status, 0, "{answered}");
-    // the carry is too short even with the smallest drag of the range
+    // even with the smallest drag of its range, the computed carry is shorter than the measured one
     let long = text.replace("\n50,2", "\n50,4");
     assert_ne!(long, text);
     let (status, answered, found) = text_and_json(&long, &["--fit", "aero.cd0=0.2..0.3"]);
@@ -880,8 +880,8 @@ fn rows_whose_squares_overflow_are_named() {
             );
         }
     }
-    // the other values are finite but negligible: with the smallest possible drag, the residual is
-    // 1e9 standard uncertainties
+    // the other values are finite but have no weight: with the smallest possible drag, this
+    // residual is 1e9 standard uncertainties
     let (status, answered, found) =
         text_and_json(&row("9e8", "1e-2"), &["--fit", "aero.cd0=0.1..0.4"]);
     assert_eq!(
@@ -1254,8 +1254,8 @@ fn the_sample_of_shots_is_fitted() {
     );
 }
 
-/// Carries of a ball with a drag of 0.27, plus 40 yd: beyond the range of the fit. The warning is
-/// on standard error and in JSON.
+/// Carries of a ball with a drag coefficient of 0.27, and 40 yd longer ones, which no drag within
+/// the range of the fit gives. The warning is on standard error and in JSON.
 #[test]
 fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
     let flown = |launch: [f64; 3]| {
@@ -1324,8 +1324,8 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
         "{warnings}"
     );
     let (found, warnings) = fitted(&rows(40.0), "aero.cd0=0.25..0.6");
-    // about 40 standard uncertainties (40 yd at 1 yd), less the effect of the bound; the warning
-    // prints √(χ²/ν)
+    // the carries are 40 standard uncertainties too long (40 yd at 1 yd); the smallest drag of the
+    // range makes up for a part of this. The warning prints √(χ²/ν)
     let off = (number(&found["chi_square"]) / number(&found["degrees_of_freedom"])).sqrt();
     assert!(
         off > 20.0

@@ -126,8 +126,8 @@ fn exact_face_centre_moves_as_a_point_of_a_rigid_head() {
     }
 }
 
-/// A head without loft that closes at ω has its centre of mass at the distance d behind the face
-/// centre; this point moves ω d more from in to out.
+/// A head without loft closes at ω, and its centre of mass is at the distance d behind the face
+/// centre. From in to out, the centre of mass moves ω d faster than the face centre.
 #[test]
 fn exact_path_of_the_centre_of_mass_of_a_head_that_closes() {
     let mut setup = Setup::preset("modern-driver").unwrap();

@@ -204,8 +204,8 @@ fn effects_and_the_sensitivity_of_an_optimum_as_json() {
             .find(|effect| effect["parameter"] == name)
             .unwrap()
     };
-    // an unconstrained optimum: by the envelope theorem the total derivative equals the derivative
-    // of the drive, which is 0 by a varied parameter
+    // at an unconstrained optimum the derivatives by varied parameters are 0. By the envelope
+    // theorem the derivative of the optimum then equals the derivative of the drive
     close(
         number(&of("swing.speed")["derivative_of_optimum"]),
         number(&of("swing.speed")["derivative"]),

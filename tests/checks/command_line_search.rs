@@ -469,9 +469,9 @@ fn chart_as_json_csv_and_table() {
 
 const VARYING: [&str; 2] = ["--distribution", "swing.attack_angle=normal(-1deg,2deg)"];
 
-/// The optimum after a change equals the optimum of a new search with the changed setup. Its step
-/// is the step that the new search chooses: the step of the original drive would be too long for a
-/// drive more than three times as fast.
+/// The optimum after a change equals the optimum of a new search with the changed setup. Both use
+/// the step that is chosen for the changed setup: the step of the original drive would be too long
+/// for a speed that is more than three times as high.
 #[test]
 fn same_changed_optimum_and_search_of_the_changed_setup() {
     for (change, set) in [
@@ -838,7 +838,8 @@ fn differences_of_minima_are_their_sensitivities() {
         let (_, drive) = json(&["simulate", "modern-driver", "--set", &loft]);
         number(&drive["flight"]["landing_speed"]) - number(&found["value"])
     };
-    // the upper end of the interval is the bound, and the optimum itself: its loss is rounding
+    // the optimum is at the bound, which is also the upper end of the interval: nothing is lost
+    // there, except for rounding
     assert!(
         loss("low") > 0.1 && found["window"]["club.loft"]["high_limit"] == "bound",
         "{found}"
@@ -876,8 +877,8 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
     ] {
         assert!(text.contains(words), "no '{words}' in {text}");
     }
-    // method and step were chosen for the search; a reader of the file may choose others, within a
-    // micrometre
+    // method and step were chosen for the search, so they are not in the file: a command that reads
+    // the file may choose others, and its carry differs by less than a micrometre
     assert!(
         !text.contains("\nmethod = ") && !text.contains("\nstep = "),
         "{text}"
@@ -1053,8 +1054,8 @@ fn an_unwritten_setup_is_reported_even_with_quiet() {
     assert!(!file.exists());
 }
 
-/// A value that another option gives for every drive is refused; a start value, a mean or a
-/// necessary value is not.
+/// A setting is refused if another option gives this parameter's value in every drive. A setting
+/// that is a start value or a mean, or that the command needs, is accepted.
 #[test]
 fn a_setting_that_has_no_effect_is_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -1092,7 +1093,7 @@ fn a_setting_that_has_no_effect_is_refused() {
             printed.err
         );
     }
-    // without the setting this preset has no friction to vary
+    // the setting is needed: without it, friction is unset in this preset and cannot be varied
     let friction = [
         "--set",
         "impact.friction=0.3",

@@ -7,7 +7,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The numbers of a line of `simulate`: in the first unit system, and in parentheses.
+/// The line of `simulate` for an outcome, with single spaces: its value in the first unit system,
+/// and in parentheses in the other one.
 fn line(out: &str, name: &str) -> String {
     let line = out.lines().find(|line| line.trim_start().starts_with(name));
     let words: Vec<_> = line
@@ -129,7 +130,7 @@ fn every_command_prints_the_chosen_units() {
 #[test]
 fn no_line_of_an_answer_is_wider_than_a_terminal() {
     let set = ["--set", "swing.path=-2deg", "--set", "wind.right=10mph"];
-    // a table of all outcomes has the same width in large steps
+    // large steps save time, and do not change the width of a table
     let large = ["--set", "flight.method=dp8", "--set", "flight.step=400ms"];
     for args in [
         vec!["simulate"],
@@ -365,7 +366,7 @@ fn same_points_from_written_columns() {
                 d_carry/d_air.density [m/(kg/m^3)],d_smash_factor/d_club.loft \
                 [1/rad],d_smash_factor/d_air.density [1/(kg/m^3)]\n";
     assert!(text.starts_with(head), "{text}");
-    // the columns of the parameters, unchanged
+    // keep the columns of the parameters, unchanged
     let columns = text
         .lines()
         .map(|line| line.split(',').take(2).collect::<Vec<_>>().join(","));

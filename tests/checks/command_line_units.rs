@@ -342,7 +342,7 @@ fn remarks_and_warnings_fit_a_terminal() {
     }
 }
 
-/// The remark at the line of a setup file with this beginning, and its value.
+/// The value and the remark of the line of a setup file that begins with `begin`.
 fn remark<'a>(file: &'a str, begin: &str) -> (&'a str, &'a str) {
     let line = file
         .lines()

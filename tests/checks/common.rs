@@ -41,7 +41,7 @@ pub fn setup(json: &Map<String, Value>) -> Setup<f64> {
     setup
 }
 
-/// A value that changes in the first, the second, or both of two directions.
+/// A number with seeds: its derivative is 1 in the first direction, in the second one, or in both.
 pub fn mixed(value: f64, first: bool, second: bool) -> Mixed {
     let change = |is: bool| f64::from(u8::from(is));
     let inner = Jet {
@@ -101,7 +101,7 @@ pub fn outcome_of(drive: &Value, of: Outcome) -> f64 {
     outcome_from(of, |name| printed(drive, name))
 }
 
-/// The gradient of an outcome of a JSON drive, by the names of its parameters.
+/// The gradient of an outcome of a JSON drive: derivatives by the names of the parameters.
 pub fn gradient_of(drive: &Value, of: Outcome) -> BTreeMap<String, f64> {
     let slope = |name: &str, by: &str| match drive["gradient"].get(name) {
         Some(gradient) => number(&gradient[by]),
@@ -154,8 +154,8 @@ pub const SET_RIGID_TOUR: [&str; 4] = [
 /// Steps with an error of about 1e-8 m of carry, which take a tenth of the time.
 pub const LARGE_STEPS: [(&str, &str); 2] = [("flight.method", "dp8"), ("flight.step", "400 ms")];
 
-/// The drive in large steps, with alternating methods: properties of the discrete drive hold in any
-/// steps.
+/// The setup with large steps; the method alternates with the place in the list. For properties
+/// that the discrete drive has in steps of any size.
 pub fn in_large_steps((place, mut setup): (usize, Setup<f64>)) -> Setup<f64> {
     let (method, step) = if place % 2 == 1 {
         ("dp8", "400 ms")

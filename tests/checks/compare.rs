@@ -95,7 +95,7 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
         );
         true
     };
-    // with steps of two methods: the shares belong to the drives as computed
+    // with two methods in large steps: shares are exact for the drives as computed
     for steps in [
         LARGE_STEPS,
         [("flight.method", "rk4"), ("flight.step", "100 ms")],
@@ -115,9 +115,9 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
     }
 }
 
-/// Shares add up for the law with the largest kinks in its derivatives, at hundreds of positions
-/// between two drives. In large steps an earlier version left 1e-6 of the carry, and reported it as
-/// a kink.
+/// Shares add up for the law with the largest kinks in its derivatives. Between two drives there
+/// are hundreds of these kinks. In large steps an earlier version left 1e-6 of the carry without a
+/// cause, and reported this rest as a kink.
 #[test]
 fn exact_shares_of_a_law_in_pieces_add_up_in_large_steps() {
     let law =
@@ -171,7 +171,7 @@ fn same_shares_of_several_outcomes_at_once_and_of_each_alone() {
             ("aero.law", "lyu"),
         ],
     );
-    // topspin in b: between the drives the spin is 0 and has no axis
+    // b has topspin: somewhere between a and b the spin is 0, and a spin of 0 has no axis
     let still = [
         ("club.loft", "0 deg"),
         ("swing.attack_angle", "0 deg"),
