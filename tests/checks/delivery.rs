@@ -82,7 +82,7 @@ fn exact_delivery_recovered_from_its_own_prior() {
             .all(|explained| explained.residual.abs() < 1e-9),
         "{found:?}"
     );
-    // five numbers identify at most five parameters
+    // the five numbers of a launch identify at most five parameters
     let identified: f64 = found
         .posteriors
         .iter()
@@ -138,9 +138,9 @@ fn exact_delivery_recovered_from_far_starts() {
     assert!(found.unidentified.is_empty());
 }
 
-/// The answer changes with each measured value and with each prior value. The squares of these
-/// changes, each for one standard uncertainty, sum to the stated variance. The changes are finite
-/// differences and use nothing of the formula.
+/// Each measured value and each prior value is changed by its standard uncertainty. The squares of
+/// the resulting changes of the answer add up to the stated variance. The changes are finite
+/// differences, without the formula of the program.
 #[test]
 fn differences_of_the_answer_add_up_to_its_stated_uncertainty() {
     let setup = struck(&OFF_CENTRE);
@@ -406,7 +406,7 @@ fn missing_columns_of_a_table_are_not_measured() {
     }
 }
 
-/// A ball without a direction says nothing of path, face angle and strike towards the toe.
+/// A launch without a direction does not determine path, face angle and strike towards the toe.
 #[test]
 fn same_part_determined_in_the_answer_and_in_its_setup_file() {
     let folder = tempfile::tempdir().unwrap();

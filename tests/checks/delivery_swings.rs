@@ -51,8 +51,8 @@ fn shots(count: usize, seed: u64) -> String {
     shots_of(&TRUTH, count, &mut chance, swing)
 }
 
-/// An export with shots of swings from another distribution. `scores` gives the standard scores of
-/// each swing.
+/// An export with shots of swings with the means and deviations of `truth`. `scores` returns the
+/// standard scores of one swing: (value − mean)/deviation of each parameter.
 fn shots_of(
     truth: &[(&str, f64, f64)],
     count: usize,
@@ -217,7 +217,7 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
             mean.abs() < 3.0 && deviation.abs() < 3.0,
             "{name}: {mean} {deviation}"
         );
-        // the median over the shots is the value for all shots
+        // the share that the launches determine: the answer has the median over the shots
         let rows = answer["rows"].as_array().unwrap();
         let known = rows.iter().flat_map(|row| row["known"].as_array().unwrap());
         let mut shares: Vec<f64> = known
@@ -316,8 +316,8 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
     }
 }
 
-/// Mean and scatter of each outcome over the recovered swings equal the shots' within a quarter of
-/// the scatter.
+/// Asserts that mean and scatter of each outcome over the recovered swings are those of the shots,
+/// within a quarter of the scatter.
 fn are_given_back(answer: &serde_json::Value) {
     for one in answer["population"]["launches"].as_array().unwrap() {
         let [[mean, deviation], [found, spread]] = ["measured", "recovered"]

@@ -489,7 +489,7 @@ fn zero_spin_is_a_corner_of_laws_with_drag_that_grows_with_spin() {
     assert!(drive.corners(&setup).is_empty());
 }
 
-/// Missing derivatives would silently omit parameters.
+/// With fewer derivatives than parameters, a report would omit parameters without a message.
 #[test]
 fn reports_of_fewer_or_more_derivatives_than_parameters_panic_with_both_numbers() {
     let setup = Setup::default();
@@ -559,7 +559,7 @@ fn exact_zero_derivative_by_an_unset_parameter() {
     assert!((value - carry).abs() < 1e-12 * carry, "{value} {carry}");
 }
 
-/// Stack of the derivatives: a thread has 2 MiB, and README says that a debug build without
+/// Stack of the derivatives: a thread has 2 MiB, and docs/library.md says that a build without
 /// optimization needs more. Optimized at level 1, these derivatives take 135 KiB.
 #[test]
 fn derivatives_need_little_stack() {

@@ -16,7 +16,8 @@ const TWO: [&str; 4] = [
     "--distribution=strike.toe=truncated(0mm,9mm,-18mm,18mm)",
 ];
 
-/// A swing that does not fly, and that only the error estimate uses, does not suppress the answer.
+/// The error estimate of a design uses swings that the design itself does not use. If one of them
+/// does not fly, there still is an answer.
 #[test]
 fn other_swings_without_a_flight_do_not_suppress_a_design() {
     let mut setup = Setup::default();
@@ -70,8 +71,8 @@ fn other_swings_without_a_flight_do_not_suppress_a_design() {
     }
 }
 
-/// An unset parameter has the meaning that `parameters` prints: no weight, not the middle of its
-/// range.
+/// A varied parameter that is unset in the setup has, in the design as set up, the meaning that
+/// `parameters` prints: here no weight, and not a weight in the middle of its range.
 #[test]
 fn the_setup_as_set_up_omits_unset_parameters() {
     let base = json(&[&TWO[..], &["--vary=club.loft=10deg..11deg"]].concat()).1;
@@ -158,7 +159,8 @@ fn the_nearest_design_is_no_further_than_the_one_set_up() {
     );
 }
 
-/// An active bound without effect is reported as such, not as an optimum.
+/// A bound is active but has no effect: the variable is reported as without effect, and its value
+/// not as an optimum.
 #[test]
 fn a_variable_without_an_effect_is_named() {
     let swings = ["optimize", "modern-driver", TWO[2]];

@@ -31,7 +31,7 @@ fn table(text: &str, head: &str) -> Vec<Vec<String>> {
     rows
 }
 
-/// The number at the beginning of a text.
+/// The first number in a text, with its minus sign (−) if it has one.
 fn first_number(text: &str) -> f64 {
     let digits: String = text
         .chars()
@@ -521,8 +521,8 @@ fn numbers_of_the_robust_example_of_swings_md_are_the_programs() {
     );
 }
 
-/// Every preset has a row, and in none did a derivative fail or a planted error stay unnoticed. The
-/// test of `verify.rs` that certifies every preset has the same result for the code of today.
+/// docs/verification.md has a row for every preset; in none of them did a derivative fail or a
+/// planted error stay unnoticed. A test in `verify.rs` checks every preset with the present code.
 #[test]
 fn verification_md_lists_every_preset_without_a_failure() {
     let written = document("docs/verification.md");

@@ -23,8 +23,8 @@ fn setup() -> Setup<f64> {
     Setup::preset("tour-average").unwrap()
 }
 
-/// The problem in large steps, with a tenth of the evaluations. The map and the single drives use
-/// equal steps.
+/// The setup in large steps, which take a tenth of the evaluations: map and single drives use the
+/// same steps, so their values are comparable.
 fn in_large_steps() -> Setup<f64> {
     let mut setup = setup();
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
@@ -92,7 +92,7 @@ fn mapped(
     (best, region, figure)
 }
 
-/// The rings of a figure's regions: tinted or hatched ones.
+/// The rings of a figure's regions: of the hatched regions, or of the tinted ones.
 fn rings(figure: &Figure, hatched: bool) -> Vec<Vec<[f64; 2]>> {
     let of = |layer: &Layer| match layer {
         Layer::Region {

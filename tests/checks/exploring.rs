@@ -78,8 +78,8 @@ fn a_report_leads_to_the_explorer_of_its_drive() {
     }
 }
 
-/// The command of a page gives `--launch` as it was given: `--set launch.backspin` is refused for a
-/// file that states the spin in its other form.
+/// The command on a page repeats `--launch` as it was typed. `--set launch.backspin` in its place
+/// would be refused, because the file states the spin in its other form.
 #[cfg(not(feature = "explore"))]
 #[test]
 fn the_command_for_the_explorer_has_the_launch_of_the_report() {

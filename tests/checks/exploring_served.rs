@@ -54,7 +54,7 @@ impl Server {
         stream
     }
 
-    /// The response to these bytes.
+    /// The response to a request of these bytes.
     fn answer(&self, request: &[u8]) -> Response {
         let mut stream = self.stream();
         stream.write_all(request).unwrap();

@@ -121,7 +121,7 @@ fn same_derivatives_by_the_fast_paths_and_the_general_one() {
     for_every_way(agrees);
 }
 
-/// From a spin without decay to one that decays within a tenth of a second.
+/// Decay rates from 0 to a rate with which the spin decays within a tenth of a second.
 #[test]
 fn same_derivatives_for_any_spin_decay() {
     let mut setup = Setup::default();

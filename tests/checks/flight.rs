@@ -99,7 +99,7 @@ fn exact_terminal_fall_from_a_hill() {
         * (100.0 * setup.flight.gravity / terminal.powi(2))
             .exp()
             .acosh();
-    // |v_r| has a lower clamp of 1e-6 m/s
+    // not to the last bit: the speed through the air has a lower clamp of 1e-6 m/s
     close(landed.flight_time, time, time, 1e-11, "time");
     close(
         landed.velocity.x,
@@ -170,7 +170,8 @@ fn order_of_value_and_gradient_in_the_step_is_four() {
             ]
         };
         let (coarse, fine) = (error(0.08), error(0.02));
-        // at grid lines the law has two continuous derivatives, and its gradient one
+        // at its grid lines bearman-harvey has two continuous derivatives, and the derivatives of
+        // the law, on which the gradient depends, have one
         let of_gradient = if *law == "bearman-harvey" { 3.0 } else { 4.0 };
         for ((coarse, fine), exact) in coarse.into_iter().zip(fine).zip([4.0, of_gradient]) {
             let order = (coarse / fine).log(4.0);
@@ -528,7 +529,7 @@ fn unusual_values_of_a_diverging_flight_are_named_and_the_step_only_if_long() {
     let fast = launch(1e5, -280.0);
     let message = |change: &dyn Fn(&mut Setup<f64>), launch: &Launch<f64>| {
         let mut setup = usual();
-        // a step that is not yet long: the message does not advise a shorter step
+        // a step that does not count as long, so that the message does not advise a shorter step
         setup.flight.step = 0.04;
         change(&mut setup);
         match fly(&setup, launch) {

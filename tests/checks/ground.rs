@@ -122,8 +122,9 @@ fn same_flight_with_and_without_the_run() {
     }
 }
 
-/// Ground without restitution and compliance: 2/7 of the velocity along the slope goes into spin,
-/// and the ball rolls v²/(2 (ρ_g g cos β + 5/7 g sin β)).
+/// On ground without restitution and compliance, a ball without spin keeps v = 5/7 of its velocity
+/// along the slope β; the spin takes the rest. With the rolling resistance ρ_g it then rolls
+/// v²/(2 (ρ_g g cos β + 5/7 g sin β)).
 #[test]
 fn roll_on_a_slope_by_its_closed_form() {
     for degrees in [0.0_f64, 4.0, -4.0] {
@@ -189,7 +190,8 @@ fn runs_of_random_drives_are_finite() {
     assert!(flown > 100, "{flown}");
 }
 
-/// The largest relative jumps of value, gradient and Hessian between two neighbouring drives.
+/// The largest differences of value, gradient and Hessian between two neighbouring drives, relative
+/// to the size of each.
 fn jump(a: &Taylor, b: &Taylor) -> [f64; 3] {
     let jump = |a: &[f64], b: &[f64]| {
         let most = a
@@ -396,9 +398,10 @@ fn published_lofts_of_the_longest_totals() {
     }
 }
 
-/// Runs of TrackMan's chart of 2010 (60 drives, the output of its model): on firm ground within 7
-/// yd, rms, without bias; on average ground some 9 yd shorter. The drive of the PGA tour runs 25 yd
-/// there; on soft ground it runs the 10 yd of FlightScope.
+/// Runs of TrackMan's chart of 2010 (60 drives, the output of its model). On firm ground the runs
+/// of this program are within 7 yd (rms) of the chart, without bias; on average ground they are
+/// some 9 yd shorter. The drive of the PGA tour runs about 25 yd on average ground; on soft ground
+/// it runs the 10 yd of FlightScope.
 #[test]
 fn published_runs_of_launch_monitors() {
     let table = include_str!("../data/trackman_totals_2010.csv");

@@ -168,8 +168,8 @@ fn exact_laws_of_mechanics() {
 
 #[test]
 fn exact_loss_of_energy_where_both_restitutions_are_equal() {
-    // then K J = (1 + e) u⁻, and the bodies lose ½ (1 − e²) u⁻·K⁻¹u⁻ = ½ (1 − e) u⁻·J; nothing at e
-    // = 1
+    // if both restitutions are e, then K J = (1 + e) u⁻, and the bodies lose the energy
+    // ½ (1 − e²) u⁻·K⁻¹u⁻ = ½ (1 − e) u⁻·J, which is 0 at e = 1
     for_random_setups(1000, |mut setup| {
         for e in [0.0, 0.4, 1.0] {
             (
@@ -364,8 +364,7 @@ fn exact_bend_of_the_shaft_is_a_lean_backwards_that_grows_with_the_head_speed() 
         );
         same(bent.spin, leaned.spin, norm(leaned.spin), "spin");
     }
-    // without the power of the speed, the shaft's deflection does not depend on the speed; the
-    // power alone has no effect
+    // the exponent of the head speed has no effect on a shaft without bend and droop
     let mut setup = Setup::default();
     setup.swing.shaft_growth = Some(power);
     let unbent = strike(&setup).unwrap().launch.velocity;

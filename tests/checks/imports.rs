@@ -169,7 +169,7 @@ fn imports() -> Imports {
 
 /// A circle: each imports the next, and the last the first.
 fn circle(mut imports: Imports) -> Option<Vec<String>> {
-    // a file that imports no remaining file is in no circle
+    // remove files that import no remaining file, because they are in no circle, until none is left
     loop {
         let is_end =
             |others: &BTreeSet<String>| others.iter().all(|other| !imports.contains_key(other));

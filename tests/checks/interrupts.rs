@@ -229,7 +229,8 @@ fn finished_parts_of_a_certificate_and_of_a_chart_are_printed_as_interrupted() {
         "1000",
         "--verbose",
     ];
-    // both ends of the front take four searches; their number is printed every second
+    // the two ends of the front take four searches; the program prints the number of finished
+    // searches every second
     let searches = |text: &str| {
         text.rsplit("following the front: ")
             .next()?
@@ -399,7 +400,7 @@ fn shots_flown_before_the_interruption_are_counted_and_no_file_is_written() {
     assert_eq!(names(), ["shots.csv"]);
 }
 
-/// An evaluation over so many swings takes seconds: it stops between any two of them.
+/// An evaluation over 50,000 swings takes seconds. Ctrl-C stops it between two swings.
 #[test]
 fn searches_over_very_many_swings_are_interrupted_within_an_evaluation() {
     let swings = [
@@ -479,8 +480,8 @@ fn same_answer_over_swings_after_repeated_ctrl_c() {
     };
     let alone = crate::command_line::longdrive(&requested(&alone));
     assert_eq!(alone.status, 0, "{}", alone.err);
-    // interrupts before the first saved iteration, and then within the iteration after the next
-    // saved one
+    // the first round interrupts as soon as the checkpoint file exists; each later round waits for
+    // one more saved iteration, and interrupts the iteration after it
     for round in 0..4 {
         let kept = || std::fs::read(&stopped).ok();
         let before = kept();

@@ -9,7 +9,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-/// Shots of three drives by the preset's own law, carry to a tenth of a metre.
+/// A table of three drives by the preset's own law; the carry is rounded to a tenth of a metre.
 fn shots() -> String {
     let mut table = "club.loft [deg],carry [m]\n".to_owned();
     for loft in ["9", "11", "13"] {
@@ -459,7 +459,8 @@ fn the_program_prints_every_example_of_the_documentation() {
     assert!(shown >= 5, "{shown} examples");
 }
 
-/// True if an answer has the values of an example: numbers to the digits shown; "…" is an omission.
+/// True if an answer has the values of an example of docs/json.md. Numbers agree to the digits of
+/// the example; "…" stands for omitted parts.
 fn is_part(shown: &Value, printed: &Value) -> bool {
     match (shown, printed) {
         (Value::Object(shown), Value::Object(printed)) => shown.iter().all(|(key, value)| {

@@ -69,8 +69,9 @@ fn published_values_of_naruo_mizota() {
     }
 }
 
-/// C_D is each printed parabola where only this parabola holds, and between both in the transition.
-/// The measured drag of the ball and the mean lift of 13 balls are within their spread.
+/// C_D equals each printed parabola in the range of this parabola, and is between both parabolas in
+/// the transition. The measured drag of the ball and the mean lift of 13 balls agree with the law
+/// within their spread.
 #[test]
 fn published_values_of_lyu() {
     let low = |re: f64| 1.29e-10 * re * re - 2.59e-5 * re + 1.50;
@@ -114,10 +115,10 @@ fn published_values_of_lyu() {
     }
 }
 
-/// The worksheet's own drive: 160 mph, 11°, 3000 rpm at 70 °F and 50 % humidity (1.1944 kg/m³)
-/// lands at 259.3 yd after 4.99 s, with its apex near 19.7 yd; its spin decays by dω/dt = −2e-5 ω
-/// v/R. It integrates in coarse steps: an independent RK4 with unsmoothed corners gives 258.98 yd,
-/// 19.64 yd, 4.972 s.
+/// The drive printed in Nathan's worksheet: 160 mph, 11°, 3000 rpm at 70 °F and 50 % humidity
+/// (1.1944 kg/m³) lands at 259.3 yd after 4.99 s, with its apex near 19.7 yd; its spin decays by
+/// dω/dt = −2e-5 ω v/R. The worksheet integrates in coarse steps: an independent RK4 with
+/// unsmoothed corners gives 258.98 yd, 19.64 yd, 4.972 s.
 #[test]
 fn published_drive_of_nathans_calculator() {
     let mut setup = Setup::preset("modern-driver").unwrap();
@@ -159,7 +160,7 @@ fn published_drive_of_nathans_calculator() {
             "{of:?}: {found} against {computed}"
         );
     }
-    // values of its formula above Re = 1e5
+    // values of the worksheet's formula above Re = 1e5
     for (s, drag, lift) in [
         (0.075, 0.148, 0.081),
         (0.15, 0.164, 0.107),
@@ -175,8 +176,8 @@ fn published_drive_of_nathans_calculator() {
     assert!((amid.drag - (0.5 * (1.9451114 + 0.13248) + 0.02087217)).abs() < 1e-12);
 }
 
-/// The 42 shots of the patent's table: Re, s, C_D, C_L. The formula is their fit: they scatter
-/// about it.
+/// The 42 shots of the patent's table: Re, s, C_D, C_L. They scatter about the formula, which was
+/// fitted to them.
 #[test]
 fn published_shots_of_the_usga_scatter_about_its_law() {
     let off = rows(include_str!("../data/usga_itr_test_ball.csv"))
@@ -329,7 +330,7 @@ fn exact_polynomials_of_ferguson_within_their_fitted_range() {
     let drag = |s: f64| (-0.8259 * s + 0.9287) * s + 0.1304;
     let lift = |s: f64| (-1.1490 * s + 1.2031) * s + 0.0504;
     for s in (0..=7300).map(|k| 0.02 + f64::from(k) * 1e-4) {
-        // powers of two: the spin ratio is s to the last bit
+        // factors that are powers of two, so that the spin ratio is s to the last bit
         let c = Law::named("ferguson")
             .unwrap()
             .coefficients(Stream::new(s * 64.0, 64.0, 1.0, 1.0));
@@ -400,7 +401,7 @@ fn no_law_has_lift_without_spin_or_unbounded_forces() {
                 "{law}: {none:?}"
             );
         }
-        // a ball nearly at rest in the air: the forces, v² C, are finite
+        // a ball nearly at rest in the air: the forces, proportional to v² C, are finite
         let slow: Coefficients<f64> = at(law, [1e6, 1e-1, 1e-4]);
         assert!(
             (slow.drag * 1e-8).abs() < 1e6 && (slow.lift * 1e-8).abs() < 1e6,
@@ -488,8 +489,8 @@ fn drawn(more: &[&str]) -> (Vec<(String, String, f64, f64)>, serde_json::Value) 
     (text.lines().skip(1).map(row).collect(), answer)
 }
 
-/// Every curve is its law, solid within its fitted range and dashed beyond; points are the table of
-/// the source.
+/// Every curve has the values of its law; it is solid within the fitted range and dashed beyond.
+/// The points are those of the source's table.
 #[test]
 fn same_curves_in_a_plot_of_laws_and_points_of_its_sources() {
     let (rows, _) = drawn(&["--laws", "ferguson,naruo-mizota,linear", "--show", "cl"]);
@@ -580,7 +581,7 @@ fn cells_of_lyu() -> Vec<[Option<f64>; 4]> {
         .collect()
 }
 
-/// Lift of 13 balls, which differ by 0.02 to 0.03, and drag of one.
+/// Lift of 13 balls, between which it differs by 0.02 to 0.03, and drag of one ball.
 #[test]
 fn published_points_of_lyu_scatter_about_its_law() {
     let points = cells_of_lyu();

@@ -11,7 +11,7 @@ use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Comparison, Goal, Search, Sense, Vary, optimum};
 use longdrive::{Drive, Outcome, Setup};
 
-/// The outcomes with a side.
+/// The outcomes whose sign is a side: right or left.
 const SIDED: [Outcome; 5] = [
     Outcome::Lateral,
     Outcome::LateralTotal,
@@ -268,8 +268,8 @@ fn the_hand_is_read_written_and_compared() {
     );
 }
 
-/// The monitor has path and face + to the right for every golfer; the recovered delivery is in the
-/// golfer's own terms.
+/// For a launch monitor, path and face to the right are + for every golfer. In the recovered
+/// delivery, + is in to out and open, which is to the left for a left-hander.
 #[test]
 fn the_delivery_of_a_left_hander_is_in_left_handed_terms() {
     let folder = tempfile::tempdir().unwrap();

@@ -60,7 +60,7 @@ fn stopped_after(most: u64) -> (Solution, Option<Snapshot>) {
             stop.store(iteration.number >= most, Ordering::Relaxed)
         }),
         save: Some(Box::new(move |snapshot| {
-            // through the text of a file
+            // as it would be written to a file and read again
             let text = serde_json::to_string(snapshot).unwrap();
             *keeper.borrow_mut() = Some(serde_json::from_str(&text).unwrap());
             Ok(())
@@ -366,8 +366,8 @@ fn same_answer_of_the_program_after_repeated_kills() {
     assert_eq!(run(&killed), alone);
 }
 
-/// Searches that had not begun are one entry, here nearly all of ten thousand: as single entries they would
-/// be compared with all others.
+/// Nearly all of ten thousand searches have not begun when they are stopped. They are one entry of
+/// the answer: as single entries, each would be compared with all others.
 #[test]
 fn searches_that_did_not_start_are_one_entry_with_all_their_starts() {
     let (domain, options) = (disc(), Options::default());
@@ -429,8 +429,8 @@ fn an_unwritable_checkpoint_is_an_error_before_the_search() {
     assert!(error.to_string().contains("the disk is full"), "{error}");
 }
 
-/// Ctrl-C also stops the search for a start, and the message describes it: balls that never land
-/// take long.
+/// Before a search, the program looks for a start that flies. Ctrl-C stops this too, and the
+/// message says so. Balls that never land make it take long.
 #[cfg(unix)]
 #[test]
 fn a_chart_is_interrupted_in_its_first_search() {

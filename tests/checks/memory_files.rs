@@ -81,7 +81,7 @@ fn ask(command: &str, arguments: &[(&str, ArgumentValue)], host: &Arc<InMemory>)
     host.answer()
 }
 
-/// Before a command is known there is none in the answer.
+/// An unknown command: the answer has `null` for the command.
 #[test]
 fn exact_command_of_an_answer_to_an_unknown_request() {
     let host = InMemory::new(&[], &[]);

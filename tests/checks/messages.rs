@@ -66,7 +66,7 @@ fn one_thing_is_in_the_singular() {
         let (ended, text) = both_streams(args);
         assert_eq!(ended, status, "{args:?}: {text}");
         assert!(text.contains(says), "{args:?}: no '{says}': {text}");
-        // " 1 rows" and the like, in all output
+        // no plural after 1 in all output, such as "1 rows"
         let words: Vec<_> = text.split(' ').collect();
         let wrong = words.windows(2).find(|pair| {
             pair[0] == "1"

@@ -44,7 +44,7 @@ fn mae494(attack: f64, loft: f64, ranges: [&str; 2]) -> Optimum {
     optimum(&setup, search, Observer::default()).unwrap()
 }
 
-/// Evenly spread starts over a box.
+/// Starts that are spread evenly over a box.
 fn starts(count: u32, low: [f64; 2], high: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
     // multiples of powers of the inverse plastic number
     (0..count).map(move |k| {
@@ -800,7 +800,7 @@ fn exact_minima_far_away_are_not_unbounded() {
     let found = solve(late, &[FREE], &[1.0]);
     assert_eq!(found.status, Status::Converged, "{}", found.message);
     assert!((found.x[0] / 0.75e8 - 1.0).abs() < 1e-9, "{:?}", found.x);
-    // e⁻ˣ has no minimum, but reaches its infimum 0 to any tolerance
+    // e⁻ˣ has no minimum, but comes nearer to its infimum 0 than any tolerance
     let flat = |v: &[f64]| {
         let e = (-v[0]).exp();
         Ok(plain(e, vec![-e], vec![vec![e]]))
@@ -904,7 +904,7 @@ fn exact_minima_from_stationary_points_of_the_violation() {
             found.value
         );
     }
-    // x + y with x³ ≥ 1 from 0, where gradient and curvature of the violation vanish together
+    // x + y² with x³ ≥ 1 from 0, where gradient and curvature of x³ both vanish
     let cubic = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
         vec![
@@ -915,8 +915,8 @@ fn exact_minima_from_stationary_points_of_the_violation() {
     let found = solve_subject_to(cubic, &[(1.0, f64::INFINITY)], [(-5.0, 5.0); 2], [0.0, 0.0]);
     assert_eq!(found.status, Status::Converged, "{}", found.message);
     assert!((found.x[0] - 1.0).abs() < 1e-8, "{:?}", found.x);
-    // a positive local minimum of the violation: (x² − 1)² + x/4 ≤ −0.1 has a second valley at x ≈
-    // 1, above −0.1
+    // the violation has a positive local minimum: (x² − 1)² + x/4 ≤ −0.1 holds near x = −1, and the
+    // left side has a second minimum near x = 1, where it is above −0.1
     let valleys = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
         let (w, slope) = (x * x - 1.0, 4.0 * x * (x * x - 1.0) + 0.25);
@@ -1030,7 +1030,7 @@ fn exact_minima_from_starts_with_zero_gradients() {
 
 #[test]
 fn contradicting_constraints_are_infeasible() {
-    // x² + y² ≤ −1, from its centre and from elsewhere; x + y = 0 and x + y = 1
+    // x² + y² ≤ −1, from the centre and from another point; then x + y = 0 and x + y = 1
     let never = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
         vec![
@@ -1061,9 +1061,9 @@ fn contradicting_constraints_are_infeasible() {
     assert_eq!(found.status, Status::Infeasible, "{}", found.message);
 }
 
-/// The bounds alone determine the points of a restoration. The violation 2 + sin 6x + x/2 has two
-/// minima, and the search begins at the higher one; the centre of the bounds is a point of the
-/// restoration.
+/// Without an unbounded variable, the bounds alone determine the points at which a restoration
+/// begins. The violation 2 + sin 6x + x/2 has two minima, and the search begins at the higher one.
+/// The centre of the bounds is one of the points.
 #[test]
 fn exact_points_of_a_restoration_within_bounds_are_evaluated_once() {
     let at_the_centre = RefCell::new(0);
@@ -1081,7 +1081,7 @@ fn exact_points_of_a_restoration_within_bounds_are_evaluated_once() {
     };
     let limit = [(f64::NEG_INFINITY, 0.0)];
     let found = solve_subject_to(waves, &limit, [(-1.0, 1.0); 2], [0.8, 0.5]);
-    // 6 cos 6x = −1/2
+    // the derivative of the violation is 0: 6 cos 6x = −1/2
     let lowest = -f64::acos(-1.0 / 12.0) / 6.0;
     assert_eq!(found.status, Status::Infeasible, "{}", found.message);
     close(found.x[0], lowest, 1.0, 1e-6, "the smallest violation");
@@ -1093,9 +1093,9 @@ fn exact_points_of_a_restoration_within_bounds_are_evaluated_once() {
     );
 }
 
-/// Without curvature the minimum is a vertex. x + y on the unit square with 1 − gap ≤ x has it at
-/// (1 − gap, 0), where the limit and the lower bound of y have multiplier 1; the start is on the
-/// bound beside the limit.
+/// Without curvature the minimum is a vertex: x + y on the unit square with 1 − gap ≤ x is smallest
+/// at (1 − gap, 0). There the limit and the lower bound of y have the multiplier 1. The search
+/// starts on the upper bound of x, at the distance `gap` from the limit.
 #[test]
 fn exact_vertex_beside_a_bound_without_curvature() {
     for exponent in 1..=12 {

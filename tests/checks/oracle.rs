@@ -1,7 +1,7 @@
-//! Every outcome, its derivative by every parameter and Hessians over six, compared with
-//! `data/independent_drives.json`: drives in quadruple precision by `oracle/oracle.cpp`, a
-//! program without common code. Laws, decay laws, log wind, slip, light and heavy heads, hills,
-//! near-zero spin.
+//! Every outcome, its derivatives by every parameter and Hessians by six parameters, compared with
+//! `data/independent_drives.json`: drives in quadruple precision by `oracle/oracle.cpp`, a program
+//! without common code. The drives cover laws, decay laws, a logarithmic wind, slip, light and
+//! heavy heads, hills, and spins near zero.
 
 use crate::common::{close, drives, gradient_of, number, outcome_of, setup_of};
 use longdrive::derivative::{Order, evaluate};
@@ -55,7 +55,7 @@ impl Bar {
     }
 }
 
-/// The size of a parameter, or of a typical change of a small one.
+/// Size of a parameter by which derivatives are scaled: its absolute value, but at least 0.1 in SI.
 fn size(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
     setup.value(parameter).unwrap().abs().max(0.1)
 }

@@ -165,7 +165,7 @@ fn exact_c2_of_a_table_across_every_grid_line_and_beyond() {
             assert!((a - b).abs() < 1e-8, "{variable} at {line}: {sides:?}");
         }
     }
-    // clamped: constant far out, and no lift without spin
+    // beyond the clamps the coefficients are constant, and without spin there is no lift
     let far = at(
         law,
         [Dual2_64::from(0.5).derivative(), 1e5.into(), 40.0.into()],
@@ -179,8 +179,8 @@ fn exact_c2_of_a_table_across_every_grid_line_and_beyond() {
     assert!(none.re == 0.0 && none.v1 > 0.0 && none.v2.is_finite());
 }
 
-/// A table with one axis, of either kind; without a spin axis the lift still vanishes with the
-/// spin.
+/// A table with a single axis: spin ratio, Reynolds number, speed or spin. Also if the axis is not
+/// the spin, the lift vanishes with the spin.
 #[test]
 fn exact_a_table_along_one_axis_and_no_lift_without_spin() {
     for (text, place) in [
@@ -451,7 +451,7 @@ fn a_changed_table_is_another_sweep() {
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let (set, kept) = (format!("{TABLE}={name}"), file("kept.json"));
     let search = || longdrive(&["optimize", "--set", &set, "--checkpoint", &kept]);
-    // sweeps, too, distinguish setups by their debug form
+    // sweeps recognise their setup by its debug form
     let identity = || {
         let mut setup = Setup::default();
         setup.set(TABLE, &name).unwrap();

@@ -6,7 +6,7 @@ use crate::reproduce::{PAPER_WRITTEN, REPORT};
 use crate::validation::VALIDATED;
 use std::path::Path;
 
-/// A page that a command writes into a new folder of this name, and the folder.
+/// Exit status of a command that writes a page, and the text of the page.
 fn page(folder: &tempfile::TempDir, args: &[&str]) -> (i32, String) {
     let into = folder.path().join("page").display().to_string();
     let option = if args[0] == "calibrate" {
@@ -36,7 +36,7 @@ fn part<'a>(page: &'a str, from: &str, to: &str) -> &'a str {
         .0
 }
 
-/// The text between the marks, in one system of units.
+/// The text between the tags, in one system of units.
 fn words(html: &str, system: &str) -> String {
     let other = if system == "us" { "metric" } else { "us" };
     let mut text = String::new();
@@ -131,13 +131,13 @@ fn same_gain_of_the_club_and_of_the_swing_on_the_page_and_in_optimize() {
         .find(|row| row.first().is_some_and(|name| name == "Club loft"));
     let club = number(&alone["optimum"]["club.loft"]).to_degrees();
     assert_eq!(loft.unwrap()[2], format!("{club:.2}°"));
-    // if only the club changes, the swing is the swing of the setup
+    // columns: as set up, only the club changed, club and swing changed
     let attack = table
         .iter()
         .find(|row| row.first().is_some_and(|name| name == "Attack angle"));
     assert_eq!(attack.unwrap()[1], attack.unwrap()[2]);
     assert_ne!(attack.unwrap()[2], attack.unwrap()[3]);
-    // a search over only the club has no such column
+    // a search over the club alone has only two columns of drives
     let (_, page) = report(&["--vary", "club.loft=4deg..20deg"]);
     let table = cells(part(answer(&page), "<table class=\"steps\">", "</table>"));
     assert_eq!(table[1].len(), 3);
@@ -174,7 +174,7 @@ fn same_carry_and_total_by_loft_and_attack_angle_and_alone() {
             "{set:?}"
         );
     }
-    // the longest carry of a column is bold where the table has shorter ones on both sides
+    // the longest carry of a column is bold if it is longer than the column's first and last carry
     let carry_of = |cell: &str| -> f64 {
         let (whole, rest) = cell.split_once('.').unwrap();
         format!("{whole}.{}", &rest[..1]).parse().unwrap()

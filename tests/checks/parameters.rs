@@ -277,8 +277,8 @@ fn impossible_ranges_are_refused_by_the_name_of_the_parameter() {
     );
 }
 
-/// Setups are equal if they answer equally: a step that nobody stated may be chosen, and is not
-/// written; a stated step is.
+/// A file is read as the setup that was written to it. A stated step is written, and the program
+/// does not choose another. If no step is stated, none is written, and the program may choose one.
 #[test]
 fn exact_setups_are_equal_after_a_file_and_their_steps_are_written_only_where_stated() {
     let written = |setup: &Setup<f64>, preset: &str| {

@@ -184,8 +184,8 @@ const SWINGS: [&str; 3] = [
     "--points=4",
 ];
 
-/// If designs with little dispersion are not connected to those with a long carry, both parts are
-/// found from their ends.
+/// The designs with little dispersion and those with a long carry are two separate parts of the
+/// front. Each part is found from its end.
 #[test]
 fn a_front_of_two_parts_names_points_that_are_dominated() {
     let more = [
@@ -423,7 +423,7 @@ fn bad_goals_of_a_front_have_a_message() {
             "{args:?}: {message}"
         );
     }
-    // `optimize` names the limits that cannot be met, and by how much
+    // `optimize` names the limits that cannot be met, and how far they are missed
     let limits = [
         "--subject-to",
         "descent_angle >= 80 deg",

@@ -194,7 +194,7 @@ fn no_words_are_cut_or_overlap_in_any_picture_at_any_width() {
     });
 }
 
-/// The fill and the opacity of each polygon with more than two corners.
+/// The fill and the opacity of each polygon.
 fn fills(svg: &str) -> Vec<[String; 2]> {
     let picture = roxmltree::Document::parse(svg).unwrap();
     let polygons = picture
@@ -205,8 +205,8 @@ fn fills(svg: &str) -> Vec<[String; 2]> {
         .collect()
 }
 
-/// The region of small loss is drawn over the colours of the map, its symbol over the page: both
-/// are opaque and of one colour.
+/// In a map, the region of small loss lies over the colours of the map; in the legend, its symbol
+/// lies over the page. Both look equal, because both are opaque and have one colour.
 #[test]
 fn the_legend_of_a_map_has_the_colour_of_its_region() {
     let folder = tempfile::tempdir().unwrap();
@@ -372,7 +372,7 @@ fn a_width_too_narrow_for_a_picture_is_refused_with_the_least_width() {
     );
 }
 
-/// The rows of bars of a table of data: name, from, to.
+/// The bars in a table of data: the name and the end of each bar; bars begin at 0.
 fn bars(csv: &str) -> Vec<(String, f64)> {
     let rows = csv.lines().filter(|row| row.starts_with("bar,"));
     rows.map(|row| {
@@ -417,7 +417,7 @@ fn controlled_and_model_parameters_have_separate_pictures() {
             found.iter().all(|(bar, _)| !bar.contains(has_not)),
             "{found:?}"
         );
-        // the value of each bar is at its end, in yards with the sign of print
+        // the value of each bar is written at its end, in yards, with a true minus sign
         let picture = drawn(&["tornado", "--show", show], &svg, 480);
         let texts: Vec<String> = words(&picture)
             .into_iter()

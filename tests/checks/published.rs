@@ -72,8 +72,9 @@ fn published_average_of_the_lpga_tour_is_met_by_its_preset() {
     LPGA.compare();
 }
 
-/// TrackMan's chart states the loft at impact. A club with this loft has the launch of the chart,
-/// for any law of flight: the difference from the average of the PGA TOUR comes from the impact.
+/// TrackMan's chart states the loft at impact. With this loft, the club of the LPGA average has the
+/// chart's launch and spin, whatever the law of flight; the club of the PGA TOUR average has less
+/// spin. So the two averages differ by their impacts.
 #[test]
 fn published_impacts_of_trackmans_chart_are_those_of_the_club_of_the_lpga_average() {
     let rows = include_str!("../data/trackman_chart_impacts.csv")
@@ -187,7 +188,7 @@ fn published_launch_and_carry_of_the_average_amateur_are_met_by_its_preset() {
         (Outcome::BallSpeed, MPH, 132.6, 0.1),
         (Outcome::LaunchAngle, DEGREE, 12.6, 0.1),
         (Outcome::Spin, RPM, 3275.0, 10.0),
-        // 2 %; the preset was not fitted to it
+        // within 2 %; the preset was not fitted to the carry
         (Outcome::CarryDistance, YARD, 204.0, 4.08),
         // published: 34.8°; docs/sources.md states the difference
         (Outcome::DescentAngle, DEGREE, 37.5, 0.05),

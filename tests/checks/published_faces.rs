@@ -19,7 +19,7 @@ fn value(setup: &Setup<f64>, of: Outcome) -> f64 {
     of.value(&Drive::new(setup).unwrap()).unwrap()
 }
 
-/// McNally et al. (2016): the nominal head; the ball leaves its face rolling.
+/// McNally et al. (2016): their nominal head. The ball rolls on the face as it leaves.
 fn mcnally() -> Setup<f64> {
     changed(
         &Setup::default(),
@@ -276,7 +276,8 @@ fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_sp
         (carry / CARRY - 1.0).abs() < 0.2 && (direction / DIRECTION - 1.0).abs() < 0.05,
         "{carry} {direction}"
     );
-    // a rigid head tilts the axis by 4° for each degree of face to path; for this golfer it was 2°
+    // a rigid head tilts the spin axis by 4° for each degree of face to path; this golfer's drives
+    // have 2°
     assert!(
         (axis / AXIS - 2.0).abs() < 0.15 && (lateral / LATERAL - 1.5).abs() < 0.15,
         "{axis} {lateral}"
@@ -308,7 +309,7 @@ fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_sp
         (0.7..0.9).contains(&(off_axis / axis)) && off_lateral > 1.2 * LATERAL,
         "{off_axis} {off_lateral}"
     );
-    // no correlation of path and face gives 28.2 yd
+    // whatever the correlation of path and face, lateral scatters more than the published 28.2 yd
     assert!(scattered(0.0)[1] > lateral && scattered(0.95)[1] > 1.15 * LATERAL);
 }
 
@@ -429,7 +430,7 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
         (carry.0 / 249.4 - 1.0).abs() < 0.03 && (rest.0 - 7.28).abs() < 2.0,
         "{carry:?} {rest:?}"
     );
-    // central strikes do not reproduce them
+    // strikes in the middle of the face do not reproduce the published numbers
     let ([_, centred], off) = struck_beside_the_middle((0.0, 0.01), (0.0, 0.01), 0.0);
     println!(
         "struck in the middle: at rest ± {:.1} yd; off {off:.1?}",
@@ -439,7 +440,7 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
         centred.1 > 1.6 * LATERAL && off[4][1] > 8.0,
         "{centred:?} {off:?}"
     );
-    // a larger scatter of the strikes reproduces them with a smaller correlation of strike and face
+    // strikes that scatter more reproduce them too, if strike and face are less correlated
     for (toe, with_toe) in [(16.0, 0.91), (20.0, 0.83), (24.0, 0.80)] {
         let ([_, rest], _) = struck_beside_the_middle((6.9, toe), (-7.1, 5.3), with_toe);
         println!(
@@ -501,7 +502,7 @@ fn published_golfer_scatters_as_published_where_the_launch_is_given_as_measured(
         "launch.spin=normal(3171 rpm, 694 rpm)",
         "launch.spin_axis=normal(5.82 deg, 8.17 deg)",
     ];
-    // the direction follows the face, the axis the face to path
+    // the launch direction follows mainly the face angle; the spin axis follows face to path
     let (face, path) = (0.85, 0.15);
     let shared = face * (FACE * FACE - of_path_and_face() * FACE * PATH)
         + path * (of_path_and_face() * FACE * PATH - PATH * PATH);

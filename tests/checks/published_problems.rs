@@ -20,8 +20,9 @@ const OTHER_MINIMA: [(&str, f64); 8] = [
 /// constraint (1 − x₁)³ ≥ 0 holds to 1e-10 up to x₁ = 1 + 4.6e-4, where f = 1 − 9.3e-4.
 const UNSOLVED: &str = "HS13";
 
-/// The largest KKT residual of a problem: 1e-8, but for MGH10 (Meyer): its residuals are
-/// differences of 3e4, rounded by 4e-12, and its gradient multiplies sixteen of them by 6e6.
+/// The largest allowed KKT residual of a problem: 1e-8, except for MGH10 (Meyer). The residuals of
+/// MGH10 are differences of numbers near 3e4, with a rounding error of 4e-12; its gradient
+/// multiplies sixteen of these differences by 6e6.
 fn tolerance(case: &Case) -> f64 {
     if case.name == "MGH10" { 1e-4 } else { 1e-8 }
 }
@@ -195,7 +196,7 @@ fn documents_count_the_problems_that_are_solved() {
     );
     let problems = rows(&table, "| problem | n | m |");
     assert_eq!(problems.len(), tried);
-    // a status after the name of a problem that did not converge
+    // a problem that did not converge has its status after the name
     let missed = problems
         .iter()
         .filter(|row| row[5].parse::<f64>().unwrap() > 1e-8);

@@ -294,7 +294,7 @@ fn every_series_differs_from_every_other_one() {
             );
         }
     }
-    // the sign of the line in the legend, which is drawn before the axes, has the same bars
+    // the symbol in the legend, at the top of the picture, has the bars of its line
     let figure = |hue: usize| {
         Figure::new("n", "t", axis(), axis())
             .with(line(hue, false))
@@ -630,7 +630,7 @@ fn a_png_has_its_size_and_its_words() {
             600_u32.to_be_bytes().as_slice()
         )
     );
-    // its text needs more width than an empty one: a missing font would give blanks
+    // a title makes the file larger: without a font, its letters would be missing
     let setup = Setup::default();
     let figure = trajectory_figure(
         &[NamedDrive::new("", &setup).unwrap()],
@@ -734,7 +734,7 @@ fn the_page_is_self_contained_and_describes_its_content() {
         [count("-us.svg"), count("-metric.svg"), count(".csv")],
         [figures; 3]
     );
-    // two widths, and two systems except for plots without units
+    // a figure is drawn in two widths, and in two systems of units if it has units
     let drawn = |class: &str| page.matches(&format!("<div class=\"{class}")).count();
     assert!(
         pictures.len() == drawn("broad") + drawn("narrow") && drawn("broad us") + 1 == figures,

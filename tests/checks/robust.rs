@@ -164,8 +164,7 @@ fn the_answer_judges_whether_one_design_suits_all_models() {
     );
 }
 
-/// A loft at its lower bound is the best design of both models, so the inactive limit has no gain.
-/// The unit of an angle follows its number without a space.
+/// The best loft of both models is at its lower bound, so a relaxed inactive limit gains nothing.
 #[test]
 fn the_gain_of_an_inactive_limit_is_not_printed_if_it_is_zero() {
     let args = ["robust", "--minimize", "descent_angle"];
@@ -280,8 +279,9 @@ fn several_starts_find_the_better_end_for_every_model() {
     close(face(&["--starts", "8"]), -5.0, 1.0, 1e-9, "the better end");
 }
 
-/// Ctrl-C in the search for all models gives the status interrupted and the number of finished
-/// searches; before it, the name of the model in progress.
+/// Ctrl-C in the search for all models gives the status `interrupted` and the number of finished
+/// searches. Ctrl-C in an earlier search, for a single model, is an error with the name of this
+/// model.
 #[test]
 fn a_stopped_search_reports_its_progress() {
     let setup = Setup::preset("mae494").unwrap();
@@ -357,7 +357,8 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
     let price = number(&search(3.0, limit)["multipliers"]["swing.attack_angle"]["upper"]);
     let falls = (greatest(3.0 - by, limit) - greatest(3.0 + by, limit)) / (2.0 * by).to_radians();
     close(price, falls, falls.abs(), 1e-5, "bound");
-    // each model's own best design gains more from a wider bound: the largest loss increases
+    // the best design of each model alone gains more from a wider bound than the common design
+    // does: the largest loss increases
     assert!(price < 0.0, "{price}");
     for (limit, unit, relaxed) in [
         ("apex_height <= 33", "m", 1.0),

@@ -123,7 +123,7 @@ fn shots_are_summarized_by_club() {
     ])
     .out;
     assert!(text.contains("carry_distance [yd] by club:"), "{text}");
-    // the table by club has the digits of the table by ball speed
+    // the table by club shows as many digits as the table by ball speed
     let timed = TABLE.replace("Carry [yds]", "Hang Time [s]");
     let timed = [",250", ",222", ",247", ",252", ",219"]
         .iter()

@@ -70,8 +70,8 @@ fn same_launches_in_number_formats_of_spreadsheets_and_countries() {
 fn same_launches_with_heads_in_other_spellings() {
     same("heads-camel-case.csv", &[FIRST]);
     same("line-break-in-heads.csv", &[STRAIGHT]);
-    // a table with German heads: its speed is 257.495 km/h, and a column states its air as 1.184
-    // kg/m³
+    // a table with German heads: its speed is in km/h (257.495), and a column states the density of
+    // the air (1.184 kg/m³)
     let (shots, found, _) = case("garmin-german.csv");
     assert_eq!(shots.maker(), Some("Garmin"));
     close(
@@ -320,8 +320,8 @@ fn a_section_is_interpreted_by_its_own_rows() {
     );
 }
 
-/// 1135 ft and 77 °F: 1.1367 kg/m³ by the standard atmosphere's pressure and the density of dry
-/// air.
+/// At 1135 ft and 77 °F the density is 1.1367 kg/m³, by the pressure of the standard atmosphere and
+/// the gas law of dry air.
 #[test]
 fn independent_air_of_an_altitude_and_a_temperature() {
     let (shots, found, _) = case("trackman-short-heads.csv");

@@ -5,7 +5,7 @@ use longdrive::derivative::{Order, Taylor, evaluate, hessian};
 use longdrive::flight::Flight;
 use longdrive::{Drive, Outcome, Setup};
 
-/// The number of steps of a flight, and its time, s.
+/// The number of steps of a flight, and the time of the flight, s.
 fn flight(setup: &Setup<f64>) -> (usize, f64) {
     match Drive::new(setup).unwrap().flight {
         Flight::Landed(landed) => (landed.steps, landed.flight_time),

@@ -280,7 +280,8 @@ fn units_are_read_as_people_write_them() {
     assert_eq!(output.status, 2);
 }
 
-/// `--gradient` and `--wrt` name derivatives each; a sweep has both.
+/// `--gradient` requests derivatives by the swept parameters, `--wrt` by named ones; a sweep with
+/// both options has both.
 #[test]
 fn a_sweep_has_the_derivatives_of_gradient_and_of_wrt() {
     let swept = longdrive(&[
@@ -297,7 +298,7 @@ fn a_sweep_has_the_derivatives_of_gradient_and_of_wrt() {
     }
 }
 
-/// A weight that the setup does not have weighs nothing before the search.
+/// In the drive before the search, a varied weight that the setup does not have weighs nothing.
 #[test]
 fn same_drive_as_set_up_by_a_search_and_by_simulate() {
     let (_, searched) = json(&["optimize", "--vary", "club.weight_1.mass=0g..40g"]);
@@ -313,7 +314,7 @@ fn same_drive_as_set_up_by_a_search_and_by_simulate() {
     assert!(before.is_null(), "{before}");
 }
 
-/// The drive as set up has another speed than a map at the best speed, so it has no place there.
+/// A map at the best speed has no place for the drive as set up, which has another speed.
 #[test]
 fn a_map_of_another_speed_has_no_mark_of_the_drive_as_set_up() {
     let folder = tempfile::tempdir().unwrap();
@@ -335,7 +336,7 @@ fn a_map_of_another_speed_has_no_mark_of_the_drive_as_set_up() {
     assert!(!marks(&vary));
 }
 
-/// A table of swings is read like a table of points: its other columns are named.
+/// A note names the columns of a table of swings that are not read, as for a table of points.
 #[test]
 fn columns_of_a_table_of_swings_that_are_not_read_are_named() {
     let folder = tempfile::tempdir().unwrap();
@@ -451,7 +452,8 @@ fn a_table_of_ones_own_is_in_the_summary_of_a_validation() {
     assert!(!longdrive(&["validate"]).out.contains("your table"));
 }
 
-/// A column of strokes gained is no column of strokes, and of two columns none is chosen.
+/// A column `strokes gained` is not read as the column `strokes`. Two columns of this name are an
+/// error.
 #[test]
 fn the_column_of_strokes_has_exactly_this_name() {
     let folder = tempfile::tempdir().unwrap();

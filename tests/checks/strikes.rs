@@ -87,8 +87,8 @@ fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
     }
 }
 
-/// A contour is as smooth as the function, although the nodes are 5 mm apart: within 1 mm its
-/// direction changes by at most 1 mm over the radius of its sharpest bend.
+/// A contour is as smooth as the function, although the nodes are 5 mm apart. Within 1 mm its
+/// direction changes by at most 1 mm/r, where r is the contour's smallest radius of curvature.
 #[test]
 fn contours_over_the_face_have_no_corners() {
     let setup = Setup::preset("modern-driver").unwrap();
@@ -177,7 +177,7 @@ fn exact_sweet_spot_normal_passes_through_the_centre_of_mass() {
         point.position.cross(point.normal).norm() < 1e-13,
         "{point:?}"
     );
-    // beyond the centre of mass, because the face is curved
+    // farther from the face centre than the centre of mass, because the face is curved
     assert!(
         toe > 5.5e-3 && toe < 8e-3 && high > 4.2e-3 && high < 6e-3,
         "{toe} {high}"

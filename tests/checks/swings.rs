@@ -120,8 +120,8 @@ fn independent_best_loft_of_the_average_over_attack_angles_by_simpsons_rule() {
     let slope = (mean(loft + h) - mean(loft - h)) / (2.0 * h);
     let bend = (mean(loft + h) - 2.0 * mean(loft) + mean(loft - h)) / (h * h);
     assert!((slope / bend).abs() < 1e-6, "{} rad off", slope / bend);
-    // their polynomial through five lofts has its maximum at 10.68°; the average itself is highest
-    // a third of a degree below
+    // the paper's polynomial through five lofts has its maximum at 10.68°; the average itself has
+    // its maximum at a loft that is a third of a degree smaller
     assert!(
         (loft.to_degrees() - 10.32).abs() < 0.01,
         "{}",
@@ -158,7 +158,7 @@ fn order_of_quadrature_and_of_sequences() {
         errors[1] < 1e-3 * errors[0] && errors[2] < 1e-8,
         "{errors:?}"
     );
-    // the root mean square of the error over seeds; 512 are 16 times as many points as 32
+    // the root mean square of the error over four seeds, with 32 points and with 16 times as many
     let off = |count: usize| {
         let squares = (0..4).map(|seed| (mean(Rule::Sequence { count, seed }).0 - exact).powi(2));
         (squares.sum::<f64>() / 4.0).sqrt()
@@ -705,8 +705,8 @@ fn bad_swings_and_goals_are_refused_with_the_reason() {
     );
 }
 
-/// Strokes to the hole after a drive decrease with a shorter remaining distance: with a straight
-/// hole out of reach, the best loft for strokes is the best for carry.
+/// The fewer yards remain after a drive, the fewer strokes to the hole. If the hole is straight and
+/// out of reach, the loft with the fewest strokes is the loft with the longest carry.
 #[test]
 fn fewest_strokes_are_the_longest_drive_if_only_distance_counts() {
     let folder = tempfile::tempdir().unwrap();
@@ -746,8 +746,8 @@ fn fewest_strokes_are_the_longest_drive_if_only_distance_counts() {
     );
 }
 
-/// Three extreme requests have an answer: the lowest share of a normal distribution, correlations
-/// of ±1, and goals whose printed value must be within its interval.
+/// Three kinds of extreme requests have an answer: the lowest share of a normal distribution,
+/// correlations of ±1, and goals whose printed value must be within its interval.
 #[test]
 fn swings_that_reach_far_have_an_answer() {
     let attack = ["--distribution", "swing.attack_angle=normal(-1deg,2deg)"];

@@ -130,11 +130,11 @@ fn searched(setup: &Setup<f64>, goals: &[String], scenarios: Scenarios) -> Optim
     optimum(setup, search, Observer::default()).unwrap()
 }
 
-/// For at least 95 % of 117 generated goals, over one to five distributions, by Gauss's rules and
-/// by sequences, the interval of the error estimate contains the truth. The interval is small
-/// compared with the scatter of the outcome. The truth is the value over 65,536 swings of another
-/// sequence; for goals without an edge over few parameters, by Gauss's rules with two and a half
-/// times as many nodes.
+/// The interval of the error estimate contains the truth for at least 95 % of 117 generated goals,
+/// and is small compared with the scatter of the outcome. The goals have one to five distributions,
+/// by Gauss's rules and by sequences. The truth is the value over 65,536 swings of another
+/// sequence. For goals without an edge over few parameters, it is the value by Gauss's rules with
+/// two and a half times as many nodes.
 #[test]
 fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
     let mut chance = Xoshiro256PlusPlus::seed_from_u64(51);

@@ -156,8 +156,8 @@ fn independent_tables_without_rows_are_read() {
     }
 }
 
-/// NaN of NumPy counts as an empty cell and null: the row reports a missing value, and the others
-/// are flown.
+/// NaN, as NumPy writes it, counts as a missing value, like an empty cell and null. This row
+/// reports the missing value, and the other rows are flown.
 #[test]
 fn rows_with_a_nan_value_have_no_drive() {
     let (_folder, path) = table(

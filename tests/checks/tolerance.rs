@@ -53,7 +53,8 @@ impl Errors {
     }
 }
 
-/// The errors of a sweep within a micrometre; `None` without a step.
+/// The errors of a sweep with a tolerance of a micrometre; `None` if no drive lands or no step
+/// meets the tolerance.
 fn sweep(setup: &Setup<f64>, ranges: &[Vary], of: &[Outcome], count: u64) -> Option<Errors> {
     let found = match accuracy(setup, ranges, of, MICROMETRE) {
         Ok(found) => found,
@@ -84,8 +85,8 @@ fn errors(
         method: Method::DormandPrince8,
         ..*setup
     };
-    // a wind that increases with height needs shorter steps; steps of 5 ms would change every
-    // length by less than 2e-8 m
+    // the reference needs shorter steps in a wind that increases with height; steps of 5 ms would
+    // change every length of the reference by less than 2e-8 m
     let step: f64 = if setup.wind.roughness.is_some() {
         0.02
     } else {
@@ -161,7 +162,7 @@ fn random_ranges(n: usize, setup: &Setup<f64>, part: f64) -> Vec<Vary> {
         "wind.downrange",
         "gravity",
     ];
-    // a stride of 1 to 6 visits each of seven once
+    // a stride of 1 to 6 visits each of the seven names once
     let by = (0..=n % 4).map(|i| names[(n / 4 + i * (1 + n / 28 % 6)) % 7]);
     by.map(|name| {
         let value = setup.value(setup.variable(name).unwrap()).unwrap();
@@ -220,8 +221,9 @@ fn within_a_micrometre(
     assert_eq!(checked.0, 0, "{checked:?}");
 }
 
-/// Two drives with errors of up to 266 times the tolerance with the step that was chosen from other
-/// drives, before the retry: at the ends of the ranges, and near a drive without a flight.
+/// Sweeps with rows whose errors were up to 266 times the tolerance before rows were flown again:
+/// their step was chosen from other drives. The rows are at the ends of the ranges, and near drives
+/// without a flight.
 #[test]
 fn same_rows_in_shorter_steps_after_a_retry() {
     let mut low = Setup::default();
@@ -336,7 +338,7 @@ fn same_row_that_nearly_stops_at_its_apex_in_shorter_steps_after_a_retry() {
     );
 }
 
-/// A row that no step follows within the tolerance has no outcomes.
+/// A row that no step computes within the tolerance has no outcomes.
 #[test]
 fn a_row_beyond_the_tolerance_in_every_step_diverges() {
     let setup = Setup::default();
@@ -382,7 +384,7 @@ fn an_impossible_largest_defect_is_refused() {
     }
 }
 
-/// A request without ranges checks one drive, and has the step of a very narrow range.
+/// A request without ranges checks one drive, and gives the step that a very narrow range gives.
 #[test]
 fn one_drive_alone_is_checked_once() {
     let setup = Setup::preset("modern-driver").unwrap();

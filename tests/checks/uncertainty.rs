@@ -26,11 +26,12 @@ fn statistics(
     design.statistics(&values).unwrap()
 }
 
-/// sin x₁ + 7 sin² x₂ + 0.1 x₃⁴ sin x₁ on (−π, π)³ (Ishigami & Homma 1990), and its shares by hand.
+/// sin x₁ + 7 sin² x₂ + 0.1 x₃⁴ sin x₁ on (−π, π)³ (Ishigami & Homma 1990).
 fn ishigami(x: &[f64]) -> Option<f64> {
     Some(x[0].sin() + 7.0 * x[1].sin().powi(2) + 0.1 * x[2].powi(4) * x[0].sin())
 }
 
+/// Variance of Ishigami's function, and the first-order and total shares of the variance, by hand.
 fn ishigami_shares() -> (f64, [f64; 3], [f64; 3]) {
     let (a, b) = (7.0_f64, 0.1_f64);
     let alone = [0.5 * (1.0 + b * PI.powi(4) / 5.0).powi(2), a * a / 8.0, 0.0];
@@ -164,8 +165,9 @@ fn sampled_coverage_of_95_percent_intervals_of_shares() {
     assert!((0.92..=0.98).contains(&share), "{within} of {all}");
 }
 
-/// C E(∂f/∂xᵢ)²/V with C = (b − a)²/π² = 4, by hand for Ishigami's function; C = 1 for a linear
-/// function of a normal number, whose variance is its Poincaré constant.
+/// The upper bound C E(∂f/∂xᵢ)²/V of a total share, by hand. For Ishigami's function the Poincaré
+/// constant C is (b − a)²/π² = 4. For a linear function of a normal number, C is the variance of
+/// the number, and the bound is 1.
 #[test]
 fn sampled_coverage_of_95_percent_intervals_of_upper_bounds() {
     let (variance, _, total) = ishigami_shares();
@@ -246,8 +248,8 @@ fn sampled_coverage_of_95_percent_intervals_of_upper_bounds() {
     assert!((0.91..=0.99).contains(&share), "{within} of {all}");
 }
 
-/// A single uncertain parameter has the whole variance for any function and sample: its share is 1,
-/// without an error of the estimate.
+/// A single uncertain parameter causes the whole variance of any function in any sample: its share
+/// is 1, without a sampling error.
 #[test]
 fn exact_share_of_a_single_uncertain_parameter_is_one() {
     for seed in 0..5 {
@@ -440,7 +442,7 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
         6 * 2048
     );
 
-    // one seed gives one set of bits, another seed another
+    // an equal seed gives equal bits, another seed others
     let again = uncertainty(&setup, &of, &inputs, plan, &|_, _| ()).unwrap();
     assert_eq!(
         format!("{:?}", again.outcomes),
@@ -723,9 +725,10 @@ fn a_constant_with_rounding_is_a_constant() {
     assert!(varies.indices[0].is_some() && varies.deviation.value > 0.0);
 }
 
-/// Remaining deviation of an outcome that one parameter dominates, compared with the mean of its
-/// variance at fixed values of that parameter: Gauss's three nodes of a normal distribution. 1 − S₁
-/// is 0 with one seed and four times too large with another.
+/// The deviation of an outcome that remains if its dominant parameter is known, compared with the
+/// mean of the variance at fixed values of that parameter (Gauss's three nodes of a normal
+/// distribution). Computed from 1 − S₁, it would be 0 with one seed and four times too large with
+/// another.
 #[test]
 fn independent_remaining_deviation_where_one_parameter_dominates() {
     let mut setup = Setup::default();
@@ -830,7 +833,8 @@ fn exact_gusts_in_the_uncertainty_of_the_wind() {
     let head = [("wind.downrange", "-8 m/s")];
     assert!((sigma(&head, "wind.downrange") - 1.0_f64.hypot(open)).abs() < 1e-14);
     assert!((sigma(&head, "wind.right") - 1.0_f64.hypot(0.8 * open)).abs() < 1e-14);
-    // calm, and over ground with a roughness equal to the reference height
+    // calm air has no gusts; if the roughness exceeds the reference height, the deviation of gusts
+    // is limited to the wind speed
     assert_eq!(sigma(&[], "wind.downrange"), 1.0);
     let rough = [
         polar[0],

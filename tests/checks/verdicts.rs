@@ -84,7 +84,7 @@ fn without_second_derivatives_a_stationary_point_is_reported_as_not_examined() {
     );
 }
 
-/// eˣ (4x² + 2y² + 4xy + 2y + 1) with x² + y and xy.
+/// Objective eˣ (4x² + 2y² + 4xy + 2y + 1), constraint functions x² + y and xy.
 struct Exponential;
 
 impl Functions for Exponential {
@@ -98,7 +98,7 @@ impl Functions for Exponential {
     }
 }
 
-/// x with x² + y.
+/// Objective x, constraint function x² + y.
 struct Parabola;
 
 impl Functions for Parabola {
@@ -110,8 +110,8 @@ impl Functions for Parabola {
     }
 }
 
-/// At (0, 1) the gradient of x² + y = 1 is parallel to the gradient of the bound y ≤ 1, and huge
-/// multipliers of both balance any slope.
+/// At (0, 1) the gradients of x² + y = 1 and of the bound y ≤ 1 are parallel. Near this point, huge
+/// multipliers of the two balance any gradient of the objective.
 #[test]
 fn exact_minima_beyond_a_point_where_a_constraint_touches_a_bound() {
     let limits = [(1.0, 1.0), (-10.0, f64::INFINITY)];
@@ -142,7 +142,7 @@ fn exact_minima_beyond_a_point_where_a_constraint_touches_a_bound() {
     }
 }
 
-/// −0.7 (x₁ + x₂ + x₃ − 175000)(x₀² + 3x₀ + 3), with each variable as a constraint.
+/// Objective −0.7 (x₁ + x₂ + x₃ − 175000)(x₀² + 3x₀ + 3); each variable is a constraint function.
 struct Profit;
 
 impl Functions for Profit {
@@ -155,7 +155,7 @@ impl Functions for Profit {
     }
 }
 
-/// −xy, with x and y as constraints.
+/// Objective −xy, constraint functions x and y.
 struct Product;
 
 impl Functions for Product {
@@ -167,7 +167,7 @@ impl Functions for Product {
     }
 }
 
-/// −x − y, with x² + y².
+/// Objective −x − y, constraint function x² + y².
 struct Disc;
 
 impl Functions for Disc {
@@ -206,7 +206,7 @@ fn exact_optima_that_lie_far_from_the_start() {
     converged(&found, -2e6 * 0.5_f64.sqrt(), 1e-9);
 }
 
-/// x², with x twice.
+/// Objective x², and x as two constraint functions.
 struct Twice;
 
 impl Functions for Twice {
@@ -244,7 +244,7 @@ fn contradictions_by_very_little_are_infeasible_in_few_iterations() {
     }
 }
 
-/// (x − 3)² + 1e12.
+/// (x − 3)² plus a constant, such as 1e12.
 struct WithConstant(f64);
 
 impl Functions for WithConstant {
@@ -262,7 +262,7 @@ fn minimum_of_a_function_with_a_large_constant() {
     }
 }
 
-/// √(w'Qw) with Σw and r'w, after a report on a portfolio.
+/// Objective √(w'Qw), constraint functions Σw and r'w: a portfolio of a bug report.
 struct Portfolio;
 
 const RETURNS: [f64; 5] = [0.129_64, 0.110_86, 0.034_39, 0.115_94, 0.064_68];
@@ -359,8 +359,9 @@ fn exact_minima_on_oblique_corners() {
     }
 }
 
-/// The largest loss t of three models: c (x − mₖ)² − sₖ (y − 0.087) − t, each the difference of two
-/// numbers near 275, as losses of carry are.
+/// Objective t, the largest loss of three models; a constraint function for each model: its loss
+/// c (x − mₖ)² − sₖ (y − 0.087), less t. As for losses of carry, this is computed as the difference
+/// of two numbers near 275.
 struct GreatestLoss {
     curvature: f64,
     bests: [f64; 3],
@@ -382,7 +383,8 @@ impl Functions for GreatestLoss {
     }
 }
 
-/// y ends at its bound 0.087, and x in the middle of the outer mₖ: t = c ((max m − min m)/2)².
+/// At the optimum y is at its bound 0.087, and x is in the middle between the smallest and the
+/// largest mₖ: t = c ((max m − min m)/2)².
 #[test]
 fn exact_smallest_greatest_losses_from_three_starts() {
     for k in 0..100 {

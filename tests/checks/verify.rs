@@ -135,8 +135,8 @@ fn differences_certify_a_launch_without_a_club() {
 
 #[test]
 fn differences_certify_two_hundred_random_drives() {
-    // number of parameters that are checked for each drive: other parameters from drive to drive.
-    // All parameters of all drives were checked once (docs/verification.md)
+    // number of parameters that are checked for each drive. From drive to drive these are other
+    // parameters. All parameters of all drives were checked once (docs/verification.md)
     const AT_A_TIME: usize = 4;
     let flies = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());
     let setups: Vec<_> = random_setups(220)
@@ -305,8 +305,9 @@ fn differences_certify_random_derivatives_by_one_parameter() {
     );
 }
 
-/// Earlier errors of the check. A lateral distance of a few metres has the rounding error of the
-/// carry. An error of the time step that changes sign between two steps still has its order.
+/// Correct derivatives that an earlier check rejected: of a lateral distance of a few metres, which
+/// has the rounding error of the carry; and of drives whose error from the time step changes its
+/// sign between two steps, although its order is as expected.
 #[test]
 fn correct_derivatives_that_an_earlier_version_rejected_pass() {
     let of = [
@@ -395,9 +396,10 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
     }
 }
 
-/// A symmetric drive: the run cancels the lateral of the flight, 127 m and −131 m per metre of
-/// off-centre strike. The rounding error of both does not show at the centre, where both are 0, nor
-/// a thousand atoms beside it. An earlier check took it for a remainder of order 1 and for a kink.
+/// A symmetric drive: flight and run move the ball sideways by 127 m and −131 m per metre of
+/// off-centre strike, and nearly cancel. At the centre, where both are 0, and very near to it,
+/// their rounding error is not visible. An earlier check took this rounding error, farther from the
+/// centre, for a remainder of order 1 and for a kink.
 #[test]
 fn order_of_remainders_of_two_cancelling_parts_in_any_time_step() {
     for step in ["5 ms", "10 ms", "15 ms", "20 ms", "30 ms", "50 ms"] {
@@ -579,7 +581,7 @@ fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
     );
     assert!(found.passed());
     let row = &mut found.rows[0];
-    // both have the same equations, and differ by rounding
+    // both derivatives come from the same equations, and differ by rounding
     close(
         row.num_dual.num_dual,
         336.769746388603,
@@ -616,9 +618,9 @@ fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
     );
 }
 
-/// In a logarithmic wind the time step leaves an error in derivatives that no comparison with
-/// differences can show: the certificate measures and reports it; in still air the answer reports
-/// no error.
+/// In a logarithmic wind, derivatives have an error from the time step. Differences of drives in
+/// this step have the same error, so they cannot show it: the certificate measures and reports it.
+/// In still air the answer reports no such error.
 #[test]
 fn differences_with_the_time_step_are_reported_in_a_logarithmic_wind() {
     let mut setup = Setup::default();
@@ -902,8 +904,8 @@ fn the_while_loop_is_not_compared_with_a_stated_launch() {
     assert!(longdrive::reproduce::while_loop(&setup, &certificate.rows).is_empty());
 }
 
-/// Zero spin: carry has a kink and lateral has none; its derivatives are correct though their own
-/// derivatives jump.
+/// At zero spin carry has a kink, and lateral has none. The first derivatives of lateral are
+/// correct, although the second derivatives jump.
 #[test]
 fn derivatives_beside_a_corner_pass() {
     let mut setup = Setup::preset("mae494").unwrap();

@@ -77,7 +77,7 @@ fn differences_certify_derivatives_at_both_ends_of_every_range() {
     let all = Law::NAMES.iter().flat_map(|law| {
         let mut setup = Setup::default();
         setup.set_law(law).unwrap();
-        // the coefficients of every law once, with its defaults
+        // each coefficient is checked with its own law, all other parameters with the default law
         let is_asked = |row: &&&Parameter| {
             row.law
                 .map_or(*law == Setup::default().law.name(), |owner| owner == *law)
@@ -118,7 +118,7 @@ fn differences_certify_derivatives_at_both_ends_of_every_range() {
         failed.join("\n")
     );
     assert!(judged.len() > 40, "{} ends were checked", judged.len());
-    // zero spin is a kink, also as the end of a range
+    // drives with zero spin have a kink, also if zero spin is at the end of a range
     for name in [
         "impact.friction",
         "impact.tangential_restitution",
@@ -133,8 +133,8 @@ fn differences_certify_derivatives_at_both_ends_of_every_range() {
     }
 }
 
-/// The end of a range has a one-sided slope; it is not compared with the derivative, the mean of
-/// both sides.
+/// At the end of its range a parameter has only a one-sided slope. At a kink, the check does not
+/// compare this slope with the derivative, which is the mean of the slopes at both sides.
 #[test]
 fn differences_confirm_the_one_sided_slope_of_a_corner_at_the_end_of_a_range() {
     let mut setup = Setup::default();
@@ -233,8 +233,9 @@ fn a_spin_that_cancels_has_a_correct_derivative() {
     }
 }
 
-/// The check at the landing adjusts the time step so that a step ends at the landing. At a coarse
-/// step the adjustment shifts the landing; the check iterates it, and the differences agree.
+/// The check at the landing adjusts the time step so that a step ends at the landing. If steps are
+/// coarse, the adjustment shifts the landing: the check iterates the adjustment, and the
+/// differences agree.
 #[test]
 fn differences_at_the_landing_agree_at_coarse_steps() {
     let mut setup = Setup::preset("winfield-tan").unwrap();

@@ -170,8 +170,9 @@ fn presets_and_their_longest_drives_have_no_warning() {
     }
 }
 
-/// Nearly no air, no decay: s = Rω/v(t) of a parabola is below 0.02 while v > v* = Rω/0.02, for 1 −
-/// √(v*² − v_h²)/v_v of the time.
+/// With nearly no air and no decay of the spin, the path is a parabola. Its spin ratio s = Rω/v(t)
+/// is below 0.02 while v > v* = Rω/0.02. This is the fraction 1 − √(v*² − v_h²)/v_v of the time,
+/// with the horizontal and the vertical velocity v_h and v_v at launch.
 #[test]
 fn share_of_the_flight_outside_the_fitted_range_of_the_law() {
     let (ahead, up, at_edge) = (50.0_f64, 30.0_f64, 53.0_f64);
@@ -298,7 +299,8 @@ fn a_strike_beside_the_face_has_a_warning_on_standard_error_and_in_json() {
     }
 }
 
-/// s = Rω/v at launch is 0.06 at v = Rω/0.06: faster balls are outside the range of the law.
+/// The spin ratio s = Rω/v at launch is 0.06 for v = Rω/0.06: s of faster balls is below the range
+/// of the law.
 #[test]
 fn same_count_of_a_sweep_for_any_threads() {
     let folder = tempfile::tempdir().unwrap();
@@ -323,7 +325,7 @@ fn same_count_of_a_sweep_for_any_threads() {
     for threads in ["1", "2"] {
         let output = folder.path().join(format!("{threads}.csv"));
         let (table, output) = (table.to_str().unwrap(), output.to_str().unwrap());
-        // air so dense that the Reynolds number stays within the law
+        // air so viscous that all Reynolds numbers are within the range of the law
         let thick = [
             "--set",
             "air.viscosity=3e-5 Pa.s",
@@ -496,7 +498,7 @@ fn drives_without_a_landing_have_a_warning_if_the_flight_is_requested() {
     }
 }
 
-/// Slow and fast drives leave the law, and those between do not.
+/// Slow drives and fast drives leave the range of the law, and the drives between them do not.
 #[test]
 fn a_warning_of_a_chart_names_each_part() {
     let printed = longdrive(&[
@@ -718,8 +720,9 @@ fn a_flat_landing_has_a_warning_with_the_total_and_at_an_optimum() {
     ));
 }
 
-/// Share of a normal distribution of the club speed above the speed from which the drive with the
-/// best loft leaves the range of the law: the mean swing is well within it.
+/// The share of the swings that leave the range of the law with the best loft. Club speeds are
+/// normally distributed: it is the share above the speed from which a drive leaves the range. The
+/// mean swing is well within the range.
 #[test]
 fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
     let swings = "swing.speed=truncated(100mph,10mph,85mph,130mph)";
@@ -777,7 +780,7 @@ fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
         expected > 2.0 && (share - expected).abs() < 1.0,
         "{share} beside {expected}"
     );
-    // swings within it give no warning
+    // swings within the range of the law give no warning
     let slower = [
         "--distribution",
         "swing.speed=truncated(110mph,2mph,105mph,115mph)",

@@ -595,7 +595,7 @@ fn contradictory_weather_settings_are_refused() {
             output.status
         );
     }
-    // each remedy names the existing setting, and is accepted
+    // the advice of each error names the setting that is in the way, and works
     let presets = longdrive(&["presets", "tour-average"]).out;
     let printed = file("printed.toml", &presets);
     let (air, wind) = (
@@ -733,7 +733,7 @@ fn contradictory_weather_settings_are_refused() {
         longdrive(&[&vary[..], &["--set", "air.density=none"]].concat()).status,
         0
     );
-    // a command is allowed if one of the two forms is unset
+    // accepted: one of the two forms is unset, in the setup or by the command
     for args in [
         &[
             "simulate",
