@@ -1,5 +1,5 @@
-//! A flight allocates no heap memory, over any number, and an iteration of the optimizer little. A
-//! program of its own, because it counts every allocation of the process.
+//! A flight allocates no heap memory, for any number type; an iteration of the optimizer allocates
+//! little. This test is a program of its own, because it counts every allocation of the process.
 
 use longdrive::flight::fly;
 use longdrive::impact::strike;

@@ -36,7 +36,7 @@ pub fn command() -> Command {
 /// The program, if it is built from the present source with the features of the tests; else the
 /// reason.
 fn find() -> Result<PathBuf, String> {
-    // the tests' own programs are there too
+    // this test is a program in the folder `deps`, one level below the program under test
     let deps = std::env::current_exe()
         .unwrap()
         .parent()

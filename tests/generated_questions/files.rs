@@ -365,7 +365,7 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
     with_damage(text, chance)
 }
 
-/// A text; with a mistake, with an error somewhere.
+/// The bytes of a text; by mistake, with damage at a random place.
 fn with_damage(text: String, chance: &mut Chance) -> Vec<u8> {
     let mut bytes = text.into_bytes();
     if !(chance.slips() || chance.slips()) {

@@ -9,7 +9,7 @@ use crate::values::{
 use longdrive::parameters::{Law, Parameter};
 use std::sync::LazyLock;
 
-/// A question, with its files before and after.
+/// A question: a command line, with its input files and its outputs.
 #[derive(Debug, Default)]
 pub struct Question {
     /// The arguments.
@@ -18,7 +18,7 @@ pub struct Question {
     pub files: Vec<(String, Vec<u8>)>,
     /// Links to input files: the file, and the link.
     pub links: Vec<(String, String)>,
-    /// Files and folders that it names as outputs.
+    /// Files and folders that the command line names as outputs.
     pub outputs: Vec<String>,
 }
 
@@ -82,7 +82,7 @@ impl Question {
         if chance.is(0.5) && !OF_THE_PROGRAM.contains(&command) {
             question.push("--json");
         }
-        // these may come before the command as well
+        // these options may also come before the command
         for (option, probability) in [("--units", 0.15), ("--quiet", 0.1)] {
             if chance.is(probability) {
                 let at = if chance.is(0.3) {
@@ -257,7 +257,7 @@ impl Question {
             _ => {}
         }
         self.setup(command, chance);
-        // after the first setup
+        // the second setup comes after the first one
         if command == "compare" && chance.is(0.3) {
             let text = setup(chance);
             self.files.push(("other.toml".into(), text));
@@ -499,7 +499,7 @@ impl Question {
         self.option("--along", text);
     }
 
-    /// The optimum at values of a parameter.
+    /// Options for the optima at some values of a parameter: `--along` and `--at`.
     fn at(&mut self, chance: &mut Chance) {
         let parameter = variable(chance);
         let values = list(3, chance, |chance| {
@@ -593,7 +593,7 @@ impl Question {
         self.files.push(("shots.csv".into(), text));
         self.push(chance.of_or(&["shots.csv"], &["none.csv", "mine.txt", "."]));
         for _ in 0..1 + chance.below(2) {
-            // rows of launches have no club; most outcomes here are of the flight
+            // mostly parameters of the flight: rows that are launches do not use those of the club
             let rows = [
                 "air.density",
                 "aero.spin_decay",

@@ -16,7 +16,7 @@ const LONGEST: Duration = Duration::from_secs(120);
 /// Endings of files that the program writes beside a named file.
 const COMPANIONS: [&str; 2] = [".part", ".resume"];
 
-/// Statuses in JSON of a complete answer.
+/// Statuses in JSON of an answer whose exit status is 0.
 const FOUND: [&str; 4] = ["done", "landed", "converged", "passed"];
 
 /// Runs a question: exit status and faults of the output.
@@ -57,7 +57,7 @@ pub fn ask(question: &Question) -> (Option<i32>, Vec<String>) {
     if status.code() == Some(2) && err.trim().is_empty() {
         wrong.push("status 2 without a message".into());
     }
-    // a message quotes its input
+    // after status 2, the output may be an error message that quotes a NaN of the input
     if status.code() != Some(2) {
         wrong.extend(numbers(question, &out));
     }
@@ -83,15 +83,16 @@ fn wait(child: &mut Child) -> Option<ExitStatus> {
     None
 }
 
-/// A fault with the first line that has NaN or infinity, although the question allows neither.
+/// A fault with the first line that has NaN or infinity; `None` without such a line, or if the
+/// question itself may be the reason for it.
 fn numbers(question: &Question, out: &str) -> Option<String> {
     let words = |line: &str| -> Vec<String> {
         line.split(|c: char| !(c.is_alphanumeric() || c == '_'))
             .map(str::to_lowercase)
             .collect()
     };
-    // a flat face and ranges of parameters are infinite; quoted names of files and texts may
-    // contain anything
+    // a flat face has an infinite radius, and some ranges of parameters are infinite; "inf" may
+    // also be part of an argument that the answer quotes
     let has_infinities = matches!(
         question.command(),
         "parameters" | "presets" | "laws" | "compare"
@@ -185,7 +186,7 @@ fn touched(
         };
         question.outputs.iter().any(of)
     };
-    // the program may continue its own files, and replace named ones
+    // with --overwrite, the program may replace files that the command line names only as outputs
     let may_replace = |name: &str| {
         let is_told = question.args.iter().any(|arg| arg == "--overwrite");
         let through = question

@@ -38,8 +38,7 @@ pub fn preset(chance: &mut Chance) -> &'static str {
     PRESETS[chance.below(PRESETS.len())].name
 }
 
-/// A parameter of a preset. If the question is to contain a mistake: a parameter of any law or of a
-/// launch.
+/// A parameter of a preset. By mistake, a parameter of any law or of a launch.
 pub fn parameter(chance: &mut Chance) -> &'static Parameter {
     if chance.slips() {
         return chance.of(&Law::all_rows().collect::<Vec<_>>());
@@ -166,7 +165,7 @@ pub fn near(parameter: &Parameter, spread: f64, chance: &mut Chance) -> f64 {
     }
 }
 
-/// A number of SI with its unit.
+/// A value in SI as text, in the parameter's unit or in the SI unit.
 pub fn with_unit(value: f64, parameter: &Parameter, chance: &mut Chance) -> String {
     let unit = if chance.is(0.7) {
         parameter.unit
@@ -180,7 +179,7 @@ pub fn with_unit(value: f64, parameter: &Parameter, chance: &mut Chance) -> Stri
     let text = format!("{:?}{space}{unit}", value / size)
         .trim_end()
         .to_owned();
-    // coefficients of a law accept plain numbers, whatever their unit
+    // a parameter may not accept this text: then a number in SI without a unit
     if parameter.quantity.read(&text).is_ok() {
         text
     } else {

@@ -190,9 +190,10 @@ inline Impact impact(const Setup& s) {
     return o;
 }
 
-/// Winfield & Tan's full system, 15 equations in u1..u12 and the impulse R on the club, solved as it stands
-/// (tangential restitution added to the two no-slip rows; 0 is theirs). Returns the largest relative
-/// disagreement with `o`, each vector measured against its own length (or the spin/velocity scale if tiny).
+/// Solves Winfield & Tan's full system, 15 equations in u1..u12 and the impulse R on the club. Its
+/// two no-slip rows have a tangential restitution, which is 0 in the paper. Returns the largest
+/// difference from `o`, each vector relative to its own length (or to the spin or velocity scale if
+/// it is tiny).
 inline Q full_system_disagreement(const Setup& s, const Impact& o) {
     const Q M = s.num("club.mass"), m = s.num("ball.mass"), R = s.num("ball.radius"), Ib = o.ball_inertia;
     const Q e = s.num("impact.restitution"), et = s.opt("impact.tangential_restitution", 0);
@@ -348,8 +349,9 @@ struct Aero {
 /// State: height, lateral, downrange, their rates, and ln(spin magnitude / initial spin magnitude).
 using State = std::array<Q, 7>;
 
-/// What to integrate with. Gragg-Bulirsch-Stoer: `columns` extrapolation columns (order 2*columns), steps
-/// chosen so that the estimated error of one step stays below `tol` (m, m/s, 1).
+/// Settings of the integrator, Gragg-Bulirsch-Stoer extrapolation with `columns` columns (order
+/// 2*columns). Steps are chosen so that the estimated error of one step stays below `tol` (m, m/s,
+/// 1).
 struct Numerics {
     int columns = 12;
     Q tol = 1e-28Q;
@@ -450,8 +452,9 @@ struct Flight {
             State y1 = step(y, f0, h, num.columns, err);
             const Q fac = 0.85Q * powq(num.tol / fmaxq(err, 1e-60Q), Q(1) / (2 * num.columns - 1));
             if (err > num.tol) { h *= fmaxq(fac, 0.2Q); continue; }
-            // Where the spin ratio passes s0, C_L's third derivative jumps: end this step there (by secant), still
-            // on this side's branch, and go on with the other branch.
+            // Where the spin ratio passes s0, C_L's third derivative jumps. This step ends there
+            // (found by the secant method), on the branch of C_L of this side. The next step begins
+            // on the other branch.
             bool crosses = aero.s0 > 0 && (spin_ratio(y1) < aero.s0) != aero.below;
             if (crosses) {
                 Q xa = 0, fa = spin_ratio(y) - aero.s0, xb = h, fb = spin_ratio(y1) - aero.s0;

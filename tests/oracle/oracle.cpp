@@ -238,7 +238,8 @@ static std::vector<Named> drives() {
 
     uint64_t seed = 20240601;
     auto rng = [&] { return Rng{seed++}; };
-    // Each law twice: its own coefficients with slip at exit (e_t < 0), then jittered ones with none.
+    // Each law twice: first with its own coefficients, and slip at exit (e_t < 0); then with
+    // perturbed coefficients, and no slip at exit.
     const char* laws[] = {"robinson", "linear", "smits-smith", "ferguson", "launch-monitor"};
     for (int i = 0; i < 5; ++i) {
         Rng r = rng();
@@ -246,7 +247,7 @@ static std::vector<Named> drives() {
         s.set("impact.tangential_restitution", r.in(-.20, -.10));
         add(std::string("3-D ") + laws[i] + ", e_t < 0", s);
         Rng r2 = rng();
-        // The second goes from driver to wedge across the laws.
+        // The lofts of these second drives increase from law to law, from a driver to a wedge.
         const double lo[] = {9, 20, 28, 36, 46}, hi[] = {12, 24, 32, 40, 50};
         s = random_setup(r2, laws[i], lo[i], hi[i]);
         if (i == 3) s.set("impact.friction", .6);  // given, but never reached
@@ -536,7 +537,7 @@ static Setup setup_of(const Json& j) {
 static int check(const char* path) {
     const Json ref = read_json(path);
     const Numerics num;
-    // Relative where the reference is not tiny; otherwise (zeros) the absolute difference, reported apart.
+    // The relative difference; for tiny references (zeros) the absolute difference, reported apart.
     struct Tally { Q rel = 0, abs = 0; std::string where; };
     auto compare = [](Tally& t, Q mine, double theirs, const std::string& what, double tiny) {
         if (fabs(theirs) <= tiny) { t.abs = fmaxq(t.abs, fabsq(mine - Q(theirs))); return; }

@@ -3,9 +3,9 @@
 """Independent computation of the run of a ball on the ground: python3 run.py >
 ../data/independent_runs.json
 
-Shares nothing with the program: each impact is solved as a rigid sphere's by its impulses in a
-frame of the tilted surface, hops, sliding and rolling are integrated in small steps in time. The
-balls land as they were launched: in a vacuum, on level ground at the height of the tee.
+Shares nothing with the program. Each impact is that of a rigid sphere, computed by its impulses in
+a frame of the tilted surface. Hops are parabolas; sliding and rolling are integrated in small time
+steps. The balls land as they were launched: in a vacuum, on level ground at the height of the tee.
 """
 import json
 import math
@@ -21,8 +21,8 @@ norm = lambda a: math.sqrt(dot(a, a))
 
 
 def held(x, end, over):
-    """The integral of (1 - t)^2 (1 + 2 t): slope 1 before `end`, 0 from `end + over` on; by
-    Simpson's rule, exact for a cubic."""
+    """Smooth (C2) upper clamp of x. From `end` to `end + over` its slope decreases from 1 to 0 as
+    (1 - t)^2 (1 + 2 t), which Simpson's rule integrates exactly, because it is a cubic."""
     if x <= end:
         return x
     t = min(1.0, (x - end) / over)
@@ -58,7 +58,8 @@ def impact(v, w, n, turf, inertia):
 
 
 def run(v, w, turf, inertia):
-    """Position of the ball at rest, from its landing; up, right, downrange."""
+    """Position of the ball at rest, m, from its landing (up, right, downrange); and the number of
+    bounces."""
     n = [1.0, -math.tan(math.radians(turf["side_slope"])), -math.tan(math.radians(turf["slope"]))]
     n = mul(n, 1 / norm(n))
     way, bounces = [0.0, 0.0, 0.0], 0

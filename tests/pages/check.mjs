@@ -149,7 +149,8 @@ async function look(browser, name, file) {
     }
     if (scheme === "light") {
       for (const [system, units] of [["metric", ["yd", "mph", "ft"]], ["us", ["m", "m/s"]]]) {
-        // not page.click, which waits for animation frames: a browser with two pages may draw none of one of them
+        // page.click would wait for animation frames: of two pages that are open at once, the
+        // browser may draw only one
         await page.$eval(`label[for=units-${system}]`, (label) => label.click());
         // printed numbers of a paper keep their units, with the others beside them
         say(system, await page.evaluate(mixed, [units, isReport ? "body" : "svg", AS_WRITTEN]));

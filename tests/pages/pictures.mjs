@@ -24,7 +24,7 @@ const PLOTS = [
 // validation-*.svg are drawn by `LONGDRIVE_WRITE_VALIDATION=1 cargo test same_numbers_in_validation_md`, which compares them at every run
 // the first screen of the report: report.png, and report.txt with its words and styles, because screenshots differ between machines with other fonts
 const SCREEN = { width: 1280, height: 800 };
-// numbers of a drawing are tenths of a pixel
+// largest difference of two coordinates that counts as rounding, in tenths of a pixel
 const NEAR = 5;
 
 const folder = mkdtempSync(join(tmpdir(), "longdrive-pictures-"));

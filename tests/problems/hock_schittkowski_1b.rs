@@ -1,7 +1,7 @@
 //! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
 //! in Economics and Mathematical Systems 187, Springer; Nos. 41–62. Inequalities have the printed
-//! form g(x) ≥ 0, or their constant is the limit; the names of variables are ours. There is no
-//! No. 58.
+//! form g(x) ≥ 0, or the constant of g is moved into the limit; the names of variables are ours.
+//! There is no No. 58.
 
 use super::hock_schittkowski_2::{dot, sum};
 use longdrive::number::Number;
@@ -9,7 +9,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, SQRT_2};
 
 const INF: f64 = f64::INFINITY;
 
-/// Nos. 51–53: the objective, with the factor of x₁, and the equations.
+/// Nos. 51–53: the objective, in which x₁ has this factor.
 fn least_squares<T: Number>(factor: f64, x: &[T]) -> T {
     (x[0] * factor - x[1]).powi(2)
         + (x[1] + x[2] - 2.0).powi(2)

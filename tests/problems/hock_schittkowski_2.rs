@@ -1,9 +1,9 @@
 //! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
 //! in Economics and Mathematical Systems 187, Springer; Nos. 63–92. Inequalities have the printed
-//! form g(x) ≥ 0, or their constant is the limit; signs and the names of variables are ours. Optima
-//! have the digits of the authors' own test programs. Two problems are omitted: No. 67 (an inner
-//! iteration without a fixed point in parts of the box) and No. 87 (a discontinuous objective).
-//! There is no No. 82.
+//! form g(x) ≥ 0, or the constant of g is moved into the limit; signs and the names of variables
+//! are ours. Optima have the digits of the authors' own test programs. Two problems are omitted:
+//! No. 67 (an inner iteration without a fixed point in parts of the box) and No. 87 (a
+//! discontinuous objective). There is no No. 82.
 
 #![allow(clippy::approx_constant)] // No. 70 has 6.2832 for 2π
 
@@ -20,8 +20,8 @@ pub fn dot<T: Number>(a: &[f64], x: &[T]) -> T {
     sum(x.iter().zip(a).map(|(&x, &a)| x * a))
 }
 
-/// The distribution function of the standard normal distribution: its series, and far out its
-/// continued fraction.
+/// The distribution function of the standard normal distribution: by its series for |t| ≤ 4, by its
+/// continued fraction beyond.
 fn normal<T: Number>(t: T) -> T {
     let density = (t * t * -0.5).exp() * (0.5 * FRAC_2_SQRT_PI * FRAC_1_SQRT_2);
     if t.re() < -4.0 {
@@ -85,7 +85,8 @@ fn product_of_five<T: Number>(x: &[T]) -> (T, Vec<T>) {
     (x[0] * x[1] * x[2] * x[3] * x[4], equations)
 }
 
-/// No. 84: the objective and the three constraint functions are x₁ · (a · (1, x₂, …, x₅)).
+/// No. 84: coefficients a of the objective and of the three constraint functions, from which these
+/// follow by x₁ · (a · (1, x₂, …, x₅)).
 const SUGAR: [[f64; 5]; 4] = [
     [
         -8720288.849,

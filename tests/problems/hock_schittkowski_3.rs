@@ -1,7 +1,7 @@
 //! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
 //! in Economics and Mathematical Systems 187, Springer; Nos. 93–110. Inequalities have the printed
-//! form g(x) ≥ 0, or their constant is the limit; signs and the names of variables are ours. Optima
-//! have the digits of the authors' own test programs. There is no No. 94.
+//! form g(x) ≥ 0, or the constant of g is moved into the limit; signs and the names of variables
+//! are ours. Optima have the digits of the authors' own test programs. There is no No. 94.
 
 use super::hock_schittkowski_2::{dot, sum};
 use longdrive::number::Number;
@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 const INF: f64 = f64::INFINITY;
 
-/// Nos. 95–98.
+/// Objective and constraint functions of Nos. 95–98.
 fn linear_cost<T: Number>(x: &[T]) -> (T, Vec<T>) {
     let g = vec![
         dot(&[17.1, 38.2, 204.2, 212.3, 623.4, 1495.5], x)
@@ -98,8 +98,8 @@ problems! {
             (f, vec![x[0] * x[1] * x[2] * x[3] * x[4] * x[5] * 0.001 - 2.07, -p * 0.00062 - q * 0.00058 + 1.0])
         }
     }
-    /// No. 95. One variable remains, in one constraint; the book prints 0.015619514, at a point
-    /// slightly outside.
+    /// No. 95. At the optimum only x₆ is not 0, and one constraint determines it. The book prints
+    /// 0.015619514, at a point that slightly violates this constraint.
     HS95 {
         start: [0.0; 6], low: [0.0; 6], high: [0.31, 0.046, 0.068, 0.042, 0.028, 0.0134],
         least: [4.97, -1.88, -29.08, -78.02], most: [INF; 4],

@@ -16,7 +16,7 @@ fn squares<T: Number>(residuals: impl IntoIterator<Item = T>) -> (T, Vec<T>) {
     (sum(residuals.into_iter().map(|r| r * r)), vec![])
 }
 
-/// i, and the residual: for tables of measurements.
+/// The pairs (i, yᵢ) of a table of measurements y, with i from 1.
 fn numbered(measured: &[f64]) -> impl Iterator<Item = (f64, f64)> {
     (1..).map(f64::from).zip(measured.iter().copied())
 }
@@ -100,7 +100,7 @@ fn watson<T: Number>(x: &[T]) -> (T, Vec<T>) {
     squares(fit.chain([x[0], x[1] - x[0] * x[0] - 1.0]))
 }
 
-/// Nos. 28 and 29: t, and (x + t + 1)³ at the ten points.
+/// Nos. 28 and 29: the pairs of t and (x + t + 1)³ at the ten points.
 fn cubes<T: Number>(x: &[T]) -> Vec<(f64, T)> {
     let h = 1.0 / (x.len() as f64 + 1.0);
     to(u32::MAX)
@@ -452,7 +452,7 @@ problems! {
                     (before, now) = (now, y * now * 2.0 - before);
                 }
             }
-            // the integral of an even one is −1 / (i² − 1)
+            // the integral over [0, 1] of the polynomial of degree i is −1 / (i² − 1) if i is even
             squares((1..).zip(means).map(|(i, mean)| if i % 2 == 0 { mean + 1.0 / f64::from(i * i - 1) } else { mean }))
         }
     }

@@ -34,8 +34,8 @@ pub fn faults(command: &str, answer: &Value) -> Vec<String> {
         .collect()
 }
 
-/// The place and the text of a violation. If an object has none of several shapes, the violations of
-/// the shape whose keys are nearest to its own.
+/// Place and text of a violation. If an object matches none of several alternatives of a schema,
+/// the violations of only one alternative: the one with the fewest violations at the object itself.
 fn causes(fault: &ValidationError<'_>) -> Vec<String> {
     let place = fault.instance_path();
     let wrong_keys = |shape: &&Vec<ValidationError<'_>>| {
