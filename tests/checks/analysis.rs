@@ -222,8 +222,8 @@ fn contradictory_constraints_end_as_infeasible_with_the_smallest_violation() {
         message.contains("apex_height <= 30 m") && message.contains("apex_height >= 31 m"),
         "{message}"
     );
-    // the sum of the squared violations is smallest in the middle, because both constraints have
-    // the same unit γ of violation
+    // the sum of the squared violations is smallest in the middle between both limits, because the
+    // violations of both constraints are measured in one unit
     let violations: Vec<f64> = none
         .solution
         .constraints
@@ -400,7 +400,7 @@ fn exact_loss_at_the_ends_of_windows() {
         }
         for direction in &flat.directions {
             for lost in direction.losses.iter().flatten() {
-                // the quadratic model has a relative error of third order here
+                // losses by the quadratic model; the terms of third order are up to a third here
                 assert!((lost / 0.9144 - 1.0).abs() < 0.35, "{direction:?}");
             }
         }

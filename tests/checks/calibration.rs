@@ -960,7 +960,8 @@ fn interrupted_folds_are_omitted_and_counted() {
     );
 }
 
-/// Searches that end at another point are listed with their status and with advice.
+/// Starts whose search does not end at the best fit are counted by their status, with advice. Here
+/// five of six cannot begin.
 #[test]
 fn starts_that_end_at_larger_sums_are_reported() {
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");

@@ -416,7 +416,7 @@ fn an_existing_part_is_kept_and_one_of_other_arguments_is_refused() {
     assert!(bytes(copy.path()) == bytes(SET.path()));
 }
 
-/// The file as another version of longdrive would write it.
+/// Changes a file into the file that another version of longdrive would write.
 fn of_other_version(path: &Path) {
     let text = fs::read(path).unwrap();
     let find = |text: &[u8], part: &str| {

@@ -231,8 +231,8 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
             shares[30]
         );
     }
-    // the launches do not identify path, face and strike towards the toe together, nor attack
-    // angle, lean and height of the strike together
+    // a launch cannot separate path, face angle and strike towards the toe from each other, nor
+    // attack angle, shaft lean and height of the strike
     let assumed =
         |i: usize| number(&answer["population"]["spread"][i]["deviation_standard_uncertainty"]);
     assert!(

@@ -16,7 +16,7 @@ const GOLFER: [&str; 5] = [
     "--distribution=strike.high=truncated(0mm,6mm,-12mm,12mm)",
 ];
 
-/// A weight that moves backwards.
+/// A movable weight whose depth is varied.
 const WEIGHT: [&str; 6] = [
     "--set=club.mass=189g",
     "--set=club.weight_1.mass=15g",
@@ -132,8 +132,8 @@ fn varied_inertia_stays_that_of_a_rigid_body() {
         body.len() == 3 && body.iter().all(|minor| *minor > -1e-10),
         "{body:?}"
     );
-    // the goal improves with less inertia about the axis to the target than about heel and toe;
-    // only the condition of a rigid body limits it
+    // the goal improves as the inertia about the axis to the target becomes less than that about
+    // the axis from heel to toe; only the condition of a rigid body limits this
     assert!(number(&held(&found, "a rigid body")["value"]) > 0.0);
     assert!(
         found["design"]["held"]

@@ -290,7 +290,8 @@ fn a_flight_without_end_stops_at_the_time_limit() {
     ));
 }
 
-/// A time limit within a step of any size, for a single flight and in lanes.
+/// A time limit just below the flight time, and one just above it. Both are within a step, of any
+/// size, for a single flight and in lanes.
 #[test]
 fn exact_time_limit_between_aloft_and_landed() {
     for (method, step) in [("rk4", "0.01 s"), ("rk4", "0.3 s"), ("dp8", "1.1 s")] {

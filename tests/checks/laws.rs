@@ -364,7 +364,7 @@ fn differences_of_ferguson_at_the_clamp_of_the_spin_ratio() {
             (exact.drag, [below.drag, here.drag, above.drag]),
             (exact.lift, [below.lift, here.lift, above.lift]),
         ] {
-            // the third derivative is at most 150, and jumps at both ends
+            // the third derivative is at most 150, and jumps at both ends of the clamp
             let [slope, bend] = [
                 (above - below) / (2.0 * h),
                 (above - 2.0 * here + below) / (h * h),

@@ -251,7 +251,7 @@ fn derivatives_with_a_table_pass_verification() {
     )
     .unwrap();
     assert!(certificate.passed(), "{certificate:?}");
-    // a drive with the table equals a drive with the law
+    // the carry with the table is that with the law, within 5 cm
     let carry = |setup: &Setup<f64>| Outcome::Carry.of(&Drive::new(setup).unwrap()).unwrap();
     assert!(
         (carry(&setup) - carry(&Setup::default())).abs() < 0.05,

@@ -4,7 +4,8 @@
 use crate::problems::{self, Case};
 use longdrive::optimize::{Domain, Options, Solution, Status, minimize};
 
-/// Problems that end at another local minimum than the published one, with its value.
+/// Problems whose search ends at another local minimum than the published one, with its value
+/// there.
 const OTHER_MINIMA: [(&str, f64); 8] = [
     ("HS2", 4.941_229_318),
     ("HS16", 23.144_660_94),
@@ -300,7 +301,7 @@ fn few_searches_fail_from_other_starts() {
     );
 }
 
-/// The problems without their Hessians, which the search approximates, to a residual of 1e-8.
+/// The search gets no Hessians and approximates them. The residual limit is 1e-8.
 #[test]
 fn published_problems_are_solved_from_gradients_alone_but_for_four() {
     let cases = problems::hock_schittkowski()

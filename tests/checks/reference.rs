@@ -77,7 +77,8 @@ fn independent_gradients_by_every_parameter() {
             let ours = derivative::gradient(&setup, of, &wrt).unwrap();
             for (parameter, derivative) in wrt.iter().zip(ours.gradient) {
                 let expected = number(&theirs[parameter.name]);
-                // relative, but at least 1e-12 of the outcome per typical change of the parameter
+                // the error is relative to the derivative; for a small derivative, to 1e-4 of the
+                // outcome divided by the size of the parameter
                 let change = setup.value(parameter).unwrap().abs().max(1e-3);
                 let scale = expected
                     .abs()

@@ -377,7 +377,8 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
             .map(|model| number(&model["constraints"][0]["multiplier"]))
             .sum();
         if unit == "deg" {
-            // the text names the model whose own optimum has the limit active
+            // at the common design the limit is not active; the text has its price, which comes
+            // from the best designs of single models
             let bests: Vec<_> = found["models"]
                 .as_array()
                 .unwrap()

@@ -269,7 +269,8 @@ fn published_signs_of_garmin_are_turned() {
             .any(|remarks| remarks.contains("Sidespin is read with + to the left")),
         "{remarks:?}"
     );
-    // an axis of the other sign is accepted, because no other value contradicts it
+    // spin axis and sidespin have opposite signs; there is no note, because the measured side
+    // agrees with the spin axis
     let text = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
                 Axis [deg],Backspin [rpm],Sidespin [rpm],Carry Deviation \
                 Distance [yd]\n150,12,0,2500,10,2462,-434,12\n";

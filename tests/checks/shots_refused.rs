@@ -31,7 +31,7 @@ fn rows(table: &ShotTable) -> Vec<usize> {
     table.shots.iter().map(|shot| shot.row).collect()
 }
 
-/// The rows that `fly` flies, from 1, and the reasons of the others.
+/// The numbers of the rows that `fly` flies, counted from 1, and the reasons why it refuses others.
 fn of_fly(text: &str) -> (Vec<usize>, Vec<String>) {
     let (_, all, _) = flown(Cursor::new(text.to_owned()));
     let (mut rows, mut reasons) = (vec![], vec![]);

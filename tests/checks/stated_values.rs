@@ -354,7 +354,7 @@ fn columns_of_a_table_of_swings_that_are_not_read_are_named() {
     );
 }
 
-/// A coefficient of the setup's law is not a coefficient of another law.
+/// A warning names a stated coefficient of the setup's law if the law of a model does not have it.
 #[test]
 fn coefficients_that_the_law_of_a_model_does_not_have_are_named() {
     let (status, found) = json(&["robust", "--set", "aero.cd0=0.2"]);
@@ -372,7 +372,8 @@ fn coefficients_that_the_law_of_a_model_does_not_have_are_named() {
     );
 }
 
-/// Rows that are launches fly from their measured launch; totals need a ground.
+/// Notes of a fit: it does not use the uncertainties of measured launches, and it compares totals
+/// on an assumed ground if no ground is stated.
 #[test]
 fn what_a_fit_assumes_or_does_not_use_is_named() {
     let folder = tempfile::tempdir().unwrap();

@@ -410,7 +410,8 @@ fn one_drive_alone_is_checked_once() {
     );
 }
 
-/// A tolerance out of reach names the drive with the error, and the error.
+/// If no step meets a tolerance, the message names a drive that misses it, and the error of this
+/// drive.
 #[test]
 fn a_tolerance_out_of_reach_names_the_drive() {
     let setup = Setup::default();
@@ -429,8 +430,8 @@ fn a_tolerance_out_of_reach_names_the_drive() {
 }
 
 /// A tolerance limits errors of lengths, not of derivatives. docs/limitations.md states the errors
-/// of derivatives by loft, attack angle, speed and density, relative to the largest derivative; the
-/// reference are much shorter steps.
+/// of derivatives by loft, attack angle, speed and density, relative to the largest derivative. The
+/// reference has much shorter steps.
 #[test]
 fn same_derivatives_in_shorter_steps_within_the_documented_error() {
     let sizes = [

@@ -52,7 +52,8 @@ fn a_wind_profile_without_effect_has_a_warning() {
     }
     let sound = warnings_of_wind(&["wind.roughness=30mm", blows]);
     assert!(!sound.contains("wind."), "{sound}");
-    // with wind or a varied profile, both have an effect
+    // no warning: the roughness has an effect if there is wind in some drives, and the reference
+    // height if the roughness is varied
     let (rough, high) = ("wind.roughness=30mm", "wind.reference_height=3m");
     for args in [
         &[
