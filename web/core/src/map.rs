@@ -51,8 +51,8 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         .is_some_and(|all| all <= MOST_NODES);
     if columns < 2 || rows < 2 || !is_small {
         let why = format!(
-            "a map of {columns} x {rows} nodes; expected 2 or more to each side, and at most \
-             {MOST_NODES}"
+            "a map of {columns} x {rows} nodes; expected 2 or more along each side, and at most \
+             {MOST_NODES} in all"
         );
         return Err(Refusal::of_request(&why));
     }

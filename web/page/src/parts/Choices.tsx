@@ -48,7 +48,7 @@ function ChoiceRow({ choice: { choice, names, doc }, design }: { choice: Choice;
       <span>{labelOf(choice)}</span>
       <select value={isChosen ? '' : set[choice] ?? String(ofPreset)}
         onChange={(event) => change(event.currentTarget.value)}>
-        {mayChoose && <option value="">chosen for 1 µm</option>}
+        {mayChoose && <option value="">chosen for an error of 1 µm</option>}
         {names.map((name) => <option value={name} key={name}>{name}</option>)}
       </select>
       {isStep && !isChosen && <span class="unit">step {set[STEP] ?? 'of the preset'}</span>}

@@ -49,7 +49,7 @@ function Picture({ loop, step }: { loop: Loop; step: number }) {
   const x = (k: number) => KNOB + (k / (errors.length - 1)) * (width - 2 * KNOB);
   const y = (error: number) => ROOM + ((most - error) / (most - least || 1)) * (HEIGHT - 2 * ROOM);
   const points = errors.flatMap((error, k) => (Number.isFinite(error) ? [[x(k), y(error)] as const] : []));
-  const text = `loop of ${digits(step * 1000, 0)} ms less the exact carry: up to `
+  const text = `carry of the loop of ${digits(step * 1000, 0)} ms minus the exact carry: up to `
     + `${digits(inLength(worstOf(loop), units), 2)} ${lengthUnit(units)}`;
   return (
     <div class="loop-track" ref={ref}>

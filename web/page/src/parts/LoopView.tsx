@@ -84,7 +84,7 @@ function Overlay({ step, name }: { step: number; name: string }) {
       <label>
         <input type="checkbox" checked={isOver} onChange={() => setOver(!isOver)} />
         {' '}lay the loop over the slider of the {labelOf(name)} and over the map
-        {isCarry ? '' : ', which has no totals of it'}
+        {isCarry ? '' : ' (only a map of the carry shows it)'}
       </label>
     </p>
   );

@@ -109,10 +109,10 @@ function Compared({ name, flown, csv }: Result) {
     <>
       <p role="status">
         {flown.flown} of {flown.rows} shots of {name} were flown.
-        {flown.flown < flown.rows && ' The CSV below has the reason for each other shot.'}
+        {flown.flown < flown.rows && ' For each shot that was not flown, the CSV below has the reason.'}
       </p>
       {rows.length > 0 && (
-        <TableView head={['outcome', 'shots', 'computed − measured', 'mean size']} rows={rows} />
+        <TableView head={['outcome', 'shots', 'computed − measured, mean', 'mean absolute']} rows={rows} />
       )}
       <p class="buttons">
         <button type="button" onClick={() => download('flown.csv', new Uint8Array(csv), 'text/csv')}>
