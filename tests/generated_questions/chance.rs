@@ -4,8 +4,8 @@ use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 /// Choices determined by a seed.
 pub struct Chance {
     random: Xoshiro256PlusPlus,
-    /// True if the question may have mistakes. With a mistake in every word, it would fail at the
-    /// first word.
+    /// True if the question may have mistakes. Each choice is then a mistake with probability 0.1,
+    /// because the program reports only the first of several mistakes.
     is_careless: bool,
     /// True if the drives of the question are given by their launch.
     pub is_launched: bool,

@@ -167,7 +167,7 @@ fn solvers(records: &[Record]) -> Result<String, Box<dyn Error>> {
     Ok(table)
 }
 
-/// Two significant digits.
+/// A ratio with two significant digits, if it is between 0.1 and 100.
 fn digits(ratio: f64) -> String {
     match ratio.abs() {
         size if size >= 10.0 => format!("{ratio:.0}"),

@@ -1,4 +1,5 @@
-// The practical floor: hand-written dual numbers, a struct of a value and its tangents.
+// Hand-written dual numbers, a struct of a value and its tangents: in practice the shortest time
+// of automatic differentiation.
 #include "dual.hpp"
 #include "carry.hpp"
 #include "harness.hpp"

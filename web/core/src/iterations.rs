@@ -114,7 +114,8 @@ struct Iterate<'a> {
     /// Number of the search to which the iterate belongs.
     search: usize,
     iteration: &'a Iteration,
-    /// The next iteration, which has the result of the step from this iterate.
+    /// The next iteration, which has the result of the step from this iterate; `None` for the last
+    /// iterate of a search.
     next: Option<&'a Iteration>,
     vary: &'a [Vary],
     sign: f64,
