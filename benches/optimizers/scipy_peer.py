@@ -204,7 +204,7 @@ def solve(program, solver, problem, pipe):
 
 
 def run(context, program, solver, problem):
-    """The outcome of the fastest repetition."""
+    """The outcome of the last repetition, with the time of the fastest one."""
     receive, send = context.Pipe(duplex=False)
     process = context.Process(target=solve, args=(program, solver, problem, send))
     process.start()

@@ -52,7 +52,8 @@ pub fn solve(solver: &str, problem: &str) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Runs the child process, and returns its outcome with the fastest time.
+/// Runs the child process. Returns the outcome of its last repetition, with the time of the fastest
+/// one.
 pub fn run(solver: &str, problem: &str) -> Result<Outcome, Box<dyn Error>> {
     let mut child = Command::new(std::env::current_exe()?)
         .args(["--solve", solver, problem])
