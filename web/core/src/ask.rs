@@ -23,7 +23,7 @@ const WIDTH: usize = 80;
 pub type ShowProgress = fn(done: f64, of: f64);
 
 /// The largest answer, bytes.
-const MOST_BYTES: usize = 64 << 20;
+const MOST_BYTES: usize = 64_000_000;
 
 /// The request.
 #[derive(Clone, Debug, Deserialize)]
@@ -169,7 +169,7 @@ impl Host for Page {
     fn write(&self, rows: &[u8]) -> io::Result<()> {
         let answer = &mut self.now().answer;
         if answer.len() + rows.len() > MOST_BYTES {
-            let why = "it is larger than 64 MB, the most that a page keeps";
+            let why = "it is larger than 64 MB, the largest answer of a page";
             return Err(io::Error::other(why));
         }
         answer.extend_from_slice(rows);

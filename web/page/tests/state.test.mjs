@@ -140,6 +140,26 @@ test('a launch replaces the axes and the variables of its strike', () => {
   assert.deepEqual(page.mapOf({ ...state, designs }), ['launch.launch_angle', 'launch.backspin']);
 });
 
+test('a slope of the carry is the gain beyond either bound of the loft', { skip }, () => {
+  const state = { ...page.START, goal: 'carry' };
+  const [design] = state.designs;
+  const listed = (name) => catalog.parameters.find(({ parameter }) => parameter === name);
+  const degrees = Math.PI / 180;
+  const carryOf = (loft) => {
+    const words = ['simulate', design.preset, '--set', `club.loft=${loft} deg`, '--json'];
+    return JSON.parse(core.ask({ words }).head.answer).flight.carry;
+  };
+  // the best loft lies between these ranges
+  for (const [low, high, bound, outwards] of [[14, 20, 14, -1], [2, 4, 4, 1]]) {
+    const travel = () => ({ low: low * degrees, high: high * degrees, step: 0.1 * degrees });
+    const words = page.bestWords({ parameter: listed, travel }, state, design, ['club.loft']);
+    const { head } = core.ask({ words });
+    const best = page.readBest({ ...head, files: {} }, design, { parameter: listed, travel });
+    const gain = (carryOf(bound + outwards * 0.01) - carryOf(bound)) / (0.01 * degrees);
+    assert.ok(gain > 0 && Math.abs(best.beyond['club.loft'] - gain) < 0.02 * gain, `${bound}: ${best.beyond['club.loft']}, ${gain}`);
+  }
+});
+
 /** Compares two setups whose numbers may have been rounded to the digits of a field. */
 function near(ours, theirs, about) {
   for (const name of Object.keys(theirs)) {

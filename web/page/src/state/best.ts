@@ -16,8 +16,8 @@ export interface Best {
   design: Design;
   flight: Readonly<Record<string, number | null>>;
   /**
-   * Derivative of the best value by the active bound of each parameter, SI: positive at an upper
-   * bound, negative at a lower bound; 0 for a parameter within its bounds.
+   * Gain of the goal for moving the active bound of each parameter outwards, SI; 0 for a parameter
+   * within its bounds.
    */
   beyond: Readonly<Record<string, number>>;
   warnings: readonly string[];
@@ -56,7 +56,7 @@ export function readBest({ exit, answer }: Reply, design: Design, fields: Fields
   });
   const beyond = names.map((name) => {
     const { lower = 0, upper = 0 } = multipliers[name] ?? {};
-    return [name, upper - lower] as const;
+    return [name, lower + upper] as const;
   });
   return {
     names,
