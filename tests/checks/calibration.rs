@@ -960,10 +960,9 @@ fn interrupted_folds_are_omitted_and_counted() {
     );
 }
 
-/// Starts whose search does not end at the best fit are counted by their status, with advice. Here
-/// five of six cannot begin.
+/// Starts that cannot begin are counted by their status, with advice: here five of six.
 #[test]
-fn starts_that_end_at_larger_sums_are_reported() {
+fn starts_that_cannot_begin_are_counted() {
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
     let fit = [
         "calibrate",

@@ -1,5 +1,6 @@
 //! Independently computed drives, random drives, and comparison of numbers.
 
+use longdrive::derivative::Taylor;
 use longdrive::number::{Jet, Mixed};
 use longdrive::parameters::Law;
 use longdrive::{Drive, Outcome, Setup};
@@ -7,6 +8,8 @@ use num_dual::{Dual64, DualNum};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
+use rand_xoshiro::Xoshiro256PlusPlus;
+use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -300,4 +303,46 @@ pub fn panic_of<T>(work: impl FnOnce() -> T) -> String {
     let word = panic.downcast_ref::<&str>().map(ToString::to_string);
     word.or_else(|| panic.downcast_ref::<String>().cloned())
         .unwrap_or_default()
+}
+
+/// Random numbers with a fixed seed.
+pub struct Random(Xoshiro256PlusPlus);
+
+impl Random {
+    pub fn seeded(seed: u64) -> Self {
+        Self(Xoshiro256PlusPlus::seed_from_u64(seed))
+    }
+
+    /// A uniform number.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * (high - low)
+    }
+
+    /// A whole number below `count`.
+    pub fn below(&mut self, count: usize) -> usize {
+        (self.0.next_u64() % count as u64) as usize
+    }
+
+    /// A number of the standard normal distribution, by the transform of Box & Muller.
+    pub fn normal(&mut self) -> f64 {
+        let mut share = || ((self.0.next_u64() >> 11) as f64 + 0.5) / (1u64 << 53) as f64;
+        (-2.0 * share().ln()).sqrt() * (std::f64::consts::TAU * share()).cos()
+    }
+}
+
+/// The largest differences of value, gradient and Hessian between two neighbouring drives, relative
+/// to the size of each.
+pub fn jump(a: &Taylor, b: &Taylor) -> [f64; 3] {
+    let jump = |a: &[f64], b: &[f64]| {
+        let most = a
+            .iter()
+            .zip(b)
+            .fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        most / a.iter().fold(0.0_f64, |most, value| most.max(value.abs()))
+    };
+    [
+        jump(&[a.value], &[b.value]),
+        jump(&a.gradient, &b.gradient),
+        jump(&a.hessian.concat(), &b.hessian.concat()),
+    ]
 }

@@ -2,11 +2,10 @@
 //! swings.
 
 use crate::command_line::{json, longdrive, number, on_one_line};
+use crate::common::Random;
 use longdrive::parameters::Parameter;
 use longdrive::study::swings::{Rule, Scenarios, Swings};
 use longdrive::{Drive, Outcome, Setup};
-use rand_xoshiro::Xoshiro256PlusPlus;
-use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 const MPH: f64 = 0.44704;
@@ -30,25 +29,15 @@ const UNKNOWNS: [&str; 8] = [
     "swing.face_angle=-12deg..12deg",
 ];
 
-/// Normal random numbers with a fixed seed.
-struct Chance(Xoshiro256PlusPlus);
-
-impl Chance {
-    fn normal(&mut self) -> f64 {
-        let mut share = || ((self.0.next_u64() >> 11) as f64 + 0.5) / (1u64 << 53) as f64;
-        (-2.0 * share().ln()).sqrt() * (std::f64::consts::TAU * share()).cos()
-    }
-}
-
 /// An export with shots of random swings from [`TRUTH`], with the errors of a launch monitor.
 fn shots(count: usize, seed: u64) -> String {
-    let mut chance = Chance(Xoshiro256PlusPlus::seed_from_u64(seed));
-    let swing = |chance: &mut Chance| {
-        let mut scores = [0.0; 4].map(|_| chance.normal());
+    let mut random = Random::seeded(seed);
+    let swing = |random: &mut Random| {
+        let mut scores = [0.0; 4].map(|_| random.normal());
         scores[3] = CORRELATION * scores[2] + (1.0 - CORRELATION * CORRELATION).sqrt() * scores[3];
         scores.to_vec()
     };
-    shots_of(&TRUTH, count, &mut chance, swing)
+    shots_of(&TRUTH, count, &mut random, swing)
 }
 
 /// An export with shots of swings with the means and deviations of `truth`. `scores` returns the
@@ -56,8 +45,8 @@ fn shots(count: usize, seed: u64) -> String {
 fn shots_of(
     truth: &[(&str, f64, f64)],
     count: usize,
-    chance: &mut Chance,
-    scores: impl Fn(&mut Chance) -> Vec<f64>,
+    random: &mut Random,
+    scores: impl Fn(&mut Random) -> Vec<f64>,
 ) -> String {
     let of = [
         (Outcome::BallSpeed, "Ball Speed [m/s]"),
@@ -68,7 +57,7 @@ fn shots_of(
     ];
     let mut text = of.map(|(_, head)| head).join(",") + "\n";
     for _ in 0..count {
-        let scores = scores(chance);
+        let scores = scores(random);
         let mut swing = Setup::preset("tour-average").unwrap();
         for ((name, mean, deviation), score) in truth.iter().zip(scores) {
             let parameter = swing.variable(name).unwrap();
@@ -78,7 +67,7 @@ fn shots_of(
         }
         let drive = Drive::new(&swing).unwrap();
         let cell = |(of, _): (Outcome, &str)| {
-            let error = of.measurement_uncertainty().unwrap() * chance.normal();
+            let error = of.measurement_uncertainty().unwrap() * random.normal();
             (of.value(&drive).unwrap() + error).to_string()
         };
         text += &(of.map(cell).join(",") + "\n");
@@ -196,9 +185,9 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).display().to_string();
     let (file, distribution) = (at("shots.csv"), at("swings.toml"));
-    let mut chance = Chance(Xoshiro256PlusPlus::seed_from_u64(3));
-    let scores = |chance: &mut Chance| (0..7).map(|_| chance.normal()).collect::<Vec<_>>();
-    std::fs::write(&file, shots_of(&truth, 60, &mut chance, scores)).unwrap();
+    let mut random = Random::seeded(3);
+    let scores = |random: &mut Random| (0..7).map(|_| random.normal()).collect::<Vec<_>>();
+    std::fs::write(&file, shots_of(&truth, 60, &mut random, scores)).unwrap();
     let (status, answer) = json(&["delivery", "--shots", &file, "--swings", &distribution]);
     assert_eq!(status, 0, "{}", answer["message"]);
     for ((name, mean, deviation), spread) in truth
@@ -240,7 +229,7 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
         "{}",
         answer["population"]
     );
-    are_given_back(&answer);
+    assert_same_launch_statistics(&answer);
     // the launches of the recovered swings scatter like the golfer's launches
     let setup = Setup::preset("tour-average").unwrap();
     let found = Swings::open(&setup, distribution.as_ref()).unwrap();
@@ -291,7 +280,7 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
                 parameters.clone(),
                 truth
                     .iter()
-                    .map(|(_, mean, deviation)| mean + deviation * chance.normal())
+                    .map(|(_, mean, deviation)| mean + deviation * random.normal())
                     .collect(),
             )
         })
@@ -318,7 +307,7 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
 
 /// Asserts that mean and scatter of each outcome over the recovered swings are those of the shots,
 /// within a quarter of the scatter.
-fn are_given_back(answer: &serde_json::Value) {
+fn assert_same_launch_statistics(answer: &serde_json::Value) {
     for one in answer["population"]["launches"].as_array().unwrap() {
         let [[mean, deviation], [found, spread]] = ["measured", "recovered"]
             .map(|of| ["mean", "deviation"].map(|what| number(&one[of][what])));
@@ -334,12 +323,12 @@ fn a_robots_swings_keep_less_of_the_prior_spread() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).display().to_string();
     let (file, distribution) = (at("shots.csv"), at("swings.toml"));
-    let mut chance = Chance(Xoshiro256PlusPlus::seed_from_u64(5));
-    std::fs::write(&file, shots_of(&TRUTH, 40, &mut chance, |_| vec![0.0; 4])).unwrap();
+    let mut random = Random::seeded(5);
+    std::fs::write(&file, shots_of(&TRUTH, 40, &mut random, |_| vec![0.0; 4])).unwrap();
     let (status, answer) = json(&["delivery", "--shots", &file, "--swings", &distribution]);
     let kept = number(&answer["population"]["kept"]);
     assert!(status == 0 && kept < 1.0, "{}", answer["population"]);
-    are_given_back(&answer);
+    assert_same_launch_statistics(&answer);
     let text = std::fs::read_to_string(&distribution).unwrap();
     assert!(
         text.contains("# in the directions that the shots do not identify, the swings have"),

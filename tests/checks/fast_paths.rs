@@ -40,7 +40,7 @@ fn general<D: Number>(setup: &Setup<f64>, of: Outcome, variable: impl Fn(f64, us
 }
 
 /// Setups in the plane and in space, with every law and method.
-fn for_every_way(check: impl Fn(&Setup<f64>)) {
+fn for_planar_and_spatial_setups(check: impl Fn(&Setup<f64>)) {
     let sideways = [
         ("swing.path", "2 deg"),
         ("strike.toe", "8 mm"),
@@ -118,7 +118,7 @@ fn agrees(setup: &Setup<f64>) {
 
 #[test]
 fn same_derivatives_by_the_fast_paths_and_the_general_one() {
-    for_every_way(agrees);
+    for_planar_and_spatial_setups(agrees);
 }
 
 /// Decay rates from 0 to a rate with which the spin decays within a tenth of a second.
@@ -279,7 +279,7 @@ fn same_drives_in_lanes_and_alone() {
         "swing.attack_angle=-12deg..10deg",
         "swing.speed=25m/s..60m/s",
     ];
-    for_every_way(|setup| {
+    for_planar_and_spatial_setups(|setup| {
         let vary: Vec<Vary> = ranges
             .iter()
             .map(|text| Vary::read(setup, text).unwrap())

@@ -1,9 +1,9 @@
 //! Bounces and rolling: compared with an independent computation, closed forms and papers; smooth
 //! across numbers of bounces.
 
-use crate::common::{close, data, number, random_setups};
+use crate::common::{close, data, jump, number, random_setups};
 use longdrive::derivative::check::Verdict;
-use longdrive::derivative::{Order, Taylor, evaluate};
+use longdrive::derivative::{Order, evaluate};
 use longdrive::number::Vector;
 use longdrive::parameters::PRESETS;
 use longdrive::study::certificate::certify;
@@ -188,23 +188,6 @@ fn runs_of_random_drives_are_finite() {
         flown += 1;
     }
     assert!(flown > 100, "{flown}");
-}
-
-/// The largest differences of value, gradient and Hessian between two neighbouring drives, relative
-/// to the size of each.
-fn jump(a: &Taylor, b: &Taylor) -> [f64; 3] {
-    let jump = |a: &[f64], b: &[f64]| {
-        let most = a
-            .iter()
-            .zip(b)
-            .fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
-        most / a.iter().fold(0.0_f64, |most, value| most.max(value.abs()))
-    };
-    [
-        jump(&[a.value], &[b.value]),
-        jump(&a.gradient, &b.gradient),
-        jump(&a.hessian.concat(), &b.hessian.concat()),
-    ]
 }
 
 /// Neighbouring launch angles on both sides of every change of the number of bounces, also of balls

@@ -40,7 +40,7 @@ fn paths(tree: &str) -> Vec<String> {
 
 /// A path of a `use` line.
 struct Use {
-    is_handed_on: bool,
+    is_reexport: bool,
     path: String,
     /// Its name in the file.
     name: String,
@@ -67,7 +67,7 @@ impl Names {
                 .split_once("use ")
                 .map(|(visibility, tree)| (!visibility.is_empty(), paths(tree)))
         });
-        let uses = trees.flat_map(|(is_handed_on, paths)| {
+        let uses = trees.flat_map(|(is_reexport, paths)| {
             paths.into_iter().map(move |path| {
                 let (path, alias) = path.split_once(" as ").unwrap_or((&path, ""));
                 let name = if alias.is_empty() {
@@ -76,7 +76,7 @@ impl Names {
                     alias
                 };
                 Use {
-                    is_handed_on,
+                    is_reexport,
                     path: path.into(),
                     name: name.into(),
                 }
@@ -118,7 +118,7 @@ fn defined(files: &BTreeMap<String, Names>, module: &str, path: &str) -> String 
     let handed_on = files[module]
         .uses
         .iter()
-        .find(|of| of.is_handed_on && of.name == name && of.path != path);
+        .find(|of| of.is_reexport && of.name == name && of.path != path);
     handed_on.map_or(module.to_owned(), |of| defined(files, module, &of.path))
 }
 
@@ -150,7 +150,7 @@ fn imports() -> Imports {
         let used = names
             .uses
             .iter()
-            .filter(|of| !of.is_handed_on)
+            .filter(|of| !of.is_reexport)
             .map(|of| &of.path);
         let begins = |path: &&String| {
             let first = path.split("::").next().unwrap();

@@ -19,14 +19,14 @@ const FILE: &str = "independent_drives.json";
 /// step, and have the tolerance [`ROUGH`] and a `floor` of 1: drives in a logarithmic wind, which
 /// varies within half a metre of the ground, and drives whose spin ratio decreases through a join
 /// of a law that is only C².
-struct Bar {
+struct DerivativeTolerance {
     tolerance: f64,
     floor: f64,
 }
 
 const ROUGH: f64 = 1e-5;
 
-impl Bar {
+impl DerivativeTolerance {
     fn of(drive: &Value, smooth: f64) -> Self {
         let rough = !drive["setup"]["wind.roughness"].is_null()
             || drive["name"].as_str().unwrap().contains("falls through");
@@ -101,7 +101,7 @@ fn independent_gradients_of_every_outcome_by_every_parameter_within_1e8() {
                     outcome.name(),
                     parameter.name
                 );
-                Bar::of(&drive, 1e-8).compare(
+                DerivativeTolerance::of(&drive, 1e-8).compare(
                     *slope,
                     expected,
                     ours.value.abs().max(1.0) / size(&setup, parameter),
@@ -148,7 +148,7 @@ fn independent_hessians_over_six_parameters_within_1e7() {
                         names[i],
                         names[j]
                     );
-                    Bar::of(&drive, 1e-7).compare(
+                    DerivativeTolerance::of(&drive, 1e-7).compare(
                         ours.hessian[i][j],
                         expected,
                         per_parameters,

@@ -330,7 +330,7 @@ const LAUNCH: [(Outcome, f64, f64, f64); 5] = [
 /// correlation of the measured face with the strike towards the toe. Also returns, for each number
 /// of the launch, how far its mean and its deviation differ from the published ones, in standard
 /// errors of 58 drives.
-fn struck_beside_the_middle(
+fn scatter_of_strikes(
     toe: (f64, f64),
     high: (f64, f64),
     with_toe: f64,
@@ -405,7 +405,7 @@ fn struck_beside_the_middle(
 /// too.
 #[test]
 fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells() {
-    let ([carry, rest], off) = struck_beside_the_middle((6.9, 17.4), (-7.1, 5.3), 0.87);
+    let ([carry, rest], off) = scatter_of_strikes((6.9, 17.4), (-7.1, 5.3), 0.87);
     println!(
         "carry {:.1} ± {:.1} yd, at rest {:.1} ± {:.1} yd to the right; off {off:.1?}",
         carry.0, carry.1, rest.0, rest.1
@@ -431,7 +431,7 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
         "{carry:?} {rest:?}"
     );
     // strikes in the middle of the face do not reproduce the published numbers
-    let ([_, centred], off) = struck_beside_the_middle((0.0, 0.01), (0.0, 0.01), 0.0);
+    let ([_, centred], off) = scatter_of_strikes((0.0, 0.01), (0.0, 0.01), 0.0);
     println!(
         "struck in the middle: at rest ± {:.1} yd; off {off:.1?}",
         centred.1
@@ -442,14 +442,14 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
     );
     // strikes that scatter more reproduce them too, if strike and face are less correlated
     for (toe, with_toe) in [(16.0, 0.91), (20.0, 0.83), (24.0, 0.80)] {
-        let ([_, rest], _) = struck_beside_the_middle((6.9, toe), (-7.1, 5.3), with_toe);
+        let ([_, rest], _) = scatter_of_strikes((6.9, toe), (-7.1, 5.3), with_toe);
         println!(
             "{toe} mm, correlation {with_toe}: at rest ± {:.1} yd",
             rest.1
         );
         assert!((rest.1 / LATERAL - 1.0).abs() < 0.05, "{toe}: {rest:?}");
     }
-    let ([_, rest], _) = struck_beside_the_middle((6.9, 8.2), (-7.1, 5.3), 0.94);
+    let ([_, rest], _) = scatter_of_strikes((6.9, 8.2), (-7.1, 5.3), 0.94);
     println!("8.2 mm, correlation 0.94: at rest ± {:.1} yd", rest.1);
     assert!(rest.1 > 1.1 * LATERAL, "{rest:?}");
 }

@@ -1,27 +1,12 @@
 //! The random sample of the ranges that each optimum is compared with.
 
 use crate::command_line::{json, longdrive, number};
-use crate::common::{LARGE_STEPS, SET_RIGID};
+use crate::common::{LARGE_STEPS, Random, SET_RIGID};
 use longdrive::batch::Batch;
 use longdrive::optimize::{Observer, Status};
 use longdrive::parameters::PRESETS;
 use longdrive::study::{Constraint, Search, Vary, optimum};
 use longdrive::{Outcome, Setup};
-use rand_xoshiro::Xoshiro256PlusPlus;
-use rand_xoshiro::rand_core::{RngCore, SeedableRng};
-
-/// Random numbers with a fixed seed.
-struct Random(Xoshiro256PlusPlus);
-
-impl Random {
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * (high - low)
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        (self.0.next_u64() % count as u64) as usize
-    }
-}
 
 /// Parameters with the widest searched ranges, SI.
 const VARIED: [(&str, f64, f64); 10] = [
@@ -147,7 +132,7 @@ fn generated(random: &mut Random) -> Option<Generated> {
 /// ranges, and none reports that no point meets the constraints.
 #[test]
 fn sampled_points_are_rarely_better_than_optima() {
-    let mut random = Random(Xoshiro256PlusPlus::seed_from_u64(51));
+    let mut random = Random::seeded(51);
     let (mut below, mut improved) = (vec![], 0);
     for number in 0..400 {
         let Some(Generated {

@@ -1,7 +1,8 @@
 //! Continuity of value, gradient and Hessian along lines of lofts that cross many changes of the
 //! number of steps, measured at each change between the two adjacent floating-point lofts.
 
-use longdrive::derivative::{Order, Taylor, evaluate, hessian};
+use crate::common::jump;
+use longdrive::derivative::{Order, evaluate, hessian};
 use longdrive::flight::Flight;
 use longdrive::{Drive, Outcome, Setup};
 
@@ -79,28 +80,6 @@ fn jumps(setup: &Setup<f64>, of: &[Outcome], degrees: (f64, f64)) -> (usize, Vec
         }
     }
     (changes, worst)
-}
-
-/// Differences of value, gradient and Hessian, relative to their sizes.
-fn jump(a: &Taylor, b: &Taylor) -> [f64; 3] {
-    let size = |values: &[f64]| {
-        values
-            .iter()
-            .fold(0.0_f64, |most, value| most.max(value.abs()))
-    };
-    let jump = |a: &[f64], b: &[f64]| {
-        let most = a
-            .iter()
-            .zip(b)
-            .fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
-        most / size(a)
-    };
-    let value = (a.value - b.value).abs() / a.value.abs();
-    [
-        value,
-        jump(&a.gradient, &b.gradient),
-        jump(&a.hessian.concat(), &b.hessian.concat()),
-    ]
 }
 
 #[test]

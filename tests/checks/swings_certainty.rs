@@ -1,15 +1,13 @@
 //! Goals over swings follow their definitions, with an error estimate that contains the truth.
 
 use crate::command_line::{json, number};
-use crate::common::{RIGID, SET_RIGID};
+use crate::common::{RIGID, Random, SET_RIGID};
 use longdrive::batch::Batch;
 use longdrive::optimize::Observer;
 use longdrive::study::swings::{GoalError, Measure, Rule, Scenarios, Swings, analyse_over_swings};
 use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Constraint, Goal, Optimum, Search, Sense, Vary, optimum};
 use longdrive::{Outcome, Setup};
-use rand_xoshiro::Xoshiro256PlusPlus;
-use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -137,10 +135,8 @@ fn searched(setup: &Setup<f64>, goals: &[String], scenarios: Scenarios) -> Optim
 /// two and a half times as many nodes.
 #[test]
 fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
-    let mut chance = Xoshiro256PlusPlus::seed_from_u64(51);
-    let mut between = |low: f64, high: f64| {
-        low + (high - low) * (chance.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    };
+    let mut random = Random::seeded(51);
+    let mut between = |low: f64, high: f64| random.between(low, high);
     let (mut checked, mut missed, mut parts) = (0, vec![], vec![]);
     for round in 0..13 {
         let mut setup =

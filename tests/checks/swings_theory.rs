@@ -1,14 +1,12 @@
 //! Theory of goals over many swings: their derivatives, and the convergence of the optimum over a
 //! sample to that over all swings.
 
-use crate::common::close;
+use crate::common::{Random, close};
 use crate::swings::swings;
 use longdrive::optimize::{Observer, Options};
 use longdrive::study::swings::{Rule, Scenarios, Strokes, Swings};
 use longdrive::study::{Goal, Search, Sense, Vary, optimum};
 use longdrive::{Outcome, Setup};
-use rand_xoshiro::Xoshiro256PlusPlus;
-use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 
 /// The derivatives of every goal, compared with differences of the goal's values and gradients.
 #[test]
@@ -161,8 +159,8 @@ fn order_of_the_error_of_the_optimum_over_a_sample() {
         .sqrt()
     };
     let random = |count: usize, seed: u32| {
-        let mut chance = Xoshiro256PlusPlus::seed_from_u64(u64::from(seed) * 1000 + count as u64);
-        let mut share = || (chance.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+        let mut random = Random::seeded(u64::from(seed) * 1000 + count as u64);
+        let mut share = || random.between(0.0, 1.0);
         let mut row = || {
             vec![
                 (10.0 * share() - 4.0).to_radians(),

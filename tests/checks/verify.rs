@@ -239,7 +239,7 @@ fn any_request() -> impl Strategy<Value = (Setup<f64>, usize)> {
     )
 }
 
-/// A correct derivative of a usual drive passes. LONGDRIVE_QUESTIONS sets the number of drives
+/// A correct derivative of a usual drive passes. LONGDRIVE_DRIVES sets the number of drives
 /// (docs/verification.md has the number of the largest run).
 #[test]
 fn differences_certify_random_derivatives_by_one_parameter() {
@@ -250,7 +250,7 @@ fn differences_certify_random_derivatives_by_one_parameter() {
     };
     let (first, count) = (
         number("LONGDRIVE_FIRST").unwrap_or(0),
-        number("LONGDRIVE_QUESTIONS").unwrap_or(40),
+        number("LONGDRIVE_DRIVES").unwrap_or(40),
     );
     let mut runner = TestRunner::deterministic();
     let questions: Vec<_> = (0..first + count)

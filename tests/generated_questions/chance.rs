@@ -33,13 +33,13 @@ impl Chance {
     }
 
     /// Chooses whether to make a mistake here.
-    pub fn slips(&mut self) -> bool {
+    pub fn makes_mistake(&mut self) -> bool {
         self.is_careless && self.is(0.1)
     }
 
     /// One of `good`; with a mistake, one of `bad`.
     pub fn of_or<T: Clone>(&mut self, good: &[T], bad: &[T]) -> T {
-        let all = if self.slips() { bad } else { good };
+        let all = if self.makes_mistake() { bad } else { good };
         self.of(all)
     }
 

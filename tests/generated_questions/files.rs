@@ -16,7 +16,7 @@ pub fn setup(chance: &mut Chance) -> Vec<u8> {
     let mut named = vec![];
     for _ in 0..chance.below(5) {
         let parameter = parameter(chance);
-        if named.contains(&parameter.name) && !chance.slips() {
+        if named.contains(&parameter.name) && !chance.makes_mistake() {
             continue;
         }
         named.push(parameter.name);
@@ -111,7 +111,7 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
     };
     let heads = (0..columns.len()).map(|at| head(at, chance)).collect();
     let mut text = joined(heads, more.iter().map(|(head, _)| *head).collect());
-    for _ in 0..(1 + chance.below(7)) * usize::from(!chance.slips()) {
+    for _ in 0..(1 + chance.below(7)) * usize::from(!chance.makes_mistake()) {
         let cell = |at: usize, chance: &mut Chance| {
             let size = columns[at]
                 .quantity
@@ -220,7 +220,7 @@ pub fn export(chance: &mut Chance) -> Vec<u8> {
                 chance.below(60),
             ) {
                 (_, 0) => String::new(),
-                (_, 1) if chance.slips() => chance
+                (_, 1) if chance.makes_mistake() => chance
                     .of(&["-", "nan", "x", "1e400", "2,500", "3 L R"])
                     .into(),
                 (true, _) => format!("{:.1} {}", value.abs(), if value < 0.0 { "L" } else { "R" }),
@@ -315,7 +315,7 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
     let mut columns = given[..1 + chance.below(4)].to_vec();
     let first = columns.len();
     columns.extend(&measured[..1 + chance.below(5)]);
-    if chance.slips() {
+    if chance.makes_mistake() {
         let twice = chance.of(&columns);
         columns.push(twice);
     }
@@ -323,7 +323,7 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
         .iter()
         .map(|(head, ..)| (*head).to_owned())
         .collect();
-    if chance.slips() {
+    if chance.makes_mistake() {
         let at = chance.below(heads.len());
         heads[at] = chance
             .of(&[
@@ -338,7 +338,7 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
     }
     let mut text = heads.join(",") + "\n";
     // faster or higher shots fly farther
-    for _ in 0..(2 + chance.below(8)) * usize::from(!chance.slips()) {
+    for _ in 0..(2 + chance.below(8)) * usize::from(!chance.makes_mistake()) {
         let common = chance.between(-1.0, 1.0);
         let cell = |at: usize, chance: &mut Chance| {
             let (_, middle, spread) = columns[at];
@@ -350,7 +350,7 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
             match chance.below(60) {
                 // missing values
                 0 if at >= first => String::new(),
-                _ if chance.slips() => chance
+                _ if chance.makes_mistake() => chance
                     .of(&["nan", "-5", "x", "1e300", "inf", "0", ""])
                     .into(),
                 _ => format!("{:.3}", middle + spread * part),
@@ -368,7 +368,7 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
 /// The bytes of a text; by mistake, with damage at a random place.
 fn with_damage(text: String, chance: &mut Chance) -> Vec<u8> {
     let mut bytes = text.into_bytes();
-    if !(chance.slips() || chance.slips()) {
+    if !(chance.makes_mistake() || chance.makes_mistake()) {
         return bytes;
     }
     let at = chance.below(bytes.len() + 1);

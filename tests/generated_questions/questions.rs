@@ -99,7 +99,7 @@ impl Question {
                 );
             }
         }
-        if chance.slips() {
+        if chance.makes_mistake() {
             let odd = chance.of(&[
                 "--bla",
                 "-x",
@@ -153,7 +153,7 @@ impl Question {
                 match chance.below(4) {
                     0 if command == "man" => {
                         self.output("-o", &["pages"], chance);
-                        if chance.slips() {
+                        if chance.makes_mistake() {
                             self.push("simulate");
                         }
                     }
@@ -284,7 +284,7 @@ impl Question {
                 self.files.push(("setup.toml".into(), text));
                 self.push("setup.toml");
             }
-            8 if chance.slips() => {
+            8 if chance.makes_mistake() => {
                 self.push(chance.of(&["none.toml", "modern", "", ".", "mine.txt", "no/such.toml"]))
             }
             _ => {}
@@ -311,7 +311,7 @@ impl Question {
                     "sidespin=-300rpm",
                     "spin_axis=3deg",
                 ];
-                let part = if chance.slips() {
+                let part = if chance.makes_mistake() {
                     chance.below(3)..6
                 } else {
                     0..3 + chance.below(3)
@@ -348,7 +348,7 @@ impl Question {
             self.files.push(("shots.csv".into(), text));
             self.option("--shots", "shots.csv");
         }
-        if !chance.is_launched && (!has_shots || chance.slips()) {
+        if !chance.is_launched && (!has_shots || chance.makes_mistake()) {
             for (option, of, amiss) in [
                 ("--ball-speed", "150mph", "150"),
                 ("--launch-angle", "12deg", "95deg"),
@@ -367,7 +367,7 @@ impl Question {
             }
             1 => self.option("--vary", "club.loft=-10deg..60deg"),
             2 => self.option("--sigma", "swing.attack_angle=0.5deg"),
-            3 if chance.slips() => {
+            3 if chance.makes_mistake() => {
                 let text = sigma(chance);
                 self.option("--sigma", text);
             }
@@ -451,7 +451,7 @@ impl Question {
             self.output("-o", &["best.toml"], chance);
         }
         if chance.is(0.1) {
-            if chance.slips() {
+            if chance.makes_mistake() {
                 self.files
                     .push(("kept.json".into(), b"{\"no\": \"checkpoint\"}".to_vec()));
             }
@@ -541,7 +541,7 @@ impl Question {
         }
         self.option(
             "--samples",
-            (if chance.slips() {
+            (if chance.makes_mistake() {
                 chance.below(2)
             } else {
                 2 + chance.below(20)
@@ -604,7 +604,7 @@ impl Question {
             let of_law: Vec<_> = Law::all_rows().map(|row| row.name).collect();
             let name = match chance.below(3) {
                 0 | 1 => chance.of(&rows).to_owned(),
-                _ if chance.slips() => chance.of(&of_law).to_owned(),
+                _ if chance.makes_mistake() => chance.of(&of_law).to_owned(),
                 _ => variable(chance).name.to_owned(),
             };
             let text = if chance.is(0.2) {
@@ -617,7 +617,7 @@ impl Question {
         self.option("--max-iterations", (1 + chance.below(20)).to_string());
         for (option, most) in [("--starts", 3), ("--folds", 5)] {
             if chance.is(0.1) {
-                let count = if chance.slips() {
+                let count = if chance.makes_mistake() {
                     chance.below(most)
                 } else {
                     2 + chance.below(most - 1)
@@ -644,7 +644,7 @@ impl Question {
     }
 
     fn plot(&mut self, chance: &mut Chance) {
-        let kind = if chance.slips() {
+        let kind = if chance.makes_mistake() {
             11
         } else {
             chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0, 2.0, 2.0, 0.5, 0.5, 0.5, 0.3])
@@ -717,7 +717,7 @@ impl Question {
             }
             _ => {}
         }
-        let names = if chance.slips() {
+        let names = if chance.makes_mistake() {
             ["a.jpg", "a", ".svg"]
         } else {
             ["a.svg", "a.csv", "a.png"]
@@ -747,7 +747,7 @@ impl Question {
                 self.option("--over", text);
                 self.option(
                     "--sample",
-                    (if chance.slips() {
+                    (if chance.makes_mistake() {
                         0
                     } else {
                         1 + chance.below(12)
@@ -775,7 +775,7 @@ impl Question {
                     }
                     self.option(
                         "--over",
-                        if chance.slips() {
+                        if chance.makes_mistake() {
                             text
                         } else {
                             format!("{text}:{count}")
@@ -803,7 +803,7 @@ impl Question {
             );
         }
         if chance.is(0.85) {
-            let names = if chance.slips() {
+            let names = if chance.makes_mistake() {
                 ["rows.xlsx", "rows", "rows."]
             } else {
                 ["rows.csv", "rows.jsonl", "rows.parquet"]

@@ -40,7 +40,7 @@ pub fn preset(chance: &mut Chance) -> &'static str {
 
 /// A parameter of a preset. By mistake, a parameter of any law or of a launch.
 pub fn parameter(chance: &mut Chance) -> &'static Parameter {
-    if chance.slips() {
+    if chance.makes_mistake() {
         return chance.of(&Law::all_rows().collect::<Vec<_>>());
     }
     if chance.is_launched {
@@ -114,7 +114,7 @@ fn of_the_drive(all: &[&'static Parameter], chance: &mut Chance) -> &'static Par
             !row.name.starts_with("launch.") && !["wind.speed", "wind.from"].contains(&row.name)
         })
         .collect();
-    if chance.slips() {
+    if chance.makes_mistake() {
         chance.of(all)
     } else {
         chance.of(&struck)
@@ -124,7 +124,7 @@ fn of_the_drive(all: &[&'static Parameter], chance: &mut Chance) -> &'static Par
 /// Name of a parameter; sometimes one that does not exist.
 pub fn name_of(parameter: &Parameter, chance: &mut Chance) -> String {
     let name = parameter.name;
-    if !chance.slips() {
+    if !chance.makes_mistake() {
         return name.into();
     }
     chance.of(&[
@@ -190,7 +190,7 @@ pub fn with_unit(value: f64, parameter: &Parameter, chance: &mut Chance) -> Stri
 /// A value of a parameter: mostly within its range.
 pub fn value(parameter: &Parameter, chance: &mut Chance) -> String {
     let range = parameter.range;
-    if chance.slips() {
+    if chance.makes_mistake() {
         let bare = format!("{:?}", near(parameter, 0.2, chance));
         let beyond = if range.high.is_finite() {
             1.01 * range.high
@@ -229,7 +229,7 @@ pub fn value(parameter: &Parameter, chance: &mut Chance) -> String {
 
 /// NAME=VALUE.
 pub fn setting(chance: &mut Chance) -> String {
-    if chance.slips() {
+    if chance.makes_mistake() {
         return chance
             .of(&[
                 "club.loft",
@@ -274,7 +274,7 @@ pub fn range(parameter: &Parameter, chance: &mut Chance) -> String {
         chance,
     );
     let name = name_of(parameter, chance);
-    if chance.slips() {
+    if chance.makes_mistake() {
         let odd = chance.of(&ODD);
         let reversed = format!("{name}={high}..{low}");
         let without = [
@@ -297,7 +297,7 @@ pub fn range(parameter: &Parameter, chance: &mut Chance) -> String {
 
 /// Name of an outcome; sometimes another text.
 pub fn outcome(chance: &mut Chance) -> String {
-    if chance.slips() {
+    if chance.makes_mistake() {
         return chance.of(&["cary", "", "Carry", "club.loft"]).into();
     }
     match chance.below(40) {
@@ -366,7 +366,7 @@ pub fn constraint(chance: &mut Chance) -> String {
 pub fn sigma(chance: &mut Chance) -> String {
     let parameter = variable(chance);
     let name = name_of(parameter, chance);
-    if chance.slips() {
+    if chance.makes_mistake() {
         return format!("{name}={}", chance.of(&ODD));
     }
     match chance.below(4) {
@@ -385,7 +385,7 @@ pub fn distribution(chance: &mut Chance) -> String {
     let mut values: Vec<f64> = (0..3).map(|_| near(parameter, 0.05, chance)).collect();
     values.sort_by(f64::total_cmp);
     let [low, middle, high] = [0, 1, 2].map(|at| with_unit(values[at], parameter, chance));
-    if chance.slips() {
+    if chance.makes_mistake() {
         let odd = chance.of(&ODD);
         let bad = [
             format!("{name}={odd}"),
