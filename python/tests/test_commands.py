@@ -93,6 +93,39 @@ def test_a_value_of_a_dict_that_swings_replace_is_refused_as_by_the_program(answ
     assert longdrive.optimize(setup, **swings).success
 
 
+STATED = {"swing.speed": "100 mph"}
+SPEEDS = {"swing.speed": ("90 mph", "100 mph", 3)}
+LAUNCHES = {"ball_speed [mph]": [150], "launch_angle [deg]": [12], "backspin [rpm]": [2600]}
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: longdrive.batch(STATED, {"swing.speed": [40.0, 45.0]}),
+        lambda: longdrive.sweep(STATED, points={"swing.speed [m/s]": [40.0, 45.0]}),
+        lambda: longdrive.sweep(STATED, SPEEDS),
+        lambda: longdrive.sweep(STATED, SPEEDS, output="speeds.csv"),
+        lambda: longdrive.fly(LAUNCHES, STATED),
+        lambda: longdrive.calibrate({**LAUNCHES, "carry [yd]": [230]}, STATED, fit="aero.cd0"),
+    ],
+)
+def test_a_value_of_a_dict_that_no_drive_uses_is_refused(call):
+    with pytest.raises(longdrive.InputError, match="^swing.speed of the setup: .*leave it out"):
+        call()
+
+
+def test_a_swept_launch_condition_may_be_in_the_dict_of_the_launch():
+    launch = {"ball_speed": "150 mph", "launch_angle": "12 deg", "backspin": "2600 rpm"}
+    table = longdrive.sweep({"launch": launch}, points={"launch.backspin [rpm]": [2000, 3000]})
+    assert table["carry"][0] != table["carry"][1]
+
+
+def test_messages_of_python_do_not_speak_of_standard_input():
+    launch = {"ball_speed": "150 mph", "launch_angle": "12 deg", "backspin": "2600 rpm"}
+    with pytest.raises(longdrive.InputError, match="^the launch in the setup: "):
+        longdrive.design({"launch": launch})
+
+
 def test_differences_of_new_searches_confirm_the_price_of_a_constraint():
     limit, step = 42.0, 0.01
     found = longdrive.optimize(subject_to=[f"descent_angle >= {limit} deg"])

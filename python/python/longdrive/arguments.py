@@ -79,10 +79,14 @@ def nearest_outcome(name: str) -> str:
 
 
 def stated_in(setup: Any) -> list[str]:
-    """The parameters that a dict in place of a setup states; none for a setup or a preset."""
-    if isinstance(setup, Mapping) and not isinstance(setup, _longdrive.Setup):
-        return _longdrive.names_in(setup)
-    return []
+    """The parameters that a dict in place of a setup states; none for a setup or a preset.
+
+    Launch conditions are left out: a launch is only complete with all of them, so a dict also has
+    those that vary.
+    """
+    if not isinstance(setup, Mapping) or isinstance(setup, _longdrive.Setup):
+        return []
+    return [name for name in _longdrive.names_in(setup) if not name.startswith("launch.")]
 
 
 def refuse_stated(stated: Sequence[str], columns: Any) -> None:

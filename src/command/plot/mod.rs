@@ -330,7 +330,7 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
         requested.into_iter().map(named).collect()
     }?;
     target.put(
-        request.is_json,
+        args.json,
         &laws_figure(&laws, &setup, args.over, constant, args.show),
         vec![],
     )
