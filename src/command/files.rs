@@ -320,7 +320,7 @@ pub struct OutputStream {
     destination: Destination,
 }
 
-/// Where the pieces of an output are written.
+/// Receives the pieces of an output.
 enum Sink {
     /// A temporary file in the same folder. It is deleted unless it is renamed.
     Beside(NamedTempFile),
