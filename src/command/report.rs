@@ -62,7 +62,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let inputs = ReportRequest::new(args, &request)?;
     let date = today()?;
-    // before the work, check the folder for the files whose names are known
+    // before the work begins, refuse existing files whose names are known already
     let explorer = explorer_link(&request, &inputs.stated);
     let explorer_page = match &explorer {
         Some(ExplorerLink::State(_)) => compiled_in(),

@@ -156,9 +156,9 @@ pub trait Numbers:
         }
     }
 
-    /// Runs `work` in a function that is not inlined but compiled for the instructions of this
+    /// Runs `work` in a function that is not inlined and is compiled for the instruction set of this
     /// number type. `work` is `FnMut`, because a `FnOnce` would be called through a shim that is
-    /// not compiled for these instructions.
+    /// not compiled for this instruction set.
     #[inline(always)]
     fn not_inlined<R>(work: impl FnMut() -> R) -> R {
         inlined::plain::not_inlined(work)

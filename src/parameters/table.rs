@@ -379,10 +379,10 @@ law_coefficients! { $
     "linear": Linear {
         /// Drag coefficient.
         cd: T = "aero.cd", "cd", NUMBER in "", Range::from_to(0.0, 100.0),
-            "0.25", "a round figure between the laws of docs/sources.md at s = 0.12";
+            "0.25", "a round figure between the values of the laws of docs/sources.md at s = 0.12";
         /// Slope of the lift coefficient in the spin ratio.
         cl_slope: T = "aero.cl_slope", "cl_slope", NUMBER in "", Range::FINITE,
-            "1.5", "a round figure between the laws of docs/sources.md at s = 0.12";
+            "1.5", "a round figure between the values of the laws of docs/sources.md at s = 0.12";
     }
 
     /// C_D = cd1 + cd2 s + cd3 sin(π (Re − re1)/re2), C_L = cl1 s^cl_exp (smoothed below s =

@@ -22,7 +22,7 @@ pub struct SweepDefinition {
     /// The largest integration error (defect) of a drive, m (docs/model.md, eq. 16a); `inf` if the
     /// step of the setup is used without a limit of the error.
     pub largest_defect: String,
-    /// The histograms and best rows of each footer.
+    /// Description of the histograms and best rows that the footer of each part contains.
     pub summary: String,
     /// Architecture and instruction set of the processor: `x86_64 avx2`.
     pub instructions: String,

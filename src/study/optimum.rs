@@ -46,8 +46,8 @@ pub struct Optimum {
     /// The drive of `set_up`, for a search over one drive; `None` if the club does not strike the
     /// ball.
     pub drive_as_set_up: Option<Drive<f64>>,
-    /// Comparison of the optimum of one drive with a sample of the ranges; `None` after a local
-    /// search, and after an interrupted search.
+    /// Comparison of the optimum of one drive with points sampled from the ranges; `None` after a
+    /// local search, and after an interrupted search.
     pub sample: Option<Sample>,
     /// The values of the goals over the swings at the setup's own design. `None` if the ball does
     /// not fly in one of the swings, and for a search over one drive.

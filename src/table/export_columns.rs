@@ -48,7 +48,7 @@ pub(crate) fn assume_units(
     }
     (!assumed.is_empty()).then(|| {
         format!(
-            "{ASSUMED_UNITS} {}; write other units into the column heads",
+            "{ASSUMED_UNITS} {}; if the units are different, write them into the column heads",
             assumed.join(", ")
         )
     })

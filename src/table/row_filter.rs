@@ -154,7 +154,7 @@ impl RowFilter {
 }
 
 impl ColumnFilter {
-    /// True for the column head of this column, with or without its unit.
+    /// True if `head` is the head of this column, with or without its unit.
     fn is_named(&self, head: &str) -> bool {
         is_like(&self.name, head) || words(&self.name) == words(split_unit(head).0)
     }

@@ -169,10 +169,10 @@ fn differences_of_gradients_agree_with_a_hessian_of_many_parameters() {
     }
 }
 
-/// Ten parameters change no flight if weights have no mass, the strike is central and the shaft is
-/// straight. Derivatives by ten parameters are chained from derivatives of the impact and of the
-/// flight, and this flight has no variable. For a given launch the ball's inertia has no effect
-/// either.
+/// With massless weights, a central strike and a straight shaft, these ten parameters do not change
+/// the flight. Derivatives by so many parameters are chained from those of the impact and those of
+/// the flight; here no input of the flight varies. For a given launch, the ball's inertia has no
+/// effect either.
 #[test]
 fn exact_value_and_zero_gradient_of_a_flight_without_parameters() {
     let idle = [

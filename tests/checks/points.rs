@@ -1,4 +1,5 @@
-//! Sources of points with wrong lengths or parameters, and blocks of another batch.
+//! A batch refuses a source of points whose length or parameters are wrong, and a block that
+//! belongs to another batch.
 
 use crate::common::panic_of;
 use longdrive::batch::{Batch, Points, Run, Status, gradient_batch, simulate_batch};

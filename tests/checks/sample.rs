@@ -206,7 +206,7 @@ fn a_small_feasible_region_is_found() {
     assert!(
         output
             .out
-            .contains("found from a point of a sample of the ranges"),
+            .contains("found by a search from a sampled point of the ranges"),
         "{}",
         output.out
     );

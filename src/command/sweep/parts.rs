@@ -287,7 +287,7 @@ fn sentences(checked: &Checked) -> Vec<String> {
     );
     if !unfinished.is_empty() {
         lines.push(format!(
-            "{} of writers that are running or were killed; delete them if no writer is running",
+            "{} left by writers that are running or were killed; delete them if no writer is running",
             counted(unfinished.len() as u64, "file")
         ));
     }

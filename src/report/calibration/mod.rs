@@ -107,8 +107,8 @@ pub struct HeldOutReport {
     pub fit: String,
     /// Number of folds of the cross-validation; 0 if nothing was fitted.
     pub folds: usize,
-    /// Number of fits of the cross-validation by status. The errors omit the rows held out of an
-    /// interrupted fit.
+    /// Number of fits of the cross-validation by status. The rows that an interrupted fit held out do
+    /// not count in the errors below.
     pub fits: ByName<usize>,
     /// Root mean square of the residuals, each in units of its standard uncertainty.
     pub rms_standardized: JsonNumber,

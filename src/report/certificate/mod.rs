@@ -77,8 +77,8 @@ pub struct CertificateRow<'a> {
     pub best_step: JsonNumber,
     /// The error of the central difference at `best_step`, SI.
     pub best_step_error: JsonNumber,
-    /// The slopes of the Taylor remainders of degree 0, 1 and 2 as functions of the step, in
-    /// logarithmic scales; `null` if rounding dominates the remainder.
+    /// The slopes, on logarithmic scales, of the Taylor remainders of degree 0, 1 and 2 over the
+    /// step; `null` if rounding dominates the remainder.
     pub taylor_slopes: [JsonNumber; 3],
     /// The check of the second derivative by the parameter; `null` if this derivative does not
     /// exist or is discontinuous.

@@ -264,7 +264,7 @@ impl LawPlot {
             .collect()
     }
 
-    /// The points of a law's curve, each with true if it is within the fitted range.
+    /// The points of a law's curve, each with a flag that is true within the fitted range.
     fn points(&self, law: &Law<f64>, fitted: &Fitted) -> Vec<([f64; 2], bool)> {
         let [low, high] = self.range;
         let is_known = fitted.ranges().iter().any(|fitted| fitted.range.is_some());

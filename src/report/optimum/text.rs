@@ -218,7 +218,7 @@ fn sample_line(optimum: &Optimum) -> Option<Line> {
         improved,
     } = optimum.sample.filter(|_| !is_told)?;
     let found = if improved {
-        "found from a point of a sample of the ranges; "
+        "found by a search from a sampled point of the ranges; "
     } else {
         ""
     };

@@ -133,7 +133,7 @@ impl ShotRows {
             return;
         }
         let numbers = reading.numbers(shot, further);
-        // an error in an export rejects only its row
+        // an error in one row of an export rejects only that row
         let _ = self.add(reading, reading.shot(self.row, Values::Numbers(&numbers)));
     }
 

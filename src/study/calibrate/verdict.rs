@@ -111,7 +111,8 @@ pub(super) fn set_status_of_data(found: &mut Calibration, loss: Loss, origin: Si
 /// times the sum of these squares over all other residuals. Huber's loss limits w r, so there a
 /// residual dominates only if rounding in the sum of losses hides the others.
 fn outweighing(residuals: &[FitResidual], loss: Loss) -> Option<&FitResidual> {
-    /// Threshold for the sum of (w r)² over all other residuals, as a fraction of the largest.
+    /// Threshold for the sum of (w r)² over all residuals but the largest, as a fraction of the
+    /// largest (w r)².
     const PART: f64 = 1e-6;
     /// Threshold for the sum of the losses of all other residuals, as a fraction of the largest
     /// loss: below it, rounding hides the others.

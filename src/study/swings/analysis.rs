@@ -91,7 +91,7 @@ pub fn analyse_over_swings(
     }
 }
 
-/// Computes [`analyse_over_swings`]; the result is incomplete once `stop` is true.
+/// Does the work of [`analyse_over_swings`]. If `stop` becomes true, the result is incomplete.
 fn analysed(
     setup: &Setup<f64>,
     swings: &Swings,

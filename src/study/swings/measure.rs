@@ -250,7 +250,7 @@ fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
 /// The lowest share α of the values uₖ = ±fₖ. Its smoothed mean is the maximum over t of
 /// G(t) = t − 1/α Σ wₖ φ(t − uₖ) with φ(z) = (z + √(z² + 4ε²))/2. For ε → 0, it is the exact mean.
 struct LowestShare<'a> {
-    /// Outcome of each drive, with its derivatives if they are needed, and weight of the drive.
+    /// For each drive: its outcome, with derivatives if they are needed, and its weight.
     drives: &'a [(&'a Taylor, f64)],
     /// 1 for the mean of the lowest share of the values, −1 for that of the highest share.
     sign: f64,
