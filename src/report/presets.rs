@@ -157,8 +157,11 @@ pub(super) fn sources(
         .filter(|row| setup.why_replaced(row).is_none())
         .map(number)
         .collect();
-    let table = setup.law.table();
-    let table = table.map(|table| SourcedValue::new(TABLE, &table.file, source(TABLE, false)));
+    let table_file = |setup: &Setup<f64>| Some(setup.law.table()?.file.clone());
+    let table = table_file(setup).map(|own| {
+        let comment = comment(TABLE, table_file(&file.setup).as_ref() == Some(&own));
+        SourcedValue::new(TABLE, own, comment.unwrap_or_else(|| source(TABLE, false)))
+    });
     let choices = [
         choice(LAW, |setup| setup.law.name()),
         choice(METHOD, |setup| setup.method.name()),

@@ -402,7 +402,7 @@ fn a_setup_with_a_table_is_written_and_read_again() {
     let (mine, best) = (file("mine.toml"), file("else/best.toml"));
     std::fs::write(
         &mine,
-        "[aero]\nlaw = 'table'\ntable = 'mine.csv'\ncd_factor = 0.9\n",
+        "[aero]\nlaw = 'table'\ntable = 'mine.csv' # of the tunnel\ncd_factor = 0.9 # worn\n",
     )
     .unwrap();
     let (status, found) = json(&["optimize", &mine, "-o", &best, "--own-step"]);
@@ -411,6 +411,13 @@ fn a_setup_with_a_table_is_written_and_read_again() {
         (0, Some("table"))
     );
     assert_eq!(found["setup"]["aero.table"].as_str(), Some(&*name));
+    let text = std::fs::read_to_string(&best).unwrap();
+    for comment in [
+        "mine.csv\" # of the tunnel\n",
+        "cd_factor = \"0.9\" # worn\n",
+    ] {
+        assert!(text.contains(comment), "{comment}: {text}");
+    }
     let (_, again) = json(&["simulate", &best]);
     assert_eq!(
         number(&again["flight"]["carry"]),
