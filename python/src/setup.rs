@@ -7,7 +7,7 @@ use longdrive::atmosphere::in_effect;
 use longdrive::integration::{Integration, StepChoice};
 use longdrive::parameters::{
     DEFAULT_PRESET, GOLFER, LAW, Law, METHOD, Parameter, SPEED_OF, SetupFile, TABLE, TURF,
-    is_of_step,
+    is_of_step, is_of_strike,
 };
 use longdrive::report::{ChangedSetting, changes, setup_toml};
 use longdrive::units::System;
@@ -660,11 +660,8 @@ impl PySetup {
                 .collect();
             if self.setup.launch.is_given() {
                 let changed = self.changes()?;
-                let of_club = changed
-                    .iter()
-                    .filter_map(|change| change.parameter)
-                    .filter(|row| row.is_of_strike());
-                let names: Vec<_> = of_club.map(|row| row.name).collect();
+                let names = changed.iter().map(|change| change.key);
+                let names: Vec<_> = names.filter(|name| is_of_strike(name)).collect();
                 if !names.is_empty() {
                     warnings.push(format!(
                         "not used, since the drive is given by its launch: {}",

@@ -358,13 +358,13 @@ fn add_derivatives(
     remarks: &mut Vec<Message>,
 ) -> Result<()> {
     let (setup, of) = (&findings.setup, findings.of);
-    let shown = if of == Outcome::Lateral {
-        vec![Outcome::Carry]
+    let other = if of == Outcome::Lateral {
+        Outcome::Carry
     } else {
-        vec![of, Outcome::Lateral]
+        Outcome::Lateral
     };
     let moved = |setup: &Setup<f64>, of: &[Outcome]| effects(setup, of, sigmas, &mut |_, _| ());
-    let effects = or_remark(moved(setup, &shown), remarks)?.unwrap_or_default();
+    let effects = or_remark(moved(setup, &[of, other]), remarks)?.unwrap_or_default();
     bar.inc(1);
     let at_best = findings
         .best()
@@ -491,10 +491,7 @@ fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<
     if !wrt.contains(&speed) {
         wrt.push(speed);
     }
-    let mut rows = certify(setup, &[of], &wrt, &|_, _| true)?.rows;
-    // keep the rows of this outcome
-    rows.retain(|row| row.of == of);
-    Ok(rows)
+    Ok(certify(setup, &[of], &wrt, &|_, _| true)?.rows)
 }
 
 /// The section of a report. If it has no answer, adds the reason to the remarks and returns `None`,

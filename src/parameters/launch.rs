@@ -1,18 +1,31 @@
 //! Launch conditions that must be given together.
 
+use super::choices::GOLFER;
 use super::table::{LaunchConditions, Setup};
 use crate::error::{Error, Result};
 
 /// Prefix of the names of launch conditions.
 const GROUP: &str = "launch.";
 
+/// True for the name of a parameter or choice of golfer, swing, strike, club or impact. It has no
+/// effect if the launch is given.
+pub fn is_of_strike(name: &str) -> bool {
+    let groups = ["swing.", "strike.", "club.", "impact."];
+    name == GOLFER || groups.iter().any(|group| name.starts_with(group))
+}
+
 impl super::Parameter {
     /// True for a parameter of swing, strike, club or impact. It has no effect if the launch is
     /// given.
     pub fn is_of_strike(&self) -> bool {
-        ["swing.", "strike.", "club.", "impact."]
-            .iter()
-            .any(|group| self.name.starts_with(group))
+        is_of_strike(self.name)
+    }
+
+    /// True for a parameter that the golfer controls: of swing, strike or club, or a launch
+    /// condition.
+    pub(crate) fn is_controlled(&self) -> bool {
+        let is_of_impact = self.name.starts_with("impact.");
+        self.is_of_launch() || self.is_of_strike() && !is_of_impact
     }
 
     /// True for a parameter of the ball, on which impact and flight depend.

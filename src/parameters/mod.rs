@@ -32,6 +32,7 @@ pub(crate) use declare::is_unset;
 pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;
 pub(crate) use file::{in_file, place_in};
+pub use launch::is_of_strike;
 pub use law_table::{AxisVariable, LawTable, LawTableAxis, TABLE, TABLE_LAW};
 pub(crate) use law_table::{Cell, CoefficientGrid, Surface, cells_of};
 pub use presets::{DEFAULT_PRESET, PRESETS, Preset, PresetEntry};

@@ -174,8 +174,8 @@ pub(super) fn sources(
 
 /// A number or choice that differs from the preset's, formatted for display.
 pub struct ChangedSetting {
-    /// The parameter; `None` for a choice.
-    pub parameter: Option<&'static Parameter>,
+    /// The parameter or choice.
+    pub key: &'static str,
     /// The name in words.
     pub name: String,
     /// The value in the preset.
@@ -234,7 +234,7 @@ fn changed_number(
         short
     };
     Some(ChangedSetting {
-        parameter: Some(row),
+        key: row.name,
         name: shown::words(row.name),
         from,
         to,
@@ -243,9 +243,9 @@ fn changed_number(
 
 /// The changes of the parameters whose values are names.
 fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item = ChangedSetting> {
-    let change = |name: &str, from: &str, to: &str| {
+    let change = |key: &'static str, name: &str, from: &str, to: &str| {
         (from != to).then(|| ChangedSetting {
-            parameter: None,
+            key,
             name: name.into(),
             from: from.into(),
             to: to.into(),
@@ -256,18 +256,21 @@ fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item 
         .table()
         .map_or(setup.law.name(), |table| table.file.as_str());
     [
-        change("law of drag and lift", base.law.name(), law),
+        change(LAW, "law of drag and lift", base.law.name(), law),
         change(
+            METHOD,
             "method of integration",
             base.method.name(),
             setup.method.name(),
         ),
         change(
+            GOLFER,
             "hand of the golfer",
             base.golfer.name(),
             setup.golfer.name(),
         ),
         change(
+            SPEED_OF,
             "point of the club speed",
             base.speed_of.name(),
             setup.speed_of.name(),

@@ -97,11 +97,8 @@ impl Landing {
     }
 }
 
-/// True for stated uncertainties, and for parameters that the golfer varies from drive to drive.
+/// True for stated uncertainties, and for parameters that the golfer controls.
 fn is_of_the_golfer(sigma: &Sigma) -> bool {
     let is_stated = sigma.source.is_none();
-    is_stated
-        || ["swing.", "strike.", "club.", "launch."]
-            .iter()
-            .any(|group| sigma.parameter.name.starts_with(group))
+    is_stated || sigma.parameter.is_controlled()
 }

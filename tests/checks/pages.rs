@@ -100,6 +100,30 @@ fn the_answer_is_the_first_thing_on_the_page() {
 }
 
 /// The cells of a table of a page, row by row, in yards.
+#[test]
+fn the_page_of_a_lateral_states_what_moves_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_, page) = page(
+        &folder,
+        &[
+            "report",
+            "--minimize",
+            "lateral",
+            "--set",
+            "swing.path=2deg",
+        ],
+    );
+    assert_eq!(
+        answer(&page).matches("±").count(),
+        4,
+        "yours, best and change, and what it is"
+    );
+    for of in ["lateral", "carry"] {
+        let plot = format!("page/tornado-{of}-control-us.svg");
+        assert!(folder.path().join(&plot).exists(), "{plot}");
+    }
+}
+
 fn cells(table: &str) -> Vec<Vec<String>> {
     let rows = table.split("<tr>").skip(1);
     let cell = |cell: &str| {
@@ -348,6 +372,18 @@ fn the_page_of_a_launch_is_about_its_launch_and_no_club() {
         setup.contains("launch.spinnonenot needed: backspin is given"),
         "{setup}"
     );
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.toml");
+    let text = "golfer = 'left'\nswing.speed_of = 'face-centre'\ngravity = '9.8 m/s^2'\n";
+    std::fs::write(&file, text).unwrap();
+    let (_, page) = report(&[file.to_str().unwrap(), "--launch", launch]);
+    let requested = words(part(&page, "What was asked", "</section>"), "us");
+    assert!(
+        requested.contains("changed: gravity")
+            && !requested.contains("golfer")
+            && !requested.contains("club"),
+        "{requested}"
+    );
     let printed = longdrive(&["plot", "face", "--launch", launch, "-o", "face.svg"]);
     assert!(
         printed.status != 0 && printed.err.contains("no face to draw"),
@@ -370,6 +406,17 @@ fn the_reason_of_no_flight_is_printed_once_and_first() {
         printed.contains("As set up: no flight: the ball leaves at −14.3°"),
         "{printed}"
     );
+}
+
+#[test]
+fn a_ball_that_flies_and_does_not_come_to_rest_is_not_said_to_stay_on_the_ground() {
+    let (_, page) = report(&["--maximize", "total", "--set", "ground.slope=-40deg"]);
+    let printed = words(answer(&page), "us");
+    assert!(
+        printed.starts_with("As set up there is no total") && !printed.contains("does not fly"),
+        "{printed}"
+    );
+    assert!(page.contains("the ball does not come to rest"));
 }
 
 #[test]

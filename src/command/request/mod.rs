@@ -14,7 +14,7 @@ use crate::command::args::{DriveArgs, OwnLaw, SetupArgs};
 use crate::command::output::{note, system};
 use crate::command::running::running;
 use crate::integration::StepChoice;
-use crate::parameters::{GOLFER, Law, Parameter, SPEED_OF, TABLE, Vary, follows_from};
+use crate::parameters::{Law, Parameter, TABLE, Vary, follows_from, is_of_strike};
 use crate::report::{SetupOrigin, parameter_text};
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
@@ -373,14 +373,7 @@ impl Request {
     /// # Errors
     /// [`Error::Unreadable`], which names the setting and gives the reason `why`.
     pub fn refuse_club(&self, why: &str) -> Result<()> {
-        let is_of_club = |name: &str| {
-            [GOLFER, SPEED_OF].contains(&name)
-                || self
-                    .partial_setup
-                    .parameter(name)
-                    .is_ok_and(Parameter::is_of_strike)
-        };
-        match self.first_stated(is_of_club) {
+        match self.first_stated(is_of_strike) {
             Some(name) => {
                 let source = format!(
                     "{why}: the parameters of swing, club, strike and impact are not used; leave \

@@ -29,11 +29,9 @@ impl Causes {
 
     /// True if a parameter is one of these causes.
     pub fn has(self, parameter: &Parameter) -> bool {
-        let group = parameter.name.split('.').next().unwrap_or_default();
-        let is_controlled = ["swing", "club", "strike", "launch"].contains(&group);
         match self {
-            Self::Control => is_controlled,
-            Self::Model => !is_controlled,
+            Self::Control => parameter.is_controlled(),
+            Self::Model => !parameter.is_controlled(),
             Self::All => true,
         }
     }

@@ -60,7 +60,10 @@ fn headline(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Marku
                 format!("{name} {}; no best drive was found", show(yours))
             }
             (Some(yours), None) => format!("{name} {}", show(yours)),
-            (None, None) => format!("No {}: the ball does not fly", shown::words(of.name())),
+            (None, None) if findings.why_not_flown().is_some() => {
+                format!("No {}: the ball does not fly", shown::words(of.name()))
+            }
+            (None, None) => format!("As set up there is no {}", shown::words(of.name())),
         }
     })
 }
@@ -130,7 +133,7 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
         best.solution.upper_multipliers[i],
     );
     if best.search.vary[i].low == best.search.vary[i].high {
-        return Some("held".into());
+        return Some(bound_in_words(best, i, system));
     }
     let price = lower.max(upper);
     if price <= 0.0 || best.solution.status != Status::Converged {

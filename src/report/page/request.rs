@@ -3,7 +3,7 @@
 use super::findings::Findings;
 use super::numbers::from_to;
 use crate::error::Result;
-use crate::parameters::{Parameter, Vary};
+use crate::parameters::{Parameter, Vary, is_of_strike};
 use crate::report::frame::{both, chosen};
 use crate::report::presets::{ChangedSetting, changes};
 use crate::report::shown;
@@ -69,19 +69,19 @@ pub(super) fn subtitle(findings: &Findings) -> Result<String> {
 }
 
 /// The differences from the preset, except in the launch, which has its own line. If the setup
-/// states a launch, parameters of swing, club, strike and impact are omitted too: they have no
-/// effect.
+/// states a launch, golfer, swing, club, strike and impact are omitted too: they have no effect.
 fn changed(findings: &Findings, system: System) -> Result<Vec<ChangedSetting>> {
     let is_launched = findings.stated.launch.is_given();
-    let is_told = |change: &ChangedSetting| {
-        let is_of_club = |parameter: &Parameter| is_launched && parameter.is_of_strike();
-        !change
-            .parameter
-            .is_some_and(|parameter| parameter.is_of_launch() || is_of_club(parameter))
+    let is_of_launch = |name: &str| {
+        let parameter = findings.stated.parameter(name);
+        parameter.is_ok_and(Parameter::is_of_launch)
+    };
+    let is_left_out = |change: &ChangedSetting| {
+        is_of_launch(change.key) || is_launched && is_of_strike(change.key)
     };
     Ok(changes(&findings.stated, findings.file.preset, system)?
         .into_iter()
-        .filter(is_told)
+        .filter(|change| !is_left_out(change))
         .collect())
 }
 

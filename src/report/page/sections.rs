@@ -4,7 +4,7 @@ use super::findings::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE};
 use super::numbers::outcome;
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
-use crate::parameters::{GOLFER, METHOD, Parameter, SPEED_OF};
+use crate::parameters::{METHOD, is_of_strike};
 use crate::report::certificate::exact_for_display;
 use crate::report::frame::{both, chosen, scrolled};
 use crate::report::limits::{ConstraintAtEnd, Objective, ended_at};
@@ -206,7 +206,7 @@ pub(super) fn setup(findings: &Findings) -> Result<Markup> {
     let [us, metric] = [System::Us, System::Metric]
         .map(|system| sources(&findings.setup, &findings.file, Some(system)));
     let rows = us?.into_iter().zip(metric?);
-    let rows = rows.filter(|(us, _)| !(is_launched && is_of_strike(findings, us.name)));
+    let rows = rows.filter(|(us, _)| !(is_launched && is_of_strike(us.name)));
     Ok(html! {
         p.faint {
             "All numbers of the setup and their sources; it is based on the preset "
@@ -229,12 +229,6 @@ pub(super) fn setup(findings: &Findings) -> Result<Markup> {
             }
         } }))
     })
-}
-
-/// True for the name of a parameter or choice of swing, club, strike or impact.
-fn is_of_strike(findings: &Findings, name: &str) -> bool {
-    let parameter = findings.setup.parameter(name);
-    [GOLFER, SPEED_OF].contains(&name) || parameter.is_ok_and(Parameter::is_of_strike)
 }
 
 /// The source of a value. A method or step that the program chose, and a spin value that the launch
