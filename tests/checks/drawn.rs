@@ -217,6 +217,13 @@ fn only_the_infeasible_region_is_hatched() {
         }
     }
     assert!(seen.iter().all(|count| *count > 5), "{seen:?}");
+    assert!(figure.note.contains("Hatched: "), "{}", figure.note);
+    let (_, _, figure) = mapped(
+        &in_large_steps(),
+        [LOFT, ATTACK],
+        &["descent_angle >= 1 deg"],
+    );
+    assert!(rings(&figure, true).is_empty() && !figure.note.contains("Hatched: "));
 }
 
 #[test]
@@ -226,6 +233,14 @@ fn an_equation_keeps_the_part_of_its_line_with_small_loss() {
     let face = "swing.face_angle=-3deg..6deg";
     let (best, region, figure) = mapped(&setup, [LOFT, face], &["lateral == 0 m"]);
     assert!(region.unwrap().equation.is_some());
+    assert!(
+        figure
+            .note
+            .contains("Drives on the line “at most 1.00 yd lost” meet every bound and constraint")
+            && !figure.note.contains("region"),
+        "{}",
+        figure.note
+    );
     assert!(
         rings(&figure, false).is_empty() && rings(&figure, true).is_empty(),
         "a line has no area"
@@ -865,6 +880,18 @@ fn same_flights_in_a_launch_map_and_alone() {
         figure.note
     );
     assert!(figure_csv(&figure, TableUnits::Si).unwrap().lines().count() > 3700);
+    // only a drive whose ball speed differs from the map's has its own
+    let mut lofted = setup;
+    lofted.launch.ball_speed = Some(70.0);
+    lofted.launch.launch_angle = Some(0.2);
+    lofted.launch.spin = Some(300.0);
+    let mut faster = lofted;
+    faster.launch.ball_speed = Some(75.0);
+    let drives = [("first", &lofted), ("same", &lofted), ("faster", &faster)];
+    let map = Launches::around(&drives).unwrap();
+    let note = launches_figure(&map, System::Us).note;
+    assert_eq!(note.matches(", its own ball speed").count(), 1, "{note}");
+    assert!(note.contains("its own ball speed 167.8 mph"), "{note}");
 }
 
 #[test]

@@ -60,8 +60,7 @@ fn layers(map: &Launches) -> Vec<Layer> {
 
 fn note(map: &Launches, system: System) -> String {
     let mut notes = vec!["Dashed: the best launch angle for each backspin.".to_owned()];
-    let launched = map.launched.iter().enumerate();
-    notes.extend(launched.map(|(i, one)| note_of(one, i > 0, system)));
+    notes.extend(map.launched.iter().map(|one| note_of(one, map, system)));
     notes.push(
         "The map has the ball speed, launch direction and sidespin of the first launch; air and \
          ball are the setup's."
@@ -73,18 +72,18 @@ fn note(map: &Launches, system: System) -> String {
     notes.join(" ")
 }
 
-/// The launch and the carry of a drive. If `has_own_speed`, the text adds the ball speed: only the
-/// first drive has the ball speed of the map.
-fn note_of(one: &NamedLaunch, has_own_speed: bool, system: System) -> String {
+/// The launch and the carry of a drive, and its ball speed if it is not the ball speed of the map.
+fn note_of(one: &NamedLaunch, map: &Launches, system: System) -> String {
     let text = |of: Outcome, value: f64| shown::outcome(of, value, system);
     let carry = one.carry.map_or("no flight".into(), |carry| {
         format!("carry {}", text(Outcome::Carry, carry))
     });
-    let speed = if has_own_speed {
-        let speed = text(Outcome::BallSpeed, one.ball_speed);
-        format!(", its own ball speed {speed}")
-    } else {
+    let [speed, of_map] =
+        [one.ball_speed, map.ball_speed].map(|speed| text(Outcome::BallSpeed, speed));
+    let speed = if speed == of_map {
         String::new()
+    } else {
+        format!(", its own ball speed {speed}")
     };
     let name = match one.name.as_str() {
         "" => "this drive",

@@ -41,23 +41,26 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     figure.aspect = 0.85;
     figure.line_names = LineNames::OnLines;
     let best = on.best.filter(|best| best.value().is_some());
-    figure.subtitle = held(on.setup, best, [across, up], system);
+    figure.subtitle = constant_parameters(on.setup, best, [across, up], system);
     for (i, (constraint, map)) in on.limits.iter().enumerate() {
         let forbidden = forbidden(constraint, &field_of_map(map), 2 + i, system);
         figure.layers.extend(forbidden);
     }
-    let region = on.region.map_or(vec![], |region| {
-        let loss = shown::spread(map.of, region.loss, system);
-        nearly_as_good(region, &format!("at most {loss} lost"))
-    });
-    let has_region = !region.is_empty();
-    figure.layers.extend(region);
-    let marks = marks(map, on.setup, best);
-    let has_own = marks
-        .iter()
-        .any(|layer| layer.named().0 == NamedDrive::AS_SET_UP);
-    figure.layers.extend(marks);
-    figure.noted(note(map, on, [has_region, has_own], system))
+    if let Some(region) = on.region {
+        let layers = region_layers(region, &at_most_lost(map, region, system));
+        figure.layers.extend(layers);
+    }
+    figure.layers.extend(marks(map, on.setup, best));
+    let note = note(map, on, &figure.layers, system);
+    figure.noted(note)
+}
+
+/// The name of the region of drives that lose little.
+fn at_most_lost(map: &Map, region: &Region, system: System) -> String {
+    format!(
+        "at most {} lost",
+        shown::spread(map.of, region.loss, system)
+    )
 }
 
 /// The drive as set up and the optimum, if the map contains them, with an arrow from the drive as
@@ -95,18 +98,28 @@ fn marks(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> Vec<Layer> {
         .collect()
 }
 
-fn note(map: &Map, on: &OnMap<'_>, [has_region, has_own]: [bool; 2], system: System) -> String {
+/// The sentences below the map with these layers.
+fn note(map: &Map, on: &OnMap<'_>, layers: &[Layer], system: System) -> String {
+    let has = |name: &str| layers.iter().any(|layer| layer.named().0 == name);
     let mut notes = vec!["The edges of the map are the bounds.".to_owned()];
-    let mut constraints = on.limits.iter().map(|(constraint, _)| constraint);
-    if constraints.any(|constraint| !constraint.is_equation()) {
+    let is_hatched =
+        |layer: &Layer| matches!(layer, Layer::Region { is_hatched, .. } if *is_hatched);
+    if layers.iter().any(is_hatched) {
         notes.push("Hatched: forbidden by a constraint.".into());
     }
-    if let Some(region) = on.region.filter(|_| has_region) {
-        let loss = shown::spread(map.of, region.loss, system);
-        notes.push(format!(
-            "Drives in the tinted region lose at most {loss} and meet every bound and constraint; \
-             each was flown."
-        ));
+    if let Some(region) = on.region {
+        let name = at_most_lost(map, region, system);
+        if region.equation.is_none() {
+            let loss = shown::spread(map.of, region.loss, system);
+            notes.push(format!(
+                "Drives in the tinted region lose at most {loss} and meet every bound and \
+                 constraint; each was flown."
+            ));
+        } else if has(&name) {
+            notes.push(format!(
+                "Drives on the line “{name}” meet every bound and constraint."
+            ));
+        }
     }
     notes.push(
         "Arrows: exact gradients, scaled by the ranges; their length grows with the square root of \
@@ -126,7 +139,7 @@ fn note(map: &Map, on: &OnMap<'_>, [has_region, has_own]: [bool; 2], system: Sys
              are constant here."
                 .into(),
         );
-    } else if !has_own {
+    } else if !has(NamedDrive::AS_SET_UP) {
         notes.push("The drive as set up lies outside of the map.".into());
     }
     notes.join(" ")
@@ -147,7 +160,12 @@ fn is_elsewhere(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> bool {
 
 /// The constant parameters of a map: the speed, and the varied parameters that are not axes, with
 /// their optimal values.
-fn held(setup: &Setup<f64>, best: Option<&Optimum>, axes: [&Vary; 2], system: System) -> String {
+fn constant_parameters(
+    setup: &Setup<f64>,
+    best: Option<&Optimum>,
+    axes: [&Vary; 2],
+    system: System,
+) -> String {
     let is_axis = |name: &str| axes.iter().any(|vary| vary.parameter.name == name);
     let speed = if setup.launch.is_given() {
         "launch.ball_speed"
@@ -227,7 +245,7 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
 
 /// The region of drives that lose little. With an equality constraint, the region is a part of the
 /// line on which the constraint holds.
-fn nearly_as_good(region: &Region, name: &str) -> Vec<Layer> {
+fn region_layers(region: &Region, name: &str) -> Vec<Layer> {
     let of = |values: &[Option<f64>]| {
         field_of(
             NamedQuantity::plain("missed"),
