@@ -307,7 +307,7 @@ impl DeliveryFiles {
             (0, _) => "no delivery was found",
             (_, 0) => {
                 let base = &request.source.content;
-                let toml = delivery_toml(setup, &found.all, base, &found.from)?;
+                let toml = delivery_toml(setup, &found.all, base, &found.from, system())?;
                 let file = request.write_setup(output, toml)?;
                 note(&format!("wrote the setup with this delivery into {file}"));
                 let optimize = ["optimize", &file, "--vary", "club.loft=4deg..20deg"];

@@ -365,7 +365,7 @@ impl ParetoFile {
             warnings.push(self.destination.not_written(&why));
             return Ok(None);
         };
-        let toml = pareto_toml(found, place, &request.source.content)?;
+        let toml = pareto_toml(found, place, &request.source.content, system())?;
         let file = request.write_setup(&self.destination, toml)?;
         note(&format!(
             "wrote the setup of point {} into {file}",

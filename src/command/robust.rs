@@ -4,7 +4,7 @@ use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, U32, whole};
 use crate::command::files::OutputRule;
 use crate::command::interrupt;
 use crate::command::names::note_the_run;
-use crate::command::output::{Answer, note, note_detail, spinner, warn};
+use crate::command::output::{Answer, note, note_detail, spinner, system, warn};
 use crate::command::request::Request;
 use crate::command::swings::{SwingsRequest, search_over_swings, swing_ranges};
 use crate::optimize::Observers;
@@ -86,7 +86,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let mut written = None;
     if let Some(output) = &output {
         if is_found {
-            let toml = robust_toml(&found, within, &request.source.content)?;
+            let toml = robust_toml(&found, within, &request.source.content, system())?;
             let file = request.write_setup(output, toml)?;
             note(&format!(
                 "wrote the setup with the robust design into {file}"

@@ -202,6 +202,7 @@ pub fn write(
         swings,
         optima.interrupted(),
         &request.source.content,
+        system(),
     )?;
     let file = request.write_setup(output, toml)?;
     let place = match swings {

@@ -300,11 +300,16 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
 }
 
 /// The setup of one point of a front as a setup file in TOML, with full precision. `file` is the
-/// setup of the request.
+/// setup of the request. Comments are in the units of `system`.
 ///
 /// # Errors
 /// The errors of [`setup_toml`].
-pub fn pareto_toml(found: &Pareto, place: usize, file: &SetupFile) -> Result<String> {
+pub fn pareto_toml(
+    found: &Pareto,
+    place: usize,
+    file: &SetupFile,
+    system: System,
+) -> Result<String> {
     let search = &found.search;
     let Some(point) = found.points.get(place) else {
         return Err(Error::Nothing {
@@ -313,7 +318,7 @@ pub fn pareto_toml(found: &Pareto, place: usize, file: &SetupFile) -> Result<Str
         });
     };
     let [first, second] = bests(found);
-    let of = |k: usize| shown::goal(&search.goals[k].0, point.goals[k], System::default());
+    let of = |k: usize| shown::goal(&search.goals[k].0, point.goals[k], system);
     let what = role(found, place).map_or(String::new(), |role| format!(", {role}"));
     let mut about = vec![
         format!(

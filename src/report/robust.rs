@@ -207,7 +207,7 @@ fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
                 )
             }
             Some(within) => format!(
-                "no design is within {} of the best for every model: {least}",
+                "no design was found within {} of the best for every model: {least}",
                 show(within)
             ),
             None => least,
@@ -370,18 +370,23 @@ fn of_the_bests(multipliers: [f64; 2], price: String) -> Option<String> {
 }
 
 /// The setup with the robust design as a setup file in TOML, with full precision. `file` is the
-/// setup of the request.
+/// setup of the request. Comments are in the units of `system`.
 ///
 /// # Errors
 /// The errors of [`setup_toml`].
-pub fn robust_toml(found: &Robust, within: Option<f64>, file: &SetupFile) -> Result<String> {
+pub fn robust_toml(
+    found: &Robust,
+    within: Option<f64>,
+    file: &SetupFile,
+    system: System,
+) -> Result<String> {
     let search = &found.search;
     let mut about = vec![format!(
         "{}, {}",
         file.name,
         search.sense.best_of(&search.of)
     )];
-    about.push(verdict(found, within, System::default()));
+    about.push(verdict(found, within, system));
     about.extend(
         found
             .models

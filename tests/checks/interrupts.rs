@@ -339,7 +339,7 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
         !listed.contains("interrupted") && listed.contains("converged"),
         "{listed}"
     );
-    let text = optimum_toml(&found.best, None, found.interrupted(), &file)?;
+    let text = optimum_toml(&found.best, None, found.interrupted(), &file, System::Us)?;
     let ended = 400 - stopped;
     let line = format!(
         "\n# interrupted: {ended} of 400 searches ended, and {stopped} were stopped before their \
@@ -347,7 +347,7 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
     );
     assert!(text.contains(&line), "{text}");
     let found = optima(&setup, &search, 4, &Observers::default())?;
-    let whole = optimum_toml(&found.best, None, found.interrupted(), &file)?;
+    let whole = optimum_toml(&found.best, None, found.interrupted(), &file, System::Us)?;
     assert!(
         !whole.contains("interrupted") && whole.contains("\n# converged: "),
         "{whole}"

@@ -138,9 +138,22 @@ fn the_answer_judges_whether_one_design_suits_all_models() {
     assert_eq!(answer["holds_for_all"], (greatest <= 0.9144), "{answer:#}");
     let written = Setup::from_toml(&std::fs::read_to_string(&file).unwrap(), "best.toml").unwrap();
     assert_eq!(written.club.loft, number(&answer["optimum"]["club.loft"]));
+    let in_metric = [
+        &ask[..],
+        &models,
+        &["--units", "metric", "--overwrite", "-o", &file],
+    ];
+    assert_eq!(longdrive(&in_metric.concat()).status, 0);
+    let text = std::fs::read_to_string(&file).unwrap();
+    let about = text.lines().take_while(|line| line.starts_with('#'));
+    let about: String = about.collect();
+    assert!(
+        about.contains(" m of carry") && !about.contains(" yd"),
+        "{about}"
+    );
     let text = longdrive(&[&ask[..], &models, &["--within", "0 yd"]].concat()).out;
     for words in [
-        "no design is within",
+        "no design was found within",
         "best for 2",
         "aero.law=ferguson",
         "losses of carry",

@@ -194,7 +194,7 @@ pub fn bound_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
 const UNIDENTIFIED: f64 = 0.005;
 
 /// A setup file with the most probable delivery of a shot, or with the mean of several deliveries.
-/// `file` is the setup of the request.
+/// `file` is the setup of the request. Comments are in the units of `system`.
 ///
 /// # Errors
 /// The errors of [`setup_toml`].
@@ -203,6 +203,7 @@ pub fn delivery_toml(
     all: &[ShotDelivery],
     file: &SetupFile,
     from: &str,
+    system: System,
 ) -> Result<String> {
     let spread = Spread::of(all);
     let mut golfer = *setup;
@@ -221,7 +222,7 @@ pub fn delivery_toml(
         let scatter = deviation.map_or(String::new(), |deviation| {
             format!(
                 ", with a standard deviation of {}",
-                shown::spread(parameter, deviation, System::Us)
+                shown::spread(parameter, deviation, system)
             )
         });
         let remark = match median_identified(all, parameter) {

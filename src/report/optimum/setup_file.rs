@@ -10,7 +10,8 @@ use crate::study::swings::Swings;
 use crate::units::{System, counted};
 
 /// The setup at an optimum as a setup file in TOML, with full precision. `interrupted` is the
-/// message about interrupted searches, if any; `file` is the setup of the request.
+/// message about interrupted searches, if any; `file` is the setup of the request. Comments are in
+/// the units of `system`.
 ///
 /// # Errors
 /// The errors of [`setup_toml`].
@@ -19,13 +20,14 @@ pub fn optimum_toml(
     swings: Option<&Swings>,
     interrupted: Option<String>,
     file: &SetupFile,
+    system: System,
 ) -> Result<String> {
     let search = &optimum.search;
     let value = optimum
         .value()
         .map_or(shown::NONE.into(), |value| match search.of.outcome() {
-            Some(of) => shown::both(of, value, System::default()),
-            None => shown::goal(&search.of, value, System::default()),
+            Some(of) => shown::both(of, value, system),
+            None => shown::goal(&search.of, value, system),
         });
     let over = match search.scenarios.is_one_drive() {
         true => String::new(),
@@ -43,7 +45,7 @@ pub fn optimum_toml(
         None => {}
         Some(Swings::Recorded { .. }) => about.push("over recorded swings".into()),
         Some(Swings::Distributed { inputs, .. }) => about.extend(inputs.iter().map(|input| {
-            let distribution = distribution_text(input, System::default());
+            let distribution = distribution_text(input, system);
             format!("over swings: {} {distribution}", input.parameter.name)
         })),
     }
@@ -51,7 +53,8 @@ pub fn optimum_toml(
     about.extend(
         interrupted.map(|interrupted| format!("interrupted: {interrupted}; the best so far:")),
     );
-    about.push(format!("{}: {}", optimum.status(), optimum.message()));
+    let message = optimum.message().in_units(system);
+    about.push(format!("{}: {message}", optimum.status()));
     let remarks = remarks_on_varied("optimum", &search.vary, &optimum.solution.x);
     setup_toml(&optimum.setup, file, &about, &remarks)
 }

@@ -33,7 +33,7 @@ use maud::{Markup, html};
 pub fn report_documents(findings: &Findings) -> Result<Vec<TextFile>> {
     let plots = plots(findings);
     let setup = match findings.best() {
-        Some(best) => optimum_toml(best, None, None, &findings.file)?,
+        Some(best) => optimum_toml(best, None, None, &findings.file, findings.system)?,
         None => setup_toml(
             &findings.setup,
             &findings.file,
