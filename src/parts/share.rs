@@ -1,5 +1,6 @@
 use crate::batch::CHUNK;
 use crate::error::{Error, Result};
+use crate::units::counted;
 use std::ops::Range;
 
 /// Least number of digits of a part's number in its file name.
@@ -36,8 +37,9 @@ pub fn rows_of(part: u64, parts: u64, rows: u64) -> Result<Range<u64>> {
         return refuse(
             format!("{parts} parts"),
             format!(
-                "the sweep has {rows} rows, and a part has at least {CHUNK}; divide it into at \
-                 most {blocks} parts"
+                "the sweep has {}, in blocks of {CHUNK}; divide it into at most {}",
+                counted(rows, "row"),
+                counted(blocks, "part")
             ),
         );
     }

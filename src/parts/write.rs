@@ -27,7 +27,7 @@ pub enum PartResult {
     /// The part was computed and its file written.
     New(Manifest),
     /// The folder already had a complete file of the part.
-    There(Manifest),
+    Existing(Manifest),
     /// The computation was interrupted; no file was written.
     Stopped,
 }
@@ -98,7 +98,7 @@ impl Dataset {
         if !overwrite && path.exists() {
             return self
                 .found(part, &path)
-                .map(PartResult::There)
+                .map(PartResult::Existing)
                 .map_err(results);
         }
         self.refuse_other_sweep(folder, &path)?;
@@ -221,8 +221,8 @@ impl Dataset {
             .map_err(|reason| format!("{reason}; {advice}"))
     }
 
-    /// Refuses a folder that contains a part of another sweep. For speed, reads only one file;
-    /// [`check`](super::check()) reads all files.
+    /// Refuses a folder that contains a part of another sweep. For speed, reads only the first
+    /// readable footer; [`check`](super::check()) reads all files.
     fn refuse_other_sweep(&self, folder: &Path, place: &Path) -> Result<()> {
         let entries = fs::read_dir(folder).map_err(|error| Error::Results {
             file: folder.display().to_string(),
@@ -232,13 +232,14 @@ impl Dataset {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             name.starts_with("part-") && name.ends_with(".parquet") && path != place
         };
-        let other = entries
+        let mut others = entries
             .flatten()
             .map(|entry| entry.path())
-            .find(|path| is_part(path));
-        let Some((other, footer)) =
-            other.and_then(|path| Some((path.clone(), Footer::read(&path).ok()?)))
-        else {
+            .filter(|path| is_part(path));
+        let Some((other, footer)) = others.find_map(|path| {
+            let footer = Footer::read(&path).ok()?;
+            Some((path, footer))
+        }) else {
             return Ok(());
         };
         match self.definition.difference(&footer.definition) {

@@ -42,7 +42,7 @@ impl Ranking {
     /// Reads an empty ranking: `OUTCOME:N`, for example `carry:10`; the default of N is 10.
     ///
     /// # Errors
-    /// [`Error::SearchRange`] if N is invalid, and [`Error::Unknown`] if the outcome is unknown.
+    /// [`Error::Unreadable`] if N is invalid, and [`Error::Unknown`] if the outcome is unknown.
     pub fn read(text: &str, highest: bool) -> Result<Self> {
         let (name, most) = match text.rsplit_once(':') {
             None => (text, Some(USUAL)),
@@ -60,10 +60,11 @@ impl Ranking {
                 let reason = format!(
                     "the number of rows must be from 1 to {MOST}; write for example {name}:{USUAL}"
                 );
-                Err(Error::SearchRange {
-                    name: format!("of the rows to keep, {}", text.trim()),
+                let option = if highest { "`highest`" } else { "`lowest`" };
+                Err(Error::unreadable(
+                    format!("{option} {}", text.trim()),
                     reason,
-                })
+                ))
             }
         }
     }

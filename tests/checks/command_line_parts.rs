@@ -412,6 +412,19 @@ fn an_existing_part_is_kept_and_one_of_other_arguments_is_refused() {
         "{answer}"
     );
     assert!(!copy.path().join(NAMES[1]).exists());
+    // a part with an unreadable footer does not hide the others
+    let apart = SET.copy();
+    for name in &NAMES[..3] {
+        fs::write(apart.path().join(name), "PAR1").unwrap();
+    }
+    fs::remove_file(apart.path().join(NAMES[1])).unwrap();
+    let other = [&question()[..], &["--set", "swing.speed=100mph"]].concat();
+    let (status, answer) = write(&other, 2, PARTS, apart.path(), &[]);
+    let message = answer["message"].as_str().unwrap();
+    assert!(
+        status == 2 && message.contains("a folder holds the parts of one"),
+        "{message}"
+    );
     assert_eq!(write(&question(), 2, PARTS, copy.path(), &[]).0, 0);
     assert!(bytes(copy.path()) == bytes(SET.path()));
 }
@@ -791,7 +804,7 @@ fn a_sweep_that_cannot_be_divided_is_refused_with_advice() {
     // 8200 rows are eight blocks and a remainder
     refused(
         &["--part", "1/10"],
-        "error: 10 parts: the sweep has 8200 rows",
+        "error: 10 parts: the sweep has 8200 rows, in blocks of 1024",
     );
     refused(&["--part", "1/10"], "divide it into at most 9 parts");
     refused(&["--part", "0/4"], "from 1");
@@ -807,7 +820,7 @@ fn a_sweep_that_cannot_be_divided_is_refused_with_advice() {
     );
     refused(
         &["--part", "1/4", "--highest", "carry:0"],
-        "from 1 to 10000",
+        "error: --highest carry:0: the number of rows must be from 1 to 10000",
     );
     refused(
         &[

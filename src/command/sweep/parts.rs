@@ -75,7 +75,7 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
     bar.finish();
     let (manifest, is_new) = match written? {
         PartResult::New(manifest) => (manifest, true),
-        PartResult::There(manifest) => (manifest, false),
+        PartResult::Existing(manifest) => (manifest, false),
         PartResult::Stopped => return Ok(stopped(part, &request)),
     };
     warn(manifest.part.summary.status_counts.exceeded().warnings(
