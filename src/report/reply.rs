@@ -81,7 +81,7 @@ impl Ending {
     pub(super) fn of_each<'a>(errors: impl Iterator<Item = Option<&'a Error>>) -> Self {
         let errors: Vec<Option<&Error>> = errors.collect();
         let all = errors.len();
-        let mut errors: Vec<&Error> = errors.into_iter().flatten().collect();
+        let errors: Vec<&Error> = errors.into_iter().flatten().collect();
         let status = match (share(all - errors.len(), all), errors.first()) {
             // the status of the errors, if all errors have the same status
             ("no-answer", Some(first))
@@ -91,8 +91,13 @@ impl Ending {
             }
             (status, _) => status,
         };
-        errors.dedup_by_key(|error| error.to_string());
-        let messages: Vec<_> = errors.iter().map(ToString::to_string).collect();
+        let mut messages: Vec<String> = vec![];
+        for error in errors {
+            let message = error.to_string();
+            if !messages.contains(&message) {
+                messages.push(message);
+            }
+        }
         Self {
             status,
             message: (!messages.is_empty()).then(|| messages.join("; ")),
@@ -179,5 +184,18 @@ pub(super) fn share(found: usize, requested: usize) -> &'static str {
         _ if found == requested => "done",
         0 => "no-answer",
         _ => "partial",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Ending;
+    use crate::error::Error;
+
+    #[test]
+    fn each_reason_is_told_once() {
+        let errors = ["a", "b", "a"].map(|name| Error::unreadable(name, "wrong"));
+        let ending = Ending::of_each(errors.iter().map(Some));
+        assert_eq!(ending.message.as_deref(), Some("a: wrong; b: wrong"));
     }
 }

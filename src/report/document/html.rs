@@ -26,7 +26,7 @@ pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<T
     let mut parts = Parts {
         pairs: &pairs,
         labels: vec![],
-        about: String::new(),
+        about: us.title.clone(),
     };
     let blocks: Vec<_> = metric.blocks().zip(us.blocks()).collect();
     // put consecutive figures side by side
@@ -48,7 +48,7 @@ pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<T
 }
 
 /// Converts the blocks of a page in order. The heading or short text before a table becomes the
-/// label of the table.
+/// label of the table; the first label is the title.
 struct Parts<'a> {
     /// The figures that are not converted yet.
     pairs: &'a [Pair],
@@ -144,6 +144,28 @@ fn table(metric: &DocumentTable, us: &DocumentTable) -> Markup {
                     tr { @for (class, cell) in cells(metric, us) { td class=(class) { (cell) } } }
                 }
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Document, DocumentTable, document_files};
+    use crate::units::System;
+
+    #[test]
+    fn a_table_before_any_heading_has_the_title_as_its_label() {
+        let mut document = Document {
+            title: "Losses".into(),
+            ..Document::default()
+        };
+        for _ in 0..2 {
+            document.add(DocumentTable::new(["n"], [vec!["1".into()]]).right([0]));
+        }
+        let files = document_files(&[document.clone(), document], System::Us).unwrap();
+        let page = &files[0].text;
+        for label in ["\"Losses\"", "\"Losses (2)\""] {
+            assert!(page.contains(&format!("aria-label={label}")), "{page}");
         }
     }
 }

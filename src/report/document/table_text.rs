@@ -3,6 +3,7 @@
 use super::DocumentTable;
 use super::line::Indent;
 use super::text::TextOptions;
+use crate::units::counted;
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, presets};
 
 /// Minimum width of a column whose text is wrapped.
@@ -46,7 +47,10 @@ impl DocumentTable {
         };
         let left_out = match self.rows.len() - rows.len() {
             0 => String::new(),
-            rows => Indent::Item.lines(&format!("{rows} more rows: `all`"), width),
+            rows => Indent::Item.lines(
+                &format!("{}: `all`", counted(rows as u64, "more row")),
+                width,
+            ),
         };
         let remarks = self.remarks.iter();
         let remarks = remarks.map(|line| line.indent.lines(&line.text, width));
@@ -136,6 +140,7 @@ impl DocumentTable {
 #[cfg(test)]
 mod tests {
     use super::DocumentTable;
+    use crate::report::document::text::TextOptions;
 
     const WIDTH: usize = 100;
 
@@ -144,6 +149,20 @@ mod tests {
             .map(|line| line.chars().count())
             .max()
             .unwrap_or(0)
+    }
+
+    #[test]
+    fn the_rows_left_out_are_counted_in_words() {
+        for (rows, words) in [(11, "1 more row: `all`"), (12, "2 more rows: `all`")] {
+            let rows = (0..rows).map(|row| vec![row.to_string()]);
+            let mut table = DocumentTable::new(["row"], rows).right([]);
+            table.first_rows = 10;
+            let text = table.text(&TextOptions {
+                all: false,
+                ..TextOptions::default()
+            });
+            assert!(text.contains(words), "{text}");
+        }
     }
 
     #[test]
