@@ -133,8 +133,8 @@ fn the_loop(loops: &[LoopRow]) {
     for row in loops {
         println!(
             "A while-loop that stops at the first step below the ground, as the MAE 494 report's \
-             does, gets {:.2} m/rad from a difference at a step of 1e-8. \
-             No step is right: large ones reach over several of its jumps and have an error from \
+             does, gets {:.2} m/rad from a difference at a step of 1e-8 of the \
+             parameter's scale. No step is right: large ones reach over several of its jumps and have an error from \
              the curvature, small ones lie between two jumps.\n",
             row.difference.unwrap_or(f64::NAN)
         );
