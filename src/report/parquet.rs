@@ -1,6 +1,7 @@
 //! Tables of typed columns as Parquet, written one row group at a time.
 
 use crate::error::{Error, Result};
+use crate::external_errors::parquet_error_text;
 use parquet::basic::{Encoding, LogicalType, Repetition, Type as Physical};
 use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
@@ -20,7 +21,7 @@ pub(super) const MAGIC: &[u8] = b"PAR1";
 const TAIL: usize = 8;
 /// Maximum size of a column's dictionary, bytes. A column that needs a larger dictionary is stored
 /// plain.
-const MOST_DISTINCT: usize = 64 << 10;
+const LARGEST_DICTIONARY: usize = 64 << 10;
 
 /// The type of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,9 +66,17 @@ pub struct ParquetGroup {
 #[derive(Clone, Debug)]
 pub struct PlacedGroup(RowGroupMetaData);
 
-/// The error for a damaged row group in a journal. No other error of Parquet can occur, because all
-/// data of this program are valid for Parquet.
-fn failed(_: ParquetError) -> Error {
+/// The error for columns or values that Parquet does not allow.
+fn refused(error: ParquetError) -> Error {
+    let reason = format!(
+        "Parquet does not allow the table: {}",
+        parquet_error_text(&error)
+    );
+    Error::Output(std::io::Error::other(reason))
+}
+
+/// The error for a damaged row group in a journal.
+fn damaged(_: ParquetError) -> Error {
     let reason = "its record of a row group of the Parquet file is damaged; start the sweep again \
                   with `overwrite`";
     Error::Output(std::io::Error::other(reason))
@@ -88,7 +97,7 @@ impl ParquetTable {
             .set_statistics_enabled(EnabledStatistics::Chunk)
             .set_offset_index_disabled(true)
             .set_dictionary_enabled(true)
-            .set_dictionary_page_size_limit(MOST_DISTINCT);
+            .set_dictionary_page_size_limit(LARGEST_DICTIONARY);
         let mut fields = vec![];
         for (name, kind) in columns {
             let repetition = match kind {
@@ -105,7 +114,7 @@ impl ParquetTable {
                 }
             };
             fields.push(Arc::new(
-                field.with_repetition(repetition).build().map_err(failed)?,
+                field.with_repetition(repetition).build().map_err(refused)?,
             ));
             if *kind == ColumnType::SomeNumber {
                 let path = ColumnPath::from(name.as_str());
@@ -116,7 +125,7 @@ impl ParquetTable {
         let schema = Type::group_type_builder(name)
             .with_fields(fields)
             .build()
-            .map_err(failed)?;
+            .map_err(refused)?;
         Ok(Self {
             schema: Arc::new(schema),
             properties: Arc::new(properties.build()),
@@ -129,7 +138,7 @@ impl ParquetTable {
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow a value of `cells`.
     pub fn group(&self, cells: impl FnMut(usize) -> Cells) -> Result<ParquetGroup> {
-        let mut file = self.write(Some(cells)).map_err(failed)?;
+        let mut file = self.write(Some(cells)).map_err(refused)?;
         let metadata = metadata_of(&file);
         file.truncate(file.len() - TAIL - metadata.len());
         Ok(ParquetGroup {
@@ -203,7 +212,7 @@ impl ParquetTable {
                 .set_file_offset(at as i64)
                 .build()
         };
-        place().map(PlacedGroup).map_err(failed)
+        place().map(PlacedGroup).map_err(damaged)
     }
 
     /// The footer of a file with these row groups. `notes` are further entries of its key-value
@@ -234,7 +243,7 @@ impl ParquetTable {
             ParquetMetaDataWriter::new(&mut bytes, &metadata).finish()?;
             Ok(bytes)
         };
-        foot().map_err(failed)
+        foot().map_err(damaged)
     }
 }
 

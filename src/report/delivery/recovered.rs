@@ -11,7 +11,7 @@ use crate::units::{DisplayUnit, Message, System, TableUnits, counted, significan
 
 /// If a shot removes less than this fraction of a parameter's prior variance, the distribution of
 /// the parameter depends mainly on the prior.
-const HALF: f64 = 0.5;
+const MOSTLY_PRIOR: f64 = 0.5;
 
 /// The most probable swing behind each shot with a delivery, as CSV in SI: a column for each
 /// parameter, a row for each shot.
@@ -57,13 +57,13 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
         } = *spread;
         let [mean, deviation] = [mean, deviation].map(|value| amount(parameter, value, 9));
         let errors = [mean_error, deviation_error].map(|value| amount(parameter, value, 2));
-        let rest = if variance_removed < HALF {
+        let rest = if variance_removed < MOSTLY_PRIOR {
             ", and the rest is assumed"
         } else {
             ""
         };
         let comment = format!(
-            "mean ± {}, deviation ± {}; a shot identifies {:.0} % of the variance{rest}",
+            "mean ± {}, deviation ± {}; a shot determines {:.0} % of the variance{rest}",
             errors[0],
             errors[1],
             100.0 * variance_removed

@@ -58,7 +58,8 @@ pub(super) struct CarryObjective<'a> {
     landing: LandingDefinition,
     pub method: SearchMethod,
     pub domain: Domain,
-    exact: Evaluator,
+    /// The exact derivatives; `None` for a method that uses differences.
+    exact: Option<Evaluator>,
     pub flights: Cell<u64>,
 }
 
@@ -69,12 +70,14 @@ impl<'a> CarryObjective<'a> {
         method: SearchMethod,
     ) -> Result<Self> {
         let wrt = [setup.variable(LOFT)?, setup.variable(ATTACK_ANGLE)?];
-        let order = if method == SearchMethod::Exact {
-            Order::Second
-        } else {
-            Order::First
+        let order = match method {
+            SearchMethod::Exact => Some(Order::Second),
+            SearchMethod::LimitedMemoryExact => Some(Order::First),
+            SearchMethod::LimitedMemory | SearchMethod::QuasiNewton => None,
         };
-        let exact = Evaluator::new(setup, &[Outcome::Carry], &wrt, order)?;
+        let exact = order
+            .map(|order| Evaluator::new(setup, &[Outcome::Carry], &wrt, order))
+            .transpose()?;
         Ok(Self {
             setup,
             landing,
@@ -100,12 +103,9 @@ impl<'a> CarryObjective<'a> {
 
     /// −carry with the derivatives that `method` uses.
     pub fn taylor(&self, x: &[f64]) -> Result<Taylor> {
-        if matches!(
-            self.method,
-            SearchMethod::Exact | SearchMethod::LimitedMemoryExact
-        ) {
+        if let Some(exact) = &self.exact {
             self.flights.set(self.flights.get() + 1);
-            let mut carry = self.exact.at(x)?;
+            let mut carry = exact.at(x)?;
             return Ok(carry.swap_remove(0).negated());
         }
         let value = self.value(x)?;
