@@ -2,7 +2,7 @@
 
 use crate::command::output::{note, note_left_out, system};
 use crate::parameters::Parameter;
-use crate::report::known_within;
+use crate::report::total_uncertainty_note;
 use crate::study::Sigma;
 use crate::{Error, Outcome, Result, Setup};
 
@@ -41,7 +41,7 @@ pub fn outcomes(names: &[String]) -> Result<Vec<Outcome>> {
 /// Prints a note on the uncertainty of the roll-out if one of the outcomes depends on the roll-out.
 pub fn note_the_run(of: &[Outcome]) {
     if of.iter().any(|of| of.needs_run()) {
-        note(&known_within().in_units(system()));
+        note(&total_uncertainty_note().in_units(system()));
     }
 }
 

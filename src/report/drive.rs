@@ -14,7 +14,7 @@ use serde::Serialize;
 
 /// Minimum uncertainty of the total, m. It covers the differences between grounds
 /// (docs/limitations.md).
-const RUN_WITHIN: f64 = 10.0 * YARD;
+const TOTAL_UNCERTAINTY: f64 = 10.0 * YARD;
 
 /// A drive: setup, launch, head after impact and flight.
 #[derive(Clone, Debug, Serialize)]
@@ -165,25 +165,25 @@ pub(super) fn law_range(setup: &Setup<f64>, drive: &Drive<f64>) -> Option<LawRan
 
 #[cfg(test)]
 fn launch_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
-    schema_of_part(OutcomeGroup::Launch, generator)
+    schema_of_group(OutcomeGroup::Launch, generator)
 }
 
 /// The schema of [`flight`].
 #[cfg(test)]
 pub(super) fn flight_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
-    let mut schema = schema_of_part(OutcomeGroup::Flight, generator);
+    let mut schema = schema_of_group(OutcomeGroup::Flight, generator);
     schema.insert("type".into(), serde_json::json!(["object", "null"]));
     schema
 }
 
 /// The schema of an object with the outcomes of a group.
 #[cfg(test)]
-fn schema_of_part(
-    part: OutcomeGroup,
+fn schema_of_group(
+    group: OutcomeGroup,
     generator: &mut schemars::SchemaGenerator,
 ) -> schemars::Schema {
     let mut properties = serde_json::Map::new();
-    for outcome in Outcome::in_group(part) {
+    for outcome in Outcome::in_group(group) {
         let mut value = generator.subschema_for::<JsonNumber>();
         let mut description = outcome.doc().to_owned();
         if !outcome.quantity().si.is_empty() {
@@ -199,7 +199,7 @@ fn schema_of_part(
 /// The outcomes of the launch, with the vectors of velocity and spin.
 pub(super) fn launch(drive: &Drive<f64>) -> LaunchReport {
     LaunchReport {
-        outcomes: of_part(drive, OutcomeGroup::Launch),
+        outcomes: of_group(drive, OutcomeGroup::Launch),
         velocity: json::components(drive.launch.velocity),
         spin_vector: json::components(drive.launch.spin),
     }
@@ -207,18 +207,18 @@ pub(super) fn launch(drive: &Drive<f64>) -> LaunchReport {
 
 /// The outcomes of the flight; `None` if the ball does not land.
 pub(super) fn flight(drive: &Drive<f64>) -> Option<ByName<JsonNumber>> {
-    matches!(drive.flight, Flight::Landed(_)).then(|| of_part(drive, OutcomeGroup::Flight))
+    matches!(drive.flight, Flight::Landed(_)).then(|| of_group(drive, OutcomeGroup::Flight))
 }
 
-fn of_part(drive: &Drive<f64>, part: OutcomeGroup) -> ByName<JsonNumber> {
-    Outcome::in_group(part)
+fn of_group(drive: &Drive<f64>, group: OutcomeGroup) -> ByName<JsonNumber> {
+    Outcome::in_group(group)
         .map(|outcome| (outcome.name(), outcome.value(drive)))
         .collect()
 }
 
 /// A group of outcomes of a drive: name, value, and the value in the other system.
-fn outcomes(title: &str, part: OutcomeGroup, drive: &Drive<f64>, system: System) -> DocumentTable {
-    let texts: Vec<_> = Outcome::in_group(part)
+fn outcomes(title: &str, group: OutcomeGroup, drive: &Drive<f64>, system: System) -> DocumentTable {
+    let texts: Vec<_> = Outcome::in_group(group)
         .map(|outcome| {
             let value = outcome.value(drive);
             let text = shown::outcome_or_dash(outcome, value, system);
@@ -295,18 +295,23 @@ fn on_the_run(rest: Option<&Rest<f64>>) -> Message {
         Some(Rest { bounces: 1.., .. }) => "run: bounces, then rolling; ",
         _ => "run: none, the ball embeds; ",
     };
-    Message::from(parts).message(known_within())
+    Message::from(parts).message(total_uncertainty_note())
 }
 
 /// The minimum uncertainty of a total.
-pub(super) fn run_within() -> Message {
-    Message::default().quantity(Quantity::LENGTH, "yd", RUN_WITHIN, Digits::Significant(2))
+pub(super) fn total_uncertainty() -> Message {
+    Message::default().quantity(
+        Quantity::LENGTH,
+        "yd",
+        TOTAL_UNCERTAINTY,
+        Digits::Significant(2),
+    )
 }
 
 /// The uncertainty of a total, in words.
-pub fn known_within() -> Message {
+pub fn total_uncertainty_note() -> Message {
     Message::from("total, run and lateral total are known within ")
-        .message(run_within())
+        .message(total_uncertainty())
         .words(" at best, since no one has calibrated a ground (docs/limitations.md)")
 }
 

@@ -54,7 +54,7 @@ pub use delivery::{
 };
 pub use design::Designed;
 pub use document::{Document, Line, TextOptions, document_files};
-pub use drive::{ClubReport, DriveReport, LaunchReport, LawRanges, known_within};
+pub use drive::{ClubReport, DriveReport, LaunchReport, LawRanges, total_uncertainty_note};
 pub use effects::{EffectReport, EffectsReport, OutcomeEffects, Totals};
 pub use explorer::explorer_state;
 pub use frame::TextFile;

@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 const CHANGE: &str = "change of the greatest loss";
 
 /// A model's loss determines the robust design if the multiplier of the loss exceeds this number.
-const IDLE: f64 = 1e-6;
+const LEAST_SHARE: f64 = 1e-6;
 
 /// A robust design for several models, SI and radians.
 #[derive(Clone, Debug, Serialize)]
@@ -220,7 +220,7 @@ fn models(found: &Robust, system: System) -> Vec<Line> {
     let mut lines = vec![Line::flush("models")];
     for (k, (model, best)) in found.models.iter().enumerate() {
         let value = shown::goal_or_dash(goal, best.value(), system);
-        let decides = if found.shares[k] > IDLE {
+        let decides = if found.shares[k] > LEAST_SHARE {
             "; its loss decides the robust design"
         } else {
             ""
@@ -327,7 +327,7 @@ fn bound_in_words(found: &Robust, i: usize, system: System) -> String {
     let price = |amount: f64| objective.price(amount, vary.parameter, system);
     let multipliers = [solution.lower_multipliers[i], solution.upper_multipliers[i]];
     let prices = found.bound_prices(i);
-    let [lower, upper] = prices.map(|amount| of_the_bests(multipliers, price(amount)));
+    let [lower, upper] = prices.map(|amount| price_of_single_models(multipliers, price(amount)));
     let mut words = limits::bound(multipliers, prices, price);
     if let Some(lower) = lower {
         words += &format!("; {lower} that its lower bound is lowered");
@@ -344,15 +344,16 @@ fn add_constraints(document: &mut Document, found: &Robust, system: System) {
     let rows = found.limits().map(|limit| {
         let (constraint, at) = (limit.constraint, limit.at);
         let price = objective.price(limit.gain, &constraint.goal, system);
-        let bests = of_the_bests([at.multiplier; 2], price).filter(|_| objective.is_converged);
-        let bests = bests.map_or(String::new(), |price| {
+        let single =
+            price_of_single_models([at.multiplier; 2], price).filter(|_| objective.is_converged);
+        let words = single.map_or(String::new(), |price| {
             format!("; {price} that the limit is relaxed")
         });
         vec![
             constraint.expression.clone(),
             (limit.model + 1).to_string(),
             shown::goal(&constraint.goal, at.value, system),
-            objective.limit(&at_end(&limit), system) + &bests,
+            objective.limit(&at_end(&limit), system) + &words,
         ]
     });
     let rows: Vec<_> = rows.collect();
@@ -364,7 +365,7 @@ fn add_constraints(document: &mut Document, found: &Robust, system: System) {
 
 /// The text `price` if the bound or constraint is inactive for the robust design (`multipliers` are
 /// 0) but active at the optimum of a single model; otherwise `None`.
-fn of_the_bests(multipliers: [f64; 2], price: String) -> Option<String> {
+fn price_of_single_models(multipliers: [f64; 2], price: String) -> Option<String> {
     let is_nonzero = !is_zero(leading_number(&price));
     (multipliers == [0.0; 2] && is_nonzero).then_some(price)
 }

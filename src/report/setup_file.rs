@@ -73,14 +73,16 @@ pub(super) fn remarks_on_varied(
 
 /// Beginnings of the lines of method and step in a setup file that this program wrote.
 #[cfg(feature = "commands")]
-const OF_STEP: [&str; 2] = ["method = ", "step = "];
+const STEP_LINES: [&str; 2] = ["method = ", "step = "];
 
 /// The setup file `toml`, in which the lines of method and step are replaced by those of the setup
 /// file `other`. This program wrote both files.
 #[cfg(feature = "commands")]
 pub(crate) fn with_step_of(other: &str, toml: &str) -> String {
     let taken = |line| {
-        let key = OF_STEP.into_iter().find(|key| str::starts_with(line, *key));
+        let key = STEP_LINES
+            .into_iter()
+            .find(|key| str::starts_with(line, *key));
         key.and_then(|key| other.split_inclusive('\n').find(|own| own.starts_with(key)))
             .unwrap_or(line)
     };

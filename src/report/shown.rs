@@ -184,7 +184,7 @@ fn computed(parameter: &Parameter, value: f64) -> Message {
 
 /// A value counts as the end of a range if its distance from the end is at most this fraction of
 /// the range: the QP solver ends a little inside the range.
-pub(super) const AT_THE_END: f64 = 1e-6;
+pub(super) const END_TOLERANCE: f64 = 1e-6;
 
 /// A value of a varied parameter. It gets more digits if rounding would show it as an end of the
 /// range.
@@ -193,7 +193,7 @@ pub(super) fn within(vary: &Vary, value: f64, system: System) -> String {
     let number = |text: &str| leading_number(text).parse::<f64>().ok();
     let is_apart = |text: &String| {
         let ends = [vary.low, vary.high].into_iter().zip(&ends);
-        let is_apart = |end: f64| (end - value).abs() > AT_THE_END * (vary.high - vary.low);
+        let is_apart = |end: f64| (end - value).abs() > END_TOLERANCE * (vary.high - vary.low);
         ends.filter(|(end, _)| is_apart(*end))
             .all(|(_, end)| number(text) != number(end))
     };

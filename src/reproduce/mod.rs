@@ -19,6 +19,6 @@ pub use mae494::{
 };
 pub use recomputed::RecomputedOptimum;
 pub use winfield_tan::{
-    Decay, FittedNumber, MISPRINTS, Mean, RefittedLaw, ShotComparison, SingleShot, WinfieldTan,
-    winfield_tan,
+    Decay, FittedNumber, InterpolatedAverage, MISPRINTS, RefittedLaw, ShotComparison, SingleShot,
+    WinfieldTan, winfield_tan,
 };

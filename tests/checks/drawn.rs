@@ -361,11 +361,11 @@ fn a_chart_marks_the_drive_and_names_active_bounds() {
     let figures = chart_figures(&found, Some(&best), System::Us);
     assert_eq!(figures.drawn.len(), 2, "the attack angle has no figure");
     assert!(
-        figures.held[0].1.contains("upper bound"),
+        figures.at_bound[0].1.contains("upper bound"),
         "{}",
-        figures.held[0].1
+        figures.at_bound[0].1
     );
-    assert!(figures.drawn[0].note.contains(&figures.held[0].1));
+    assert!(figures.drawn[0].note.contains(&figures.at_bound[0].1));
     for (figure, value) in figures
         .drawn
         .iter()

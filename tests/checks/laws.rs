@@ -618,7 +618,7 @@ fn a_plot_of_laws_shows_the_law_in_use_among_the_others() {
         .collect();
     for of in [Coefficient::Drag, Coefficient::Lift] {
         let figure = laws_figure(&laws, &setup, Over::SpinRatio, 1.5e5, of);
-        assert_eq!(figure.y.reach, Some([0.0, 0.5]));
+        assert_eq!(figure.y.range, Some([0.0, 0.5]));
         for layer in &figure.layers {
             let (name, hue) = layer.named();
             let is_used = name.split(" (").next() == Some(setup.law.name());

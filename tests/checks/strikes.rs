@@ -38,7 +38,8 @@ fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
         assert_eq!(pair[0].common_values, pair[1].common_values);
         for (field, setup, side) in [(&pair[0], &setup, -1.0), (&pair[1], &flat, 1.0)] {
             for node in (3..field.values.len()).step_by(53) {
-                let at = field.place((node % field.columns) as f64, (node / field.columns) as f64);
+                let at =
+                    field.coordinates((node % field.columns) as f64, (node / field.columns) as f64);
                 let drive = flown(
                     setup,
                     &[("strike.toe", side * at[0]), ("strike.high", at[1])],

@@ -210,12 +210,12 @@ fn figure_of<'a>(
     shown: Option<&'static Parameter>,
     target: &PlotDestination<'_>,
 ) -> Result<&'a Figure> {
-    let mut held = figures.held.iter();
+    let mut held = figures.at_bound.iter();
     if let Some((_, why)) = held.find(|(vary, _)| Some(vary.parameter) == shown) {
         return Err(target.refused(format!("it does not change: {why}")));
     }
     let moves = |vary: &&Vary| {
-        let mut held = figures.held.iter();
+        let mut held = figures.at_bound.iter();
         held.all(|(held, _)| held.parameter != vary.parameter)
     };
     let place = search

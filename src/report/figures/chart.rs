@@ -11,7 +11,7 @@ pub struct ChartFigures {
     pub drawn: Vec<Figure>,
     /// The parameters that are at the same bound in every optimum, each with a sentence instead of
     /// a plot.
-    pub held: Vec<(Vary, String)>,
+    pub at_bound: Vec<(Vary, String)>,
 }
 
 /// The optimum along a parameter: a plot of the optimal value, and a plot of each varied parameter
@@ -20,7 +20,7 @@ pub struct ChartFigures {
 pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> ChartFigures {
     let mut found = ChartFigures {
         drawn: vec![],
-        held: vec![],
+        at_bound: vec![],
     };
     let Some(first) = chart.points.first() else {
         return found;
@@ -28,13 +28,15 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
     let search = &first.best.search;
     let drawing = ChartDrawing::new(chart, own, system);
     for (i, vary) in search.vary.iter().enumerate() {
-        match held(chart, i, vary) {
-            Some(side) => found.held.push((*vary, held_sentence(vary, side, system))),
+        match common_bound(chart, i, vary) {
+            Some(side) => found
+                .at_bound
+                .push((*vary, bound_sentence(vary, side, system))),
             None => found.drawn.push(drawing.parameter(i, vary)),
         }
     }
     let mut best = drawing.value(search.outcome());
-    let notes = found.held.iter().map(|(_, why)| why.as_str());
+    let notes = found.at_bound.iter().map(|(_, why)| why.as_str());
     let notes = std::iter::once(best.note.as_str()).chain(notes);
     let notes: Vec<&str> = notes.filter(|note| !note.is_empty()).collect();
     best.note = notes.join(" ");
@@ -160,7 +162,7 @@ impl<'a> ChartDrawing<'a> {
 }
 
 /// The sentence about a parameter that is at the same bound in every optimum, in place of a plot.
-fn held_sentence(vary: &Vary, side: BoundSide, system: System) -> String {
+fn bound_sentence(vary: &Vary, side: BoundSide, system: System) -> String {
     let at = shown::stated(vary.parameter, bound(vary, side), system);
     let why = if vary.low == vary.high {
         "the only value it may have".into()
@@ -172,10 +174,10 @@ fn held_sentence(vary: &Vary, side: BoundSide, system: System) -> String {
 }
 
 /// The bound at which a varied parameter is in every optimum, if there is one.
-fn held(chart: &Chart, i: usize, vary: &Vary) -> Option<BoundSide> {
+fn common_bound(chart: &Chart, i: usize, vary: &Vary) -> Option<BoundSide> {
     // tolerance for rounding errors
     let rounding = 1e-12 * (vary.high - vary.low);
-    let is_held = |side: &BoundSide| {
+    let is_common = |side: &BoundSide| {
         let end = bound(vary, *side);
         chart
             .points
@@ -184,7 +186,7 @@ fn held(chart: &Chart, i: usize, vary: &Vary) -> Option<BoundSide> {
     };
     [BoundSide::Lower, BoundSide::Upper]
         .into_iter()
-        .find(is_held)
+        .find(is_common)
 }
 
 fn bound(vary: &Vary, side: BoundSide) -> f64 {

@@ -24,8 +24,8 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         shares.truncate(MOST);
         let bars = (names.len()..)
             .zip(&shares)
-            .map(|(place, share)| HorizontalBar {
-                place,
+            .map(|(row, share)| HorizontalBar {
+                row,
                 to: share.amount,
             });
         layers.push(Layer::Bars {

@@ -118,7 +118,7 @@ fn view(name: &str, title: &str, ranges: [[f64; 2]; 2], shape: [f64; 2], y_grows
 
 /// Adds the arcs, the fairway, the target line and `layers` to a view.
 fn drawn(mut figure: Figure, layers: &[Layer], system: System) -> Figure {
-    let [x, y] = [&figure.x, &figure.y].map(|axis| axis.reach.unwrap_or_default());
+    let [x, y] = [&figure.x, &figure.y].map(|axis| axis.range.unwrap_or_default());
     let along = |x: f64| vec![[x, y[0].max(0.0)], [x, y[1]]];
     let line = |name: &str, hue: Hue, is_dashed: bool, points: Vec<[f64; 2]>| Layer::Line {
         name: name.into(),

@@ -109,7 +109,7 @@ fn note(figure: &Figure, used: Option<&str>, constant: &str) -> String {
             100.0 * NEAR
         ));
     }
-    let [low, high] = figure.y.reach.unwrap_or(COEFFICIENTS);
+    let [low, high] = figure.y.range.unwrap_or(COEFFICIENTS);
     if values(&figure.layers).any(|value| !(low..=high).contains(&value)) {
         notes.push(format!(
             "Values below {} and above {} are not drawn.",

@@ -7,7 +7,7 @@ use crate::study::swings::{Pareto, ParetoPoint};
 use crate::units::System;
 
 /// Horizontal distance from the knee to each end of the tangent, divided by the width of the front.
-const REACH: f64 = 0.2;
+const HALF_WIDTH: f64 = 0.2;
 
 /// The Pareto front of two goals: the first goal against the second, with the ends, the knee, the
 /// slope at the knee, and the design before the search. Texts are in the units of `system`.
@@ -24,7 +24,7 @@ pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
     let mut figure = Figure::new("pareto", title, Axis::linear(x), Axis::linear(y));
     figure.layers.extend(tangent(found, system));
     // the line is interrupted where the front is disconnected
-    let gap = |point: &ParetoPoint| point.is_apart.then_some([f64::NAN; 2]);
+    let gap = |point: &ParetoPoint| point.is_after_gap.then_some([f64::NAN; 2]);
     let line = found
         .points
         .iter()
@@ -89,7 +89,7 @@ fn tangent(found: &Pareto, system: System) -> Option<Layer> {
         name: format!("slope at the knee: {slope}"),
         hue: Hue::Faint,
         is_dashed: true,
-        points: vec![end(-REACH * width), end(REACH * width)],
+        points: vec![end(-HALF_WIDTH * width), end(HALF_WIDTH * width)],
     })
 }
 

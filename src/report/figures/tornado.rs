@@ -124,8 +124,8 @@ pub fn tornado_figure(
         let bars = ranked
             .iter()
             .enumerate()
-            .map(|(place, effect)| HorizontalBar {
-                place,
+            .map(|(row, effect)| HorizontalBar {
+                row,
                 to: ends(effect)[end],
             });
         Layer::Bars {

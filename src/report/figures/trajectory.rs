@@ -3,7 +3,7 @@ use super::style::{clear_names, style};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Vector;
-use crate::report::drive::run_within;
+use crate::report::drive::total_uncertainty;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shown;
 use crate::statistics::extent;
@@ -64,7 +64,7 @@ pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Re
     };
     let mut figure = empty(view, [x, seen_up]);
     let lines = lines(flown, &paths, &runs);
-    let range = figure.x.reach.unwrap_or(x);
+    let range = figure.x.range.unwrap_or(x);
     match view {
         View::Side => add_ground(&mut figure, &paths, range),
         View::Top => figure.layers.push(Layer::Line {
@@ -196,8 +196,8 @@ fn lines(flown: &[NamedDrive], paths: &[Vec<[f64; 2]>], runs: &[Vec<[f64; 2]>]) 
 fn add_ground(figure: &mut Figure, paths: &[Vec<[f64; 2]>], [left, right]: [f64; 2]) {
     let ground = extent(paths.iter().filter_map(|path| Some(path.last()?[1])))[0];
     let below = ground - 0.03 * (right - left);
-    figure.y.reach = figure.y.reach.map(|[_, high]| [below, high]);
-    if let Some([low, high]) = figure.y.reach {
+    figure.y.range = figure.y.range.map(|[_, high]| [below, high]);
+    if let Some([low, high]) = figure.y.range {
         figure.aspect = (high - low) / (right - left);
     }
     figure.layers.push(Layer::Region {
@@ -241,7 +241,7 @@ fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) 
         " After the landing the ball bounces and runs to its total, {}, which is known within \
          {} at best.",
         totals.join(" and "),
-        run_within().in_units(system)
+        total_uncertainty().in_units(system)
     )
 }
 
@@ -295,7 +295,7 @@ fn marks(flown: &NamedDrive, i: usize, view: View, system: System) -> Vec<Layer>
 /// A view of the paths with the vertical axis stretched; `None` if the stretch factor is at most
 /// `CLEARLY`.
 fn stretched(figure: &Figure, lines: &[Layer], y: [f64; 2], view: View) -> Option<Figure> {
-    let [left, right] = figure.x.reach?;
+    let [left, right] = figure.x.range?;
     let [low, high] = y;
     let times = STRETCHED * (right - left) / (high - low);
     let what = if view == View::Side {

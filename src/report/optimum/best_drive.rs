@@ -2,7 +2,7 @@
 //! the optimal drive.
 
 use super::super::document::Line;
-use super::super::drive::{extrapolated, run_within};
+use super::super::drive::{extrapolated, total_uncertainty};
 use super::super::shown;
 use crate::drive::{Drive, Outcome};
 use crate::study::Optimum;
@@ -47,7 +47,7 @@ pub(in crate::report) fn gain_lines(
     let text = format!(
         "{} (totals are known to {})",
         lines.join("; "),
-        run_within().in_units(system)
+        total_uncertainty().in_units(system)
     );
     let falls = |of: Outcome| change(of).is_some_and(|change| change < 0.0);
     let advice = match objective {

@@ -1,7 +1,7 @@
 //! The bounds of an optimum in words, with their multipliers.
 
 use super::super::limits::{self, Objective};
-use super::super::shown::AT_THE_END;
+use super::super::shown::END_TOLERANCE;
 use crate::parameters::Vary;
 use crate::study::Optimum;
 use crate::units::System;
@@ -39,7 +39,7 @@ pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: Sys
 
 /// The bound that a value has reached; empty between the bounds.
 fn reached_bound(vary: Vary, value: f64) -> &'static str {
-    let margin = AT_THE_END * (vary.high - vary.low);
+    let margin = END_TOLERANCE * (vary.high - vary.low);
     if value <= vary.low + margin {
         return "at its lower bound";
     }

@@ -104,9 +104,9 @@ fn limits(best: &Optimum) -> Markup {
         bound(best, i, System::default())?;
         Some(both(|system| {
             let to = shown::parameter(vary.parameter, best.solution.x[i], system);
-            let held = bound(best, i, system).unwrap_or_default();
+            let state = bound(best, i, system).unwrap_or_default();
             format!(
-                "{} {to}, {held}",
+                "{} {to}, {state}",
                 capital(&shown::words(vary.parameter.name))
             )
         }))

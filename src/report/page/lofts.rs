@@ -1,6 +1,6 @@
 //! The table of carry and total by loft and attack angle.
 
-use crate::report::drive::run_within;
+use crate::report::drive::total_uncertainty;
 use crate::report::frame::{both, scrolled};
 use crate::report::shown;
 use crate::study::{LOFT_OUTCOMES, Plane};
@@ -24,7 +24,7 @@ pub(super) fn lofts(plane: &Plane) -> Markup {
         p.faint {
             "Carry, and below it the total, in " (both(unit)) "; everything else is as set up. Bold: \
              the longest carry of a column, if it is inside the table. A total is known to "
-            (both(|system| run_within().in_units(system))) " at best."
+            (both(|system| total_uncertainty().in_units(system))) " at best."
         }
         (scrolled("Carry and total by loft and attack angle", html! { table.lofts {
             thead {

@@ -81,7 +81,7 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
         (scrolled("The optimum", html! { table.stacked {
             thead { tr {
                 th { "varied" } th.number { (ended) } th.number { "from" } th.number { "to" } th { "bound" }
-                @if let Some(flatness) = flatness { th { (alone(of, flatness)) } }
+                @if let Some(flatness) = flatness { th { (window_head(of, flatness)) } }
             } }
             tbody {
                 @for (i, vary) in search.vary.iter().enumerate() {
@@ -92,7 +92,7 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
                         td.number { (label("to")) (both(|system| shown::ends(vary, system)[1].clone())) }
                         td.words { (label("bound")) (both(|system| bound_in_words(best, i, system))) }
                         @if let Some(flatness) = flatness {
-                            td.words { (label(alone(of, flatness))) (window(vary, &flatness.windows[i])) }
+                            td.words { (label(window_head(of, flatness))) (window(vary, &flatness.windows[i])) }
                         }
                     }
                 }
@@ -108,7 +108,7 @@ fn label(head: impl Render) -> Markup {
 }
 
 /// The head of the column of windows, with the allowed loss.
-fn alone(of: Outcome, flatness: &Flatness) -> Markup {
+fn window_head(of: Outcome, flatness: &Flatness) -> Markup {
     let loss = both(|system| shown::spread(of, flatness.loss, system));
     html! { "alone, for a loss of " (loss) }
 }

@@ -95,7 +95,7 @@ pub struct Axis {
     /// The scale.
     pub scale: AxisScale,
     /// The range, SI; data outside are not drawn. `None` for the range of the data.
-    pub reach: Option<[f64; 2]>,
+    pub range: Option<[f64; 2]>,
 }
 
 impl Axis {
@@ -104,7 +104,7 @@ impl Axis {
         Self {
             quantity,
             scale: AxisScale::Linear,
-            reach: None,
+            range: None,
         }
     }
 
@@ -136,7 +136,7 @@ impl Axis {
     #[must_use]
     pub fn exactly(self, low: f64, high: f64) -> Self {
         Self {
-            reach: Some([low, high]),
+            range: Some([low, high]),
             ..self
         }
     }

@@ -24,7 +24,7 @@ const MOST_LINES: usize = 2;
 
 /// Height of a row, pixels.
 const ROW: f64 = 34.0;
-/// Half the height of a bar, pixels: in a row with one strip, and in a row with two (see `lane`).
+/// Half the height of a bar, pixels: in a row with one strip, and in a row with two (see `strip`).
 const HALF: [f64; 2] = [8.0, 6.0];
 
 /// Distance between the middle of a row and the middle of each of its two strips, pixels.
@@ -37,7 +37,7 @@ const GAP: f64 = 4.0;
 pub(super) struct BarRows {
     names: Vec<Vec<String>>,
     /// Height of the names above the bars, pixels; 0 if the names are on the left.
-    over: f64,
+    names_height: f64,
     /// Width of the names on the left, pixels.
     pub left: f64,
 }
@@ -63,7 +63,7 @@ impl BarRows {
         if beside.iter().all(|lines| lines.len() <= MOST_LINES) {
             return Some(Self {
                 names: beside,
-                over: 0.0,
+                names_height: 0.0,
                 left: widest + 14.0,
             });
         }
@@ -71,14 +71,14 @@ impl BarRows {
         let most = names.iter().map(Vec::len).max().unwrap_or(0);
         Some(Self {
             names,
-            over: NAME_LINE * most as f64,
+            names_height: NAME_LINE * most as f64,
             left: 12.0,
         })
     }
 
     /// The height of each row.
     fn height(&self) -> f64 {
-        ROW + self.over
+        ROW + self.names_height
     }
 
     /// The height of all rows.
@@ -87,8 +87,8 @@ impl BarRows {
     }
 
     /// The middle of the bars of a row, pixels from the top of the frame.
-    fn middle(&self, place: usize) -> f64 {
-        place as f64 * self.height() + self.over + 0.5 * ROW
+    fn middle(&self, row: usize) -> f64 {
+        row as f64 * self.height() + self.names_height + 0.5 * ROW
     }
 
     /// Draws the line at 0 and the names.
@@ -99,10 +99,10 @@ impl BarRows {
             canvas.line(&[[x, top], [x, bottom]], Stroke::new(palette.faint, 1.0));
         }
         let font = Font::new(SMALL_TEXT, palette.ink);
-        for (place, lines) in self.names.iter().enumerate() {
-            let middle = top + self.middle(place);
+        for (row, lines) in self.names.iter().enumerate() {
+            let middle = top + self.middle(row);
             for (i, line) in lines.iter().enumerate() {
-                if self.over == 0.0 {
+                if self.names_height == 0.0 {
                     let below = NAME_LINE * (i as f64 - 0.5 * (lines.len() - 1) as f64);
                     canvas.text(line, [left - 8.0, middle + below], Anchor::Right, font);
                     continue;
@@ -135,18 +135,18 @@ impl BarRows {
         };
         let font = Font::new(VALUE, canvas.palette.ink);
         for bar in bars {
-            let ends = [0.0, bar.to].map(|x| area.pixel([x, bar.place as f64]));
+            let ends = [0.0, bar.to].map(|x| area.pixel([x, bar.row as f64]));
             let [Some([from, _]), Some([to, _])] = ends else {
                 continue;
             };
-            let (lane, lanes) = lane(figure, layer, bar);
-            let half = HALF[lanes - 1];
+            let (strip, strips) = strip(figure, layer, bar);
+            let half = HALF[strips - 1];
             let middle = area.frame[1]
-                + self.middle(bar.place)
-                + if lanes == 1 {
+                + self.middle(bar.row)
+                + if strips == 1 {
                     0.0
                 } else {
-                    APART * (2.0 * lane as f64 - 1.0)
+                    APART * (2.0 * strip as f64 - 1.0)
                 };
             let [low, high] = [[from.min(to), middle - half], [from.max(to), middle + half]];
             canvas.rectangle(low, high, canvas.palette.of(*hue), BAR_OPACITY);
@@ -182,7 +182,7 @@ fn in_lines(name: &str, room: f64) -> Vec<String> {
 }
 
 /// The bars of other layers in a row, each with the index of its layer.
-fn others(figure: &Figure, layer: usize, place: usize) -> Vec<(usize, HorizontalBar)> {
+fn others(figure: &Figure, layer: usize, row: usize) -> Vec<(usize, HorizontalBar)> {
     let mut others = vec![];
     for (i, other) in figure
         .layers
@@ -193,7 +193,7 @@ fn others(figure: &Figure, layer: usize, place: usize) -> Vec<(usize, Horizontal
         if let Layer::Bars { bars, .. } = other {
             others.extend(
                 bars.iter()
-                    .filter(|bar| bar.place == place)
+                    .filter(|bar| bar.row == row)
                     .map(|bar| (i, *bar)),
             );
         }
@@ -203,14 +203,14 @@ fn others(figure: &Figure, layer: usize, place: usize) -> Vec<(usize, Horizontal
 
 /// The horizontal strip of a bar within its row, from 0, and the number of strips: two if bars
 /// would overlap, otherwise one.
-fn lane(figure: &Figure, layer: usize, bar: &HorizontalBar) -> (usize, usize) {
+fn strip(figure: &Figure, layer: usize, bar: &HorizontalBar) -> (usize, usize) {
     let ends = |bar: &HorizontalBar| [bar.to.min(0.0), bar.to.max(0.0)];
     let [low, high] = ends(bar);
     let covers = |other: &HorizontalBar| {
         let [from, to] = ends(other);
         from < high && low < to
     };
-    match others(figure, layer, bar.place)
+    match others(figure, layer, bar.row)
         .iter()
         .find(|(_, other)| covers(other))
     {
@@ -222,7 +222,7 @@ fn lane(figure: &Figure, layer: usize, bar: &HorizontalBar) -> (usize, usize) {
 /// True if the value is to the left of its bar: the bar points left, or the bar has no length and
 /// the other bar of the row points right.
 fn is_left(figure: &Figure, layer: usize, bar: &HorizontalBar) -> bool {
-    let mut others = others(figure, layer, bar.place).into_iter();
+    let mut others = others(figure, layer, bar.row).into_iter();
     bar.to < 0.0 || (bar.to <= 0.0 && others.any(|(_, other)| other.to > 0.0))
 }
 
@@ -238,7 +238,7 @@ fn value(figure: &Figure, layer: usize, bar: &HorizontalBar, system: System) -> 
         is_zero(leading_number(&text))
     };
     let is_row_lost = is_lost(bar)
-        && others(figure, layer, bar.place)
+        && others(figure, layer, bar.row)
             .iter()
             .all(|(_, other)| is_lost(other));
     let text = if is_row_lost {

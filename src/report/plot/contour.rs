@@ -12,7 +12,7 @@ pub(super) struct ContourRegion {
     /// The level, in the displayed unit.
     pub level: f64,
     /// The rank of the level as a fraction: 0 for the lowest region, 1 for the highest level.
-    pub part: f64,
+    pub rank: f64,
     /// The outlines in the coordinates of the axes, SI. A line without width connects a hole with
     /// its outline.
     pub outlines: Vec<Vec<[f64; 2]>>,
@@ -66,10 +66,10 @@ pub(super) fn contour_regions(field: &Field, system: System) -> Vec<ContourRegio
     let levels = levels(&known);
     // the lowest region is the whole map
     let all = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
-        .map(|[x, y]: [f64; 2]| field.place(x * (columns - 1) as f64, y * (rows - 1) as f64));
+        .map(|[x, y]: [f64; 2]| field.coordinates(x * (columns - 1) as f64, y * (rows - 1) as f64));
     let base = ContourRegion {
         level: low,
-        part: 0.0,
+        rank: 0.0,
         outlines: vec![all.to_vec()],
         lines: vec![],
     };
@@ -94,10 +94,10 @@ fn outlined(field: &Field, refined: &Refined, levels: &[f64]) -> Vec<ContourRegi
             // the crate puts the first node at ½, and closes rings half a cell outside of the grid
             let node = |at: f64, count: usize| (at - 0.5).clamp(0.0, (count - 1) as f64);
             let node = |x: f64, y: f64| [node(x, columns), node(y, rows)];
-            let part = (i + 1) as f64 / levels.len() as f64;
+            let rank = (i + 1) as f64 / levels.len() as f64;
             let mut region = ContourRegion {
                 level: *level,
-                part,
+                rank,
                 outlines: vec![],
                 lines: vec![],
             };
@@ -126,7 +126,7 @@ fn outlined(field: &Field, refined: &Refined, levels: &[f64]) -> Vec<ContourRegi
             }
             let place = |at: &mut [f64; 2]| {
                 let [column, row] = at.map(|node| node / refined.times as f64);
-                *at = field.place(column, row);
+                *at = field.coordinates(column, row);
             };
             region
                 .outlines
@@ -323,7 +323,7 @@ mod tests {
             gradients: vec![],
             common_values: vec![],
         };
-        let place = |i: usize| field.place((i % 13) as f64, (i / 13) as f64);
+        let place = |i: usize| field.coordinates((i % 13) as f64, (i / 13) as f64);
         field.values = (0..13 * 9).map(|i| f(place(i)[0], place(i)[1])).collect();
         field
     }

@@ -112,7 +112,7 @@ fn layer_rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Cs
             };
             let one = |bar: &HorizontalBar| CsvRow {
                 kind: "bar",
-                name: place(bar.place).to_owned(),
+                name: place(bar.row).to_owned(),
                 numbers: [Some(0.0), None, Some(bar.to), None],
                 value: None,
             };
@@ -132,7 +132,7 @@ fn layer_rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Cs
         }
         Layer::Contours(field) => {
             let one = |(i, value): (usize, &Option<f64>)| {
-                let at = field.place((i % field.columns) as f64, (i / field.columns) as f64);
+                let at = field.coordinates((i % field.columns) as f64, (i / field.columns) as f64);
                 CsvRow {
                     value: Some((field, value.unwrap_or(f64::NAN))),
                     ..row("field", point(at))

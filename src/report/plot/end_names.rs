@@ -3,7 +3,7 @@
 use super::canvas::{Anchor, Canvas, Font, LINE, SMALL_TEXT, Stroke};
 use super::figure::{Figure, Hue, Layer, LineNames};
 use super::layers::PlotArea;
-use super::legend::whole_name;
+use super::legend::base_name;
 use super::text_width::{text_width, wrapped};
 use crate::units::typeset;
 
@@ -35,8 +35,8 @@ pub(super) struct EndNames<'a> {
 
 /// A name with the colour of its line.
 struct Name<'a> {
-    /// The name without a remark in parentheses (see [`whole_name`]).
-    whole: &'a str,
+    /// The name without a remark in parentheses (see [`base_name`]).
+    base: &'a str,
     hue: Hue,
     /// The name, wrapped into lines.
     lines: Vec<String>,
@@ -53,13 +53,13 @@ impl<'a> EndNames<'a> {
             let Layer::Line { name, hue, .. } = layer else {
                 continue;
             };
-            let whole = whole_name(figure, name);
-            if !whole.is_empty() && names.iter().all(|one| one.whole != whole) {
+            let base = base_name(figure, name);
+            if !base.is_empty() && names.iter().all(|one| one.base != base) {
                 let room = (WIDEST * width).min(width - FRAME);
                 names.push(Name {
-                    whole,
+                    base,
                     hue: *hue,
-                    lines: wrapped(&typeset(whole), room, SMALL_TEXT, is_bold(*hue)),
+                    lines: wrapped(&typeset(base), room, SMALL_TEXT, is_bold(*hue)),
                 });
             }
         }
@@ -136,7 +136,7 @@ impl Name<'_> {
     /// The right end of the line inside the axes, pixels; `None` if the line is outside of them.
     fn end(&self, area: &PlotArea, figure: &Figure) -> Option<[f64; 2]> {
         let points = figure.layers.iter().filter_map(|layer| match layer {
-            Layer::Line { name, points, .. } if whole_name(figure, name) == self.whole => {
+            Layer::Line { name, points, .. } if base_name(figure, name) == self.base => {
                 Some(area.all(points))
             }
             _ => None,

@@ -101,7 +101,7 @@ impl Hue {
 
     /// Number of short cross bars on lines and points. They distinguish series with the same
     /// colour.
-    pub fn bars(self) -> usize {
+    pub fn cross_bars(self) -> usize {
         match self {
             Self::Series(i) => i / Self::SERIES,
             Self::Ink | Self::Faint => 0,
@@ -223,7 +223,7 @@ impl Layer {
                 .collect(),
             Self::Bars { bars, .. } => bars
                 .iter()
-                .flat_map(|bar| [0.0, bar.to].map(|x| [x, bar.place as f64]))
+                .flat_map(|bar| [0.0, bar.to].map(|x| [x, bar.row as f64]))
                 .collect(),
             Self::Contours(field) => vec![[field.x[0], field.y[0]], [field.x[1], field.y[1]]],
             Self::Mark { at, .. } | Self::Text { at, .. } => vec![*at],
@@ -252,7 +252,7 @@ impl Layer {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HorizontalBar {
     /// The index of the bar's name on the axis, from 0.
-    pub place: usize,
+    pub row: usize,
     /// The value at which the bar ends, SI.
     pub to: f64,
 }
@@ -285,7 +285,7 @@ impl Field {
     }
 
     /// The coordinates of a column and a row, counted from 0. Fractions lie between the nodes.
-    pub fn place(&self, column: f64, row: f64) -> [f64; 2] {
+    pub fn coordinates(&self, column: f64, row: f64) -> [f64; 2] {
         let along = |[low, high]: [f64; 2], part: f64, count: usize| {
             low + (high - low) * part / (count.max(2) - 1) as f64
         };

@@ -58,7 +58,7 @@ fn points(layer: &Layer) -> Vec<(&str, [f64; 2])> {
         Layer::Mark { at, .. } => vec![(name, *at)],
         Layer::Bars { bars, .. } => bars
             .iter()
-            .map(|bar| (name, [bar.to, bar.place as f64]))
+            .map(|bar| (name, [bar.to, bar.row as f64]))
             .collect(),
         _ => vec![],
     }

@@ -39,7 +39,7 @@ impl PlotArea {
     pub fn pixel(&self, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
         let [left, top, right, bottom] = self.frame;
         let along = |drawn: &DrawnAxis, value: f64, from: f64, to: f64| {
-            let part = (drawn.place(value)? - drawn.low) / (drawn.high - drawn.low);
+            let part = (drawn.position(value)? - drawn.low) / (drawn.high - drawn.low);
             (-1e-6..=1.0 + 1e-6)
                 .contains(&part)
                 .then_some(from + part * (to - from))
@@ -245,8 +245,8 @@ fn fill_contours(canvas: &mut Canvas, area: &PlotArea, field: &Field, regions: &
     let palette = canvas.palette;
     let shade = |i: usize| {
         // the shade of the position midway between this level and the next
-        let next = regions.get(i + 1).map_or(1.0, |next| next.part);
-        palette.height(0.5 * (regions[i].part + next))
+        let next = regions.get(i + 1).map_or(1.0, |next| next.rank);
+        palette.height(0.5 * (regions[i].rank + next))
     };
     for (i, region) in regions.iter().enumerate() {
         for outline in &region.outlines {
@@ -258,7 +258,7 @@ fn fill_contours(canvas: &mut Canvas, area: &PlotArea, field: &Field, regions: &
     // so that no seams are visible
     let corner = |column: f64, row: f64| {
         let end = |at: f64, count: usize| at.clamp(0.0, (count - 1) as f64);
-        area.pixel(field.place(end(column, columns), end(row, rows)))
+        area.pixel(field.coordinates(end(column, columns), end(row, rows)))
     };
     for (row, values) in field.values.chunks(columns.max(1)).take(rows).enumerate() {
         let mut column = 0;
@@ -298,7 +298,13 @@ pub(super) fn series(canvas: &mut Canvas, points: &[[f64; 2]], hue: Hue, is_dash
         while length > 0.0 && gone + length >= next {
             let part = (next - gone) / length;
             let at = [pair[0][0] + part * dx, pair[0][1] + part * dy];
-            bars(canvas, at, [dx / length, dy / length], color, hue.bars());
+            cross_bars(
+                canvas,
+                at,
+                [dx / length, dy / length],
+                color,
+                hue.cross_bars(),
+            );
             next += BARS_APART;
         }
         gone += length;
@@ -309,11 +315,17 @@ pub(super) fn series(canvas: &mut Canvas, points: &[[f64; 2]], hue: Hue, is_dash
 pub(super) fn point(canvas: &mut Canvas, at: [f64; 2], hue: Hue) {
     let color = canvas.palette.of(hue);
     canvas.disc(at, DOT, color);
-    bars(canvas, at, [0.5_f64.sqrt(); 2], color, hue.bars());
+    cross_bars(canvas, at, [0.5_f64.sqrt(); 2], color, hue.cross_bars());
 }
 
 /// Draws short parallel bars across a direction, centred on a point.
-fn bars(canvas: &mut Canvas, [x, y]: [f64; 2], [dx, dy]: [f64; 2], color: Color, count: usize) {
+fn cross_bars(
+    canvas: &mut Canvas,
+    [x, y]: [f64; 2],
+    [dx, dy]: [f64; 2],
+    color: Color,
+    count: usize,
+) {
     for i in 0..count {
         let along = 3.5 * (i as f64 - 0.5 * (count - 1) as f64);
         let end = |side: f64| [x + along * dx - side * dy, y + along * dy + side * dx];

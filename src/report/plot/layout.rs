@@ -111,13 +111,13 @@ fn axes(
                 names.max(figure.aspect * (right - left))
             }
         };
-        let is_apart = rows.is_some() || y.is_apart(tall, |_, _| LINE - 2.0);
+        let is_readable = rows.is_some() || y.is_readable(tall, |_, _| LINE - 2.0);
         found = Ok(PlotArea {
             x,
             y,
             frame: [left, 0.0, right, tall],
         });
-        if is_apart {
+        if is_readable {
             break;
         }
     }
@@ -155,11 +155,11 @@ fn across(
             Some(axis) => DrawnAxis::new(&axis, xs(), system, count)?,
             None => x,
         };
-        let is_apart = x.is_apart(right - left, |a, b| {
+        let is_readable = x.is_readable(right - left, |a, b| {
             0.5 * (text_width(a, SMALL_TEXT, false) + text_width(b, SMALL_TEXT, false)) + 6.0
         });
         last = Some((x, left, right));
-        if is_apart {
+        if is_readable {
             break;
         }
     }

@@ -93,7 +93,7 @@ fn is_named(figure: &Figure, layer: &Layer) -> bool {
             ),
             LineNames::AtEnds => matches!(layer, Layer::Line { .. }),
         };
-    !name.is_empty() && hue.is_some() && !is_named_where_it_is && whole_name(figure, name) == name
+    !name.is_empty() && hue.is_some() && !is_named_where_it_is && base_name(figure, name) == name
 }
 
 /// True if the legend has this name.
@@ -106,14 +106,14 @@ pub(super) fn has(figure: &Figure, name: &str) -> bool {
 
 /// A name without its remark in parentheses: "ferguson" of "ferguson (extrapolated)". If no layer
 /// has the shorter name, the name is unchanged.
-pub(super) fn whole_name<'a>(figure: &Figure, name: &'a str) -> &'a str {
-    let is_layer = |whole: &str| {
+pub(super) fn base_name<'a>(figure: &Figure, name: &'a str) -> &'a str {
+    let is_layer = |base: &str| {
         let layers = figure.layers.iter();
         let mut named = layers.filter(|layer| !matches!(layer, Layer::Mark { .. }));
-        named.any(|layer| layer.named().0 == whole)
+        named.any(|layer| layer.named().0 == base)
     };
     match name.rsplit_once(" (") {
-        Some((whole, _)) if is_layer(whole) => whole,
+        Some((base, _)) if is_layer(base) => base,
         _ => name,
     }
 }

@@ -46,7 +46,7 @@ pub(super) fn write_marks(labels: &mut Labels<'_>, area: &PlotArea, figure: &Fig
         }),
         _ => None,
     });
-    let (doubled, needed): (Vec<_>, Vec<_>) =
+    let (in_legend, needed): (Vec<_>, Vec<_>) =
         marks.partition(|mark| !mark.name.is_empty() && legend::has(figure, &mark.name));
     let needed = merged(needed);
     for mark in &needed {
@@ -64,17 +64,22 @@ pub(super) fn write_marks(labels: &mut Labels<'_>, area: &PlotArea, figure: &Fig
             None => write_near(labels, area, &mark.name, mark.at, mark.color, FAR),
         }
     }
-    write_doubled(labels, area, &doubled, &lines);
+    write_legend_marks(labels, area, &in_legend, &lines);
 }
 
 /// Draws marks with their labels if there is space for all labels.
-fn write_doubled(labels: &mut Labels<'_>, area: &PlotArea, doubled: &[Mark], lines: &[[f64; 2]]) {
+fn write_legend_marks(
+    labels: &mut Labels<'_>,
+    area: &PlotArea,
+    in_legend: &[Mark],
+    lines: &[[f64; 2]],
+) {
     let before = labels.taken.len();
     labels
         .taken
-        .extend(doubled.iter().map(|mark| around(&mark.at)));
+        .extend(in_legend.iter().map(|mark| around(&mark.at)));
     let mut middles = vec![];
-    for mark in doubled {
+    for mark in in_legend {
         let Some(middle) = beside(labels, area, mark, &[], lines) else {
             labels.taken.truncate(before);
             return;
@@ -82,7 +87,7 @@ fn write_doubled(labels: &mut Labels<'_>, area: &PlotArea, doubled: &[Mark], lin
         labels.taken.push(Labels::extent(&mark.name, middle));
         middles.push(middle);
     }
-    for (mark, middle) in doubled.iter().zip(middles) {
+    for (mark, middle) in in_legend.iter().zip(middles) {
         star(labels.canvas, mark.at, mark.color);
         write_connected(labels, mark, middle);
     }

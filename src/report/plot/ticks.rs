@@ -46,14 +46,14 @@ impl DrawnAxis {
             (drawn.low, drawn.high) = (names.len() as f64 - 0.5, -0.5);
             return (!names.is_empty()).then_some(drawn);
         }
-        let values: Vec<f64> = match axis.reach {
+        let values: Vec<f64> = match axis.range {
             Some(ends) => ends.to_vec(),
             None => values.collect(),
         };
-        let mut places = values.into_iter().filter_map(|value| drawn.place(value));
-        let first = places.next()?;
-        let (low, high) = places.fold((first, first), |(low, high), place| {
-            (low.min(place), high.max(place))
+        let mut positions = values.into_iter().filter_map(|value| drawn.position(value));
+        let first = positions.next()?;
+        let (low, high) = positions.fold((first, first), |(low, high), position| {
+            (low.min(position), high.max(position))
         });
         // a single value needs a range with a positive width
         let (low, high) = if high > low {
@@ -79,7 +79,7 @@ impl DrawnAxis {
     fn even(&mut self, count: usize) {
         let step = nice_step((self.high - self.low) / count as f64);
         self.decimals = (-step.log10().floor()).max(0.0) as usize;
-        if self.axis.reach.is_none() {
+        if self.axis.range.is_none() {
             // extend to the next tick, unless the data end at a tick within rounding
             let slack = 1e-9;
             self.low = (self.low / step + slack).floor() * step;
@@ -91,7 +91,7 @@ impl DrawnAxis {
     }
 
     fn decades(&mut self, count: usize) {
-        if self.axis.reach.is_none() {
+        if self.axis.range.is_none() {
             (self.low, self.high) = (self.low.floor(), self.high.ceil());
         }
         let (from, to) = (
@@ -107,13 +107,13 @@ impl DrawnAxis {
 
     /// The position of an SI value on the axis: the number in the unit of the axis, or its
     /// logarithm. `None` if the axis cannot show the value.
-    pub fn place(&self, value: f64) -> Option<f64> {
-        let place = match self.axis.scale {
+    pub fn position(&self, value: f64) -> Option<f64> {
+        let position = match self.axis.scale {
             AxisScale::Names(_) => value,
             AxisScale::Linear | AxisScale::LeftRight => value / self.unit + self.zero,
             AxisScale::Log => (value / self.unit).log10(),
         };
-        place.is_finite().then_some(place)
+        position.is_finite().then_some(position)
     }
 
     /// The text of a tick.
@@ -158,7 +158,7 @@ impl DrawnAxis {
 
     /// True if all adjacent ticks are far enough apart on an axis of this length, pixels. `least`
     /// computes the minimum distance, pixels, from the texts of two ticks.
-    pub fn is_apart(&self, length: f64, least: impl Fn(&str, &str) -> f64) -> bool {
+    pub fn is_readable(&self, length: f64, least: impl Fn(&str, &str) -> f64) -> bool {
         let place = |tick: f64| length * (tick - self.low) / (self.high - self.low);
         self.ticks.windows(2).all(|pair| {
             (place(pair[1]) - place(pair[0])).abs()
@@ -215,7 +215,7 @@ mod tests {
         let log = Axis::log(NamedQuantity::plain("error"));
         let drawn = DrawnAxis::new(&log, [3e-12, 0.0, 0.5].into_iter(), System::Us, 5).unwrap();
         assert_eq!((drawn.low, drawn.high), (-12.0, 0.0));
-        assert_eq!(drawn.place(0.0), None);
+        assert_eq!(drawn.position(0.0), None);
         assert!(DrawnAxis::new(&log, [0.0].into_iter(), System::Us, 5).is_none());
     }
 }

@@ -130,7 +130,7 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure
 /// The line of predictions without error, through the points `ends`, within a band of one standard
 /// deviation of the difference between two launch monitors. The layer of the line is called `name`.
 fn without_error(of: Compared, name: &str, ends: [[f64; 2]; 2]) -> Vec<Layer> {
-    let band = floor(of).map(|by| Layer::Band {
+    let band = monitor_deviation(of).map(|by| Layer::Band {
         name: INSTRUMENTS.into(),
         hue: Hue::Faint,
         points: ends.map(|[x, y]| [x, y - by, y + by]).to_vec(),
@@ -158,7 +158,7 @@ fn ends(of: impl Iterator<Item = f64>) -> [f64; 2] {
 
 /// The standard deviation of the difference between two launch monitors in a quantity, SI; `None`
 /// if it is unknown.
-fn floor(of: Compared) -> Option<f64> {
+fn monitor_deviation(of: Compared) -> Option<f64> {
     let outcome = match of {
         Compared::Carry => Outcome::CarryDistance,
         Compared::Apex => Outcome::ApexHeight,

@@ -20,7 +20,7 @@ const FLOWN: [f64; 2] = [25.0, 68.0];
 const SPIN_RATIOS: [f64; 6] = [0.03, 0.06, 0.10, 0.15, 0.20, 0.30];
 
 /// Uncertainty of a printed distance in the calibration, m: 0.05 yd.
-const WEIGHT: f64 = 0.04572;
+const CARRY_SIGMA: f64 = 0.04572;
 
 /// Largest spin in the paper's flights, rad/s: for loft 17.14° at 110 mph.
 const MOST_SPIN: f64 = 450.0;
@@ -86,7 +86,7 @@ fn fit(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
         fit.residuals.len(),
         significant(found.setup.aero.spin_decay, 3),
         typed(
-            &significant(shown.length_number(WEIGHT), 2),
+            &significant(shown.length_number(CARRY_SIGMA), 2),
             shown.length_unit()
         ),
     ));

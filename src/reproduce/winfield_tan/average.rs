@@ -6,9 +6,9 @@ use crate::reproduce::delivery::LoftCarry;
 use crate::units::YARD;
 use nalgebra::{DMatrix, DVector};
 
-/// Mean carry over attack angles of 0, 1 … 10°, and its best loft.
+/// Mean carry over attack angles of 0, 1 … 10° with its best loft, and the polynomial through it.
 #[derive(Clone, Debug)]
-pub struct Mean {
+pub struct InterpolatedAverage {
     /// Mean carries of the lofts 7, 8 … 12°.
     pub rows: Vec<LoftCarry>,
     /// Maximum of the quintic polynomial through these means, computed as in the paper.
@@ -21,7 +21,7 @@ pub struct Mean {
     pub printed: LoftCarry,
 }
 
-impl Mean {
+impl InterpolatedAverage {
     pub(super) fn new(setup: &Setup<f64>) -> Result<Self> {
         let [loft, carry] = printed::AVERAGE;
         let average = Average::new(setup, &printed::AVERAGED_LOFTS, loft, RANGES.loft)?;
@@ -30,7 +30,7 @@ impl Mean {
             carry: carry * YARD,
         };
         let through = InterpolatingPolynomial::through(&average.rows).ok_or_else(refused)?;
-        let by_polynomial = through.top(average.best.loft)?;
+        let by_polynomial = through.maximum_near(average.best.loft)?;
         let [from, to] =
             [average.rows.first(), average.rows.last()].map(|row| row.map_or(0.0, |row| row.loft));
         let along = |i: usize| from + (to - from) * i as f64 / (CURVE - 1) as f64;
@@ -51,7 +51,7 @@ impl Mean {
     }
 }
 
-/// Number of points of [`Mean::polynomial`].
+/// Number of points of [`InterpolatedAverage::polynomial`].
 const CURVE: usize = 101;
 
 /// Interpolating polynomial of the carry, m, in x = loft − `middle`, deg. Powers of x are better
@@ -88,7 +88,7 @@ impl InterpolatingPolynomial {
     }
 
     /// Maximum near a loft, rad, by Newton's method.
-    fn top(&self, near: f64) -> Result<LoftCarry> {
+    fn maximum_near(&self, near: f64) -> Result<LoftCarry> {
         let mut loft = near;
         for _ in 0..50 {
             let [_, slope, curvature] = self.at(loft);

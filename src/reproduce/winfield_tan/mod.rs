@@ -10,7 +10,7 @@ mod fit;
 mod printed;
 mod shot;
 
-pub use average::Mean;
+pub use average::InterpolatedAverage;
 pub use fit::{Decay, FittedNumber, RefittedLaw};
 pub use printed::MISPRINTS;
 pub use shot::{ShotComparison, SingleShot};
@@ -39,7 +39,7 @@ pub struct WinfieldTan {
     /// Table 2: best loft at each attack angle.
     pub table2: Vec<RecomputedOptimum>,
     /// Mean over attack angles of 0–10°.
-    pub average: Mean,
+    pub average: InterpolatedAverage,
     /// Calibration of the law.
     pub fitted: RefittedLaw,
 }
@@ -81,7 +81,7 @@ pub fn winfield_tan(mut progress: impl FnMut(&str)) -> Result<WinfieldTan> {
         .collect::<Result<_>>()?;
     let ridge = ridge(&setup, optimum.exact())?;
     progress("the average over attack angles");
-    let average = Mean::new(&setup)?;
+    let average = InterpolatedAverage::new(&setup)?;
     progress("the aerodynamic law, calibrated again to the data of the paper");
     let fitted = RefittedLaw::new(&setup)?;
     Ok(WinfieldTan {

@@ -67,7 +67,7 @@ pub struct ParetoPoint {
     /// Change of the active set, or jump to another branch, at this point, if any.
     pub event: Option<String>,
     /// True if the front is disconnected between the previous point and this one.
-    pub is_apart: bool,
+    pub is_after_gap: bool,
     /// The setup with this design.
     pub setup: Setup<f64>,
 }
@@ -192,7 +192,7 @@ impl ParetoSearch {
             setup: problem.moved(&point.x)?,
             goals: [values[0], values[values.len() - 1]],
             slope: point.slope.map(|slope| sign * slope),
-            is_apart: point.event == Some(FrontEvent::Jump),
+            is_after_gap: point.event == Some(FrontEvent::Jump),
             design: point.x,
             active,
             event,
