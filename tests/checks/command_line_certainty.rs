@@ -417,7 +417,7 @@ fn a_distribution_far_beyond_the_range_of_its_parameter_has_a_warning() {
         "{wide}"
     );
     assert!(
-        wide.contains("as in truncated(MEAN,DEVIATION,LOW,HIGH)") && !cut.contains("left out"),
+        wide.contains("with truncated(MEAN,DEVIATION,LOW,HIGH)") && !cut.contains("left out"),
         "{wide} {cut}"
     );
 }
