@@ -105,27 +105,16 @@ pub(super) fn sources(
 ) -> Result<Vec<SourcedValue>> {
     let base = Setup::preset(file.preset.name)?;
     let known = sourced(file.preset, &base);
-    let comment = |name: &str, is_of_file: bool| -> Option<Cow<'static, str>> {
-        let comment = file.remarks.get(name).filter(|_| is_of_file)?;
-        Some(comment.clone().into())
+    let comment = |name: &str, is_of_file: bool| {
+        let comment = file.remarks.get(name).filter(|_| is_of_file);
+        comment.cloned().map(Cow::from)
     };
     let source = |name: &str, is_kept: bool| -> Cow<'static, str> {
-        let Some(known) = known.iter().find(|known| known.name == name) else {
-            return "as given".into();
-        };
-        if is_kept {
-            return known.source.clone();
+        match known.iter().find(|known| known.name == name) {
+            None => "as given".into(),
+            Some(known) if is_kept => known.source.clone(),
+            Some(known) => instead_of(known, &base, system).into(),
         }
-        let number = base
-            .parameter(name)
-            .ok()
-            .zip(system)
-            .map(|(row, system)| shown::setup_value(row, base.value(row), system));
-        format!(
-            "as given, instead of {}",
-            number.unwrap_or_else(|| known.value.clone())
-        )
-        .into()
     };
     let set = |row: &Parameter, value: Option<f64>| match system {
         Some(system) => shown::setup_value(row, value, system),
@@ -133,14 +122,14 @@ pub(super) fn sources(
     };
     let number = |row: &'static Parameter| {
         let value = setup.value(row);
-        let in_file = file.setup.parameter(row.name);
-        let is_of_file = in_file.is_ok_and(|known| file.setup.value(known) == value);
         // a coefficient of a law that the preset does not use has its own default and source
         let source = match base.parameter(row.name) {
             Ok(known) => source(row.name, base.value(known) == value),
             Err(_) if value == row.default_value() => row.source.into(),
             Err(_) => format!("as given, instead of {}", set(row, row.default_value())).into(),
         };
+        let in_file = file.setup.parameter(row.name);
+        let is_of_file = in_file.is_ok_and(|known| file.setup.value(known) == value);
         let source = comment(row.name, is_of_file).unwrap_or(source);
         SourcedValue::new(row.name, set(row, value), source)
     };
@@ -157,9 +146,9 @@ pub(super) fn sources(
         .filter(|row| setup.why_replaced(row).is_none())
         .map(number)
         .collect();
-    let table_file = |setup: &Setup<f64>| Some(setup.law.table()?.file.clone());
+    let table_file = |setup: &Setup<f64>| setup.law.table().map(|table| table.file.as_str());
     let table = table_file(setup).map(|own| {
-        let comment = comment(TABLE, table_file(&file.setup).as_ref() == Some(&own));
+        let comment = comment(TABLE, table_file(&file.setup) == Some(own));
         SourcedValue::new(TABLE, own, comment.unwrap_or_else(|| source(TABLE, false)))
     });
     let choices = [
@@ -170,6 +159,19 @@ pub(super) fn sources(
     ];
     insert_choices(&mut rows, table.into_iter().chain(choices));
     Ok(rows)
+}
+
+/// The source of a changed value: "as given", with the value of the preset `base`.
+fn instead_of(known: &SourcedValue, base: &Setup<f64>, system: Option<System>) -> String {
+    let number = base
+        .parameter(known.name)
+        .ok()
+        .zip(system)
+        .map(|(row, system)| shown::setup_value(row, base.value(row), system));
+    format!(
+        "as given, instead of {}",
+        number.unwrap_or_else(|| known.value.clone())
+    )
 }
 
 /// A number or choice that differs from the preset's, formatted for display.
