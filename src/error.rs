@@ -227,6 +227,8 @@ pub enum Error {
     /// A drive without a landing (docs/model.md, Landing).
     #[error("{reason}")]
     NoFlight {
+        /// `no-flight`, or `aloft` for a ball in the air at the time limit.
+        status: &'static str,
         /// The reason, with numbers.
         reason: Message,
     },
@@ -393,7 +395,7 @@ impl Error {
     /// The error as a message, for use in another message.
     pub fn message(&self) -> Message {
         match self {
-            Self::NoFlight { reason } => reason.clone(),
+            Self::NoFlight { reason, .. } => reason.clone(),
             Self::NotConverged { status, message } => {
                 Message::from(format!("no optimum was found: {status}: ")).message(message.clone())
             }
@@ -411,17 +413,18 @@ impl Error {
         self.status() != "error"
     }
 
-    /// Status in JSON: `no-flight`, `diverged`, `interrupted`, `undefined`, the status of a search
+    /// Status in JSON: `no-flight`, `aloft`, `diverged`, `interrupted`, `undefined`, the status of a search
     /// (`infeasible`, …), `no-answer` for rows of a calibration with different statuses, or `error`
     /// for invalid input.
     pub fn status(&self) -> &'static str {
         match self {
-            Self::NoFlight { .. } => "no-flight",
             Self::Diverged { .. } => "diverged",
             Self::Stopped => "interrupted",
             Self::Undefined { .. } => "undefined",
             Self::OfDrive { source, .. } => source.status(),
-            Self::NotConverged { status, .. } | Self::NoFit { status, .. } => status,
+            Self::NoFlight { status, .. }
+            | Self::NotConverged { status, .. }
+            | Self::NoFit { status, .. } => status,
             _ => "error",
         }
     }

@@ -159,9 +159,7 @@ impl OverNumbers for Pass<'_> {
             // all lanes compute the same drive
             let value = inlined!(|number: J| number.lane(0).re());
             if let Some(why) = found.no_landing_reason(&inputs, value)? {
-                return Err(Error::NoFlight {
-                    reason: why.message(),
-                });
+                return Err(why.into());
             }
             check_defect(&found.landed, value, point.largest_defect, inputs.step)?;
         }

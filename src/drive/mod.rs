@@ -104,9 +104,7 @@ impl<T: Number> Drive<T> {
     pub fn landed(&self) -> Result<&Landed<T>> {
         match &self.flight {
             Flight::Landed(landed) => Ok(landed),
-            Flight::None(reason) => Err(Error::NoFlight {
-                reason: reason.message(),
-            }),
+            Flight::None(why) => Err((*why).into()),
         }
     }
 }

@@ -172,9 +172,7 @@ impl Outcome {
             read: |number| number,
         };
         self.evaluate(&inputs).ok_or_else(|| match &drive.flight {
-            Flight::None(why) if self.group() == OutcomeGroup::Flight => Error::NoFlight {
-                reason: why.message(),
-            },
+            Flight::None(why) if self.group() == OutcomeGroup::Flight => (*why).into(),
             _ => self.unavailable(),
         })
     }

@@ -143,6 +143,15 @@ impl NoFlight {
     }
 }
 
+impl From<NoFlight> for Error {
+    fn from(why: NoFlight) -> Self {
+        Self::NoFlight {
+            status: why.status(),
+            reason: why.message(),
+        }
+    }
+}
+
 impl fmt::Display for NoFlight {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.message().fmt(f)

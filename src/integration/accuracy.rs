@@ -258,6 +258,7 @@ impl<'s> TestedDrives<'s> {
             (None, _) if !self.further.is_empty() => return Ok(Ok(found)),
             (None, None) => {
                 return Err(Error::NoFlight {
+                    status: "no-flight",
                     reason: "none of the drives lands, so no step can be chosen for them".into(),
                 });
             }

@@ -72,6 +72,7 @@ impl Ending {
         "partial",
         "no-answer",
         "no-flight",
+        "aloft",
         "diverged",
         "undefined",
     ];

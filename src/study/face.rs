@@ -68,6 +68,7 @@ impl Face {
         let longest = plane
             .largest(0, |at| is_on(half, at))
             .ok_or_else(|| Error::NoFlight {
+                status: "no-flight",
                 reason: "no flight: no strike on the face makes a drive that flies and lands"
                     .into(),
             })?;

@@ -115,6 +115,7 @@ impl Launches {
         )?;
         if plane.values[0].iter().all(Option::is_none) {
             return Err(Error::NoFlight {
+                status: "no-flight",
                 reason: "no flight: no launch of the map flies and lands".into(),
             });
         }

@@ -111,6 +111,7 @@ pub fn map(
     if found.iter().all(Option::is_none) {
         let reason = missing.unwrap_or_default();
         return Err(Error::NoFlight {
+            status: "no-flight",
             reason: Message::from(format!(
                 "no flight: no drive of the map has a {}; at its lower left corner: ",
                 of.name()

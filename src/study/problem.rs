@@ -477,6 +477,7 @@ impl SearchProblem {
         let flown = flown.map_err(|reason| match stop.load(Ordering::Relaxed) {
             true => stopped("all swings were flown"),
             false => Error::NoFlight {
+                status: "no-flight",
                 reason: reason.into(),
             },
         })?;

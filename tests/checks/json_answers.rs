@@ -493,3 +493,19 @@ fn is_part(shown: &Value, printed: &Value) -> bool {
         (shown, printed) => shown == printed,
     }
 }
+
+#[test]
+fn a_ball_in_the_air_at_the_time_limit_has_one_status_in_all_commands() {
+    let folder = tempfile::tempdir().unwrap();
+    let page = folder.path().join("page").display().to_string();
+    for args in [
+        &["simulate"][..],
+        &["gradient"],
+        &["report", "-o", &page],
+        &["sensitivity"],
+    ] {
+        let args = [args, &["--set", "flight.time_limit=2s"]].concat();
+        let (_, answer) = json(&args);
+        assert_eq!(answer["status"], "aloft", "{args:?}: {answer}");
+    }
+}

@@ -46,7 +46,7 @@ class NoAnswerError(Error):
     """A valid request without an answer: the ball does not fly, a search does not converge.
 
     ``status`` is the reason in one word, as in the JSON of the program: ``no-flight``,
-    ``diverged``, ``undefined``, or the end of a search.
+    ``aloft``, ``diverged``, ``undefined``, or the end of a search.
     """
 
     status: str

@@ -45,6 +45,7 @@ pub(super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Result<LoopL
         let time = step * f64::from(steps);
         if time > setup.flight.time_limit {
             return Err(Error::NoFlight {
+                status: "aloft",
                 reason: format!("no landing: the loop still runs after {time} s").into(),
             });
         }

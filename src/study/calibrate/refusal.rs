@@ -150,6 +150,7 @@ mod tests {
             "{message}"
         );
         let no_flight = |angle: &str| Error::NoFlight {
+            status: "no-flight",
             reason: format!("no flight: the ball leaves at {angle}")
                 .as_str()
                 .into(),
@@ -177,6 +178,7 @@ mod tests {
             advice: "reduce flight.step".into(),
         };
         let no_flight = || Error::NoFlight {
+            status: "no-flight",
             reason: "the ball leaves downwards".into(),
         };
         let wrong = || Error::Calibration {

@@ -61,6 +61,7 @@ fn of_swing(
     let swung = setup.with_values(&scenarios.parameters, point)?;
     let found = Evaluator::new(&swung, of, &[], Order::Value)?.at(&[]);
     let found = found.map_err(|error| Error::NoFlight {
+        status: "no-flight",
         reason: no_flight(scenarios, point, &error).into(),
     })?;
     Ok(found.into_iter().map(|outcome| outcome.value).collect())
