@@ -92,7 +92,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     warn(chart.warnings());
     let report = ChartReport::new(&chart, &search);
-    let answer = if args.csv && !request.is_json {
+    let answer = if args.csv {
         for message in chart.begun.iter().chain(&chart.ended) {
             note(&message.in_units(system()));
         }

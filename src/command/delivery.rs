@@ -2,7 +2,7 @@ use crate::command::args::DriveArgs;
 use crate::command::files::{Destination, OutputRule, ending};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::sigmas;
-use crate::command::output::{Answer, command_line, note, system, warn};
+use crate::command::output::{Answer, command_line, note, stated_system, system, warn};
 use crate::command::ranges::varied;
 use crate::command::request::{CommandSetting, Request, Source};
 use crate::report::{
@@ -117,7 +117,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(found.warnings());
     let is_setup_written = outputs.write_setup(&found, &requests.club, &setup)?;
     let setup_words = || match &outputs.setup {
-        Some(output) if is_setup_written => vec![output.path.display().to_string()],
+        Some(output) if is_setup_written => vec![output.shown.display().to_string()],
         // omit the settings of the unknowns: the file of swings has their values
         _ => requests.club.as_arguments(
             &unknowns
@@ -340,10 +340,10 @@ impl DeliveryFiles {
         }
         let text = match population {
             Ok(population) if !self.is_table => recovered_toml(population, &found.from, system()),
-            _ => recovered_csv(&found.all)?,
+            _ => recovered_csv(&found.all, stated_system().into())?,
         };
         swings.write(text.as_bytes())?;
-        let file = swings.path.display();
+        let file = swings.shown.display();
         let explained = found.explained();
         let count = counted(explained as u64, "swing");
         note(&if self.is_table {
@@ -363,7 +363,7 @@ impl DeliveryFiles {
         }
         note(&format!(
             "the best design over these swings: {}",
-            optimize_over(&swings.path, setup_words())
+            optimize_over(&swings.shown, setup_words())
         ));
         Ok(true)
     }

@@ -72,20 +72,17 @@ pub fn run(args: &Args) -> Result<Answer> {
         swings.parameters().into_iter().zip(swings.means()),
         "varies about",
     )?;
+    let scenarios = Scenarios::new(&swings, swings_args.rule(&swings, true)?)?;
     let requested = search_with_defaults(
         &optimum.search,
         swings_args,
         &request.with_starts(setup, &optimum.search.vary)?,
+        scenarios,
         || Ok((Goal::read(GOAL, None)?, Sense::Maximize)),
         |setup| DefaultRanges::new(usual_vary(setup)?, &request).vary(),
     )?;
     request.note_starts(&setup, &requested.vary);
     let mut notes = notes_on_defaults(args, &requested);
-    let scenarios = Scenarios::new(&swings, swings_args.rule(&swings, true)?)?;
-    let requested = Search {
-        scenarios,
-        ..requested
-    };
     let design = Design::new(&setup, requested, args.rules == "golf")?;
     notes.extend(design.notes.iter().cloned());
     let found = optimize_and_write(

@@ -78,7 +78,7 @@ impl OutputRule {
     pub fn setup_file(&self, path: Option<&Path>) -> Result<Option<Destination>> {
         let Some(path) = path else { return Ok(None) };
         let destination = self.file(path)?;
-        match ending_of_a_file(path).filter(|ending| ending != "toml") {
+        match known_extension(path).filter(|ending| ending != "toml") {
             Some(ending) => {
                 let reason = format!(
                     "a setup file is written in TOML, and .{ending} is the extension of another \
@@ -182,7 +182,7 @@ impl OutputRule {
         let is_new = !path.exists();
         if !path.is_dir() {
             in_a_folder(path)?;
-            if let Some(ending) = ending_of_a_file(path) {
+            if let Some(ending) = known_extension(path) {
                 let reason = format!(
                     "a folder is needed, and .{ending} is the extension of a file; name a folder"
                 );
@@ -202,13 +202,22 @@ impl OutputRule {
     }
 }
 
-/// The extension of a file name, if it is an output format of this program.
-fn ending_of_a_file(path: &Path) -> Option<String> {
-    let ending = ending(path);
-    let files = [
-        "csv", "html", "json", "jsonl", "md", "parquet", "pdf", "png", "svg", "toml", "txt",
-    ];
-    files.contains(&ending.as_str()).then_some(ending)
+/// Extensions of tables, lower case.
+const TABLE_EXTENSIONS: [&str; 7] = [
+    "arrow", "arrows", "csv", "feather", "jsonl", "ndjson", "parquet",
+];
+
+/// The extension of a file name, if a file format has it.
+fn known_extension(path: &Path) -> Option<String> {
+    let extension = ending(path);
+    let others = ["html", "json", "md", "pdf", "png", "svg", "toml", "txt"];
+    let is_known = is_table(path) || others.contains(&extension.as_str());
+    is_known.then_some(extension)
+}
+
+/// True if the extension of a file name belongs to a table.
+pub fn is_table(path: &Path) -> bool {
+    TABLE_EXTENSIONS.contains(&ending(path).as_str())
 }
 
 /// The extension of a file name in lower case; empty without one.
@@ -221,9 +230,9 @@ pub fn ending(path: &Path) -> String {
 #[derive(Clone, Debug)]
 pub struct Destination {
     /// The name as typed, for messages.
-    shown: PathBuf,
+    pub shown: PathBuf,
     /// The path of the file itself, with links resolved.
-    pub path: PathBuf,
+    path: PathBuf,
     pub kind: DestinationKind,
     /// True if an existing file may be replaced. Without `--overwrite` it is false, also if no file
     /// exists at the check: another program may create one before this program writes its own.
@@ -257,7 +266,7 @@ impl Destination {
 
     /// The warning that the file is not written, with the reason.
     pub fn not_written(&self, why: &str) -> Message {
-        format!("{} is not written: {why}", self.path.display()).into()
+        format!("{} is not written: {why}", self.shown.display()).into()
     }
 
     /// The file on disk.

@@ -2,14 +2,14 @@ use crate::command::args::OptimumArgs;
 use crate::command::names::variables;
 use crate::command::output::{Answer, note, note_error, spinner, warn, with_bar};
 use crate::command::ranges::DefaultRanges;
-use crate::command::search::write;
+use crate::command::search::{allowed_loss, write};
 use crate::parameters::Parameter;
 use crate::report::{Analysis, OverSwings, SensitivityReport, optima_document, optimum_document};
 use crate::study::{
     Change, Optimum, Search, change, flatness, refuse_varied, sensitivities, short_drive,
     usual_loss,
 };
-use crate::{Error, Outcome, Result, Setup};
+use crate::{Result, Setup};
 use std::sync::atomic::AtomicBool;
 
 #[derive(clap::Args)]
@@ -45,6 +45,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let request = setup_args.request()?;
     let own = request.setup_with_starts(&search.vary)?;
     let search = search.search(&request, &own)?;
+    request.note_starts(&own, &search.vary);
     let setup = request.for_many(own, &search.vary)?;
     let requested = AnalysisRequest::new(args, &setup, &search)?;
     let output = args.optimum.destination(&request)?;
@@ -121,7 +122,7 @@ impl AnalysisRequest {
         let loss = args
             .loss
             .as_deref()
-            .map(|text| loss(search.outcome(), text))
+            .map(|text| allowed_loss("loss", text, search.outcome().quantity(), false))
             .transpose()?;
         Ok(Self { wrt, changes, loss })
     }
@@ -159,16 +160,4 @@ fn analyse(
         flatness,
         changes,
     })
-}
-
-fn loss(of: Outcome, text: &str) -> Result<f64> {
-    let name = format!("`loss {text}`");
-    match of.quantity().read(text) {
-        Ok(loss) if loss > 0.0 && loss.is_finite() => Ok(loss),
-        Ok(_) => {
-            let source = "it must be above 0 and finite, for example 1yd";
-            Err(Error::unreadable(name, source))
-        }
-        Err(error) => Err(Error::unreadable(name, error)),
-    }
 }

@@ -339,7 +339,7 @@ impl ParetoFile {
         if !self.is_setup {
             self.destination
                 .write(pareto_csv(found, stated_system().into())?.as_bytes())?;
-            let file = self.destination.path.display().to_string();
+            let file = self.destination.shown.display().to_string();
             note(&format!(
                 "wrote {} into {file}",
                 counted(found.points.len() as u64, "point")

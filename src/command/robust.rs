@@ -6,6 +6,7 @@ use crate::command::interrupt;
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, note_detail, spinner, system, warn};
 use crate::command::request::Request;
+use crate::command::search::allowed_loss;
 use crate::command::swings::{SwingsRequest, search_over_swings, swing_ranges};
 use crate::optimize::Observers;
 use crate::report::{RobustReport, robust_toml};
@@ -157,10 +158,8 @@ impl Args {
                 setup, scenarios, ..
             } = self.swings.request(request, false)?;
             let started = request.with_starts(setup, &self.search.vary)?;
-            let search = Search {
-                scenarios,
-                ..search_over_swings(request, &self.search, &self.swings, &started)?
-            };
+            let search =
+                search_over_swings(request, &self.search, &self.swings, &started, scenarios)?;
             note_the_run(&search.outcomes());
             return Ok((setup, search));
         }
@@ -211,14 +210,6 @@ impl Args {
         let Some(text) = &self.within else {
             return Ok((of.quantity.si == Quantity::LENGTH.si).then_some(YARD));
         };
-        let within = of
-            .quantity
-            .read_difference(text)
-            .map_err(|error| Error::unreadable("`within`", error))?;
-        if within.is_finite() && within >= 0.0 {
-            return Ok(Some(within));
-        }
-        let source = format!("{text} must be 0 or more");
-        Err(Error::unreadable("`within`", source))
+        allowed_loss("within", text, of.quantity, true).map(Some)
     }
 }

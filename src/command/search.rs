@@ -14,6 +14,7 @@ use crate::parameters::Parameter;
 use crate::report::{goal_text, iteration_line, optimum_toml};
 use crate::study::swings::{Scenarios, Swings};
 use crate::study::{Constraint, Optima, Search, Sense, optima};
+use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -211,6 +212,29 @@ pub fn write(
     };
     note(&format!("wrote the setup {place} into {file}"));
     Ok(Some(file))
+}
+
+/// Reads the loss of a goal that `option` allows.
+///
+/// # Errors
+/// [`Error::Unreadable`] for a negative or infinite loss, and for zero unless `may_be_zero`.
+pub fn allowed_loss(
+    option: &str,
+    text: &str,
+    quantity: Quantity,
+    may_be_zero: bool,
+) -> Result<f64> {
+    let name = format!("`{option} {text}`");
+    let loss = match quantity.read_difference(text) {
+        Ok(loss) => loss,
+        Err(error) => return Err(Error::unreadable(name, error)),
+    };
+    if loss.is_finite() && (loss > 0.0 || loss == 0.0 && may_be_zero) {
+        return Ok(loss);
+    }
+    let least = if may_be_zero { "0 or more" } else { "above 0" };
+    let source = format!("it must be {least} and finite, for example 1yd");
+    Err(Error::unreadable(name, source))
 }
 
 /// The options of a search with this limit of iterations, or with the default limit.

@@ -114,7 +114,7 @@ fn missing_slopes(slopes: &[(&'static Parameter, Result<Sensitivity>)]) -> Vec<M
     let reasons = slopes
         .iter()
         .filter_map(|(parameter, slope)| Some((parameter.name, slope.as_ref().err()?)))
-        .map(|(name, error)| (name, error.to_string()));
+        .map(|(name, error)| (name, error.in_units(system())));
     by_reason(reasons)
         .iter()
         .map(|line| format!("no slope of the optimum by {line}").into())
@@ -136,14 +136,8 @@ fn unflown(setup: &Setup<f64>, of: &[Outcome], effects: &Effects) -> Vec<Message
                 .filter(|(flown, _)| flown.is_none());
             ends.filter_map(move |(_, sign)| {
                 let end = if sign < 0.0 { "−σ" } else { "+σ" };
-                Some(
-                    format!(
-                        "no drive at {end} of {}: {}",
-                        bar.sigma.parameter.name,
-                        why(&bar, sign)?
-                    )
-                    .into(),
-                )
+                let missing = format!("no drive at {end} of {}: ", bar.sigma.parameter.name);
+                Some(Message::from(missing).message(why(&bar, sign)?.message()))
             })
         });
     ends.collect()

@@ -174,10 +174,7 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
         scenarios,
     } = args.swings.request(&request, true)?;
     let started = request.with_starts(setup, &search.vary)?;
-    let search = Search {
-        scenarios,
-        ..search_over_swings(&request, search, &args.swings, &started)?
-    };
+    let search = search_over_swings(&request, search, &args.swings, &started, scenarios)?;
     request.note_starts(&setup, &search.vary);
     let found = optimize_and_write(args, &request, setup, swings, search)?;
     interrupt::ends();
@@ -219,9 +216,13 @@ pub fn optimize_and_write(
     }
     let mut warnings = best.warnings(&stop);
     if let Some(share) = best.beyond_strokes.filter(|share| *share > 0.0) {
-        let percent = (100.0 * share).max(0.1);
+        let percent = 100.0 * share;
+        let percent = match percent < 0.1 {
+            true => "less than 0.1".into(),
+            false => format!("{percent:.1}"),
+        };
         warnings.push(Message::from(format!(
-            "the balls of {percent:.1} % of the swings end outside of the table of strokes, where \
+            "the balls of {percent} % of the swings end outside of the table of strokes, where \
              it is extrapolated linearly"
         )));
     }
@@ -239,30 +240,31 @@ pub fn optimize_and_write(
     })
 }
 
-/// The search over swings, whose scenarios the caller sets. By default it maximizes the mean carry
-/// and varies the loft: the attack angle belongs to the golfer and varies from swing to swing.
+/// The search over swings. By default it maximizes the mean carry and varies the loft: the attack angle belongs to the golfer and varies from swing to swing.
 pub fn search_over_swings(
     request: &Request,
     search: &SearchArgs,
     swings: &SwingsArgs,
     setup: &Setup<f64>,
+    scenarios: Scenarios,
 ) -> Result<Search> {
     let loft = |setup: &Setup<f64>| DefaultRanges::loft(request, setup)?.vary();
     search_with_defaults(
         search,
         swings,
         setup,
+        scenarios,
         || Ok((Goal::mean(Outcome::Carry), Sense::Maximize)),
         loft,
     )
 }
 
-/// The search over swings, whose scenarios the caller sets. `usual` gives the default objective,
-/// `usual_vary` the default ranges.
+/// The search over swings. `usual` gives the default objective, `usual_vary` the default ranges.
 pub fn search_with_defaults(
     search: &SearchArgs,
     swings: &SwingsArgs,
     setup: &Setup<f64>,
+    scenarios: Scenarios,
     usual: impl Fn() -> Result<(Goal, Sense)>,
     usual_vary: impl Fn(&Setup<f64>) -> Result<Vec<Vary>>,
 ) -> Result<Search> {
@@ -289,7 +291,7 @@ pub fn search_with_defaults(
         sense,
         vary,
         subject_to,
-        scenarios: Scenarios::one_drive(),
+        scenarios,
         options: options(search.max_iterations),
     })
 }

@@ -1,7 +1,7 @@
 use crate::Result;
 use crate::command::args::OwnLaw;
 use crate::command::files::{OutputRule, ending};
-use crate::command::output::{Answer, note, system};
+use crate::command::output::{Answer, note, stated_system, system};
 use crate::command::reproduce::{DOCUMENT, write};
 use crate::report::{SetupOrigin, ValidationReport};
 use crate::study::validation::validation;
@@ -48,11 +48,11 @@ pub fn run(args: &Args) -> Result<Answer> {
         write(folder, &report, system())?;
     }
     if let (Some(file), Some(path)) = (&file, output) {
-        file.write(report.csv()?.as_bytes())?;
+        file.write(report.csv(stated_system().into())?.as_bytes())?;
         note(&format!("wrote {}", path.display()));
     }
     if args.csv {
-        return Ok(Answer::text(report.csv()?));
+        return Ok(Answer::text(report.csv(stated_system().into())?));
     }
     Ok(Answer::report(&report, &SetupOrigin::default(), args.json))
 }

@@ -1,6 +1,6 @@
 //! Messages in the syntax of the command's `Host`, and advice on words that belong to no option.
 
-use super::files::ending;
+use super::files::{ending, is_table};
 use super::mention::Mention;
 use super::running::running;
 use crate::error::Error;
@@ -116,13 +116,9 @@ fn joined(left_over: &str) -> Option<String> {
     })
 }
 
-/// Extensions of tables, lower case.
-const TABLES: [&str; 6] = ["arrow", "arrows", "csv", "feather", "jsonl", "parquet"];
-
 /// Advice on a table given as a setup, with the command's option for it.
 pub fn no_setup(file: &Path) -> Option<String> {
-    let kind = ending(file);
-    if !TABLES.contains(&kind.as_str()) {
+    if !is_table(file) {
         return None;
     }
     let running = running();
@@ -133,7 +129,7 @@ pub fn no_setup(file: &Path) -> Option<String> {
             "; give a table of swings with `swings FILE`"
         }
         Some("calibrate" | "fly") => "; name the measured shots first, then the setup",
-        _ if kind == "csv" => "; `fly()` flies a table of shots",
+        _ if ending(file) == "csv" => "; `fly()` flies a table of shots",
         _ => "",
     };
     Some(format!("a table is no setup{advice}"))

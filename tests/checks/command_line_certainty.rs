@@ -150,6 +150,12 @@ fn the_answer_gives_the_reason_for_omitted_drives() {
         message.contains("no drive at +σ of swing.speed: the club does not strike the ball"),
         "{message}"
     );
+    for (units, unit) in [("us", "mph"), ("metric", "m/s")] {
+        let printed = longdrive(&[&args[..], &["--units", units]].concat());
+        let (_, approach) = printed.err.split_once("along the face normal at").unwrap();
+        let words: Vec<_> = approach.split_whitespace().take(2).collect();
+        assert_eq!(words[1].trim_end_matches(','), unit, "{}", printed.err);
+    }
     let printed = longdrive(&args);
     assert!(
         printed.status == 0 && !printed.out.contains("+σ include"),

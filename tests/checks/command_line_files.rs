@@ -518,3 +518,65 @@ fn values_without_a_finished_fit_are_not_written_as_fitted() {
     assert_eq!(json(&args).1["file"], Value::from(fitted.as_str()));
     assert!(Path::new(&fitted).exists());
 }
+
+#[test]
+fn no_setup_file_has_the_extension_of_a_table() {
+    let (folder, name) = folder();
+    for extension in [
+        "arrow", "arrows", "csv", "feather", "jsonl", "ndjson", "parquet",
+    ] {
+        let file = name(&format!("best.{extension}"));
+        let written = longdrive(&["optimize", "-o", &file]);
+        let says = format!(".{extension} is the extension of another format; use .toml");
+        assert!(
+            written.status == 2 && written.err.contains(&says),
+            "{extension}: {}",
+            written.err
+        );
+        fs::write(&file, "").unwrap();
+        let read = longdrive(&["simulate", &file]);
+        assert!(
+            read.status == 2 && read.err.contains("a table is no setup"),
+            "{extension}: {}",
+            read.err
+        );
+    }
+    assert!(!folder.path().join("best.toml").exists());
+}
+
+#[test]
+fn messages_and_answers_name_a_replaced_file_as_it_was_given() {
+    let (folder, _) = folder();
+    let shown = |name: &str| format!("{}/./{name}", folder.path().display());
+    let (setup, front, swings) = (shown("mine.toml"), shown("front.csv"), shown("swings.csv"));
+    let shots = shown("launches.csv");
+    let launch = "ball_speed [mph],launch_angle [deg],spin [rpm],spin_axis [deg]\n";
+    fs::write(&shots, format!("{launch}150,12,2600,0\n155,11,2500,1\n")).unwrap();
+    fs::write(&front, "").unwrap();
+    fs::write(&swings, "").unwrap();
+    let goals = ["--maximize", "carry", "--minimize", "apex_height"];
+    let front_args = [&["pareto", "--points", "2", "-o", &front][..], &goals].concat();
+    for args in [
+        vec!["optimize", "-o", &setup],
+        front_args,
+        vec![
+            "delivery", "--shots", &shots, "--swings", &swings, "-o", &setup,
+        ],
+    ] {
+        let args = [&args[..], &["--overwrite"]].concat();
+        let printed = longdrive(&args);
+        assert!(
+            printed.status < 2 && printed.err.contains("/./"),
+            "{args:?}: {}",
+            printed.err
+        );
+        let resolved = folder.path().canonicalize().unwrap().join("mine.toml");
+        assert!(
+            !printed.err.contains(&resolved.display().to_string()),
+            "{args:?}: {}",
+            printed.err
+        );
+    }
+    let (_, answer) = json(&["optimize", "-o", &setup, "--overwrite"]);
+    assert_eq!(answer["file"], setup);
+}

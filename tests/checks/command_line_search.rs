@@ -106,6 +106,19 @@ fn a_set_value_of_a_variable_is_reported_as_its_start() {
             .map(str::to_owned)
             .collect()
     };
+    let of_sensitivity = [
+        "optimum-sensitivity",
+        "--set",
+        "club.loft=10deg",
+        "--vary",
+        "club.loft=4deg..20deg",
+        "--wrt",
+        "air.density",
+    ];
+    assert_eq!(
+        notes(&of_sensitivity),
+        ["note: club.loft is varied; the search from the setup begins at 10°"]
+    );
     for (set, start, moved) in [
         ("club.loft=10deg", "10°", ""),
         ("club.loft=25deg", "20°", ", the end of its range"),

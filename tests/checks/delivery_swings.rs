@@ -344,16 +344,34 @@ fn exact_heads_of_recovered_swings_have_units_unless_a_parameter_is_a_plain_numb
     std::fs::write(&file, shots(1, 2)).unwrap();
     let restitution = ["--vary", "impact.restitution=0.7..0.9"];
     let command = ["delivery", "--shots", &file, "--swings", &table];
-    let ran = longdrive(&[&command[..], &UNKNOWNS, &restitution].concat());
-    assert_eq!(ran.status, 0, "{}", ran.err);
-    let written = std::fs::read_to_string(&table).unwrap();
+    let written = |more: &[&str]| {
+        let ran = longdrive(&[&command[..], &UNKNOWNS, &restitution, more].concat());
+        assert_eq!(ran.status, 0, "{}", ran.err);
+        std::fs::read_to_string(&table).unwrap()
+    };
+    let si = written(&[]);
     assert_eq!(
-        written.lines().next(),
+        si.lines().next(),
         Some(
             "swing.speed [m/s],swing.attack_angle [rad],swing.path [rad],swing.face_angle [rad],\
              impact.restitution"
         )
     );
+    // the stated units
+    let us = written(&["--units", "us", "--overwrite"]);
+    assert_eq!(
+        us.lines().next(),
+        Some(
+            "swing.speed [mph],swing.attack_angle [deg],swing.path [deg],swing.face_angle [deg],\
+             impact.restitution"
+        )
+    );
+    let speed = |table: &str| -> f64 {
+        let row = table.lines().nth(1).unwrap();
+        row.split(',').next().unwrap().parse().unwrap()
+    };
+    let (metres, miles) = (speed(&si), speed(&us) * 0.44704);
+    assert!((metres - miles).abs() < 1e-9 * metres, "{si}{us}");
 }
 
 #[test]

@@ -262,3 +262,22 @@ fn exports_without_units_are_read_as_in_fly() {
         "{found}"
     );
 }
+
+#[test]
+fn a_format_of_rows_that_a_json_answer_has_no_place_for_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = file_with(folder.path(), "shots.csv", &(HEAD.to_owned() + GOOD));
+    for format in ["csv", "jsonl", "open-connect"] {
+        let (status, answer) = json(&["fly", &file, "--format", format]);
+        assert_eq!(
+            (status, &answer["status"]),
+            (2, &"error".into()),
+            "{answer}"
+        );
+        let message = answer["message"].as_str().unwrap();
+        assert!(message.starts_with("--format with --json"), "{message}");
+    }
+    let rows = folder.path().join("rows.txt").display().to_string();
+    let (status, _) = json(&["fly", &file, "--format", "jsonl", "-o", &rows]);
+    assert_eq!(status, 0);
+}

@@ -1,6 +1,6 @@
 //! Goals over many swings, and their best designs.
 
-use crate::command_line::{json, longdrive, number, on_one_line};
+use crate::command_line::{file_with, json, longdrive, number, on_one_line};
 use crate::common::close;
 use longdrive::derivative::{Order, Taylor, hessian};
 use longdrive::optimize::Observer;
@@ -977,4 +977,36 @@ fn scenarios_by_a_rule_that_does_not_fit_the_swings_are_refused() {
             "{rule:?}: {error}"
         );
     }
+}
+
+#[test]
+fn a_share_of_swings_beyond_the_table_of_strokes_is_not_rounded_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let warning = |longest: &str| {
+        let file = file_with(
+            folder.path(),
+            "strokes.csv",
+            &format!("distance [yd],strokes\n0,0\n{longest},3\n"),
+        );
+        let (_, found) = json(&[
+            "optimize",
+            "--distribution",
+            "swing.speed=normal(100mph,4mph)",
+            "--minimize",
+            "strokes(400yd)",
+            "--strokes",
+            &file,
+        ]);
+        found["warnings"].to_string()
+    };
+    let ends = "of the swings end outside of the table of strokes";
+    let (few, more) = (warning("210"), warning("200"));
+    assert!(
+        few.contains(&format!("the balls of less than 0.1 % {ends}")),
+        "{few}"
+    );
+    assert!(
+        more.contains(&format!("the balls of 0.4 % {ends}")),
+        "{more}"
+    );
 }

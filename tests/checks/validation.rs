@@ -6,7 +6,7 @@ use crate::common::{close, number};
 use longdrive::report::plot::{Look, figure_svg};
 use longdrive::report::{Report, ValidationReport};
 use longdrive::study::validation::{Compared, SCATTER, SetScores, validation};
-use longdrive::units::System;
+use longdrive::units::{System, TableUnits};
 use serde_json::Value;
 use std::sync::LazyLock;
 
@@ -373,10 +373,11 @@ fn a_folder_gets_a_page_and_markdown_and_two_formats_are_refused() {
 fn a_name_that_ends_in_csv_gets_the_rows_and_other_files_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
-    let output = longdrive(&["validate", "-o", &place("v.csv")]);
+    let output = longdrive(&["validate", "--units", "us", "-o", &place("v.csv")]);
     assert_eq!(output.status, 0, "{}", output.err);
     let rows = std::fs::read_to_string(place("v.csv")).unwrap();
-    assert_eq!(rows, ROWS.out);
+    let us = TableUnits::Of(System::Us);
+    assert_eq!(rows, ValidationReport { sets: &FOUND }.csv(us).unwrap());
     assert_eq!(longdrive(&["validate", "-o", &place("v.csv")]).status, 2);
     for command in [&["validate"][..], &["reproduce", "winfield-tan"]] {
         let output = longdrive(&[command, &["-o", &place("page.html")]].concat());
@@ -434,6 +435,41 @@ fn a_users_table_is_compared_and_listed_with_the_laws() {
                 output.status == 2 && output.err.contains("aero.table=mine.csv"),
                 "{refused}: {}",
                 output.err
+            );
+        }
+    }
+}
+
+#[test]
+fn exact_rows_have_the_stated_units() {
+    let rows = |units: TableUnits| -> Vec<Vec<String>> {
+        let text = ValidationReport { sets: &FOUND }.csv(units).unwrap();
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        let records = reader.records().map(|record| record.unwrap());
+        records
+            .map(|record| record.iter().map(str::to_owned).collect())
+            .collect()
+    };
+    assert_eq!(
+        ROWS.out,
+        ValidationReport { sets: &FOUND }
+            .csv(TableUnits::Si)
+            .unwrap()
+    );
+    let sizes = [("m", "yd", 0.9144), ("rad", "deg", 1.0_f64.to_radians())];
+    let rpm = ("rad/s", "rpm", std::f64::consts::PI / 30.0);
+    for (si, us) in rows(TableUnits::Si)
+        .iter()
+        .zip(rows(TableUnits::Of(System::Us)))
+    {
+        let size = sizes.into_iter().chain([rpm]).find(|size| size.0 == si[4]);
+        let (_, unit, size) = size.unwrap();
+        assert_eq!(us[4], unit);
+        for column in 5..8 {
+            let [si, us]: [f64; 2] = [&si[column], &us[column]].map(|cell| cell.parse().unwrap());
+            assert!(
+                (us * size - si).abs() <= 1e-12 * si.abs(),
+                "{si} {us} {unit}"
             );
         }
     }

@@ -1,19 +1,31 @@
 //! Destination and format of the rows of shots.
 
 use super::args::{Args, FlyFormat};
-use crate::Result;
 use crate::command::files::{
     Destination, DestinationKind, OutputRule, ending, parquet_without_file,
     refuse_overwrite_of_standard_output, refused,
 };
 use crate::command::request::Request;
 use crate::command::running::running;
+use crate::{Error, Result};
 use std::path::Path;
 
 /// The format of `--format`, or else of the file name extension.
+///
+/// # Errors
+/// [`Error::Together`] for a format of rows that are not written; [`Error::Results`] for a file or
+/// a format that cannot be written.
 pub fn format_of(args: &Args, is_json: bool) -> Result<FlyFormat> {
     let path = args.output.as_path();
     let is_standard = path == Path::new("-");
+    if is_standard && is_json && args.format.is_some() {
+        return Err(Error::Together {
+            given: "`format` with `json`".into(),
+            reason: "an answer in JSON is a summary without rows; name a file for the rows with \
+                     `output`, or leave `format` out"
+                .into(),
+        });
+    }
     let running = running();
     let fits_screen = running.host.is_screen() && !running.options.all;
     let format = match (args.format, ending(path).as_str()) {
@@ -43,7 +55,7 @@ pub fn format_of(args: &Args, is_json: bool) -> Result<FlyFormat> {
             | FlyFormat::OpenConnect
             | FlyFormat::Screen
     );
-    if is_standard && !is_text && !is_json {
+    if is_standard && !is_text {
         return Err(parquet_without_file(path));
     }
     Ok(format)

@@ -125,7 +125,7 @@ impl Request {
     /// If the setup cannot be written.
     pub fn write_setup(&self, output: &Destination, toml: String) -> Result<String> {
         output.write(self.with_stated_step(toml)?.as_bytes())?;
-        Ok(output.path.display().to_string())
+        Ok(output.shown.display().to_string())
     }
 
     /// The text of a setup file with the method and step that the user stated. The values for

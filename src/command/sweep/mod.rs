@@ -31,6 +31,7 @@ use std::sync::atomic::AtomicBool;
 use target::{SweepOutput, destination, format_of};
 
 pub fn run(args: &Args) -> Result<Answer> {
+    refuse_threads(args.threads)?;
     let folder = args.part.and(Some(args.output.as_path()));
     match args.check.as_deref().or(folder) {
         Some(folder) => of_parts(args, folder),
@@ -41,7 +42,6 @@ pub fn run(args: &Args) -> Result<Answer> {
 /// Writes all rows into one file, or to standard output.
 fn whole_sweep(args: &Args) -> Result<Answer> {
     refuse_options_of_parts(args)?;
-    refuse_threads(args.threads)?;
     // interruptible from here on: reading a long table takes time before the first drive
     let stop = interrupt::stops("stopping after the drives under way");
     let request = args.setup_args.request()?;

@@ -13,19 +13,22 @@ use crate::units::{DisplayUnit, Message, System, TableUnits, counted, significan
 /// the parameter depends mainly on the prior.
 const MOSTLY_PRIOR: f64 = 0.5;
 
-/// The most probable swing behind each shot with a delivery, as CSV in SI: a column for each
+/// The most probable swing behind each shot with a delivery, as CSV: a column for each
 /// parameter, a row for each shot.
 ///
 /// # Errors
 /// [`Error::Output`](crate::Error::Output).
-pub fn recovered_csv(all: &[ShotDelivery]) -> Result<String> {
+pub fn recovered_csv(all: &[ShotDelivery], units: TableUnits) -> Result<String> {
     let mut found = all.iter().filter_map(ShotDelivery::explained).peekable();
     let Some(first) = found.peek() else {
         return Ok(String::new());
     };
     let parameters = first.posteriors.iter().map(|known| known.unknown.parameter);
-    let head = parameters.map(|row| TableUnits::Si.head(row.name, row.quantity, row.unit));
-    let value = |known: &Posterior| format!("{:?}", known.value);
+    let head = parameters.map(|row| units.head(row.name, row.quantity, row.unit));
+    let value = |known: &Posterior| {
+        let row = known.unknown.parameter;
+        format!("{:?}", units.number(known.value, row.quantity, row.unit))
+    };
     csv_text(
         head.collect(),
         found.map(|delivered| delivered.posteriors.iter().map(value).collect()),

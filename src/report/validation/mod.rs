@@ -8,7 +8,7 @@ use super::document::Document;
 use super::reply::Report;
 use crate::error::Result;
 use crate::study::validation::SetScores;
-use crate::units::System;
+use crate::units::{DisplayUnit, System, TableUnits};
 use serde::Serialize;
 
 /// The errors of every law on every set of published drives, SI and radians.
@@ -20,11 +20,11 @@ pub struct ValidationReport<'a> {
 }
 
 impl ValidationReport<'_> {
-    /// The errors as CSV: a row for each quantity of each drive, in SI.
+    /// The errors as CSV: a row for each quantity of each drive.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output).
-    pub fn csv(&self) -> Result<String> {
+    pub fn csv(&self, units: TableUnits) -> Result<String> {
         let head = [
             "set",
             "case",
@@ -40,16 +40,17 @@ impl ValidationReport<'_> {
         for set in self.sets {
             for law in &set.laws {
                 for score in &law.scores {
+                    let DisplayUnit { quantity, unit } = score.of.unit();
                     for one in &score.residuals {
                         let case = &set.cases[one.case];
                         let numbers = [one.predicted, one.published, one.difference]
-                            .map(|number| number.to_string());
+                            .map(|value| units.number(value, quantity, unit).to_string());
                         let words = [
                             set.set.name,
                             &case.name,
                             law.law,
                             score.of.name(),
-                            score.of.unit().quantity.si,
+                            units.unit(quantity, unit),
                         ];
                         let row = words
                             .into_iter()
