@@ -47,7 +47,7 @@ pub struct Fitted {
     #[serde(serialize_with = "unless_empty")]
     #[cfg_attr(test, schemars(with = "Option<String>"))]
     pub to: &'static str,
-    /// Spin ratio r ω/v.
+    /// Spin ratio R ω/v.
     #[serde(serialize_with = "range")]
     #[cfg_attr(test, schemars(with = "Option<JsonRange>"))]
     pub spin_ratio: Option<[f64; 2]>,
@@ -164,7 +164,7 @@ impl Fitted {
     /// True if spin ratio, spin, Reynolds number and airspeed are within all known ranges. Always
     /// true in a vacuum (Reynolds number 0).
     #[inline]
-    pub fn holds(&self, [spin_ratio, spin, reynolds, speed]: [f64; 4]) -> bool {
+    pub fn contains(&self, [spin_ratio, spin, reynolds, speed]: [f64; 4]) -> bool {
         let is_in = |range: Option<[f64; 2]>, value: f64| {
             range.is_none_or(|[low, high]| (low..=high).contains(&value))
         };

@@ -245,7 +245,7 @@ impl<J: Lanes<Lane: Derivatives>> FlownLanes<'_, J> {
         let (strike, ground) = (&self.setup.strike, &self.setup.ground);
         let [spin_ratio, spin, reynolds, air_speed] = self.stream;
         ExceededLimits {
-            law: !fitted.holds([
+            law: !fitted.contains([
                 value(spin_ratio),
                 value(spin),
                 value(reynolds),

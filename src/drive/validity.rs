@@ -14,6 +14,10 @@ use std::sync::atomic::AtomicBool;
 /// variable outside the range of the law, or of the temperature of the ball.
 pub(super) const LEAST_WARNED_CHANGE: f64 = 0.3 * YARD;
 
+/// Smallest share of the flight time outside the range of a law that causes a warning. It applies
+/// to a variable that the law itself clamps to the range.
+pub(super) const LEAST_WARNED_SHARE: f64 = 0.01;
+
 /// Width and height of the largest conforming head, m: 5 in from heel to toe, 2.8 in from sole to
 /// crown (R&A and USGA, Equipment Rules, part 2, 4b).
 const LARGEST_HEAD: [f64; 2] = [0.127, 0.07112];
@@ -96,13 +100,25 @@ impl Drive<f64> {
         scope: CheckScope,
         of: &[Outcome],
     ) -> ExceededLimits {
+        self.exceeded_limits_until(setup, scope, of, &AtomicBool::new(false))
+    }
+
+    /// Like [`exceeded_limits`](Self::exceeded_limits). Once `stop` is true, the check of the
+    /// flight ends, and the limits of the law count as kept.
+    fn exceeded_limits_until(
+        &self,
+        setup: &Setup<f64>,
+        scope: CheckScope,
+        of: &[Outcome],
+        stop: &AtomicBool,
+    ) -> ExceededLimits {
         let law = match scope {
-            CheckScope::Launch => !setup.law.properties().fitted.holds(
+            CheckScope::Launch => !setup.law.properties().fitted.contains(
                 Inputs::new(setup, &self.launch, false)
                     .launch_stream()
                     .variables(),
             ),
-            CheckScope::Flight => !self.extrapolated(setup, &AtomicBool::new(false)).is_empty(),
+            CheckScope::Flight => !self.extrapolated(setup, stop).is_empty(),
         };
         let slopes = [setup.ground.slope, setup.ground.side_slope];
         let is_flat = || {
@@ -118,12 +134,17 @@ impl Drive<f64> {
 }
 
 /// Validity limits that the drive of a setup exceeds, checked along its whole flight; see
-/// [`Drive::exceeded_limits`]. `None` if the ball does not land.
+/// [`Drive::exceeded_limits`]. `None` if the ball does not land, or if the drive is interrupted
+/// because `stop` is true.
 #[cfg(feature = "studies")]
-pub(crate) fn exceeded_in_flight(setup: &Setup<f64>, of: &[Outcome]) -> Option<ExceededLimits> {
-    let drive = Drive::new(setup).ok()?;
+pub(crate) fn exceeded_in_flight(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    stop: &AtomicBool,
+) -> Option<ExceededLimits> {
+    let drive = Drive::until(setup, stop).ok()?;
     drive.landed().ok()?;
-    Some(drive.exceeded_limits(setup, CheckScope::Flight, of))
+    Some(drive.exceeded_limits_until(setup, CheckScope::Flight, of, stop))
 }
 
 /// Number of drives that exceed each validity limit.
@@ -237,29 +258,45 @@ impl ExceededLimits<Option<String>> {
 /// Warning about drives outside the ranges of the law.
 fn law_range_warning(subject: &str, law: &Law<f64>, scope: CheckScope) -> Message {
     let fitted = law.properties().fitted;
+    let how = fitted.continuation(fitted.exceeded_ends([[f64::NEG_INFINITY, f64::INFINITY]; 4]));
     let beginning = Message::from(format!("{subject}: "));
     let (beginning, rest) = match scope {
         CheckScope::Launch => {
             let rest = "; the rest of the flight was not checked";
             (beginning.words("at launch"), rest)
         }
-        CheckScope::Flight => {
-            let least = Digits::Significant(1);
-            let beginning = beginning.words("with more than ").quantity(
-                Quantity::LENGTH,
-                "yd",
-                LEAST_WARNED_CHANGE,
-                least,
-            );
-            (beginning.words(" of carry"), "")
-        }
+        CheckScope::Flight => (beginning.message(share_outside(how)), ""),
     };
     let beginning = beginning.words(format!(
         " outside of what the law {} was fitted to (",
         law.name()
     ));
-    let how = fitted.continuation(fitted.exceeded_ends([[f64::NEG_INFINITY, f64::INFINITY]; 4]));
     fitted
         .in_words(beginning)
         .words(format!("; {}), where it is {how}{rest}", fitted.to))
+}
+
+/// The part of the flights that is outside of the ranges, for [`law_range_warning`]; `how` is
+/// [`Fitted::continuation`](crate::aerodynamics::Fitted::continuation). The criteria are those of
+/// [`Drive::extrapolated`].
+fn share_outside(how: &str) -> Message {
+    let time = format!(
+        "at least {:.0} % of the flight time",
+        100.0 * LEAST_WARNED_SHARE
+    );
+    if how == "held" {
+        return format!("{time} is").into();
+    }
+    let carry = Message::from("more than ")
+        .quantity(
+            Quantity::LENGTH,
+            "yd",
+            LEAST_WARNED_CHANGE,
+            Digits::Significant(1),
+        )
+        .words(" of carry comes from");
+    match how {
+        "extrapolated" => carry,
+        _ => carry.words(format!(", or {time} is,")),
+    }
 }

@@ -1,7 +1,7 @@
 //! Warnings about a drive.
 
 use super::validity::{
-    LEAST_WARNED_CHANGE, any_face, flat_landing_angle, is_outside_any_face,
+    LEAST_WARNED_CHANGE, LEAST_WARNED_SHARE, any_face, flat_landing_angle, is_outside_any_face,
     with_flat_landing_warning,
 };
 use super::{Drive, Outcome};
@@ -12,10 +12,6 @@ use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity, YARD};
 use serde::Serialize;
 use std::sync::atomic::AtomicBool;
-
-/// Smallest share of the flight time outside the range that causes a warning. It applies to a
-/// variable that the law itself clamps to the range.
-const LEAST_WARNED_SHARE: f64 = 0.01;
 
 /// A variable of a flight outside the range that the law was fitted to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,7 +100,7 @@ impl Drive<f64> {
         if !is_step_chosen {
             warnings.extend(self.long_step_warning(setup, stop));
         }
-        warnings.extend(self.cold_ball_warning(setup, stop));
+        warnings.extend(self.ball_temperature_warning(setup, stop));
         warnings.extend(
             self.flat_landing_warning(setup)
                 .filter(|_| of.iter().any(|of| of.needs_run())),
@@ -156,11 +152,11 @@ impl Drive<f64> {
 
     /// Warning about a stated temperature: it changes the air only, and the ball keeps its
     /// restitution at 25 °C.
-    fn cold_ball_warning(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Message> {
+    fn ball_temperature_warning(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Message> {
         let temperature = setup.air.temperature?;
         let [least, most] = PUBLISHED_PER_TEN_DEGREES;
-        let apart = (temperature - BALL_TEMPERATURE).abs() / TEN_DEGREES;
-        if apart * least <= LEAST_WARNED_CHANGE {
+        let apart = (temperature - BALL_TEMPERATURE) / TEN_DEGREES;
+        if apart.abs() * least <= LEAST_WARNED_CHANGE {
             return None;
         }
         let carry = |temperature: f64| {
@@ -173,10 +169,14 @@ impl Drive<f64> {
         let yards = |message: Message, value: f64| {
             message.quantity(Quantity::LENGTH, "yd", value, Digits::Significant(2))
         };
-        let message = Message::from(
-            "air.temperature changes the air alone: a cold ball is slower too, which is not \
-             modelled; per 10 °F the carry changes by ",
-        );
+        let ball = match apart < 0.0 {
+            true => "a cold ball is slower",
+            false => "a warm ball is faster",
+        };
+        let message = Message::from(format!(
+            "air.temperature changes the air alone: {ball} too, which is not modelled; per 10 °F \
+             the carry changes by "
+        ));
         let message = yards(message, ours).words(" here, and by ");
         let message = yards(message, least).words(" to ");
         Some(yards(message, most).words(" by published rules for air and ball together"))

@@ -266,6 +266,9 @@ fn a_stated_temperature_says_that_the_ball_is_not_colder() {
             && warning.contains("1.3 yd to 2 yd by published"),
         "{warning}"
     );
+    let (_, hot) = json(&["simulate", "--set", "air.temperature=40degC"]);
+    let of_hot = hot["warnings"][0].as_str().unwrap();
+    assert!(of_hot.contains("a warm ball is faster too"), "{of_hot}");
     let (_, warm) = json(&["simulate", "--set", "air.temperature=25degC"]);
     assert_eq!(warm["warnings"], serde_json::json!([]));
     // the printed effect is the difference of two flights 10 °F apart

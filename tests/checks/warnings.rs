@@ -438,7 +438,7 @@ fn charts_and_calibrations_count_drives_beyond_the_law() {
     ]);
     let points = chart["points"].as_array().unwrap().len();
     let message = format!(
-        "{points} of {points} optima: with more than 0.3 yd of carry outside of what the law \
+        "{points} of {points} optima: more than 0.3 yd of carry comes from outside of what the law \
          smits-smith"
     );
     assert!(
@@ -465,7 +465,7 @@ fn charts_and_calibrations_count_drives_beyond_the_law() {
         found["warnings"][0]
             .as_str()
             .unwrap()
-            .starts_with("1 of 3 shots: with more than 0.3 yd"),
+            .starts_with("1 of 3 shots: more than 0.3 yd"),
         "{found}"
     );
 }
@@ -529,7 +529,7 @@ fn plots_and_reports_of_optima_warn_once_for_each_kind() {
         "swing.speed=140mph..145mph",
     ];
     let says = [
-        "optima: with more than 0.3 yd of carry outside of",
+        "optima: more than 0.3 yd of carry comes from outside of",
         "; swing.speed = 140 mph to 145 mph",
     ];
     let of_optima = |answer: &serde_json::Value| {
@@ -741,7 +741,7 @@ fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
     assert_eq!(status, 0, "{found}");
     let message = warning_of(
         &found,
-        " % of the swings: with more than 0.3 yd of carry outside of what the law winfield-tan",
+        " % of the swings: more than 0.3 yd of carry comes from outside of what the law winfield-tan",
     );
     let share: f64 = message.split(' ').next().unwrap().parse().unwrap();
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -824,7 +824,7 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
     );
     assert!(
         warning_of(&found, says)
-            .contains(" % of the swings: with more than 0.3 yd of carry outside"),
+            .contains(" % of the swings: more than 0.3 yd of carry comes from outside"),
         "{found}"
     );
     let models = [
@@ -856,7 +856,7 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
     let message = warning_of(&found, says);
     assert!(
         message.starts_with(&format!(
-            "{points} of {points} points of the front: with more than 0.3 yd"
+            "{points} of {points} points of the front: more than 0.3 yd"
         )),
         "{message}"
     );
@@ -878,9 +878,8 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
     let (_, found) = json(&[&goals[..], &swings, &fast, &law, &SET_RIGID_TOUR].concat());
     let message = warning_of(&found, says);
     assert!(
-        message.contains(
-            " points of the front, for at least 1 % of their swings: with more than 0.3 yd"
-        ),
+        message
+            .contains(" points of the front, for at least 1 % of their swings: more than 0.3 yd"),
         "{message}"
     );
     // at usual speeds there is no warning
@@ -906,4 +905,32 @@ fn a_growth_of_a_rigid_shaft_is_warned_of() {
         ("swing.shaft_bend", "2 deg")
     ]));
     assert!(!warned(&[]));
+}
+
+/// A law extrapolates beyond its range, or holds a variable at the end of the range. The warning
+/// about many drives names the criterion of each.
+#[test]
+fn a_warning_about_many_drives_names_the_criterion_of_laws_that_hold_a_variable() {
+    let mut table = tempfile::Builder::new().suffix(".csv").tempfile().unwrap();
+    let rows = "50,2000,0.25,0.15\n60,2000,0.25,0.15\n50,3000,0.25,0.2\n60,3000,0.25,0.2\n";
+    let text = format!("speed [m/s],spin [rpm],cd,cl\n{rows}");
+    std::io::Write::write_all(&mut table, text.as_bytes()).unwrap();
+    let table = format!("aero.table={}", table.path().display());
+    for (law, says) in [
+        (
+            table.as_str(),
+            "at least 1 % of the flight time is outside of what",
+        ),
+        (
+            "aero.law=lyu",
+            "more than 0.3 yd of carry comes from, or at least 1 % of the flight time is, outside \
+             of what",
+        ),
+    ] {
+        let along = ["--along", "swing.speed", "--at", "140mph"];
+        let (_, chart) = json(&[&["chart", "--set", law][..], &along].concat());
+        let warning = warning_of(&chart, "optim");
+        let start = format!("the only optimum: {says} the law");
+        assert!(warning.starts_with(&start), "{law}: {warning}");
+    }
 }

@@ -272,7 +272,7 @@ impl LawPlot {
             let at = low + (high - low) * k as f64 / STEPS as f64;
             let stream = self.stream(at);
             let Coefficients { drag, lift } = law.coefficients(stream);
-            let is_within = is_known && fitted.holds(stream.variables());
+            let is_within = is_known && fitted.contains(stream.variables());
             ([at, [drag, lift][self.of as usize]], is_within)
         };
         (0..=STEPS).map(point).collect()

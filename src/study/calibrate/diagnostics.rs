@@ -150,7 +150,7 @@ pub fn validity_warnings(
             .iter()
             .map(|measurement| measurement.outcome)
             .collect();
-        exceeded_in_flight(&setup, &of)
+        exceeded_in_flight(&setup, &of, stop)
     };
     let mut count = ExceededCount::default();
     let Some(drives) = each_until(shots, stop, looked_at) else {

@@ -21,7 +21,7 @@ fn beyond_share(
 ) -> Option<ExceededLimits<f64>> {
     let looked_at = |point: &Vec<f64>| {
         let setup = setup.with_values(&scenarios.parameters, point).ok()?;
-        exceeded_in_flight(&setup, of)
+        exceeded_in_flight(&setup, of, stop)
     };
     let drives: Vec<Option<ExceededLimits>> = each_until(&scenarios.points, stop, looked_at)?;
     let mut share = ExceededLimits::<f64>::default();
