@@ -122,7 +122,6 @@ fn traced(
         // no flight: the ball leaves the face downwards
         Ok(trajectory) if trajectory.points.len() < 2 => Ok(None),
         Ok(trajectory) => Ok(Some(trajectory)),
-        Err(Error::NoFlight { .. }) => Ok(None),
         Err(error) => Err(error),
     }
 }

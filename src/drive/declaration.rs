@@ -98,7 +98,7 @@ pub struct Instrument {
     /// measured.
     pub(crate) plausible: Option<Range>,
     /// Column heads of exports, in lower case, without punctuation.
-    pub(crate) heads: &'static [&'static str],
+    pub(crate) column_heads: &'static [&'static str],
 }
 
 impl Instrument {

@@ -87,8 +87,9 @@ impl Outcome {
     }
 
     /// Column heads of exports, in lower case, without punctuation.
-    pub(crate) fn heads(self) -> &'static [&'static str] {
-        self.instrument().map_or(&[], |instrument| instrument.heads)
+    pub(crate) fn column_heads(self) -> &'static [&'static str] {
+        self.instrument()
+            .map_or(&[], |instrument| instrument.column_heads)
     }
 
     /// The part of a drive that the outcome describes.
@@ -126,11 +127,15 @@ impl Outcome {
     /// Reason for a value that is not finite.
     pub(crate) fn why_undefined(self) -> &'static str {
         if self.needs_run() {
-            "the ball does not come to rest: the landing area is too steep (ground.slope, \
-             ground.side_slope) for ground.rolling and ground.friction, or falls away more steeply \
-             than the ball comes down"
-        } else {
-            "its direction does not exist: the launch is vertical, or the ball does not spin"
+            return "the ball does not come to rest: the landing area is too steep (ground.slope, \
+                    ground.side_slope) for ground.rolling and ground.friction, or falls away more \
+                    steeply than the ball comes down";
+        }
+        match [Quantity::ANGLE, Quantity::ANGULAR_VELOCITY].contains(&self.quantity()) {
+            true => {
+                "its direction does not exist: the launch is vertical, or the ball does not spin"
+            }
+            false => "its value is not finite: a number of the setup is too large or too small",
         }
     }
 

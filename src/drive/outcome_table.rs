@@ -135,7 +135,7 @@ outcomes! {
             sigma: "3 yd",
             source: APART,
             plausible: None,
-            heads: &[],
+            column_heads: &[],
         }),
     }
 
@@ -156,7 +156,7 @@ outcomes! {
             sigma: "3 yd",
             source: APART,
             plausible: Some(Range::above_to(0.0, 600.0)),
-            heads: &[
+            column_heads: &[
                 "carry",
                 "carry distance",
                 "carry flat length",
@@ -179,7 +179,7 @@ outcomes! {
             sigma: "3 yd",
             source: "assumed: 0.7 deg of direction at {250 yd}",
             plausible: Some(Range::from_to(-600.0, 600.0)),
-            heads: &[
+            column_heads: &[
                 "side",
                 "carry side",
                 "side carry",
@@ -208,7 +208,7 @@ outcomes! {
             source: "assumed: tables print tenths of a second; indoors times are computed from the \
                 launch",
             plausible: Some(Range::above_to(0.0, 20.0)),
-            heads: &["hang time", "flight time", "carry flat time"],
+            column_heads: &["hang time", "flight time", "carry flat time"],
         }),
     }
 
@@ -225,7 +225,7 @@ outcomes! {
             sigma: "1 yd",
             source: ROUNDED,
             plausible: Some(Range::above_to(0.0, 150.0)),
-            heads: &[
+            column_heads: &[
                 "apex",
                 "apex height",
                 "max height",
@@ -251,7 +251,7 @@ outcomes! {
             sigma: "0.1 s",
             source: "assumed: as for flight_time",
             plausible: None,
-            heads: &[],
+            column_heads: &[],
         }),
     }
 
@@ -268,7 +268,7 @@ outcomes! {
             sigma: "3 yd",
             source: "assumed: as for carry",
             plausible: None,
-            heads: &["max height dist"],
+            column_heads: &["max height dist"],
         }),
     }
 
@@ -288,7 +288,7 @@ outcomes! {
             sigma: "1 deg",
             source: ROUNDED,
             plausible: Some(Range::above_to(0.0, 90.0)),
-            heads: &[
+            column_heads: &[
                 "landing angle",
                 "landing ang",
                 "land ang",
@@ -317,7 +317,7 @@ outcomes! {
             sigma: "1 mph",
             source: "assumed: as for ball_speed",
             plausible: Some(Range::from_to(0.0, 270.0)),
-            heads: &["carry flat ball speed"],
+            column_heads: &["carry flat ball speed"],
         }),
     }
 
@@ -335,7 +335,7 @@ outcomes! {
             sigma: "8 yd",
             source: RUNS,
             plausible: Some(Range::above_to(0.0, 800.0)),
-            heads: &[
+            column_heads: &[
                 "gesamtstrecke",
                 "total",
                 "total distance",
@@ -362,7 +362,7 @@ outcomes! {
             sigma: "8 yd",
             source: RUNS,
             plausible: None,
-            heads: &[],
+            column_heads: &[],
         }),
     }
 
@@ -379,7 +379,7 @@ outcomes! {
             sigma: "8 yd",
             source: "assumed: as for total",
             plausible: Some(Range::from_to(-800.0, 800.0)),
-            heads: &[
+            column_heads: &[
                 "gesamtabweichungsdistanz",
                 "total offline",
                 "total side",
@@ -404,7 +404,7 @@ outcomes! {
             source: AGREE,
             // the fastest recorded ball speed is 241.7 mph (108 m/s)
             plausible: Some(Range::above_to(0.0, 270.0)),
-            heads: &["ball speed", "ballgeschwindigkeit"],
+            column_heads: &["ball speed", "ballgeschwindigkeit"],
         }),
     }
 
@@ -421,7 +421,7 @@ outcomes! {
             sigma: "0.02",
             source: "assumed: {1 mph} of ball speed and {1.5 mph} of club speed, for a ratio of 1.48",
             plausible: None,
-            heads: &["smash factor", "smash", "smash fac"],
+            column_heads: &["smash factor", "smash", "smash fac"],
         }),
     }
 
@@ -438,7 +438,7 @@ outcomes! {
             sigma: "0.3 deg",
             source: TENTHS,
             plausible: Some(Range::from_to(-90.0, 90.0)),
-            heads: &[
+            column_heads: &[
                 "launch angle",
                 "launch ang",
                 "launch v",
@@ -465,7 +465,7 @@ outcomes! {
             sigma: "0.3 deg",
             source: TENTHS,
             plausible: Some(Range::from_to(-90.0, 90.0)),
-            heads: &[
+            column_heads: &[
                 "launch direction",
                 "launch dir",
                 "launch h",
@@ -495,7 +495,7 @@ outcomes! {
             sigma: "100 rpm",
             source: OF_SPIN,
             plausible: Some(Range::above_to(0.0, 20_000.0)),
-            heads: &["spin rate", "total spin", "spin", "drehrate"],
+            column_heads: &["spin rate", "total spin", "spin", "drehrate"],
         }),
     }
 
@@ -513,7 +513,7 @@ outcomes! {
             source: OF_SPIN,
             // a driver gives no topspin
             plausible: Some(Range::from_to(0.0, 20_000.0)),
-            heads: &["backspin", "back spin"],
+            column_heads: &["backspin", "back spin"],
         }),
     }
 
@@ -530,7 +530,7 @@ outcomes! {
             sigma: "100 rpm",
             source: "assumed: as for spin",
             plausible: Some(Range::from_to(-20_000.0, 20_000.0)),
-            heads: &["sidespin", "side spin"],
+            column_heads: &["sidespin", "side spin"],
         }),
     }
 
@@ -547,7 +547,7 @@ outcomes! {
             sigma: "2 deg",
             source: "assumed: 100 rpm of sidespin turn the axis of a spin of 2700 rpm by 2.1 deg",
             plausible: Some(Range::from_to(-180.0, 180.0)),
-            heads: &["spin axis", "spin tilt axis", "tilt angle", "axis tilt", "drehachse"],
+            column_heads: &["spin axis", "spin tilt axis", "tilt angle", "axis tilt", "drehachse"],
         }),
     }
 

@@ -260,7 +260,7 @@ impl<T: Numbers> FlightResult<T> {
             return Err(Error::Stopped);
         }
         if self.diverges.holds(0) {
-            let conditions = FlightConditions {
+            let diverged = DivergedFlight {
                 step: inputs.step,
                 speed: inputs.velocity.map(value).norm(),
                 spin: value(inputs.spin),
@@ -270,7 +270,7 @@ impl<T: Numbers> FlightResult<T> {
             return Err(Error::Diverged {
                 time: self.time - inputs.step,
                 step: inputs.step,
-                advice: conditions.advice(inputs.law.name()),
+                advice: diverged.advice(inputs.law.name()),
             });
         }
         let height = value(self.height);
@@ -294,7 +294,7 @@ impl<T: Numbers> FlightResult<T> {
 }
 
 /// Conditions of a flight that diverged, SI.
-struct FlightConditions {
+struct DivergedFlight {
     /// Step, s.
     step: f64,
     /// Ball speed at launch, m/s.
@@ -307,7 +307,7 @@ struct FlightConditions {
     wind: f64,
 }
 
-impl FlightConditions {
+impl DivergedFlight {
     /// Largest step that resolves the flight of any golf ball, s; the default is 10 ms.
     const LARGEST_SAFE_STEP: f64 = 0.05;
 

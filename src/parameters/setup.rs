@@ -9,7 +9,7 @@ use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
 use crate::number::{Numbers, inlined};
 use crate::repeated::first_repeated;
-use crate::units::{Message, Quantity, UnitError};
+use crate::units::{Message, Quantity, UnitError, counted};
 use std::path::Path;
 
 /// Reason why a parameter of the club has no effect.
@@ -434,8 +434,18 @@ impl Setup<f64> {
     /// The setup with other values of some parameters, SI.
     ///
     /// # Errors
-    /// The errors of [`set_value`](Self::set_value).
+    /// [`Error::Unreadable`] unless each parameter has one value; the errors of
+    /// [`set_value`](Self::set_value).
     pub fn with_values(&self, parameters: &[&'static Parameter], values: &[f64]) -> Result<Self> {
+        if parameters.len() != values.len() {
+            let (values, parameters) = (values.len() as u64, parameters.len() as u64);
+            let source = format!(
+                "{} for {}; give one value for each",
+                counted(values, "value"),
+                counted(parameters, "parameter")
+            );
+            return Err(Error::unreadable("the values", source));
+        }
         let mut changed = *self;
         for (parameter, value) in parameters.iter().zip(values) {
             changed.set_value(parameter, Some(*value))?;

@@ -44,7 +44,7 @@ fn refusal(step: f64, limit: f64) -> Error {
             name: "flight.step".into(),
             value: format!("{step:e} s"),
             range: format!(
-                "{:e} s <= …: at most {MOST_STEPS:e} steps up to flight.time_limit = {limit} s",
+                "{:e} s ≤ …: at most {MOST_STEPS:e} steps up to flight.time_limit = {limit} s",
                 limit / MOST_STEPS
             ),
             advice: "take a longer step or a shorter time limit (10 ms, the default, keeps carry \

@@ -101,10 +101,10 @@ impl Setup<f64> {
         let turf = TURFS.iter().find(|turf| turf.name == name).ok_or_else(|| {
             let names = TURFS.iter().map(|turf| turf.name);
             let advice = format!(
-                "the kinds are {}",
+                "the turfs are {}",
                 names.clone().collect::<Vec<_>>().join(", ")
             );
-            Error::unknown("kind of ground", name, names, advice)
+            Error::unknown("turf", name, names, advice)
         })?;
         for entry in turf.entries {
             let parameter = self.parameter(entry.name)?;
@@ -137,7 +137,7 @@ mod tests {
     use super::{Setup, TURFS};
 
     #[test]
-    fn every_kind_of_ground_is_recognised_by_its_numbers() {
+    fn every_turf_is_recognised_by_its_numbers() {
         assert_eq!(
             Setup::default().turf().map(|turf| turf.name),
             Some("average")
@@ -155,14 +155,14 @@ mod tests {
             .unwrap_err()
             .to_string();
         assert!(
-            message.contains("did you mean 'firm'?")
-                && message.contains("firm, average, soft, wet"),
+            message.starts_with("unknown turf 'frim'; did you mean 'firm'?")
+                && message.contains("the turfs are firm, average, soft, wet"),
             "{message}"
         );
     }
 
     #[test]
-    fn the_kind_of_ground_is_set_before_its_numbers() {
+    fn the_turf_is_set_before_its_numbers() {
         let mut setup = Setup::default();
         setup
             .set_all([("ground.rolling", "0.4"), ("ground.turf", "firm")])
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn a_kind_of_ground_beside_all_of_its_numbers_is_refused() {
+    fn a_turf_beside_all_of_its_numbers_is_refused() {
         let numbers = "friction = '0.4'\ncompliance = '15.4 deg'\nrolling = '1'\nslope = '0 deg'\n";
         let text = |restitution: &str| {
             format!("[ground]\nrestitution = '{restitution}'\nturf = 'firm'\n{numbers}")

@@ -45,14 +45,18 @@ pub(super) fn heads() -> impl Iterator<Item = (&'static str, Meaning)> {
     let of_outcomes = Outcome::ALL
         .iter()
         .filter(|of| !of.needs_run())
-        .flat_map(|of| of.heads().iter().map(|head| (*head, Meaning::Outcome(*of))));
+        .flat_map(|of| {
+            of.column_heads()
+                .iter()
+                .map(|head| (*head, Meaning::Outcome(*of)))
+        });
     of_delivery.chain(of_outcomes)
 }
 
 /// The outcome of the rest position with this column head, in lower case without punctuation.
 pub(crate) fn rest_of_head(words: &str) -> Option<Outcome> {
     let mut of_rest = Outcome::ALL.iter().copied().filter(|of| of.needs_run());
-    of_rest.find(|of| of.heads().contains(&words))
+    of_rest.find(|of| of.column_heads().contains(&words))
 }
 
 /// True for the head of a column that states the conditions for which the values of a row hold,

@@ -512,7 +512,7 @@ fn every_step_size_that_can_be_set_is_flown() {
     assert!(
         validated
             .to_string()
-            .contains("at most 1e8 steps up to flight.time_limit = 601 s"),
+            .contains("s ≤ …: at most 1e8 steps up to flight.time_limit = 601 s"),
         "{validated}"
     );
 }

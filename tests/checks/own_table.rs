@@ -557,3 +557,26 @@ fn a_factor_of_your_own_table_asks_for_the_table() {
         output.err
     );
 }
+
+#[test]
+fn same_table_with_its_rows_in_another_order() {
+    let rows = [
+        "50,2000,0.25,0.15",
+        "80,2000,0.26,0.16",
+        "50,3000,0.27,0.2",
+        "80,3000,0.28,0.21",
+    ];
+    let table = |rows: &[&str]| {
+        let (_folder, name) = written(&format!(
+            "speed [m/s],spin [rpm],cd,cl\n{}\n",
+            rows.join("\n")
+        ));
+        LawTable::open(Path::new(&name)).unwrap()
+    };
+    let ordered = table(&rows);
+    let reversed = table(&rows.map(|row| row).into_iter().rev().collect::<Vec<_>>());
+    assert!(ordered == reversed);
+    assert_eq!(format!("{ordered:?}"), format!("{reversed:?}"));
+    let other = table(&[rows[0], rows[1], rows[2], "80,3000,0.28,0.22"]);
+    assert!(ordered != other);
+}

@@ -414,3 +414,21 @@ fn same_drive_with_an_unset_parameter_and_with_its_documented_value() {
         "only {counted} parameters count as a value where unset"
     );
 }
+
+#[test]
+fn values_that_are_not_as_many_as_their_parameters_are_refused() {
+    let setup = Setup::default();
+    let parameters = ["club.loft", "swing.speed"].map(|name| setup.parameter(name).unwrap());
+    for values in [&[0.2][..], &[0.2, 45.0, 1.0]] {
+        let message = setup
+            .with_values(&parameters, values)
+            .unwrap_err()
+            .to_string();
+        assert!(
+            message.contains("for 2 parameters; give one value for each"),
+            "{message}"
+        );
+    }
+    let changed = setup.with_values(&parameters, &[0.2, 45.0]).unwrap();
+    assert_eq!((changed.club.loft, changed.swing.speed), (0.2, 45.0));
+}

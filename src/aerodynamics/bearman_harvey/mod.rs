@@ -50,7 +50,7 @@ static GRID: LazyLock<CoefficientGrid> = LazyLock::new(|| {
             over: SPEED_OVER,
         }),
         full_lift: Some((AxisVariable::Spin, 1.0 / least)),
-        surface: Surface::of(&SPEEDS, SPIN_OF_ROW.as_slice(), CELLS.as_slice()),
+        surface: Surface::new(&SPEEDS, SPIN_OF_ROW.as_slice(), CELLS.as_slice()),
     }
 });
 

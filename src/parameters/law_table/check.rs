@@ -3,7 +3,7 @@
 
 use super::grid::{AxisVariable, CoefficientGrid, LawTableAxis};
 use super::read::{GridNode, GridNodes, LawTableFault};
-use super::surface::{Cell, Surface, steps};
+use super::surface::{Cell, Surface, steps, stored_cells};
 
 /// Spin ratio below which the lift falls to 0, for a table that has no axis of spin or spin ratio.
 /// Usual drives have larger spin ratios: 0.08 at 72 m/s and 2500 rpm.
@@ -62,8 +62,10 @@ pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, LawTableFault> 
         None => Some((AxisVariable::SpinRatio, 1.0 / FULL_LIFT)),
     };
     let counts = [speeds.len(), spins.len()];
-    let surface = Surface::new(speeds, spins, [&drag, &lift]);
-    check_between_nodes(&surface, counts, nodes)?;
+    let cells = stored_cells(&speeds, &spins, [&drag, &lift]);
+    check_between_nodes(&cells, counts, nodes)?;
+    // a refused table leaks no memory
+    let surface = Surface::new(speeds.leak(), spins.leak(), cells.leak());
     Ok(CoefficientGrid {
         speed,
         spin,
@@ -167,12 +169,12 @@ fn axis(variable: AxisVariable, lines: &[f64]) -> LawTableAxis {
 /// Checks that the splines are finite, and that their drag is not negative between the nodes and in
 /// the clamps beyond them.
 fn check_between_nodes(
-    surface: &Surface,
+    cells: &[Cell],
     [columns, rows]: [usize; 2],
     nodes: &GridNodes,
 ) -> Result<(), LawTableFault> {
     let wide = steps(columns);
-    for (i, cell) in surface.cells.iter().enumerate() {
+    for (i, cell) in cells.iter().enumerate() {
         if !cell.iter().all(|number| number.is_finite()) {
             return Err(LawTableFault::of_file(
                 "its numbers differ too much for a smooth curve through them; check the columns"

@@ -32,8 +32,8 @@ pub struct LawTable {
     pub file: String,
     /// Description for messages.
     pub(crate) description: String,
-    /// The nodes in the order of the file: coordinates on the axes of speed and spin (0 without
-    /// such an axis), C_D, C_L.
+    /// The nodes in ascending order: coordinates on the axes of speed and spin (0 without such an
+    /// axis), C_D, C_L.
     pub nodes: Vec<[f64; 4]>,
     fingerprint: u64,
     pub(crate) grid: CoefficientGrid,
@@ -63,12 +63,14 @@ impl LawTable {
             .ok()
             .and_then(|path| path.to_str().map(str::to_owned))
             .unwrap_or_else(|| file.clone());
-        let fingerprint = fingerprint(&nodes);
-        let rows: Vec<[f64; 4]> = nodes
+        let mut rows: Vec<[f64; 4]> = nodes
             .rows
             .iter()
             .map(|node| [node.speed, node.spin, node.drag, node.lift])
             .collect();
+        // tables that differ only in the order of their rows are equal
+        rows.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+        let fingerprint = fingerprint(nodes.speed.iter().chain(&nodes.spin), &rows);
 
         let mut tables = TABLES.lock().unwrap_or_else(PoisonError::into_inner);
         // a command may open a setup file more than once
@@ -100,20 +102,18 @@ impl LawTable {
 }
 
 /// Hash of axes and nodes.
-fn fingerprint(nodes: &read::GridNodes) -> u64 {
+fn fingerprint<'a>(axes: impl Iterator<Item = &'a AxisVariable>, nodes: &[[f64; 4]]) -> u64 {
     let mut fingerprint = Fingerprint::new();
-    for variable in nodes.speed.iter().chain(&nodes.spin) {
+    for variable in axes {
         fingerprint.add(f64::from(*variable as u8));
     }
-    for node in &nodes.rows {
-        for number in [node.speed, node.spin, node.drag, node.lift] {
-            fingerprint.add(number);
-        }
+    for number in nodes.as_flattened() {
+        fingerprint.add(*number);
     }
     fingerprint.0
 }
 
-/// Tables with equal axes and equal nodes in equal order are equal, also from different files.
+/// Tables with equal axes and equal nodes are equal, also from different files.
 impl PartialEq for LawTable {
     fn eq(&self, other: &Self) -> bool {
         self.fingerprint == other.fingerprint && self.nodes == other.nodes

@@ -26,24 +26,9 @@ struct Knots {
 }
 
 impl Surface {
-    /// Two surfaces through the values of two tables. `x` and `y` are the coordinates of the grid
-    /// lines, in ascending order; `tables` lists the values row by row. If `x` or `y` has a single
-    /// coordinate, the surfaces are constant in that direction.
-    pub fn new(x: Vec<f64>, y: Vec<f64>, tables: [&[f64]; 2]) -> Self {
-        let mut cells = vec![[0.0; 36]; steps(x.len()) * steps(y.len())];
-        let mut work = [(); 4].map(|()| vec![0.0; tables[0].len()]);
-        fill(
-            &x,
-            &y,
-            tables,
-            work.each_mut().map(Vec::as_mut_slice),
-            &mut cells,
-        );
-        Self::of(x.leak(), y.leak(), cells.leak())
-    }
-
-    /// The surfaces with the cells of [`cells_of`].
-    pub fn of(x: &'static [f64], y: &'static [f64], cells: &'static [Cell]) -> Self {
+    /// The surfaces with the cells of [`cells_of`] or [`stored_cells`]. `x` and `y` are the
+    /// coordinates of the grid lines, in ascending order.
+    pub fn new(x: &'static [f64], y: &'static [f64], cells: &'static [Cell]) -> Self {
         Self {
             x: Knots::new(x),
             y: Knots::new(y),
@@ -57,7 +42,18 @@ impl Surface {
     }
 }
 
-/// The cells of the surfaces through two tables of N numbers, without heap memory.
+/// The cells of the surfaces through the values of two tables. `x` and `y` are the coordinates of
+/// the grid lines, in ascending order; `tables` lists the values row by row. If `x` or `y` has a
+/// single coordinate, the surfaces are constant in that direction.
+pub(super) fn stored_cells(x: &[f64], y: &[f64], tables: [&[f64]; 2]) -> Vec<Cell> {
+    let mut cells = vec![[0.0; 36]; steps(x.len()) * steps(y.len())];
+    let mut work = [(); 4].map(|()| vec![0.0; tables[0].len()]);
+    let work = work.each_mut().map(Vec::as_mut_slice);
+    fill(x, y, tables, work, &mut cells);
+    cells
+}
+
+/// Like [`stored_cells`], for two tables of N numbers and without heap memory.
 pub(crate) fn cells_of<const N: usize, const CELLS: usize>(
     x: &[f64],
     y: &[f64],
@@ -233,7 +229,7 @@ fn slopes(
 
 #[cfg(test)]
 mod tests {
-    use super::{Surface, slopes};
+    use super::{Surface, slopes, stored_cells};
 
     #[test]
     fn exact_slopes_of_a_line_and_of_a_spline_by_hand() {
@@ -264,7 +260,8 @@ mod tests {
                 .iter()
                 .flat_map(|y| x.iter().map(|x| plane(*x, *y)).collect::<Vec<_>>())
                 .collect();
-            let surface = Surface::new(x, y.clone(), [&table, &table]);
+            let cells = stored_cells(&x, &y, [&table, &table]);
+            let surface = Surface::new(x.leak(), y.clone().leak(), cells.leak());
             for (x, at) in [(0.25, 0.4), (3.9, 2.2), (2.0, 0.5)] {
                 let cell = surface.cell(x, at);
                 let (u, w) = ((x - cell[0]) * cell[1], (at - cell[2]) * cell[3]);
