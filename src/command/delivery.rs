@@ -101,6 +101,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let setup = requests.setup_of_club()?;
     let launched = requests.setup_of_launch(args)?;
     warn(setup.warnings());
+    warn(idle_settings_warning(args, &requests.club));
     let unknowns = read_unknowns(args, &requests.club, &setup)?;
     let found = match &args.shots {
         None => {
@@ -242,6 +243,24 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
         )
     });
     loft.into_iter().map(Message::from).collect()
+}
+
+/// A warning if air, wind, ground or flight are stated, on which the impact does not depend. A file
+/// of this command, or the command that it is for, contains them.
+fn idle_settings_warning(args: &Args, club: &Request) -> Option<Message> {
+    if args.output.is_some() || args.swings.is_some() {
+        return None;
+    }
+    let groups = ["aero.", "air.", "flight.", "gravity", "ground.", "wind."];
+    let is_idle = |name: &&str| groups.iter().any(|group| name.starts_with(group));
+    let idle: Vec<&str> = club.stated().filter(is_idle).collect();
+    (!idle.is_empty()).then(|| {
+        let idle = idle.join(", ");
+        Message::from(format!(
+            "{idle}: no effect on the delivery, which depends on the impact only; leave it out, or \
+             write the setup with `output FILE`"
+        ))
+    })
 }
 
 /// The parameters to find, with the prior knowledge of each. A club value that the command line

@@ -588,3 +588,36 @@ fn bad_arguments_of_delivery_are_refused_with_advice() {
         );
     }
 }
+
+/// Air, wind, ground and law have no effect on the impact. A file has the whole setup.
+#[test]
+fn settings_without_effect_on_a_delivery_have_a_warning_unless_a_file_gets_them() {
+    let launch = "ball_speed=150mph,launch_angle=12deg,spin=2600rpm";
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.toml").display().to_string();
+    let warnings = |more: &[&str]| {
+        let (status, found) = json(&[&["delivery", "--launch", launch], more].concat());
+        assert_eq!(status, 0, "{found}");
+        found["warnings"].to_string()
+    };
+    let idle = [
+        "--set",
+        "air.density=1.1 kg/m^3",
+        "--set",
+        "aero.law=ferguson",
+        "--set",
+        "ground.turf=firm",
+        "--set",
+        "club.loft=9deg",
+    ];
+    let says = "air.density, aero.law, ground.turf: no effect on the delivery";
+    assert!(warnings(&idle).contains(says), "{}", warnings(&idle));
+    let is_silent = |more: &[&str]| !warnings(more).contains("no effect on the delivery");
+    assert!(is_silent(&[
+        "--set",
+        "club.loft=9deg",
+        "--set",
+        "ball.mass=45 g"
+    ]));
+    assert!(is_silent(&[&idle[..], &["-o", &file]].concat()));
+}
