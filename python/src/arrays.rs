@@ -2,7 +2,7 @@
 
 use crate::boundary::{Answer, Failure, kind_of, shown, text_of};
 use crate::degrees::Degrees;
-use crate::pool::look;
+use crate::pool::check_signals;
 use longdrive::batch::Points;
 use longdrive::parameters::{Parameter, Vary};
 use longdrive::{Error, Setup};
@@ -16,7 +16,7 @@ use pyo3::types::{PyBool, PyList, PyMapping, PyString, PyTuple};
 const GATHERED: usize = 65_536;
 
 /// Number of rows that are checked before other threads of Python may run.
-const LOOKED_AT: usize = 1 << 20;
+const ROWS_PER_CHECK: usize = 1 << 20;
 
 /// Imports NumPy's functions at the start. Otherwise the first use of an array would import them,
 /// and a Ctrl-C during that import would panic. If NumPy is missing, the first use of an array
@@ -121,20 +121,24 @@ impl Arrays {
     /// Finds the range of each parameter's valid values, and columns that look like degrees. Lets
     /// other Python threads run between blocks of rows. `is_bare` is true if the user gave the
     /// numbers without a unit; only then is a warning about degrees possible.
-    pub fn look(&mut self, py: Python<'_>, is_bare: bool) -> PyResult<()> {
+    pub fn scan(&mut self, py: Python<'_>, is_bare: bool) -> PyResult<()> {
         for (parameter, column) in self.parameters.iter().zip(&self.columns) {
             let mut range = None::<(f64, f64)>;
             let mut degrees = Degrees::default();
-            for first in (0..self.rows).step_by(LOOKED_AT) {
-                look(py)?;
-                column.each(py, first..self.rows.min(first + LOOKED_AT), &mut |value| {
-                    if parameter.range.contains(value) && value.is_finite() {
-                        let (low, high) = range.unwrap_or((value, value));
-                        range = Some((low.min(value), high.max(value)));
-                    } else {
-                        degrees.look(parameter, value);
-                    }
-                });
+            for first in (0..self.rows).step_by(ROWS_PER_CHECK) {
+                check_signals(py)?;
+                column.each(
+                    py,
+                    first..self.rows.min(first + ROWS_PER_CHECK),
+                    &mut |value| {
+                        if parameter.range.contains(value) && value.is_finite() {
+                            let (low, high) = range.unwrap_or((value, value));
+                            range = Some((low.min(value), high.max(value)));
+                        } else {
+                            degrees.count(parameter, value);
+                        }
+                    },
+                );
             }
             self.ranges.extend(range.map(|(low, high)| Vary {
                 parameter,

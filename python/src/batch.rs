@@ -313,7 +313,7 @@ pub fn batch<'py>(
         let choice = step_choice(tolerance, own_step)?;
         let shared = Arc::new(Shared::new(request.results(arrays.len() - first_row)?));
         // the values are examined last: this takes long, and the allocation above may fail
-        arrays.look(py, ranges.is_none())?;
+        arrays.scan(py, ranges.is_none())?;
         let (whole, in_degrees) = (arrays.len(), arrays.in_degrees());
         let work = Work {
             ranges: match ranges {

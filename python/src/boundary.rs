@@ -40,7 +40,7 @@ impl From<PyErr> for Failure {
 impl From<Failure> for PyErr {
     fn from(failure: Failure) -> Self {
         match failure {
-            Failure::Python(error) => half_a_character(error),
+            Failure::Python(error) => lone_surrogate_error(error),
             Failure::Input(message) => raised("InputError", message, None),
             Failure::Key(message) => raised("UnknownKeyError", message, None),
             Failure::Longdrive(error) if error.has_valid_input() => {
@@ -69,7 +69,7 @@ fn raised(name: &str, message: String, status: Option<&str>) -> PyErr {
 }
 
 /// Converts the error of a text that is not valid Unicode to an error of bad input.
-fn half_a_character(error: PyErr) -> PyErr {
+fn lone_surrogate_error(error: PyErr) -> PyErr {
     Python::attach(|py| {
         if !error.is_instance_of::<PyUnicodeEncodeError>(py) {
             return error;
@@ -78,17 +78,17 @@ fn half_a_character(error: PyErr) -> PyErr {
             .value(py)
             .getattr("object")
             .map_or_else(|_| "a text".into(), |text| shown(&text));
-        Failure::Input(format!("{text} {HALF}")).into()
+        Failure::Input(format!("{text} {LONE_SURROGATE}")).into()
     })
 }
 
 /// The error of a text with a lone surrogate.
-const HALF: &str = "has half a character (a lone surrogate); give the text without it";
+const LONE_SURROGATE: &str = "has half a character (a lone surrogate); give the text without it";
 
 /// A text of Python; `what` is its name in messages.
 pub fn text_of<'a>(what: &str, text: &'a Bound<'_, PyString>) -> Answer<&'a str> {
     text.to_str()
-        .map_err(|_| Failure::Input(format!("{what} = {} {HALF}", shown(text))))
+        .map_err(|_| Failure::Input(format!("{what} = {} {LONE_SURROGATE}", shown(text))))
 }
 
 /// Runs the work of a call. A panic becomes `longdrive.InternalError`, which `except Exception`

@@ -24,7 +24,7 @@ use std::time::Duration;
 
 /// Time for stopped work to answer with its result so far. The work stops only between two drives,
 /// and a single drive may take long.
-const LAST_WORDS: Duration = Duration::from_secs(2);
+const ANSWER_TIME: Duration = Duration::from_secs(2);
 
 /// A program in Python that calls a command: the `Host` of the command.
 #[derive(Default)]
@@ -47,7 +47,7 @@ struct Now {
     messages: Vec<(&'static str, String)>,
     stop: Option<Arc<AtomicBool>>,
     /// True once interruptible work has ended: the rest of the command only makes the answer.
-    has_found: bool,
+    has_ended: bool,
     /// The last progress that the command showed.
     bar: Option<Arc<Bar>>,
 }
@@ -104,7 +104,7 @@ struct Files {
     /// Names of the complete files.
     written: Vec<String>,
     /// True if the call has returned before the command ended.
-    is_left: bool,
+    is_abandoned: bool,
 }
 
 impl Caller {
@@ -141,8 +141,8 @@ impl Caller {
         if let Some(stop) = &now.stop {
             stop.store(true, Ordering::Relaxed);
         }
-        if now.stop.is_some() || now.has_found {
-            LAST_WORDS
+        if now.stop.is_some() || now.has_ended {
+            ANSWER_TIME
         } else {
             Duration::ZERO
         }
@@ -206,16 +206,16 @@ impl Host for Caller {
 
     fn cannot_stop(&self) {
         let mut now = self.now();
-        now.has_found |= now.stop.take().is_some();
+        now.has_ended |= now.stop.take().is_some();
     }
 
     fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {
         let mut files = self.written();
-        if files.is_left {
+        if files.is_abandoned {
             drop(files);
             // end this thread, without the message of a panic: the call has returned, and its
             // caller expects no more files
-            resume_unwind(Box::new("left"));
+            resume_unwind(Box::new("abandoned"));
         }
         Box::new(move |path| files.written.push(path.display().to_string()))
     }
@@ -323,12 +323,12 @@ fn ran<'py>(
     let (status, raised) =
         match pool::run_to_answer(py, move |_| call(&request, host), watch, patience)? {
             Ended::Done(status, raised) => (Some(status), raised),
-            Ended::Left(raised) => {
+            Ended::Abandoned(raised) => {
                 caller.note_progress();
                 pass_on(&caller, say)?;
                 let written = py.detach(|| {
                     let mut files = caller.written();
-                    files.is_left = true;
+                    files.is_abandoned = true;
                     std::mem::take(&mut files.written)
                 });
                 let none = PyDict::new(py);

@@ -15,7 +15,7 @@ pub struct Degrees {
 impl Degrees {
     /// Counts a value that is outside of the range of its parameter. NaN is a missing value and
     /// does not count.
-    pub fn look(&mut self, parameter: &Parameter, value: f64) {
+    pub fn count(&mut self, parameter: &Parameter, value: f64) {
         if parameter.quantity != Quantity::ANGLE || value.is_nan() {
             return;
         }

@@ -31,7 +31,7 @@ struct Point {
 }
 
 /// The function to evaluate.
-enum Function {
+enum ObjectiveKind {
     /// An outcome of one drive, by an evaluator for each order of derivatives.
     Drive {
         evaluators: Arc<[Evaluator; 3]>,
@@ -42,18 +42,18 @@ enum Function {
     Swings(Arc<GoalFunction>),
 }
 
-impl Function {
-    /// A goal over the swings that the arguments `over` describe.
+impl ObjectiveKind {
+    /// A goal over the swings that `swing_arguments` describe.
     fn over_swings(
         py: Python<'_>,
         choice: StepChoice,
         setup: &Setup<f64>,
         of: &str,
         wrt: &[&'static Parameter],
-        over: &Over,
+        swing_arguments: &SwingArguments,
     ) -> Answer<Self> {
-        let scenarios = over.taken(setup)?;
-        let goal = over.goal(of)?;
+        let scenarios = swing_arguments.scenarios(setup)?;
+        let goal = swing_arguments.goal(of)?;
         let (own, by, swings) = (*setup, wrt.to_vec(), scenarios.clone());
         let integration = pool::run_drive(py, !choice.is_own(setup), move |stop| {
             choice.for_swings(&own, &by, &swings, stop)
@@ -133,7 +133,7 @@ impl Function {
 
 /// The arguments of a goal that describe its swings.
 #[derive(Clone, Default)]
-struct Over {
+struct SwingArguments {
     swings: Option<PathBuf>,
     distribution: Vec<String>,
     correlation: Vec<String>,
@@ -143,7 +143,7 @@ struct Over {
     strokes: Option<PathBuf>,
 }
 
-impl Over {
+impl SwingArguments {
     /// True if the arguments give swings: the goal is then over swings.
     fn is_given(&self) -> bool {
         self.swings.is_some() || !self.distribution.is_empty()
@@ -163,7 +163,7 @@ impl Over {
     }
 
     /// The scenarios of the swings.
-    fn taken(&self, setup: &Setup<f64>) -> Answer<Scenarios> {
+    fn scenarios(&self, setup: &Setup<f64>) -> Answer<Scenarios> {
         let swings = match &self.swings {
             Some(_) if !self.distribution.is_empty() || !self.correlation.is_empty() => {
                 let what = "swings: a file gives the distributions and correlations; leave \
@@ -247,8 +247,8 @@ pub struct PyObjective {
     setup: PySetup,
     of: String,
     choice: StepChoice,
-    function: Function,
-    over: Over,
+    function: ObjectiveKind,
+    swing_arguments: SwingArguments,
     /// The argument `sense`; `sign` is the factor that turns a maximum into a minimum.
     sense: Option<String>,
     sign: f64,
@@ -286,9 +286,9 @@ impl PyObjective {
             // requested order
             Err(_) if to > order => {
                 to = order;
-                self.lone(self.function.at(py, &x, order)?)?
+                self.value_or_error(self.function.at(py, &x, order)?)?
             }
-            found => self.lone(found)?,
+            found => self.value_or_error(found)?,
         };
         let found = found.map(|taylor| {
             if self.sign < 0.0 {
@@ -311,7 +311,7 @@ impl PyObjective {
     }
 
     /// The value in `found`. An error becomes `None` if `gives_nan` is true.
-    fn lone(&self, found: longdrive::Result<Option<Taylor>>) -> Answer<Option<Taylor>> {
+    fn value_or_error(&self, found: longdrive::Result<Option<Taylor>>) -> Answer<Option<Taylor>> {
         match found {
             Ok(found) => Ok(found),
             Err(_) if self.gives_nan => Ok(None),
@@ -436,7 +436,7 @@ impl PyObjective {
         answer(|| {
             let choice = step_choice(tolerance, own_step)?;
             let (py, setup) = (setup.py(), PySetup::of(setup)?);
-            let over = Over {
+            let swing_arguments = SwingArguments {
                 swings,
                 distribution,
                 correlation,
@@ -444,19 +444,19 @@ impl PyObjective {
                 seed,
                 strokes,
             };
-            let wrt = over.variables(&setup.setup, wrt)?;
-            let function = if over.is_given() {
-                Function::over_swings(py, choice, &setup.setup, of, &wrt, &over)?
+            let wrt = swing_arguments.variables(&setup.setup, wrt)?;
+            let function = if swing_arguments.is_given() {
+                ObjectiveKind::over_swings(py, choice, &setup.setup, of, &wrt, &swing_arguments)?
             } else {
-                over.refuse_stray()?;
-                Function::of_drive(py, choice, &setup.setup, of, &wrt)?
+                swing_arguments.refuse_stray()?;
+                ObjectiveKind::of_drive(py, choice, &setup.setup, of, &wrt)?
             };
             Ok(Self {
                 setup,
                 of: of.to_owned(),
                 choice,
                 function,
-                over,
+                swing_arguments,
                 sign: sign_of(sense.as_deref())?,
                 sense,
                 gives_nan: gives_nan(invalid)?,
@@ -559,7 +559,7 @@ impl PyObjective {
             .sense
             .as_ref()
             .map_or_else(String::new, |sense| format!(", {sense}"));
-        let over = if self.over.is_given() {
+        let over = if self.swing_arguments.is_given() {
             " over swings"
         } else {
             ""
@@ -576,14 +576,14 @@ impl PyObjective {
         py: Python<'py>,
     ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let invalid = if self.gives_nan { "nan" } else { "raise" };
-        let Over {
+        let SwingArguments {
             swings,
             distribution,
             correlation,
             scenarios,
             seed,
             strokes,
-        } = self.over.clone();
+        } = self.swing_arguments.clone();
         let of_swings =
             (swings, distribution, correlation, scenarios, seed, strokes).into_pyobject(py)?;
         let tolerance = match self.choice {

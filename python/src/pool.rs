@@ -10,7 +10,7 @@ use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::time::{Duration, Instant};
 
 /// Time between two checks for Ctrl-C.
-const LOOK: Duration = Duration::from_millis(20);
+const CHECK_INTERVAL: Duration = Duration::from_millis(20);
 
 /// The threads of one process. A forked child has a copy of this value, but not the threads.
 struct Own {
@@ -63,7 +63,7 @@ pub enum Ended<R> {
     /// The result of the work, with the exception if Python interrupted the work.
     Done(R, Option<PyErr>),
     /// The work was abandoned because of this exception.
-    Left(PyErr),
+    Abandoned(PyErr),
 }
 
 /// Runs work on a thread pool of this process, while other threads of Python run. The parallel
@@ -77,7 +77,7 @@ pub fn run<R: Send + 'static>(
 ) -> Answer<R> {
     match run_to_answer(py, work, watch, |_| Duration::ZERO)? {
         Ended::Done(done, _) => Ok(done),
-        Ended::Left(raised) => Err(raised.into()),
+        Ended::Abandoned(raised) => Err(raised.into()),
     }
 }
 
@@ -126,11 +126,11 @@ pub fn run_to_answer<R: Send + 'static>(
     let mut ending: Option<(PyErr, Instant)> = None;
     loop {
         let heard;
-        (heard, result) = py.detach(move || (result.recv_timeout(LOOK), result));
+        (heard, result) = py.detach(move || (result.recv_timeout(CHECK_INTERVAL), result));
         match heard {
             Ok(done) => return Ok(Ended::Done(done?, ending.map(|(raised, _)| raised))),
             Err(RecvTimeoutError::Timeout) => {
-                let again = look(py).and_then(|()| watch()).err();
+                let again = check_signals(py).and_then(|()| watch()).err();
                 ending = match (ending, again) {
                     (None, None) => None,
                     (None, Some(raised)) => {
@@ -138,11 +138,11 @@ pub fn run_to_answer<R: Send + 'static>(
                         let until = Instant::now() + patience(&raised);
                         Some((raised, until))
                     }
-                    (Some((first, _)), Some(_)) => return Ok(Ended::Left(first)),
+                    (Some((first, _)), Some(_)) => return Ok(Ended::Abandoned(first)),
                     (ending, None) => ending,
                 };
                 if let Some((raised, _)) = ending.take_if(|(_, until)| Instant::now() >= *until) {
-                    return Ok(Ended::Left(raised));
+                    return Ok(Ended::Abandoned(raised));
                 }
             }
             Err(RecvTimeoutError::Disconnected) => {
@@ -155,7 +155,7 @@ pub fn run_to_answer<R: Send + 'static>(
 }
 
 /// Runs pending handlers of signals, and raises exceptions that other threads sent to this one.
-pub fn look(py: Python<'_>) -> PyResult<()> {
+pub fn check_signals(py: Python<'_>) -> PyResult<()> {
     py.check_signals()?;
     py.run(c"pass", None, None)
 }

@@ -312,7 +312,7 @@ impl<'a> CrossValidation<'a> {
         for other in &self.compared {
             let law = other.law;
             let unfitted = HeldOut::as_it_stands(&other.setup, table, follow)?;
-            all.push((format!("{law}, {}", other.as_it_stands), unfitted));
+            all.push((format!("{law}, {}", other.unfitted_label), unfitted));
             let fitted = held_out(&other.setup, table, &other.plan, folds, follow)?;
             all.push((format!("{law}, all coefficients fitted"), fitted));
         }
@@ -355,7 +355,7 @@ const AS_SET_UP: &str = "as the setup has it";
 struct ComparedLaw<'a> {
     law: &'a str,
     /// The label of the law without a fit.
-    as_it_stands: &'static str,
+    unfitted_label: &'static str,
     setup: Setup<f64>,
     plan: FitPlan,
 }
@@ -364,7 +364,7 @@ impl<'a> ComparedLaw<'a> {
     fn new(setup: &Setup<f64>, law: &'a str, plan: &FitPlan) -> Result<Self> {
         let mut other = *setup;
         other.set_law(law)?;
-        let as_it_stands = if law == setup.law.name() {
+        let unfitted_label = if law == setup.law.name() {
             AS_SET_UP
         } else {
             "as published"
@@ -386,7 +386,7 @@ impl<'a> ComparedLaw<'a> {
         };
         Ok(Self {
             law,
-            as_it_stands,
+            unfitted_label,
             setup: other,
             plan,
         })

@@ -3,7 +3,7 @@
 use crate::command::args::{OptimizeArgs, SwingsArgs};
 use crate::command::interrupt;
 use crate::command::output::Answer;
-use crate::command::ranges::{DefaultRanges, held};
+use crate::command::ranges::{DefaultRanges, kept};
 use crate::command::request::Request;
 use crate::command::swings::{optimize_and_write, search_with_defaults};
 use crate::parameters::Parameter;
@@ -98,10 +98,10 @@ pub fn run(args: &Args) -> Result<Answer> {
         vec![]
     };
     interrupt::ends();
-    let held = held(&optimum.search.vary, || {
+    let kept = kept(&optimum.search.vary, || {
         Ok(DefaultRanges::new(usual_vary(&found.setup)?, &request))
     })?;
-    let origin = request.origin().with_held(&held, &found.setup);
+    let origin = request.origin().with_held(&kept, &found.setup);
     let designed = Designed {
         design: &design,
         setup: &found.setup,

@@ -33,7 +33,7 @@ impl OutputRule {
             inputs: inputs
                 .into_iter()
                 .filter(|path| !is_in_memory(path))
-                .filter_map(|path| located(&path))
+                .filter_map(|path| canonical(&path))
                 .collect(),
             overwrite,
         }
@@ -42,7 +42,7 @@ impl OutputRule {
     /// Also protects another output of the command from being replaced.
     #[must_use]
     pub fn and_not(mut self, output: Option<&Path>) -> Self {
-        self.inputs.extend(output.and_then(located));
+        self.inputs.extend(output.and_then(canonical));
         self
     }
 
@@ -108,7 +108,7 @@ impl OutputRule {
         }
         let Some(found) = found else {
             in_a_folder(path)?;
-            self.refuse_input(path, &located(path).unwrap_or_else(|| path.into()))?;
+            self.refuse_input(path, &canonical(path).unwrap_or_else(|| path.into()))?;
             return Ok(Destination {
                 shown: path.into(),
                 path: path.into(),
@@ -510,7 +510,7 @@ fn in_a_folder(path: &Path) -> Result<()> {
 }
 
 /// The canonical path of a file that exists or will be made.
-fn located(path: &Path) -> Option<PathBuf> {
+fn canonical(path: &Path) -> Option<PathBuf> {
     fs::canonicalize(path).ok().or_else(|| {
         Some(
             fs::canonicalize(folder_of(path))

@@ -22,7 +22,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let setup = request.for_many(setup, &search.vary)?;
     let output = args.destination(&request)?;
     let mut optima = args.optima(&setup, &search)?;
-    if let Some(set_up) = request.set_up_without_starts(&setup) {
+    if let Some(set_up) = request.before_starts(&setup) {
         optima.best = optima.best.compared_with(set_up);
     }
     let best = &optima.best;

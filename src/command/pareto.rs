@@ -102,7 +102,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         setup,
         found,
         mut warnings,
-    } = followed(&request, &args.goals)?;
+    } = follow_front(&request, &args.goals)?;
     let written = match &output {
         Some(output) => output.write(&found, &request, &mut warnings)?,
         None => None,
@@ -128,7 +128,7 @@ pub fn draw(setup_args: &SetupArgs, args: &GoalArgs, drawing: &PictureArgs) -> R
     let target = PlotDestination::new(&request, drawing)?;
     let FollowedFront {
         found, warnings, ..
-    } = followed(&request, args)?;
+    } = follow_front(&request, args)?;
     if found.interrupted {
         let message = "stopped before the whole front was found".into();
         return Err(Error::NotConverged {
@@ -136,7 +136,7 @@ pub fn draw(setup_args: &SetupArgs, args: &GoalArgs, drawing: &PictureArgs) -> R
             message,
         });
     }
-    target.put(request.is_json, &pareto_figure(&found, system()), warnings)
+    target.write(request.is_json, &pareto_figure(&found, system()), warnings)
 }
 
 /// The front, with warnings about the setup and its drives.
@@ -146,7 +146,7 @@ struct FollowedFront {
     warnings: Vec<Message>,
 }
 
-fn followed(request: &Request, args: &GoalArgs) -> Result<FollowedFront> {
+fn follow_front(request: &Request, args: &GoalArgs) -> Result<FollowedFront> {
     args.swings.refuse_stray()?;
     let (setup, search) = if args.swings.is_given() {
         over_swings(request, args)?

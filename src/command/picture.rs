@@ -84,11 +84,14 @@ pub struct PlotDestination<'a> {
 impl<'a> PlotDestination<'a> {
     /// The checked destination of a plot of this request.
     pub fn new(request: &Request, drawing: &'a PictureArgs) -> Result<Self> {
-        Self::beside(request.inputs(), drawing)
+        Self::for_inputs(request.inputs(), drawing)
     }
 
     /// The checked destination of a plot, for a command that reads the files `inputs`.
-    pub fn beside(inputs: impl Iterator<Item = PathBuf>, drawing: &'a PictureArgs) -> Result<Self> {
+    pub fn for_inputs(
+        inputs: impl Iterator<Item = PathBuf>,
+        drawing: &'a PictureArgs,
+    ) -> Result<Self> {
         let format = PlotFormat::of(&drawing.output)?;
         let look = [
             ("`dark`", drawing.dark),
@@ -117,7 +120,7 @@ impl<'a> PlotDestination<'a> {
 
     /// Writes the plot; `of_optima` are the warnings about its optima, in addition to the warnings
     /// about the setup's drive.
-    pub fn written(
+    pub fn write_with_setup(
         &self,
         request: &Request,
         setup: &Setup<f64>,
@@ -126,11 +129,11 @@ impl<'a> PlotDestination<'a> {
     ) -> Result<Answer> {
         let mut warnings = setup.drive_warnings(&[]);
         warnings.extend(of_optima);
-        self.put(request.is_json, figure, warnings)
+        self.write(request.is_json, figure, warnings)
     }
 
     /// Writes the plot and reports the warnings about its drives.
-    pub fn put(&self, is_json: bool, figure: &Figure, of_drives: Vec<Message>) -> Result<Answer> {
+    pub fn write(&self, is_json: bool, figure: &Figure, of_drives: Vec<Message>) -> Result<Answer> {
         let drawing = self.drawing;
         warn(of_drives);
         let look = Look {

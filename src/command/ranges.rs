@@ -27,12 +27,12 @@ pub fn varied(
 ///
 /// # Errors
 /// The errors of `usual`.
-pub fn held(
+pub fn kept(
     given: &[String],
     usual: impl FnOnce() -> Result<DefaultRanges>,
 ) -> Result<Vec<&'static Parameter>> {
     match given {
-        [] => Ok(usual()?.held),
+        [] => Ok(usual()?.kept),
         _ => Ok(vec![]),
     }
 }
@@ -51,8 +51,8 @@ impl Request {
         setup: &Setup<f64>,
         usual: impl FnOnce(&Self, &Setup<f64>) -> Result<DefaultRanges>,
     ) -> Result<SetupOrigin> {
-        let held = held(given, || usual(self, setup))?;
-        Ok(self.origin_of_search(vary).with_held(&held, setup))
+        let kept = kept(given, || usual(self, setup))?;
+        Ok(self.origin_of_search(vary).with_held(&kept, setup))
     }
 }
 
@@ -74,18 +74,18 @@ impl SwingsArgs {
 pub struct DefaultRanges {
     vary: Vec<Vary>,
     /// The parameters that the request states.
-    held: Vec<&'static Parameter>,
+    kept: Vec<&'static Parameter>,
 }
 
 impl DefaultRanges {
     /// Separates the parameters to vary from the parameters that the request states.
     pub fn new(ranges: Vec<Vary>, request: &Request) -> Self {
-        let (held, vary): (Vec<_>, Vec<_>) = ranges
+        let (kept, vary): (Vec<_>, Vec<_>) = ranges
             .into_iter()
             .partition(|range| request.states(range.parameter));
         Self {
             vary,
-            held: held.into_iter().map(|range| range.parameter).collect(),
+            kept: kept.into_iter().map(|range| range.parameter).collect(),
         }
     }
 
@@ -122,7 +122,7 @@ impl DefaultRanges {
         if !self.vary.is_empty() {
             return None;
         }
-        let names: Vec<_> = self.held.iter().map(|parameter| parameter.name).collect();
+        let names: Vec<_> = self.kept.iter().map(|parameter| parameter.name).collect();
         Some(match names.as_slice() {
             [] => "the drive is given by its launch, so there is no loft and no attack angle to \
                    vary; give the parameters of the launch to vary, for example `vary \

@@ -386,7 +386,7 @@ impl Args {
             let along = Vary::read(setup, given)?;
             let search = self
                 .search
-                .search_beside(request, setup, Some(along.parameter))?;
+                .search_of_chart(request, setup, Some(along.parameter))?;
             return Ok(ReportSearch {
                 search,
                 along: Some(along),

@@ -23,11 +23,11 @@ impl SearchArgs {
     /// The search. By default it varies loft and attack angle, except for a parameter that the
     /// request states.
     pub fn search(&self, request: &Request, setup: &Setup<f64>) -> Result<Search> {
-        self.search_beside(request, setup, None)
+        self.search_of_chart(request, setup, None)
     }
 
     /// The search of a chart along the parameter `along`. The default ranges omit this parameter.
-    pub fn search_beside(
+    pub fn search_of_chart(
         &self,
         request: &Request,
         setup: &Setup<f64>,

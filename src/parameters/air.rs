@@ -117,7 +117,7 @@ pub(crate) fn follows_from(name: &str, other: &str) -> bool {
 
 /// Advice for the end of a sentence: the parameters that may replace the parameter `name`. Empty if
 /// none can replace it.
-pub(super) fn instead(name: &str) -> String {
+pub(super) fn replacement_advice(name: &str) -> String {
     replacing(name).map_or_else(String::new, |alternatives| {
         format!(
             ", or also give the parameters that determine it: {}",

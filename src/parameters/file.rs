@@ -119,11 +119,11 @@ impl SetupFile {
                 .map_err(|(at, source)| in_file(text, file, at, source))?;
         }
         refuse_conflicts(&setup, &items, text, file)?;
-        Self::summarised(setup, &items, text, file)
+        Self::from_items(setup, &items, text, file)
     }
 
     /// The contents of a file with these items.
-    fn summarised(setup: Setup<f64>, items: &[Item<'_>], text: &str, file: &str) -> Result<Self> {
+    fn from_items(setup: Setup<f64>, items: &[Item<'_>], text: &str, file: &str) -> Result<Self> {
         let preset = items
             .iter()
             .find(|item| item.key == PRESET)

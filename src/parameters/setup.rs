@@ -1,4 +1,4 @@
-use super::air::{instead, is_reset};
+use super::air::{is_reset, replacement_advice};
 use super::choices::{GOLFER, Golfer, METHOD, Method, SPEED_OF, SpeedOf};
 use super::declare::{Kind, Parameter, Slot, is_unset};
 use super::law_table::{LawTable, TABLE, TABLE_LAW};
@@ -72,7 +72,10 @@ impl Parameter {
     }
 
     fn needs_a_value(&self) -> Error {
-        let source = format!("it cannot be unset; give it a value{}", instead(self.name));
+        let source = format!(
+            "it cannot be unset; give it a value{}",
+            replacement_advice(self.name)
+        );
         Error::unreadable(self.name, source)
     }
 

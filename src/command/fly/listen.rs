@@ -1,7 +1,7 @@
 //! Flies shots that arrive over the network.
 
 use super::args::Args;
-use super::request::{followed, requested_outcomes, setup};
+use super::request::{flying_within_tolerance, requested_outcomes, setup};
 use crate::batch::Status;
 use crate::command::interrupt;
 use crate::command::listener::Listener;
@@ -57,7 +57,7 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
     let setup = setup(&request, "the messages")?;
     request.refuse_replaced(&setup, &[])?;
     let of = requested_outcomes(args)?;
-    let flying = followed(&request, &setup, &of, |setup| {
+    let flying = flying_within_tolerance(&request, &setup, &of, |setup| {
         Flying::of_messages(setup, &of)
     })?;
     warn(setup.warnings());

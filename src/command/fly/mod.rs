@@ -24,7 +24,7 @@ use crate::table::{ASSUMED_UNITS, CONDITIONS, RowFilter};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use args::FlyFormat;
-use request::{followed, requested_outcomes, setup};
+use request::{flying_within_tolerance, requested_outcomes, setup};
 use std::path::Path;
 use target::{destination, format_of};
 
@@ -96,7 +96,8 @@ fn fly(args: &Args) -> Result<Answer> {
 /// shots were measured.
 fn flying(request: &Request, setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Flying> {
     request.refuse_replaced(setup, shots.further())?;
-    let mut flying = followed(request, setup, of, |setup| Flying::new(setup, shots, of))?;
+    let mut flying =
+        flying_within_tolerance(request, setup, of, |setup| Flying::new(setup, shots, of))?;
     flying.is_on_their_ground = request.gives_ground();
     Ok(flying)
 }

@@ -28,7 +28,7 @@ pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
 }
 
 /// The flights of the shots, with the method and step that [`Request::integration`] chooses.
-pub fn followed(
+pub fn flying_within_tolerance(
     request: &Request,
     setup: &Setup<f64>,
     of: &[Outcome],

@@ -33,7 +33,7 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
         )?);
     }
     let figure = fairway_figure(&landings, system());
-    target.written(
+    target.write_with_setup(
         &request,
         &setup,
         &figure,
@@ -53,7 +53,7 @@ pub fn launches(args: &PlotSearch) -> Result<Answer> {
     let map = Launches::around(&drives)?;
     spinner.finish();
     let figure = launches_figure(&map, system());
-    target.written(
+    target.write_with_setup(
         &request,
         &setup,
         &figure,
@@ -69,7 +69,7 @@ pub fn face(setup_args: &SetupArgs, drawing: &PictureArgs) -> Result<Answer> {
     let spinner = spinner("computing strikes");
     let face = Face::of(&setup)?;
     spinner.finish();
-    target.written(&request, &setup, &face_figure(&face, system()), vec![])
+    target.write_with_setup(&request, &setup, &face_figure(&face, system()), vec![])
 }
 
 pub fn strikes(args: &PlotStrike) -> Result<Answer> {
@@ -80,7 +80,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     let inputs = request
         .inputs()
         .chain(after.iter().flat_map(Request::inputs));
-    let target = PlotDestination::beside(inputs, &args.drawing)?;
+    let target = PlotDestination::for_inputs(inputs, &args.drawing)?;
     if let (Some(_), Some(option)) = (&after, args.search.given().next()) {
         let source = "`after` gives the other design, so no optimum is searched for; leave one of the two \
              out";
@@ -93,7 +93,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
             refuse_launch(&other, &target)?;
             let setup = request.for_many(request.setup()?, &[])?;
             refuse_other_hand(&setup, &other, &target)?;
-            let differs = beside_the_club(&setup, &other);
+            let differs = other_differences(&setup, &other);
             (setup, Some((["before", "after"], other)), differs)
         }
         None => {
@@ -120,7 +120,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         doing: "draw",
         what: "design",
     })?;
-    target.written(&request, &setup, &figure, of_other)
+    target.write_with_setup(&request, &setup, &figure, of_other)
 }
 
 /// Refuses a drive given by its launch, because such a drive has no club face.
@@ -153,7 +153,7 @@ fn refuse_other_hand(
 }
 
 /// A warning if two designs differ in more than the club.
-fn beside_the_club(before: &Setup<f64>, after: &Setup<f64>) -> Vec<Message> {
+fn other_differences(before: &Setup<f64>, after: &Setup<f64>) -> Vec<Message> {
     let names = causes(before, after)
         .into_iter()
         .map(Cause::name)

@@ -72,7 +72,7 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
         }
         error => error,
     })?;
-    target.written(&request, &setup, &figure, vec![])
+    target.write_with_setup(&request, &setup, &figure, vec![])
 }
 
 fn contour(args: &PlotSearch) -> Result<Answer> {
@@ -110,7 +110,7 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
         best,
         region: region.as_ref(),
     };
-    target.written(&request, &setup, &map_figure(&map, &on, system()), of_best)
+    target.write_with_setup(&request, &setup, &map_figure(&map, &on, system()), of_best)
 }
 
 /// The [`Map`] around an optimum, or around the setup if the search finds none.
@@ -153,7 +153,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let along = Vary::read(&setup, &args.along)?;
     let search = args
         .search
-        .search_beside(&request, &setup, Some(along.parameter))?;
+        .search_of_chart(&request, &setup, Some(along.parameter))?;
     request.refuse_stated_with_default(&[along.parameter], "`along` gives its values")?;
     let shown = shown_curve(args, &search)?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
@@ -169,7 +169,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let own = Some(&own).filter(|own| own.solution.status == Status::Converged);
     let figures = chart_figures(&chart, own, system());
     let figure = figure_of(&figures, &search, shown, &target)?;
-    target.written(&request, &setup, figure, chart.warnings())
+    target.write_with_setup(&request, &setup, figure, chart.warnings())
 }
 
 /// Counts the points of a chart in a progress bar.
@@ -210,13 +210,13 @@ fn figure_of<'a>(
     shown: Option<&'static Parameter>,
     target: &PlotDestination<'_>,
 ) -> Result<&'a Figure> {
-    let mut held = figures.at_bound.iter();
-    if let Some((_, why)) = held.find(|(vary, _)| Some(vary.parameter) == shown) {
+    let mut kept = figures.at_bound.iter();
+    if let Some((_, why)) = kept.find(|(vary, _)| Some(vary.parameter) == shown) {
         return Err(target.refused(format!("it does not change: {why}")));
     }
     let moves = |vary: &&Vary| {
-        let mut held = figures.at_bound.iter();
-        held.all(|(held, _)| held.parameter != vary.parameter)
+        let mut kept = figures.at_bound.iter();
+        kept.all(|(kept, _)| kept.parameter != vary.parameter)
     };
     let place = search
         .vary
@@ -251,12 +251,13 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
         );
         return Err(target.refused(reason));
     };
-    target.written(&request, &setup, &figure, vec![])
+    target.write_with_setup(&request, &setup, &figure, vec![])
 }
 
 fn difference(args: &PlotCompare) -> Result<Answer> {
     let requests = args.pair.requests()?;
-    let target = PlotDestination::beside(requests.iter().flat_map(Request::inputs), &args.drawing)?;
+    let target =
+        PlotDestination::for_inputs(requests.iter().flat_map(Request::inputs), &args.drawing)?;
     let of = Outcome::named(&args.of)?;
     let comparison = args.pair.comparison(&requests)?;
     if !comparison.differs() {
@@ -264,7 +265,7 @@ fn difference(args: &PlotCompare) -> Result<Answer> {
     }
     let warnings = warnings(&comparison);
     let figure = difference_figure(&comparison.of(of)?, system());
-    target.put(args.pair.setup_args.json, &figure, warnings)
+    target.write(args.pair.setup_args.json, &figure, warnings)
 }
 
 fn vcurve(args: &PlotVcurve) -> Result<Answer> {
@@ -290,7 +291,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
             .iter()
             .find(|row| row.of == of && row.parameter == parameter)
     };
-    target.written(
+    target.write_with_setup(
         &request,
         &setup,
         &vcurve_figure(
@@ -329,7 +330,7 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
     } else {
         requested.into_iter().map(named).collect()
     }?;
-    target.put(
+    target.write(
         args.json,
         &laws_figure(&laws, &setup, args.over, constant, args.show),
         vec![],

@@ -122,14 +122,14 @@ impl Request {
         }
         // reset parameters with the value `none`, without the check of `set`: the parameters that
         // then determine their values may be columns of a table
-        let (taken_back, settings): (Vec<_>, Vec<_>) =
+        let (resets, settings): (Vec<_>, Vec<_>) =
             settings.into_iter().partition(|setting| setting.is_reset());
         setup.set_all(
             settings
                 .iter()
                 .map(|setting| (setting.parameter.as_str(), setting.value.as_str())),
         )?;
-        for setting in taken_back {
+        for setting in resets {
             setup.reset(setup.parameter(&setting.parameter)?);
         }
         for setting in launch {
@@ -164,7 +164,7 @@ impl Request {
     /// The setup of the request with method and step of the setup `searched`, but without the start
     /// values that [`with_starts`](Self::with_starts) added. `None` if no start value was added, or
     /// if the setup is incomplete without them.
-    pub fn set_up_without_starts(&self, searched: &Setup<f64>) -> Option<Setup<f64>> {
+    pub fn before_starts(&self, searched: &Setup<f64>) -> Option<Setup<f64>> {
         let mut set_up = self.partial_setup;
         set_up.method = searched.method;
         set_up.flight.step = searched.flight.step;

@@ -171,10 +171,10 @@ fn write_rows(
     let total = points.rows();
     let bar = bar("drives");
     bar.set_length(total);
-    bar.set_position(output.safe());
+    bar.set_position(output.recorded_rows());
     bar.reset_eta();
     let run = Run {
-        first_row: output.safe(),
+        first_row: output.recorded_rows(),
         threads: args.threads,
         stop: Some(stop),
         ..Run::default()
@@ -204,7 +204,7 @@ fn stopped(summary: &SweepSummary, part: Option<&Path>, output: &SweepOutput<'_>
             "stopped: {drives}; the rows so far are in {}; the same command with `resume` \
              continues after {}",
             part.display(),
-            counted(output.safe(), "row")
+            counted(output.recorded_rows(), "row")
         ),
         None => format!("stopped: {drives}; a sweep with `output FILE` can be resumed"),
     }

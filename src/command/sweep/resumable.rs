@@ -35,7 +35,7 @@ pub struct ResumableFile<'a> {
     /// The rows in the file.
     written: WrittenRows,
     /// Number of rows in the journal. A resumed sweep continues after these rows.
-    pub safe: u64,
+    pub recorded_rows: u64,
     /// Number of blocks since the last line of the journal.
     since: u64,
     /// Time of the last line of the journal.
@@ -71,7 +71,7 @@ pub fn refuse_unfinished_sweep(path: &Path, resume: bool, overwrite: bool) -> Re
                 &part,
                 "it exists, and it is not known which sweep wrote it; move it away",
             )),
-            (_, true) => Err(nothing_left(path)),
+            (_, true) => Err(nothing_to_resume(path)),
             _ => Ok(()),
         };
     }
@@ -89,7 +89,7 @@ pub fn refuse_unfinished_sweep(path: &Path, resume: bool, overwrite: bool) -> Re
     Ok(())
 }
 
-fn nothing_left(path: &Path) -> Error {
+fn nothing_to_resume(path: &Path) -> Error {
     let reason = format!(
         "there is nothing to resume, because {} does not exist: the file is complete, or no sweep \
          wrote it; `overwrite` replaces it",
@@ -140,7 +140,7 @@ impl<'a> ResumableFile<'a> {
             journal,
             formatter,
             written: WrittenRows::default(),
-            safe: 0,
+            recorded_rows: 0,
             since: 0,
             last: None,
             #[cfg(feature = "parquet")]
@@ -167,7 +167,7 @@ impl<'a> ResumableFile<'a> {
         let Some((journal, earlier, entries)) =
             Journal::open(path, |entry| entry.bytes <= length).map_err(unusable)?
         else {
-            return Err(nothing_left(path));
+            return Err(nothing_to_resume(path));
         };
         if let Some(part) = identity.difference(&earlier) {
             let reason = format!(
@@ -185,15 +185,18 @@ impl<'a> ResumableFile<'a> {
         let mut kept = Self::at_the_beginning(path, file, journal, formatter);
         if let Some(last) = entries.last() {
             kept.written = last.clone();
-            kept.safe = kept.rows();
+            kept.recorded_rows = kept.rows();
         }
         #[cfg(feature = "parquet")]
         if let RowFormatter::Parquet(table) = formatter {
             kept.restore_groups(table, &entries)?;
         }
         kept.cut().map_err(unusable)?;
-        note(&format!("resuming after {}", counted(kept.safe, "row")));
-        if kept.safe == 0 {
+        note(&format!(
+            "resuming after {}",
+            counted(kept.recorded_rows, "row")
+        ));
+        if kept.recorded_rows == 0 {
             kept.append(&kept.formatter.head())?;
         }
         Ok(kept)
@@ -319,7 +322,7 @@ impl<'a> ResumableFile<'a> {
             .sync_data()
             .and_then(|()| self.journal.add(&entry))
             .map_err(|error| self.failed(&error))?;
-        (self.safe, self.since, self.last) = (self.rows(), 0, Some(Instant::now()));
+        (self.recorded_rows, self.since, self.last) = (self.rows(), 0, Some(Instant::now()));
         Ok(())
     }
 }

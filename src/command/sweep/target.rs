@@ -118,9 +118,9 @@ impl<'a> SweepOutput<'a> {
 
     /// Number of rows after which a sweep continues: those that the journal records. Always 0 for a
     /// stream.
-    pub fn safe(&self) -> u64 {
+    pub fn recorded_rows(&self) -> u64 {
         match self {
-            Self::Resumable(file) => file.safe,
+            Self::Resumable(file) => file.recorded_rows,
             Self::Stream { .. } => 0,
         }
     }

@@ -129,21 +129,21 @@ fn step(knots: &[f64], i: usize) -> (f64, f64) {
 fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells: &mut [Cell]) {
     let columns = x.len();
     // slopes by x, by y, and by both
-    let [by_x, up, twisted, diagonal] = work;
+    let [by_x, by_y, by_xy, diagonal] = work;
     for (which, table) in tables.into_iter().enumerate() {
         for row in 0..y.len() {
             slopes(x, table, by_x, diagonal, |i| row * columns + i);
         }
         for column in 0..columns {
-            slopes(y, table, up, diagonal, |i| i * columns + column);
-            slopes(y, by_x, twisted, diagonal, |i| i * columns + column);
+            slopes(y, table, by_y, diagonal, |i| i * columns + column);
+            slopes(y, by_x, by_xy, diagonal, |i| i * columns + column);
         }
         for (place, cell) in cells.iter_mut().enumerate() {
             let (row, column) = (place / steps(x.len()), place % steps(x.len()));
             let ((corner, wide), (low, high)) = (step(x, column), step(y, row));
             // a single grid line is the first and the last line of its cells
             let ends = |first: usize, count: usize| [first, (first + 1).min(count - 1)];
-            let part = |slope: f64, width: f64| {
+            let scaled = |slope: f64, width: f64| {
                 if width.is_finite() {
                     slope * width
                 } else {
@@ -155,18 +155,18 @@ fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells:
                 let places = ends(column, columns).map(|column| row * columns + column);
                 cubic(
                     places.map(|at| values[at]),
-                    places.map(|at| part(slopes[at], wide)),
+                    places.map(|at| scaled(slopes[at], wide)),
                 )
             };
             let rows = ends(row, y.len());
             let values = rows.map(|row| along(table, by_x, row));
-            let slopes = rows.map(|row| along(up, twisted, row));
+            let slopes = rows.map(|row| along(by_y, by_xy, row));
             [cell[0], cell[1], cell[2], cell[3]] = [corner, 1.0 / wide, low, 1.0 / high];
             for power in 0..4 {
                 let first = 4 + 16 * which + 4 * power;
                 let found = cubic(
                     values.map(|v| v[power]),
-                    slopes.map(|s| part(s[power], high)),
+                    slopes.map(|s| scaled(s[power], high)),
                 );
                 cell[first..first + 4].copy_from_slice(&found);
             }
@@ -203,19 +203,19 @@ fn slopes(
         return;
     }
     let per = |i: usize| 1.0 / (knots[i + 1] - knots[i]);
-    let pull = |i: usize| 3.0 * (values[place(i + 1)] - values[place(i)]) * per(i) * per(i);
+    let right_side = |i: usize| 3.0 * (values[place(i + 1)] - values[place(i)]) * per(i) * per(i);
     // tridiagonal system for the slopes m, row i: per(i−1) m(i−1) + 2 (per(i−1) + per(i)) m(i) +
-    // per(i) m(i+1) = pull(i−1) + pull(i), without the terms of missing neighbours
+    // per(i) m(i+1) = right_side(i−1) + right_side(i), without the terms of missing neighbours
     for i in 0..count - 1 {
         for at in [i, i + 1] {
             diagonal[at] += 2.0 * per(i);
-            slopes[place(at)] += pull(i);
+            slopes[place(at)] += right_side(i);
         }
     }
     for i in 1..count {
-        let part = per(i - 1) / diagonal[i - 1];
-        diagonal[i] -= part * per(i - 1);
-        slopes[place(i)] -= part * slopes[place(i - 1)];
+        let multiplier = per(i - 1) / diagonal[i - 1];
+        diagonal[i] -= multiplier * per(i - 1);
+        slopes[place(i)] -= multiplier * slopes[place(i - 1)];
     }
     for i in (0..count).rev() {
         let next = if i + 1 < count {
