@@ -269,15 +269,15 @@ impl Destination {
         format!("{} is not written: {why}", self.shown.display()).into()
     }
 
-    /// The file on disk.
+    /// The file on disk, with links resolved.
     pub fn file(&self) -> Option<&Path> {
         (self.kind == DestinationKind::File).then_some(&self.path)
     }
 
-    /// The file on disk, or the device.
-    pub fn path_on_disk(&self) -> Option<&Path> {
+    /// The name of a file on disk or of a device, for messages.
+    pub fn shown_on_disk(&self) -> Option<&Path> {
         let is_on_disk = matches!(self.kind, DestinationKind::File | DestinationKind::Device);
-        is_on_disk.then_some(&self.path)
+        is_on_disk.then_some(&self.shown)
     }
 
     /// Writes the complete file.

@@ -235,7 +235,7 @@ fn written(
 /// The note about an interruption: the number of rows before it, and the state of the file.
 fn stopped(tally: &ShotStatistics, destination: &Destination) -> String {
     let rows = counted(tally.rows, "row");
-    match destination.path_on_disk() {
+    match destination.shown_on_disk() {
         Some(file) => format!("stopped after {rows}; {} is not written", file.display()),
         None => format!("stopped after {rows}"),
     }
@@ -275,7 +275,7 @@ fn answer(
 ) -> Answer {
     let is_answered = stopped.is_none() && nothing.is_none();
     let file = destination
-        .path_on_disk()
+        .shown_on_disk()
         .filter(|_| stopped.is_none())
         .map(|file| file.display().to_string());
     let mut report = ShotsReport::new(tally, source, file, remarks);
@@ -297,7 +297,7 @@ fn answer(
     for message in stopped.iter().chain(&nothing) {
         crate::command::output::say_error(message);
     }
-    let answer = match destination.path_on_disk() {
+    let answer = match destination.shown_on_disk() {
         Some(file) if is_answered => Answer::text(format!("{text}wrote {}\n", file.display())),
         // standard output already has the rows
         None if destination.kind != DestinationKind::Nowhere => {

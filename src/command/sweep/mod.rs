@@ -119,7 +119,8 @@ fn answer(
         let reply = Reply::done("sweep", warnings(), summary);
         Answer::json(&ended(reply, is_complete, nothing))
     } else if is_complete && !is_standard_output {
-        Answer::text(summary.text(destination.file()) + "\n")
+        let file = destination.file().and(destination.shown_on_disk());
+        Answer::text(summary.text(file) + "\n")
     } else {
         Answer::text(String::new())
     };
