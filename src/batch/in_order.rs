@@ -7,7 +7,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::mpsc;
 
 /// Maximum number of chunks in flight per thread: enough that threads need not wait for `sink`.
-const UNDER_WAY: u64 = 4;
+const CHUNKS_PER_THREAD: u64 = 4;
 
 /// Maximum number of threads. More threads need longer to start than they save.
 const MOST_THREADS: usize = 256;
@@ -38,7 +38,7 @@ pub(crate) fn in_order<T: Send, R: Send>(
         .num_threads(threads.min(MOST_THREADS))
         .build()
         .map_err(not_started)?;
-    let most = UNDER_WAY * pool.current_num_threads() as u64;
+    let most = CHUNKS_PER_THREAD * pool.current_num_threads() as u64;
     pool.in_place_scope(|scope| {
         let (finished, results) = mpsc::channel();
         let mut waiting = BTreeMap::new();

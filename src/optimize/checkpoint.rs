@@ -90,7 +90,7 @@ impl Checkpoint {
     }
 
     /// Saved state of search `number`; `None` if nothing was saved.
-    pub fn run(&self, number: usize) -> Option<SavedSearch> {
+    pub fn saved(&self, number: usize) -> Option<SavedSearch> {
         self.lock().runs.get(&number).cloned()
     }
 

@@ -11,14 +11,14 @@ const GROWTH: f64 = 4.0;
 const MOST_RAISES: u32 = 15;
 /// Curvature added along the active normals before a reflection, relative to the Hessian's size. It
 /// separates the eigenvalues of the active normals from the eigenvalues of the tangents.
-const APART: f64 = 100.0;
+const SEPARATION: f64 = 100.0;
 
 /// Result of the convexification.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Convexified {
     /// Curvature added along each active unit normal before a reflection; 0 if none was added, or
     /// if no eigenvalue was reflected.
-    pub raise: f64,
+    pub added_curvature: f64,
     /// True if eigenvalues were reflected.
     pub is_reflected: bool,
 }
@@ -52,7 +52,7 @@ pub(super) fn convexify(
     if active.is_empty() {
         *convex = reflected(hessian.clone(), reflection);
         return Convexified {
-            raise: 0.0,
+            added_curvature: 0.0,
             is_reflected: true,
         };
     }
@@ -72,6 +72,9 @@ pub(super) fn convexify(
     for _ in 0..MOST_RAISES {
         raised(convex, raise);
         if is_positive_definite(convex) {
+            // the multipliers are not corrected: their error, the added curvature times the
+            // violation, vanishes at a solution, and with a correction problems 106 and 116 of Hock
+            // and Schittkowski end less accurately
             return Convexified::default();
         }
         raise *= GROWTH;
@@ -79,14 +82,14 @@ pub(super) fn convexify(
     if reflection < 1.0 {
         *convex = reflected_along(hessian, &active, reflection);
         return Convexified {
-            raise: 0.0,
+            added_curvature: 0.0,
             is_reflected: true,
         };
     }
-    raised(convex, APART * size);
+    raised(convex, SEPARATION * size);
     *convex = reflected(std::mem::take(convex), reflection);
     Convexified {
-        raise: APART * size,
+        added_curvature: SEPARATION * size,
         is_reflected: true,
     }
 }

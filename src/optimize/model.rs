@@ -37,7 +37,7 @@ pub(super) struct Workspace {
 
 /// Weight of the term ½‖d‖² in the elastic program. The term makes the step of least violation
 /// unique and short.
-const SHORT: f64 = 1e-8;
+const STEP_WEIGHT: f64 = 1e-8;
 /// Slack for rounding added to relaxed inequality rows.
 const ROUNDING: f64 = 1e-12;
 
@@ -109,8 +109,8 @@ impl LagrangianModel<'_> {
             source: step.source,
             x,
         };
-        if convexified.raise > 0.0 {
-            self.correct_multipliers(convexified.raise, program, &d, &mut trial);
+        if convexified.added_curvature > 0.0 {
+            self.correct_multipliers(convexified.added_curvature, program, &d, &mut trial);
         }
         trial
     }
@@ -246,14 +246,13 @@ impl LagrangianModel<'_> {
         Some(&eigen.eigenvectors * raised * eigen.eigenvectors.transpose())
     }
 
-    /// Corrects the multipliers of active rows for the curvature `raise` that was added to the
-    /// Hessian along the active normals. This curvature adds a gradient along each active normal,
-    /// proportional to the step's component along the normal. The multipliers of the quadratic
-    /// program contain this gradient; the correction restores the multipliers of the original
-    /// model.
+    /// Corrects the multipliers of active rows for the curvature that was added to the Hessian along
+    /// the active normals. This curvature adds a gradient along each active normal, proportional to
+    /// the step's component along the normal. The multipliers of the quadratic program contain this
+    /// gradient; the correction restores the multipliers of the original model.
     fn correct_multipliers(
         &self,
-        raise: f64,
+        added_curvature: f64,
         program: &QuadraticProgram,
         d: &DVector<f64>,
         trial: &mut TrialStep,
@@ -267,7 +266,7 @@ impl LagrangianModel<'_> {
             if square == 0.0 || !is_equation && before == 0.0 {
                 continue;
             }
-            let own = before + raise * normal.dot(d) / (square * self.scaling.gamma[j]);
+            let own = before + added_curvature * normal.dot(d) / (square * self.scaling.gamma[j]);
             // a multiplier of an inequality keeps its sign
             trial.multipliers[j] = if is_equation || own * before > 0.0 {
                 own
@@ -347,8 +346,8 @@ fn zero_step(variables: usize, rows: usize) -> QpStep {
     }
 }
 
-/// Elastic program: minimises ½‖e‖² + ½ SHORT ‖d‖², with a variable eⱼ for the violation of each
-/// row and |dᵢ| at most `radius`.
+/// Elastic program: minimises ½‖e‖² + ½ STEP_WEIGHT ‖d‖², with a variable eⱼ for the violation of
+/// each row and |dᵢ| at most `radius`.
 fn elastic(program: &QuadraticProgram, radius: f64) -> QuadraticProgram {
     let (n, m) = (program.low.len(), program.rows.len());
     let wide = |j: usize| {
@@ -362,10 +361,9 @@ fn elastic(program: &QuadraticProgram, radius: f64) -> QuadraticProgram {
     };
     let farthest = program.rows.iter().map(far).fold(1.0, f64::max);
     QuadraticProgram {
-        hessian: DMatrix::from_diagonal(&DVector::from_fn(
-            n + m,
-            |i, _| if i < n { SHORT } else { 1.0 },
-        )),
+        hessian: DMatrix::from_diagonal(&DVector::from_fn(n + m, |i, _| {
+            if i < n { STEP_WEIGHT } else { 1.0 }
+        })),
         max_terms: vec![MaxTerm {
             offset: 0.0,
             gradient: DVector::zeros(n + m),

@@ -117,7 +117,7 @@ pub fn minimize_from(
         ));
     }
     let search = |(number, start): (usize, &Vec<f64>)| {
-        one(problem, domain, start, options, observers, number)
+        search_from(problem, domain, start, options, observers, number)
     };
     let solutions = match starts {
         // a single search starts no threads
@@ -128,10 +128,11 @@ pub fn minimize_from(
             .map(search)
             .collect::<Result<Vec<_>>>()?,
     };
-    Ok(collected(domain, solutions))
+    Ok(distinct_optima(domain, solutions))
 }
 
-fn one(
+/// Search `number`, resumed from the checkpoint if it was saved there.
+fn search_from(
     problem: &dyn Problem,
     domain: &Domain,
     start: &[f64],
@@ -142,7 +143,7 @@ fn one(
     let saved = observers
         .checkpoint
         .as_ref()
-        .and_then(|checkpoint| checkpoint.run(number));
+        .and_then(|checkpoint| checkpoint.saved(number));
     let resume = match saved {
         Some(SavedSearch::Done(solution)) if !solution.fits(domain) => return Err(other_problem()),
         Some(SavedSearch::Done(solution)) => {
@@ -182,7 +183,7 @@ fn one(
 }
 
 /// Groups equal results and sorts them, best first.
-fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimum> {
+fn distinct_optima(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimum> {
     let mut locals: Vec<LocalMinimum> = vec![];
     for (number, solution) in solutions.into_iter().enumerate() {
         let scale = domain.variables.scale(&solution.x);
@@ -223,17 +224,17 @@ fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimum> {
         Status::Undefined => 4,
     };
     let value = |local: &LocalMinimum| local.solution.value.unwrap_or(f64::MAX);
-    let steepest = steepest(domain, &locals);
+    let units = constraint_units(domain, &locals);
     // among infeasible points the smallest violation comes first
-    let missed = |local: &LocalMinimum| match local.solution.status {
-        Status::Infeasible => missed_by(&local.solution, &steepest),
+    let violation = |local: &LocalMinimum| match local.solution.status {
+        Status::Infeasible => squared_violation(&local.solution, &units),
         _ => 0.0,
     };
     let order = |a: &LocalMinimum, b: &LocalMinimum| {
-        let nearer = || missed(a).total_cmp(&missed(b));
+        let by_violation = || violation(a).total_cmp(&violation(b));
         rank(a)
             .cmp(&rank(b))
-            .then_with(nearer)
+            .then_with(by_violation)
             .then(value(a).total_cmp(&value(b)))
     };
     locals.sort_by(order);
@@ -242,26 +243,26 @@ fn collected(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimum> {
 
 /// Common unit for the violations of each constraint in all searches: its largest scaled derivative
 /// at the results (1 if this is 0 or unknown). The unit γ of a single search depends on its start.
-fn steepest(domain: &Domain, locals: &[LocalMinimum]) -> Vec<f64> {
-    let mut steepest = vec![0.0_f64; domain.constraints.dimension()];
+fn constraint_units(domain: &Domain, locals: &[LocalMinimum]) -> Vec<f64> {
+    let mut largest = vec![0.0_f64; domain.constraints.dimension()];
     for LocalMinimum { solution, .. } in locals {
         let scale = domain.variables.scale(&solution.x);
-        for (most, row) in steepest.iter_mut().zip(&solution.jacobian) {
+        for (most, row) in largest.iter_mut().zip(&solution.jacobian) {
             *most = most.max(largest_scaled(row, &scale));
         }
     }
-    steepest
+    largest
         .iter()
         .map(|most| if *most > 0.0 { *most } else { 1.0 })
         .collect()
 }
 
-/// Sum of squared violations of a solution, in units of `sizes`.
-fn missed_by(solution: &Solution, sizes: &[f64]) -> f64 {
+/// Sum of squared violations of a solution, in these units.
+fn squared_violation(solution: &Solution, units: &[f64]) -> f64 {
     solution
         .constraints
         .iter()
-        .zip(sizes)
-        .map(|(constrained, size)| (constrained.violation / size).powi(2))
+        .zip(units)
+        .map(|(constraint, unit)| (constraint.violation / unit).powi(2))
         .sum()
 }

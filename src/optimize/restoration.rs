@@ -10,7 +10,7 @@ use super::domain::Domain;
 use super::least_squares::{self, Rows};
 use super::options::Options;
 use super::scaling::norm;
-use super::start::spread;
+use super::start::low_discrepancy_point;
 use super::state::{Evaluate, SearchState};
 use std::cell::RefCell;
 
@@ -46,7 +46,7 @@ impl SearchState {
         self.counters.restorations += 1;
         let mut best: Option<(f64, Vec<f64>)> = None;
         for trial in 0..STARTS {
-            let start = spread(&self.scaling.domain.variables, &self.point.x, trial);
+            let start = low_discrepancy_point(&self.scaling.domain.variables, &self.point.x, trial);
             let Some((violation, x)) = self.minimize_violation(start, TOLERANCE, evaluate)? else {
                 continue;
             };
@@ -64,7 +64,8 @@ impl SearchState {
         let Some((violation, x)) = best else {
             return Ok(false);
         };
-        let first_point = |from: &[f64]| spread(&self.scaling.domain.variables, from, 0);
+        let first_point =
+            |from: &[f64]| low_discrepancy_point(&self.scaling.domain.variables, from, 0);
         if violation > options.kkt_tolerance && first_point(&x) == first_point(&self.point.x) {
             // the starting points depend on the bounds only, not on the iterate: another
             // restoration would repeat this one

@@ -5,7 +5,7 @@ use super::scaling::EvaluatedPoint;
 /// Number of other points that are compared if f is undefined at the start: the search begins at
 /// the point with the smallest f. If f is undefined at all of them, further points are tried until
 /// f is defined at one, or the limit of the options is reached.
-const CHOICE: u32 = 8;
+const MIN_COMPARED_POINTS: u32 = 8;
 
 /// Finds the first iterate: the start, or another point of the box if f is undefined at the start.
 /// Returns the iterate (`None` if no point was found), and the reason why f is undefined at the
@@ -31,10 +31,10 @@ pub(super) fn first_point(
     };
     let mut best: Option<EvaluatedPoint> = None;
     for trial in 0..trials {
-        if trial >= CHOICE && best.is_some() {
+        if trial >= MIN_COMPARED_POINTS && best.is_some() {
             break;
         }
-        let x = spread(bounds, start, trial);
+        let x = low_discrepancy_point(bounds, start, trial);
         let Some(found) = evaluate(&x) else { break };
         if let Ok(f) = found
             && best
@@ -49,8 +49,9 @@ pub(super) fn first_point(
 
 /// Point `k` of a low-discrepancy sequence: multiples, modulo 1, of powers of the inverse
 /// generalised golden ratio (Roberts 2018). The sequence covers the part of the bounds within one
-/// scale of `start`; point 0 is the centre of this part.
-pub(super) fn spread(bounds: &Bounds, start: &[f64], k: u32) -> Vec<f64> {
+/// scale of `start`; point 0 is the centre of this part. Unlike a Sobol sequence it needs no table
+/// of direction numbers, which would limit the number of variables of a search.
+pub(super) fn low_discrepancy_point(bounds: &Bounds, start: &[f64], k: u32) -> Vec<f64> {
     let n = start.len();
     let scale = bounds.scale(start);
     let golden = (0..64).fold(1.5_f64, |g, _| (1.0 + g).powf(1.0 / (n as f64 + 1.0)));

@@ -84,7 +84,8 @@ fn rounding_is_detected_from_one_side() {
 /// rounded.
 #[test]
 fn rounding_of_cancelling_parts_is_no_remainder_and_a_wrong_slope_is() {
-    let ladder = ladder(0.0, 1.0, |x| 100_001.0 * x.sin() - 100_000.0 * x.sin()).rounded_as(1e5);
+    let ladder =
+        ladder(0.0, 1.0, |x| 100_001.0 * x.sin() - 100_000.0 * x.sin()).with_rounding_size(1e5);
     for (first, expected) in [(1.0, [1.0, 3.0, 3.0]), (1.0 + 1e-6, [1.0, 1.0, 1.0])] {
         for (found, exact) in taylor_slopes(&ladder, first, 0.0)
             .map(Option::unwrap)

@@ -288,10 +288,10 @@ fn same_optima_when_some_searches_are_resumed() {
     )
     .unwrap();
     let checkpoint = Checkpoint::open(&path, "valley").unwrap();
-    let saved = (0..starts.len()).filter_map(|number| checkpoint.run(number));
+    let saved = (0..starts.len()).filter_map(|number| checkpoint.saved(number));
     let ended = saved.filter(|run| matches!(run, SavedSearch::Done(_)));
     assert_eq!(ended.count(), 3);
-    let Some(SavedSearch::Done(first)) = checkpoint.run(0) else {
+    let Some(SavedSearch::Done(first)) = checkpoint.saved(0) else {
         panic!("the first search has ended")
     };
     assert_eq!(*first, whole());

@@ -13,7 +13,7 @@ pub const FEW_STEPS: [i32; 12] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 19, 20, 21];
 pub(super) const LEAST_STEP: f64 = 1e-6;
 
 /// Smallest assumed size of a function, relative to the terms from which it is computed. For a
-/// smaller size, the required resolution ([`Demand::FIRST`](super::Demand::FIRST)) would be below
+/// smaller size, the largest tolerance of [`Demand::FIRST`](super::Demand::FIRST) would be below
 /// rounding.
 const LEAST_LEFT: f64 = 1e-5;
 
@@ -89,19 +89,19 @@ impl Ladder {
     /// Raises the assumed size of the function, and the size that determines its rounding, to at
     /// least `size`.
     #[must_use]
-    pub fn made_of(self, size: f64) -> Self {
+    pub fn with_least_size(self, size: f64) -> Self {
         Self {
             size: self.size.max(size),
             ..self
         }
-        .rounded_as(size)
+        .with_rounding_size(size)
     }
 
     /// Raises the size that determines the rounding to at least `size`, for a function that is a
     /// small difference of numbers of this size (for example spins that cancel). The assumed size
     /// of the function becomes at least 1e-5 `size`.
     #[must_use]
-    pub fn rounded_as(self, size: f64) -> Self {
+    pub fn with_rounding_size(self, size: f64) -> Self {
         Self {
             size: self.size.max(LEAST_LEFT * size),
             rounded: self.rounded.max(size),

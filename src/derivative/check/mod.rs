@@ -102,7 +102,7 @@ pub fn check(f: &dyn Fn(&[f64]) -> Option<Taylor>, x: &[f64], scale: &[f64]) -> 
             let ladders = Ladder::sample(x[i], scale[i], FEW_STEPS, &mut gradients);
             let judged = |(j, ladder): (usize, Ladder)| {
                 ladder
-                    .made_of(exact.value.abs() / scale[j])
+                    .with_least_size(exact.value.abs() / scale[j])
                     .judge(row[j], Demand::SECOND)
             };
             checked

@@ -47,7 +47,7 @@ pub struct Demand {
     pub least_tolerance: f64,
     /// Largest tolerance with which a derivative can pass, relative to the same size; `None` if
     /// there is no limit.
-    pub resolution: Option<f64>,
+    pub largest_tolerance: Option<f64>,
 }
 
 impl Demand {
@@ -55,13 +55,13 @@ impl Demand {
     /// smallest tolerance.
     pub const FIRST: Self = Self {
         least_tolerance: 1e-8,
-        resolution: Some(1e-6),
+        largest_tolerance: Some(1e-6),
     };
     /// For differences of gradients. The derivative of a gradient may jump, so the tolerance has no
     /// upper limit.
     pub const SECOND: Self = Self {
         least_tolerance: 1e-7,
-        resolution: None,
+        largest_tolerance: None,
     };
 }
 
@@ -174,8 +174,8 @@ impl Ladder {
             |found: &DerivativeEstimate| least.max(TOLERANCE_FACTOR * found.uncertainty);
         let is_resolved = |tolerance: f64| {
             demand
-                .resolution
-                .is_none_or(|resolution| tolerance <= resolution * size)
+                .largest_tolerance
+                .is_none_or(|largest| tolerance <= largest * size)
         };
         // one-sided differences apply where the derivative itself has a kink
         let estimates = [Side::Both, Side::Above, Side::Below]

@@ -112,7 +112,7 @@ impl GaussNewtonPoint {
         solver: &mut QpSolver,
     ) -> Option<ModelStep> {
         /// Largest step, in scaled units.
-        const FAR: f64 = 1e12;
+        const LONGEST_STEP: f64 = 1e12;
         let n = self.x.len();
         let size = |i: usize| if scale[i] > 0.0 { scale[i] } else { 1.0 };
         let damped = |i: usize, j: usize| {
@@ -133,7 +133,7 @@ impl GaussNewtonPoint {
         };
         let found = solver
             .solve(&program)
-            .filter(|found| found.d.amax() <= FAR)?;
+            .filter(|found| found.d.amax() <= LONGEST_STEP)?;
         let d = DVector::from_fn(n, |i, _| found.d[i] / size(i));
         let predicted_reduction = -(self.gradient.dot(&d) + 0.5 * d.dot(&(&self.curvature * &d)));
         let to = |i: usize| match found.activities[i] {

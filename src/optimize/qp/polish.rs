@@ -31,7 +31,7 @@ impl Unknowns {
     }
 
     /// Index of the equation of the first of `other_terms`.
-    fn first_term_row(&self) -> usize {
+    fn first_other_term_row(&self) -> usize {
         self.free.len()
     }
 
@@ -189,7 +189,7 @@ impl QuadraticProgram {
         let mut weights = scattered(
             self.max_terms.len(),
             &unknowns.other_terms,
-            unknowns.first_term_row(),
+            unknowns.first_other_term_row(),
         );
         weights[unknowns.first_term] = 1.0 - weights.iter().sum::<f64>();
         Some(QpStep {
@@ -224,7 +224,7 @@ impl QuadraticProgram {
         for (k, &term) in unknowns.other_terms.iter().enumerate() {
             let other = &self.max_terms[term];
             system.add_equation(
-                unknowns.first_term_row() + k,
+                unknowns.first_other_term_row() + k,
                 &unknowns.free,
                 d,
                 |i| other.gradient[i] - gradient[i],

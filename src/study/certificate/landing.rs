@@ -81,7 +81,7 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
         };
         let judge = |(i, ladder): (usize, Ladder)| {
             judged(
-                &ladder.rounded_as(sizes[i]),
+                &ladder.with_rounding_size(sizes[i]),
                 exact[i].gradient[k],
                 demand(&setup),
             )

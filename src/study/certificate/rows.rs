@@ -192,7 +192,7 @@ impl<'a> Neighbours<'a> {
         ladders
             .into_iter()
             .zip(self.of)
-            .map(|(ladder, of)| ladder.rounded_as(size(*of, self.setup, self.drive)))
+            .map(|(ladder, of)| ladder.with_rounding_size(size(*of, self.setup, self.drive)))
             .collect()
     }
 
@@ -218,8 +218,8 @@ impl<'a> Neighbours<'a> {
         let judge = |(i, gradients): (usize, Ladder)| {
             let curvature = curvatures?[i];
             let gradients = gradients
-                .made_of(values[i].size / self.scale)
-                .rounded_as(values[i].rounded / self.scale);
+                .with_least_size(values[i].size / self.scale)
+                .with_rounding_size(values[i].rounded / self.scale);
             Some(gradients.judge(curvature, Demand::SECOND))
         };
         let fails = |second: &Option<Check>| second.as_ref().is_some_and(Check::failed);
