@@ -4,15 +4,13 @@
 use super::model::lagrangian_hessian;
 use super::null_space::tangent_basis;
 use super::scaling::{EvaluatedPoint, Scaling, norm};
+use super::sensitivity::ZERO_MULTIPLIER;
 use super::state::{Evaluate, SearchState};
 use nalgebra::{DMatrix, DVector};
 
 /// Threshold for negative curvature, in units of the objective's size over the scale squared.
 /// Smaller negative curvature counts as rounding.
 const CURVATURE_ROUNDING: f64 = 1e-8;
-/// Threshold for multipliers, in units of the objective's size over the scale. Smaller multipliers
-/// count as zero.
-const ZERO_MULTIPLIER: f64 = 1e-8;
 
 /// Maximum number of attempts of a search to leave a saddle point.
 const MOST_SADDLES: u32 = 20;

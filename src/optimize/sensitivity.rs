@@ -3,6 +3,7 @@
 use super::domain::{Bounds, Domain};
 use super::null_space::tangent_basis;
 use super::problem::Evaluation;
+use super::qp::SymmetricSystem;
 use super::scaling::largest_scaled;
 use super::solution::Solution;
 use super::status::Status;
@@ -44,7 +45,7 @@ pub enum Event {
 
 /// Threshold for multipliers, relative to the size of the objective. Smaller multipliers count as
 /// zero.
-const ZERO_MULTIPLIER: f64 = 1e-9;
+pub(super) const ZERO_MULTIPLIER: f64 = 1e-9;
 /// Threshold for curvature in scaled variables, relative to the size of the objective. Smaller
 /// curvature counts as rounding.
 const ROUNDING: f64 = 1e-12;
@@ -262,12 +263,13 @@ impl KktSystem<'_> {
         }
         for (k, &j) in active.iter().enumerate() {
             for (row, &i) in free.iter().enumerate() {
-                let derivative = solution.jacobian[j][i] * scale[i] / self.row_length(j);
+                let derivative =
+                    solution.jacobian[j][i] * scale[i] / self.largest_scaled_derivative(j);
                 (matrix[(row, f + k)], matrix[(f + k, row)]) = (derivative, derivative);
             }
-            right[f + k] = -self.at.constraints[j].gradient[n] / self.row_length(j);
+            right[f + k] = -self.at.constraints[j].gradient[n] / self.largest_scaled_derivative(j);
         }
-        let change = solve_refined(matrix, &right)?;
+        let change = solve_regular(SymmetricSystem { matrix, right })?;
 
         let mut x = vec![0.0; n];
         for (row, &i) in free.iter().enumerate() {
@@ -275,14 +277,14 @@ impl KktSystem<'_> {
         }
         let mut multipliers = vec![0.0; solution.constraints.len()];
         for (k, &j) in active.iter().enumerate() {
-            multipliers[j] = change[f + k] * unit / self.row_length(j);
+            multipliers[j] = change[f + k] * unit / self.largest_scaled_derivative(j);
         }
         Ok([x, multipliers])
     }
 
     /// Largest scaled derivative of constraint j. Dividing the row of each constraint by it makes
     /// the rows comparable in size, so that a small singular value shows a singular system.
-    fn row_length(&self, j: usize) -> f64 {
+    fn largest_scaled_derivative(&self, j: usize) -> f64 {
         largest_scaled(&self.solution.jacobian[j], &self.scale).max(f64::MIN_POSITIVE)
     }
 
@@ -319,28 +321,24 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>()
 }
 
-/// Solves a system by LU with one step of iterative refinement; fails if it is singular.
-fn solve_refined(matrix: DMatrix<f64>, right: &DVector<f64>) -> Result<DVector<f64>> {
-    if matrix.is_empty() {
-        return Ok(right.clone());
-    }
-    let singular = || {
+/// Solves a KKT system; fails if it is singular.
+fn solve_regular(system: SymmetricSystem) -> Result<DVector<f64>> {
+    let is_singular = |matrix: &DMatrix<f64>| {
+        let values = matrix.singular_values();
+        values.min() <= 1e-12 * values.max()
+    };
+    let solution = if system.matrix.is_empty() || !is_singular(&system.matrix) {
+        system.solve()
+    } else {
+        None
+    };
+    solution.ok_or_else(|| {
         Error::Optimizer(
             "the optimum is not isolated (its KKT system is singular): other values of the \
              variables are equally good, so the optimum has no sensitivity; vary fewer parameters"
                 .into(),
         )
-    };
-    let values = matrix.singular_values();
-    if values.min() <= 1e-12 * values.max() {
-        return Err(singular());
-    }
-    let lu = matrix.clone().lu();
-    let first = lu.solve(right).ok_or_else(singular)?;
-    let refined = lu
-        .solve(&(right - &matrix * &first))
-        .map_or(first.clone(), |change| &first + change);
-    Ok(refined)
+    })
 }
 
 /// First change of the active set if the parameter changes by `delta`, to first order. Returns the

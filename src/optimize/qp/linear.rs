@@ -15,7 +15,7 @@ const ALIKE: f64 = 4.0;
 const INCONSISTENT: f64 = 1e-9;
 
 /// A symmetric system of linear equations.
-pub(super) struct SymmetricSystem {
+pub(in crate::optimize) struct SymmetricSystem {
     pub matrix: DMatrix<f64>,
     pub right: DVector<f64>,
 }

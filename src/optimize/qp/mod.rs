@@ -8,6 +8,7 @@ mod program;
 mod solve;
 mod working_set;
 
+pub(super) use linear::SymmetricSystem;
 pub(super) use program::quadratic_form;
 pub use program::{Activity, LinearConstraint, MaxTerm, QpStep, QuadraticProgram, StepSource};
 pub(super) use solve::QpSolver;
