@@ -107,7 +107,7 @@ pub struct FitObserver {
     /// Called at every iteration with its number and F.
     pub iteration: Option<Arc<dyn Fn(u64, f64) + Send + Sync>>,
     /// Interrupt flag: once true, the fit ends with the best point so far. It ends after the
-    /// current iteration, or during an evaluation that [checks the
+    /// current evaluation, or during an evaluation that [checks the
     /// flag](super::Residuals::evaluate).
     pub interrupt: Arc<AtomicBool>,
 }
@@ -351,7 +351,7 @@ impl FitState {
     /// Evaluates a trial point, and moves there if the sum falls. Returns true if it moved.
     ///
     /// # Errors
-    /// The verdict of the fit, if it was interrupted during the evaluation.
+    /// The verdict of the fit, if it was interrupted and has not moved.
     fn try_step(
         &mut self,
         step: ModelStep,
@@ -376,15 +376,17 @@ impl FitState {
                     return Ok(true);
                 }
             }
-            Err(_) if observer.is_interrupted() => {
-                // do not count the interrupted iteration
-                self.iterations -= 1;
-                return Err(interrupted(self.cosine, options.tolerance));
-            }
+            // the evaluation may have failed because of the interrupt
+            Err(_) if observer.is_interrupted() => {}
             Err(why) => {
                 self.rejected.count += 1;
                 self.rejected.last = Some(why);
             }
+        }
+        if observer.is_interrupted() {
+            // do not count the interrupted iteration
+            self.iterations -= 1;
+            return Err(interrupted(self.cosine, options.tolerance));
         }
         Ok(false)
     }

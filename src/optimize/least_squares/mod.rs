@@ -87,8 +87,12 @@ impl Default for FitOptions {
 
 #[cfg(test)]
 mod tests {
-    use super::{Fit, FitObserver, FitOptions, FitStatus, Residuals, Rows, fit, fit_from};
+    use super::{
+        Fit, FitObserver, FitOptions, FitStatus, Residuals, Rows, fit, fit_from, fit_observed,
+    };
     use crate::optimize::{Domain, starts};
+    use std::cell::Cell;
+    use std::sync::atomic::Ordering;
 
     /// A problem of NIST's Statistical Reference Datasets, nonlinear regression
     /// (itl.nist.gov/div898/strd/nls), with its certified parameters and residual sum of squares.
@@ -351,6 +355,27 @@ mod tests {
             "{:?}",
             found.x
         );
+    }
+
+    #[test]
+    fn a_fit_evaluates_nothing_after_an_interrupt() {
+        let (observer, evaluations) = (FitObserver::default(), Cell::new(0));
+        // the Jacobian has the wrong sign, so that every step is rejected
+        let uphill = |x: &[f64]| {
+            evaluations.set(evaluations.get() + 1);
+            let is_second = evaluations.get() >= 2;
+            observer.interrupt.store(is_second, Ordering::Relaxed);
+            Ok(Rows {
+                residuals: vec![x[0]],
+                jacobian: vec![vec![-1.0]],
+            })
+        };
+        let free = Domain::new(vec![-1e6], vec![1e6]).unwrap();
+        let options = FitOptions::default();
+        let found = fit_observed(&uphill, &free, &[1.0], &options, &observer).unwrap();
+        assert_eq!(found.status, FitStatus::Interrupted, "{}", found.message);
+        assert_eq!((evaluations.get(), found.iterations), (2, 0));
+        assert_eq!(found.x, [1.0]);
     }
 
     #[test]
