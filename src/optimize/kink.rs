@@ -33,7 +33,8 @@ const REACH: f64 = 1e-6;
 
 /// Looks for a kink at a point. A variable has a kink if the derivative by this variable changes,
 /// between two points 2·REACH apart, by much more than the curvature on either side explains.
-/// `evaluate` returns `None` where the functions are undefined; the search for a kink then ends.
+/// `evaluate` returns `None` where the functions are undefined; a variable with such a point is
+/// not tested.
 pub(super) fn find(
     scaling: &Scaling,
     at: &EvaluatedPoint,
@@ -54,7 +55,7 @@ pub(super) fn find(
             }))
         };
         let (Some(below), Some(above)) = (side(-1.0)?, side(1.0)?) else {
-            return Ok(None);
+            continue;
         };
         if is_kink(scaling, at, i, &below, &above) {
             let slope = |side: &KinkSide| side.is_inside.then_some(side.slope);

@@ -8,17 +8,19 @@ use super::options::Options;
 use super::problem::Problem;
 use super::solution::Solution;
 use super::sqp::{SearchProgress, Sqp, SqpState};
-use super::status::Status;
+use super::status::{SearchVerdict, Status};
 use crate::error::{Error, Result};
 use argmin::core::checkpointing::{Checkpoint, CheckpointingFrequency};
 use argmin::core::observers::{Observe, ObserverMode};
 use argmin::core::{Executor, KV, State};
 use std::cell::RefCell;
+use std::rc::Rc;
 
 /// Minimises a function within a domain from a start, which is first projected on the bounds.
 ///
 /// # Errors
-/// [`Error::Optimizer`] if the domain, the start or an option is invalid. A search that does not
+/// [`Error::Optimizer`] if the domain, the start or an option is invalid, or if the problem returns
+/// derivatives or constraint functions in other numbers than the domain. A search that does not
 /// converge is not an error; the [`Status`] of its solution reports it.
 pub fn minimize(
     problem: &dyn Problem,
@@ -50,17 +52,34 @@ pub fn minimize_observed(
     {
         return Err(other_problem());
     }
-    let interrupt = observer.interrupt.clone();
-    let found = run(problem, domain, start, options, observer)?;
+    let (interrupt, models) = (observer.interrupt.clone(), observer.models);
+    let show = Rc::new(RefCell::new(observer.iteration));
+    let shown = show.clone();
+    let first_run = Observer {
+        iteration: Box::new(move |iteration| (shown.borrow_mut())(iteration)),
+        ..observer
+    };
+    let found = run(problem, domain, start, options, first_run)?;
     match found.kink {
         Some(kink) if found.status == Status::StalledAtKink => {
+            let completed = found.iterations;
+            let continued = move |iteration: &Iteration| {
+                // iteration 0 is the last iterate of the first run
+                if iteration.number > 0 {
+                    (show.borrow_mut())(&Iteration {
+                        number: completed + iteration.number,
+                        ..iteration.clone()
+                    });
+                }
+            };
+            // `save` is not called: a resumed search repeats this run after the end of the first
             let observer = Observer {
+                iteration: Box::new(continued),
                 interrupt,
+                models,
                 ..Observer::default()
             };
-            Ok(fix_on_bound(
-                problem, domain, options, observer, found, kink,
-            ))
+            fix_on_bound(problem, domain, options, observer, found, kink)
         }
         _ => Ok(found),
     }
@@ -126,9 +145,9 @@ fn run(
 }
 
 /// If the kink lies on a bound towards which the objective falls, fixes the variable on this bound
-/// and minimises over the other variables. The one-sided derivative is the multiplier of the bound.
-/// Returns `found` if the kink does not lie on such a bound, or if the new search does not
-/// converge.
+/// and minimises over the other variables, with the iterations that `found` left. The one-sided
+/// derivative is the multiplier of the bound. Returns the point `found` if the kink does not lie on
+/// such a bound, or if the new search does not converge.
 fn fix_on_bound(
     problem: &dyn Problem,
     domain: &Domain,
@@ -136,9 +155,9 @@ fn fix_on_bound(
     observer: Observer,
     found: Solution,
     kink: Kink,
-) -> Solution {
+) -> Result<Solution> {
     let Some(slope) = kink.slope_from_bound() else {
-        return found;
+        return Ok(found);
     };
     let (i, mut fixed) = (kink.variable, domain.clone());
     let bound = if slope > 0.0 {
@@ -147,25 +166,40 @@ fn fix_on_bound(
         domain.variables.high[i]
     };
     (fixed.variables.low[i], fixed.variables.high[i]) = (bound, bound);
-    let Ok(mut end) = run(problem, &fixed, &found.x, options, observer) else {
-        return found;
+    let remaining = Options {
+        max_iterations: options.max_iterations.saturating_sub(found.iterations),
+        ..options.clone()
     };
+    let mut end = run(problem, &fixed, &found.x, &remaining, observer)?;
+    end.iterations += found.iterations;
+    end.effort += found.effort;
+    end.evaluations = end.effort.evaluations;
     if end.status != Status::Converged {
-        return found;
+        let (iterations, residual) = (end.iterations, Some(found.kkt_residual));
+        let SearchVerdict { status, message } = match end.status {
+            Status::Interrupted => SearchVerdict::interrupted(iterations, residual),
+            Status::IterationLimit => SearchVerdict::iteration_limit(iterations, residual),
+            _ => SearchVerdict::new(found.status, found.message),
+        };
+        return Ok(Solution {
+            status,
+            message,
+            iterations,
+            evaluations: end.evaluations,
+            effort: end.effort,
+            ..found
+        });
     }
     end.lower_multipliers[i] = slope.max(0.0);
     end.upper_multipliers[i] = (-slope).max(0.0);
     end.gradient[i] = slope;
     end.message += &format!("; variable {i} lies on its bound, where the objective has a kink");
-    end.iterations += found.iterations;
-    end.effort += found.effort;
-    end.evaluations = end.effort.evaluations;
-    Solution {
+    Ok(Solution {
         kink: Some(kink),
         initial_point: found.initial_point,
         undefined_at_start: found.undefined_at_start,
         ..end
-    }
+    })
 }
 
 /// The solver with the progress of a snapshot, from which it continues.

@@ -44,19 +44,8 @@ impl<T> Evaluation<T> {
 }
 
 impl Evaluation {
-    /// True if the dimensions fit `n` variables and `m` constraints.
-    pub(super) fn has_dimensions(&self, n: usize, m: usize) -> bool {
-        let is_square = |rows: &[Vec<f64>]| {
-            rows.is_empty() || rows.len() == n && rows.iter().all(|row| row.len() == n)
-        };
-        self.constraints.len() == m
-            && self
-                .functions()
-                .all(|function| function.gradient.len() == n && is_square(&function.hessian))
-    }
-
-    /// Checks dimensions (`n` variables, `m` constraints) and that all numbers are finite.
-    pub(super) fn checked(self, n: usize, m: usize) -> std::result::Result<Self, String> {
+    /// Checks that the dimensions fit `n` variables and `m` constraints.
+    pub(super) fn check_dimensions(&self, n: usize, m: usize) -> std::result::Result<(), String> {
         if self.constraints.len() != m {
             let functions = counted(self.constraints.len() as u64, "constraint function");
             return Err(format!(
@@ -80,11 +69,12 @@ impl Evaluation {
                 ));
             }
         }
-        if self.functions().all(Taylor::is_finite) {
-            Ok(self)
-        } else {
-            Err("a value or a derivative is not finite".into())
-        }
+        Ok(())
+    }
+
+    /// True if all values and derivatives are finite.
+    pub(super) fn is_finite(&self) -> bool {
+        self.functions().all(Taylor::is_finite)
     }
 
     /// The objective, then the constraint functions.

@@ -15,7 +15,7 @@ pub(super) struct EvaluatedPoint {
 impl EvaluatedPoint {
     /// True if the dimensions fit `n` variables and `m` constraints.
     pub fn has_dimensions(&self, n: usize, m: usize) -> bool {
-        self.x.len() == n && self.f.has_dimensions(n, m)
+        self.x.len() == n && self.f.check_dimensions(n, m).is_ok()
     }
 
     /// Gradient of the Lagrangian; borrowed from the objective if there are no constraints.

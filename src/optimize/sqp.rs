@@ -179,12 +179,15 @@ impl<'a> Solver<&'a dyn Problem, SqpState> for Sqp {
         );
         let interrupt = self.interrupt.clone();
         let mut evaluate = |x: &[f64]| evaluate(problem, &interrupt, x, m);
-        let mut count = 0;
+        let (mut count, mut failure) = (0, None);
         let (first, why) = first_point(&self.domain.variables, &start, trials, |x| {
-            let found = evaluate(x).ok()?;
+            let found = evaluate(x).map_err(|error| failure = Some(error)).ok()?;
             count += 1;
             Some(found)
         });
+        if let Some(error) = failure.filter(|_| !self.is_interrupted()) {
+            return Err(error);
+        }
         self.progress.undefined_at_start.clone_from(&why);
         let Some(point) = first else {
             self.progress.verdict = Some(match why {
@@ -265,9 +268,9 @@ fn with_iteration(info: SqpState, iteration: Iteration) -> SqpState {
 /// Evaluates the functions at x.
 ///
 /// # Errors
-/// The inner error means that the functions are undefined at x; a wrong shape or a value that is
-/// not finite counts as undefined. The outer error ends an interrupted search; an evaluation that
-/// fails after an interrupt counts as interrupted.
+/// The inner error means that the functions are undefined at x; a value that is not finite counts
+/// as undefined. The outer error ends the search, because of wrong dimensions or an interrupt; an
+/// evaluation that fails after an interrupt counts as interrupted.
 fn evaluate(
     problem: &mut Counted<&dyn Problem>,
     interrupt: &AtomicBool,
@@ -276,8 +279,19 @@ fn evaluate(
 ) -> Result<Result<Evaluation, String>, Error> {
     let is_interrupted = || interrupt.load(Ordering::Relaxed);
     if !is_interrupted() {
-        let checked = |evaluation: Evaluation| evaluation.checked(x.len(), constraints);
-        let found = problem.problem("evaluations", |p| Ok(p.evaluate(x).and_then(checked)))?;
+        let found = problem.problem("evaluations", |p| Ok(p.evaluate(x)))?;
+        if let Ok(evaluation) = &found {
+            evaluation
+                .check_dimensions(x.len(), constraints)
+                .map_err(crate::Error::Optimizer)?;
+        }
+        let found = found.and_then(|evaluation| {
+            if evaluation.is_finite() {
+                Ok(evaluation)
+            } else {
+                Err("a value or a derivative is not finite".into())
+            }
+        });
         if found.is_ok() || !is_interrupted() {
             return Ok(found);
         }

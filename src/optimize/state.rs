@@ -45,7 +45,7 @@ pub struct Effort {
     /// Quadratic programs without an exact KKT point near Clarabel's solution: the step is the exact
     /// point of Clarabel's active set with Clarabel's multipliers, or Clarabel's own solution.
     pub unpolished: u64,
-    /// Steps with inconsistent linearised constraints, which were relaxed.
+    /// Quadratic programs with inconsistent linearised constraints, which were relaxed.
     pub relaxed: u64,
     /// Second-order corrections computed.
     pub corrections: u64,

@@ -6,7 +6,7 @@ use longdrive::optimize::{
 };
 use longdrive::study::{Constraint, Search, Vary, optimum};
 use longdrive::{Drive, Error, Setup, study::Optimum};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 type Evaluated = Result<Evaluation, String>;
@@ -481,6 +481,63 @@ fn a_search_at_the_corner_of_an_absolute_value_ends_as_a_kink() {
 }
 
 #[test]
+fn a_kink_is_found_beside_a_variable_with_an_undefined_side() {
+    // x² + |y − 0.3|, undefined just below the minimum over x
+    let f = |v: &[f64]| {
+        if v[0] < -1e-9 {
+            return Err("x is negative".into());
+        }
+        let side = (v[1] - 0.3).signum();
+        Ok(plain(
+            v[0] * v[0] + (v[1] - 0.3).abs(),
+            vec![2.0 * v[0], side],
+            vec![vec![2.0, 0.0], vec![0.0, 0.0]],
+        ))
+    };
+    let found = solve(f, &[(-1.0, 1.0), (-1.0, 1.0)], &[0.8, -0.6]);
+    assert_eq!(found.status, Status::StalledAtKink, "{}", found.message);
+    assert_eq!(found.kink.map(|kink| kink.variable), Some(1));
+}
+
+#[test]
+fn iterations_after_a_kink_on_a_bound_are_shown_and_counted_in_the_limit() {
+    // a smoothed kink in x at its lower bound 0; the coupling with y needs further iterations on
+    // the bound
+    let f = |v: &[f64]| {
+        let (tip, d) = (v[0].hypot(1e-8), v[1] - 1.0 - v[0]);
+        Ok(plain(
+            tip - 0.5 * v[0] + d * d,
+            vec![v[0] / tip - 0.5 - 2.0 * d, 2.0 * d],
+            vec![vec![1e-16 / tip.powi(3) + 2.0, -2.0], vec![-2.0, 2.0]],
+        ))
+    };
+    let domain = Domain::new(vec![0.0, -5.0], vec![1.0, 5.0]).unwrap();
+    let search = |max_iterations: u64| {
+        let options = Options {
+            max_iterations,
+            ..Options::default()
+        };
+        let numbers = Rc::new(RefCell::new(vec![]));
+        let shown = numbers.clone();
+        let observer =
+            Observer::showing(move |iteration| shown.borrow_mut().push(iteration.number));
+        let found = minimize_observed(&f, &domain, &[0.5, -3.0], &options, observer).unwrap();
+        (found, numbers.take())
+    };
+    let (whole, numbers) = search(500);
+    assert_eq!(whole.status, Status::Converged, "{}", whole.message);
+    assert!(whole.kink.is_some());
+    assert_eq!(numbers, (0..=whole.iterations).collect::<Vec<_>>());
+    for limit in 1..whole.iterations {
+        let (found, _) = search(limit);
+        assert_eq!(
+            (found.status, found.iterations),
+            (Status::IterationLimit, limit)
+        );
+    }
+}
+
+#[test]
 fn exact_minimum_next_to_an_undefined_region() {
     // x − ln x, undefined for x ≤ 0: the first steps from the far right lead there
     let f = |v: &[f64]| {
@@ -512,16 +569,37 @@ fn exact_minimum_next_to_an_undefined_region() {
         &[0.5],
     );
     assert_eq!(nan.status, Status::Undefined);
-    let narrow = solve(
-        |_: &[f64]| Ok(plain(0.0, vec![0.0], vec![vec![0.0]])),
-        &[(0.0, 1.0), (0.0, 1.0)],
-        &[0.5, 0.5],
+}
+
+#[test]
+fn functions_of_wrong_dimensions_are_refused_at_the_first_evaluation() {
+    let square = || vec![vec![0.0; 2]; 2];
+    let (short, constrained) = (
+        plain(0.0, vec![0.0], vec![vec![0.0]]),
+        Evaluation {
+            constraints: vec![taylor(0.0, [0.0; 2], [[0.0; 2]; 2])],
+            ..plain(0.0, vec![0.0; 2], square())
+        },
     );
-    assert!(
-        narrow.status == Status::Undefined && narrow.message.contains("a gradient of length 1"),
-        "{}",
-        narrow.message
-    );
+    let no_square = plain(0.0, vec![0.0; 2], vec![vec![0.0; 2]]);
+    for (evaluation, words) in [
+        (short, "a gradient of length 1"),
+        (no_square, "a Hessian of 1 row,"),
+        (constrained, "the problem has 1 constraint function,"),
+    ] {
+        let evaluations = Cell::new(0);
+        let problem = |_: &[f64]| {
+            evaluations.set(evaluations.get() + 1);
+            Ok(evaluation.clone())
+        };
+        let domain = Domain::new(vec![0.0; 2], vec![1.0; 2]).unwrap();
+        let error = minimize(&problem, &domain, &[0.5; 2], &Options::default()).unwrap_err();
+        assert!(
+            matches!(&error, Error::Optimizer(text) if text.contains(words)),
+            "{error}"
+        );
+        assert_eq!(evaluations.get(), 1);
+    }
 }
 
 #[test]

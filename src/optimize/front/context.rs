@@ -55,11 +55,11 @@ impl<'a> Combined<'a> {
 impl Problem for Combined<'_> {
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
         let functions = self.problem.evaluate(x)?;
-        let count = functions.constraints.len();
+        functions.check_dimensions(x.len(), functions.constraints.len())?;
         let Evaluation {
             objective,
             mut constraints,
-        } = functions.checked(x.len(), count)?;
+        } = functions;
         let second = constraints
             .pop()
             .ok_or("the problem has no second function; return a constraint function")?;
