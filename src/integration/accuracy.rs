@@ -26,7 +26,7 @@ pub struct Accuracy {
 impl Accuracy {
     /// The setup with this method and step.
     pub fn applied_to(&self, setup: &Setup<f64>) -> Setup<f64> {
-        with_method_and_step(setup, self.step)
+        with_method_and_step(setup, self.method, self.step)
     }
 }
 
@@ -44,13 +44,13 @@ const REFERENCE: f64 = 1.0 / 4.0;
 /// Shortest step of the reference flights, s.
 const SHORTEST_REFERENCE: f64 = 1e-3;
 /// Number of sampled points inside the ranges.
-const INSIDE: u64 = 64;
+const INTERIOR_POINTS: u64 = 64;
 /// Number of drives tested first. The other drives are not tested with a step that fails for one of
 /// these drives.
-const FIRST: usize = 16;
+const TESTED_FIRST: usize = 16;
 /// Number of parameters whose range ends are combined. In these drives, any further parameter has
 /// the value of the setup.
-const COMBINED: usize = 4;
+const CORNER_PARAMETERS: usize = 4;
 /// Number of steps tested per drive: the step itself and slightly shorter steps. The error depends
 /// on the position of the landing within the last step.
 const PHASES: u32 = 8;
@@ -104,7 +104,7 @@ pub(super) fn accuracy_until(
     }
     let mut sample = TestedDrives::new(setup, ranges, of, stop)?;
     let mut step = LONGEST_STEP;
-    let mut worst = None;
+    let mut last_failing = String::new();
     for _ in 0..STEPS {
         sample.refine(step)?;
         let mut found = sample.accuracy(step, SAFETY * tolerance)?;
@@ -113,29 +113,13 @@ pub(super) fn accuracy_until(
         }
         match found {
             Ok(accuracy) => return Ok(accuracy),
-            Err(drive) => worst = Some(drive),
+            Err(failing) => last_failing = failing,
         }
         step *= 0.5_f64.powf(0.25);
     }
-    let failed = worst.map_or_else(String::new, |failing| sample.describe(failing));
-    let reason = format!("{failed}; give a larger tolerance, or set flight.method and flight.step");
+    let reason =
+        format!("{last_failing}; give a larger tolerance, or set flight.method and flight.step");
     Err(Error::Tolerance { tolerance, reason })
-}
-
-/// A drive for which a step fails.
-struct FailingDrive {
-    /// The step, s.
-    step: f64,
-    row: usize,
-    /// The outcome whose error is too large; `None` if an outcome does not exist.
-    missed: Option<MissedTolerance>,
-}
-
-/// An outcome whose error exceeds the limit.
-struct MissedTolerance {
-    of: Outcome,
-    /// The error, m.
-    error: f64,
 }
 
 /// The compared drives with their reference flights.
@@ -190,10 +174,10 @@ impl<'s> TestedDrives<'s> {
         };
         let parameters: Vec<_> = ranges.iter().map(|range| range.parameter).collect();
         let mut points = points(setup, ranges);
-        let further = points.split_off(points.len().min(FIRST * parameters.len()));
+        let further = points.split_off(points.len().min(TESTED_FIRST * parameters.len()));
         let reference = REFERENCE * LONGEST_STEP;
         let batch = Batch::new(
-            &with_method_and_step(setup, reference),
+            &with_method_and_step(setup, METHOD, reference),
             &parameters,
             &lengths,
             &[],
@@ -234,16 +218,12 @@ impl<'s> TestedDrives<'s> {
         Ok(true)
     }
 
-    /// The accuracy with `step`, or the first drive that does not land or whose error exceeds
-    /// `limit`.
+    /// The accuracy with `step`, or a text about the first drive that does not land or whose error
+    /// exceeds `limit`.
     ///
     /// # Errors
     /// [`Error::NoFlight`] if no drive lands.
-    fn accuracy(
-        &self,
-        step: f64,
-        limit: f64,
-    ) -> Result<std::result::Result<Accuracy, FailingDrive>> {
+    fn accuracy(&self, step: f64, limit: f64) -> Result<std::result::Result<Accuracy, String>> {
         let mut found = Accuracy {
             method: METHOD,
             step,
@@ -251,7 +231,13 @@ impl<'s> TestedDrives<'s> {
             drives: self.exact.defects().count(),
             largest_defect: ROUNDING,
         };
-        let failing = |row, missed| FailingDrive { step, row, missed };
+        let failing = |what: String| {
+            let step = significant(1e3 * step, 1);
+            Ok(Err(format!(
+                "{what} with method {} in steps of {step} ms",
+                METHOD.name()
+            )))
+        };
         let with = |status| (0..self.exact.rows()).find(|&row| self.exact.status(row) == status);
         match (with(Status::Landed), with(Status::Diverged)) {
             // a drive not tested yet may land
@@ -263,24 +249,15 @@ impl<'s> TestedDrives<'s> {
                 });
             }
             // a shorter step may succeed
-            (None, Some(row)) => return Ok(Err(failing(row, None))),
+            (None, Some(row)) => return failing(format!("{} diverges", self.drive(row))),
             _ => {}
         }
         for phase in 0..PHASES {
             let flown = self.flown(step * (1.0 - PHASE_DIFFERENCE * f64::from(phase)))?;
             for row in (0..flown.rows()).filter(|&row| self.exact.status(row) == Status::Landed) {
-                for (i, of) in self.batch.outcomes().iter().enumerate() {
-                    let (exact, flown) = match (self.exact.outcome(row, i), flown.outcome(row, i)) {
-                        (Some(exact), Some(flown)) => (exact, flown),
-                        // the ball lands but does not come to rest, so this outcome does not exist
-                        (None, None) if of.needs_run() => continue,
-                        _ => return Ok(Err(failing(row, None))),
-                    };
-                    let error = (flown - exact).abs();
-                    if error > limit {
-                        return Ok(Err(failing(row, Some(MissedTolerance { of: *of, error }))));
-                    }
-                    found.error = found.error.max(error);
+                match self.largest_error(&flown, row, limit) {
+                    Ok(error) => found.error = found.error.max(error),
+                    Err(what) => return failing(what),
                 }
             }
             if phase == 0 {
@@ -290,28 +267,48 @@ impl<'s> TestedDrives<'s> {
         Ok(Ok(found))
     }
 
-    /// Describes a failing drive.
-    fn describe(&self, failing: FailingDrive) -> String {
-        let point = self.exact.point(failing.row);
-        let values = self.batch.parameters().iter().zip(point);
+    /// The largest error of the lengths of a drive, m.
+    ///
+    /// # Errors
+    /// The fault, if an error exceeds `limit`, or if a length does not exist in both flights.
+    fn largest_error(
+        &self,
+        flown: &Block,
+        row: usize,
+        limit: f64,
+    ) -> std::result::Result<f64, String> {
+        let mut largest = 0.0_f64;
+        for (i, of) in self.batch.outcomes().iter().enumerate() {
+            let (name, status) = (of.name(), flown.status(row));
+            let error = match (self.exact.outcome(row, i), flown.outcome(row, i)) {
+                (Some(exact), Some(flown)) => (flown - exact).abs(),
+                // the ball lands but does not come to rest, so this outcome does not exist
+                (None, None) if of.needs_run() => continue,
+                _ if status != Status::Landed => {
+                    return Err(format!("{} does not land ({status})", self.drive(row)));
+                }
+                (_, None) => return Err(format!("{name} of {} does not exist", self.drive(row))),
+                (None, _) => return Err(format!("{name} of {} exists only", self.drive(row))),
+            };
+            if error > limit {
+                let drive = self.drive(row);
+                return Err(format!("{name} of {drive} is off by {error:.1e} m"));
+            }
+            largest = largest.max(error);
+        }
+        Ok(largest)
+    }
+
+    /// The drive of a row, for a message.
+    fn drive(&self, row: usize) -> String {
+        let values = self.batch.parameters().iter().zip(self.exact.point(row));
         let values = values.map(|(parameter, value)| {
             format!("{} = {}", parameter.name, parameter.show(Some(*value)))
         });
-        let drive = match self.exact.rows() {
+        match self.exact.rows() {
             1 => "the drive".into(),
             _ => format!("the drive with {}", values.collect::<Vec<_>>().join(", ")),
-        };
-        let failed = match failing.missed {
-            Some(MissedTolerance { of, error }) => {
-                format!("{} of {drive} is off by {error:.1e} m", of.name())
-            }
-            None => format!("{drive} diverges"),
-        };
-        format!(
-            "{failed} with method {} in steps of {} ms",
-            METHOD.name(),
-            significant(1e3 * failing.step, 1)
-        )
+        }
     }
 }
 
@@ -326,12 +323,9 @@ fn flown(batch: &Batch, points: Vec<f64>, stop: &AtomicBool) -> Result<Block> {
         .ok_or(Error::Stopped)
 }
 
-/// The setup with the method [`METHOD`] and this step.
-fn with_method_and_step(setup: &Setup<f64>, step: f64) -> Setup<f64> {
-    let mut setup = Setup {
-        method: METHOD,
-        ..*setup
-    };
+/// The setup with this method and step.
+fn with_method_and_step(setup: &Setup<f64>, method: Method, step: f64) -> Setup<f64> {
+    let mut setup = Setup { method, ..*setup };
     setup.flight.step = step;
     setup
 }
@@ -353,24 +347,47 @@ fn points(setup: &Setup<f64>, ranges: &[Vary]) -> Vec<f64> {
         })
         .collect();
     let mut points = own.clone();
-    for corner in 0..1_usize << ranges.len().min(COMBINED) {
+    for corner in 0..1_usize << ranges.len().min(CORNER_PARAMETERS) {
         points.extend(
             ranges
                 .iter()
                 .enumerate()
                 .map(|(i, range)| match corner >> i & 1 {
-                    _ if i >= COMBINED => own[i],
+                    _ if i >= CORNER_PARAMETERS => own[i],
                     0 => range.low,
                     _ => range.high,
                 }),
         );
     }
     // points inside the ranges: the shortest flights, with the fewest steps, are rarely at a corner
-    for k in 0..INSIDE {
+    for k in 0..INTERIOR_POINTS {
         let at = |(i, range): (usize, &Vary)| {
             range.low + (range.high - range.low) * sobol::coordinate(k, i, 0)
         };
         points.extend(ranges.iter().enumerate().map(at));
     }
     points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{TestedDrives, flown};
+    use crate::batch::Batch;
+    use crate::drive::Outcome;
+    use crate::parameters::Setup;
+    use std::sync::atomic::AtomicBool;
+
+    #[test]
+    fn a_drive_that_lands_in_the_reference_only_is_named_with_its_status() {
+        let (setup, stop) = (Setup::default(), AtomicBool::new(false));
+        let tested = TestedDrives::new(&setup, &[], &[Outcome::Carry], &stop).unwrap();
+        let mut short = setup;
+        short.flight.time_limit = 1.0;
+        let batch = Batch::new(&short, tested.batch.parameters(), &[Outcome::Carry], &[]).unwrap();
+        let aloft = flown(&batch, tested.points.clone(), &stop).unwrap();
+        assert_eq!(
+            tested.largest_error(&aloft, 0, 1.0).unwrap_err(),
+            "the drive does not land (aloft)"
+        );
+    }
 }
