@@ -10,8 +10,10 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
+use rayon::prelude::*;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
+use std::fmt::Debug;
 use std::path::Path;
 
 /// A file of `tests/data`.
@@ -295,14 +297,33 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
     })
 }
 
+/// Results of a check of each input, in parallel. A check that panics fails the test with its
+/// message and its input: the message itself goes to the output of the test that started rayon's
+/// threads.
+#[track_caller]
+pub fn in_parallel<T: Debug + Sync, R: Send>(
+    inputs: &[T],
+    check: impl Fn(&T) -> R + Sync,
+) -> Vec<R> {
+    let checked = |input: &T| {
+        caught(|| check(input)).map_err(|message| format!("{message}\nof the input {input:?}"))
+    };
+    let results: Result<_, _> = inputs.par_iter().map(checked).collect();
+    results.unwrap_or_else(|failure| panic!("{failure}"))
+}
+
 /// The message of a panic.
 pub fn panic_of<T>(work: impl FnOnce() -> T) -> String {
-    let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work))
-        .err()
-        .expect("it panics");
-    let word = panic.downcast_ref::<&str>().map(ToString::to_string);
-    word.or_else(|| panic.downcast_ref::<String>().cloned())
-        .unwrap_or_default()
+    caught(work).err().expect("it panics")
+}
+
+/// The result of `work`, or the message with which it panics.
+fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+    std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).map_err(|panic| {
+        let word = panic.downcast_ref::<&str>().map(ToString::to_string);
+        word.or_else(|| panic.downcast_ref::<String>().cloned())
+            .unwrap_or_default()
+    })
 }
 
 /// Random numbers with a fixed seed.

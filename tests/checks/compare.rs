@@ -1,11 +1,10 @@
 //! Comparison of two drives, and the causes of their difference.
 
 use crate::command_line::{json, longdrive, number, on_one_line};
-use crate::common::{LARGE_STEPS, close, random_setups};
+use crate::common::{LARGE_STEPS, close, in_parallel, random_setups};
 use longdrive::parameters::Method;
 use longdrive::study::{Comparison, Difference, Shares};
 use longdrive::{Drive, Outcome, Setup};
-use rayon::prelude::*;
 
 /// The setup with these settings.
 pub fn changed(from: &Setup<f64>, settings: &[(&str, &str)]) -> Setup<f64> {
@@ -46,7 +45,7 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
         "smits-smith",
         "winfield-tan",
     ];
-    let is_compared = |pair: &[Setup<f64>]| {
+    let is_compared = |pair: &[Setup<f64>; 2]| {
         // a drive between two random drives may not fly
         let Ok(there) = Comparison::new(&pair[0], &pair[1])
             .unwrap()
@@ -107,10 +106,9 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
             .map(|setup| changed(&setup, &steps))
             .filter(flies)
             .collect();
-        let compared = setups
-            .par_windows(2)
-            .filter(|pair| is_compared(pair))
-            .count();
+        let pairs: Vec<_> = setups.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        let compared = in_parallel(&pairs, is_compared);
+        let compared = compared.iter().filter(|is_compared| **is_compared).count();
         assert!(compared >= 5, "{compared} pairs");
     }
 }

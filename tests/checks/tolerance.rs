@@ -1,7 +1,7 @@
 //! The tolerance of many drives: every length of every row, compared with flights in much shorter
 //! steps.
 
-use crate::common::{RIGID, random_setups};
+use crate::common::{RIGID, in_parallel, random_setups};
 use longdrive::batch::{Batch, Block, Points, Sequence, Status};
 use longdrive::derivative::{Taylor, hessian};
 use longdrive::integration::{StepChoice, accuracy};
@@ -445,55 +445,53 @@ fn same_derivatives_in_shorter_steps_within_the_documented_error() {
         .iter()
         .flat_map(|law| drives.map(|drive| (*law, drive)))
         .collect::<Vec<_>>();
-    requested
-        .into_par_iter()
-        .for_each(|(law, [loft, attack_angle, speed])| {
-            let mut setup = Setup::default();
-            setup.set_law(law).unwrap();
-            (setup.club.loft, setup.swing.attack_angle, setup.swing.speed) =
-                (loft, attack_angle, speed);
-            let by = sizes.map(|(name, _)| setup.variable(name).unwrap());
-            let within = accuracy(&setup, &[], &[Outcome::Carry], MICROMETRE)
-                .unwrap()
-                .applied_to(&setup);
-            // the reference: its derivatives differ from those in steps of 1 ms by at most a
-            // thousandth of the bound
-            let mut fine = setup;
-            (fine.method, fine.flight.step) = (Method::Rk4, 4e-3);
-            // each derivative times the size of its parameter
-            let sized = |Taylor {
-                             gradient, hessian, ..
-                         }: Taylor| {
-                let row = |row: &[f64]| {
-                    row.iter()
-                        .zip(sizes)
-                        .map(|(d, (_, size))| d * size)
-                        .collect::<Vec<_>>()
-                };
-                let second = hessian
-                    .iter()
+    in_parallel(&requested, |&(law, [loft, attack_angle, speed])| {
+        let mut setup = Setup::default();
+        setup.set_law(law).unwrap();
+        (setup.club.loft, setup.swing.attack_angle, setup.swing.speed) =
+            (loft, attack_angle, speed);
+        let by = sizes.map(|(name, _)| setup.variable(name).unwrap());
+        let within = accuracy(&setup, &[], &[Outcome::Carry], MICROMETRE)
+            .unwrap()
+            .applied_to(&setup);
+        // the reference: its derivatives differ from those in steps of 1 ms by at most a
+        // thousandth of the bound
+        let mut fine = setup;
+        (fine.method, fine.flight.step) = (Method::Rk4, 4e-3);
+        // each derivative times the size of its parameter
+        let sized = |Taylor {
+                         gradient, hessian, ..
+                     }: Taylor| {
+            let row = |row: &[f64]| {
+                row.iter()
                     .zip(sizes)
-                    .flat_map(|(second, (_, size))| row(second).into_iter().map(move |d| d * size));
-                [row(&gradient), second.collect()]
+                    .map(|(d, (_, size))| d * size)
+                    .collect::<Vec<_>>()
             };
-            let [found, exact] =
-                [within, fine].map(|setup| sized(hessian(&setup, Outcome::Carry, &by).unwrap()));
-            let bars = if ["nathan", "bearman-harvey"].contains(&law) {
-                [2e-6, 1e-3]
-            } else {
-                [1e-7, 3e-6]
-            };
-            for ((found, exact), bar) in found.iter().zip(&exact).zip(bars) {
-                let largest = exact.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
-                let off = found
-                    .iter()
-                    .zip(exact)
-                    .fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
-                assert!(
-                    off < bar * largest,
-                    "{law} {loft} {attack_angle} {speed}: {:.1e}",
-                    off / largest
-                );
-            }
-        });
+            let second = hessian
+                .iter()
+                .zip(sizes)
+                .flat_map(|(second, (_, size))| row(second).into_iter().map(move |d| d * size));
+            [row(&gradient), second.collect()]
+        };
+        let [found, exact] =
+            [within, fine].map(|setup| sized(hessian(&setup, Outcome::Carry, &by).unwrap()));
+        let bars = if ["nathan", "bearman-harvey"].contains(&law) {
+            [2e-6, 1e-3]
+        } else {
+            [1e-7, 3e-6]
+        };
+        for ((found, exact), bar) in found.iter().zip(&exact).zip(bars) {
+            let largest = exact.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
+            let off = found
+                .iter()
+                .zip(exact)
+                .fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+            assert!(
+                off < bar * largest,
+                "{law} {loft} {attack_angle} {speed}: {:.1e}",
+                off / largest
+            );
+        }
+    });
 }

@@ -1,7 +1,7 @@
 //! Certificates of derivatives: correct ones pass, wrong ones fail, kinks are named.
 
 use crate::command_line::{WHOLE, on_one_line};
-use crate::common::{RIGID, close, in_large_steps, random_setups};
+use crate::common::{RIGID, close, in_large_steps, in_parallel, random_setups};
 use longdrive::derivative::check::{Verdict, check};
 use longdrive::derivative::{Taylor, gradient};
 use longdrive::impact::{Grip, strike};
@@ -145,21 +145,18 @@ fn differences_certify_two_hundred_random_drives() {
         .enumerate()
         .map(in_large_steps)
         .collect();
-    let rows = setups.par_iter().enumerate().map(|(drive, setup)| {
+    let drives: Vec<_> = setups.iter().enumerate().collect();
+    let rows = in_parallel(&drives, |(drive, setup)| {
         let all = setup.variables();
         let wrt: Vec<_> = (0..AT_A_TIME)
             .map(|k| all[(AT_A_TIME * drive + k) % all.len()])
             .collect();
         let certificate = certificate(setup, &[Outcome::Carry, Outcome::Lateral], &wrt);
-        assert!(
-            certificate.passed(),
-            "drive {drive}: {:?}",
-            failures(&certificate)
-        );
+        assert!(certificate.passed(), "{:?}", failures(&certificate));
         certificate.rows.len()
     });
     assert_eq!(
-        (rows.sum::<usize>(), setups.len()),
+        (rows.iter().sum::<usize>(), setups.len()),
         (200 * 2 * AT_A_TIME, 200)
     );
 }
