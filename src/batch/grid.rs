@@ -44,8 +44,7 @@ impl GridAxis {
             )),
             Ok(count) => Ok(Self { over, count }),
             Err(_) => Err(refuse(format!(
-                "'{count}' is not a number of values; write for example \
-                                          {range}:101"
+                "'{count}' is not a number of values; write for example {range}:101"
             ))),
         }
     }

@@ -115,10 +115,9 @@ fn run(
     let checkpoint = SnapshotIo {
         save: observer.save.map(RefCell::new),
         resumed: observer.resume.map(|snapshot| {
-            (
-                resumed(&solver, snapshot.clone()),
-                at_iteration(&fresh, &snapshot),
-            )
+            let mut state = fresh.clone();
+            state.iter = snapshot.iterations;
+            (resumed(&solver, snapshot), state)
         }),
     };
     let mut executor = Executor::new(problem, solver)
@@ -212,18 +211,6 @@ fn resumed(solver: &Sqp, snapshot: Snapshot) -> Sqp {
         search.scaling.domain = solver.domain.clone();
     }
     solver
-}
-
-/// argmin's state at the iteration of a snapshot.
-fn at_iteration(fresh: &SqpState, snapshot: &Snapshot) -> SqpState {
-    let mut state = fresh.clone();
-    if let Some(search) = &snapshot.progress.state {
-        state = state
-            .param(search.point.x.clone())
-            .cost(search.point.f.objective.value);
-    }
-    state.iter = snapshot.iterations;
-    state
 }
 
 /// Connects the observer's `save` and `resume` to argmin's checkpointing.

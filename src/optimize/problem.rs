@@ -72,9 +72,13 @@ impl Evaluation {
         Ok(())
     }
 
-    /// True if all values and derivatives are finite.
-    pub(super) fn is_finite(&self) -> bool {
-        self.functions().all(Taylor::is_finite)
+    /// The evaluation, if all values and derivatives are finite.
+    pub(super) fn finite(self) -> std::result::Result<Self, String> {
+        if self.functions().all(Taylor::is_finite) {
+            Ok(self)
+        } else {
+            Err("a value or a derivative is not finite".into())
+        }
     }
 
     /// The objective, then the constraint functions.

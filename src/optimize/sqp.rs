@@ -285,13 +285,7 @@ fn evaluate(
                 .check_dimensions(x.len(), constraints)
                 .map_err(crate::Error::Optimizer)?;
         }
-        let found = found.and_then(|evaluation| {
-            if evaluation.is_finite() {
-                Ok(evaluation)
-            } else {
-                Err("a value or a derivative is not finite".into())
-            }
-        });
+        let found = found.and_then(Evaluation::finite);
         if found.is_ok() || !is_interrupted() {
             return Ok(found);
         }

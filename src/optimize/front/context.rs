@@ -2,7 +2,7 @@ use super::result::{Front, FrontError, FrontPoint};
 use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::optimize::continuation::{RADIUS, relative_distance};
-use crate::optimize::domain::{Bounds, Domain};
+use crate::optimize::domain::Domain;
 use crate::optimize::minimize::minimize_observed;
 use crate::optimize::multistart::Observers;
 use crate::optimize::options::Options;
@@ -267,17 +267,8 @@ pub(super) fn span_of(values: [[f64; 2]; 2], k: usize) -> f64 {
 
 /// Adds a constraint's limits to a domain.
 pub(super) fn with_limit(domain: &Domain, low: f64, high: f64) -> Domain {
-    let Bounds {
-        low: mut lows,
-        high: mut highs,
-    } = domain.constraints.clone();
-    lows.push(low);
-    highs.push(high);
-    Domain {
-        constraints: Bounds {
-            low: lows,
-            high: highs,
-        },
-        ..domain.clone()
-    }
+    let mut limited = domain.clone();
+    limited.constraints.low.push(low);
+    limited.constraints.high.push(high);
+    limited
 }

@@ -13,7 +13,7 @@ mod context;
 mod result;
 mod trace;
 
-use super::domain::Domain;
+use super::domain::{Bounds, Domain};
 use super::multistart::Observers;
 use super::options::Options;
 use super::problem::Problem;
@@ -83,15 +83,12 @@ pub fn front(
 
 /// The domain of all constraints but the last, which is the second function.
 fn without_last_constraint(domain: &Domain) -> Result<Domain> {
-    let others = domain.constraints.dimension().checked_sub(1);
-    let others = others.ok_or_else(|| {
-        Error::Optimizer("a front needs a second function; give a constraint".into())
-    })?;
-    let mut limits = domain.constraints.clone();
-    limits.low.truncate(others);
-    limits.high.truncate(others);
-    Ok(Domain {
-        variables: domain.variables.clone(),
-        constraints: limits,
-    })
+    let mut others = domain.clone();
+    let Bounds { low, high } = &mut others.constraints;
+    if low.pop().is_none() || high.pop().is_none() {
+        return Err(Error::Optimizer(
+            "a front needs a second function; give a constraint".into(),
+        ));
+    }
+    Ok(others)
 }

@@ -55,7 +55,8 @@ pub(super) fn trace_front(
     if interrupted {
         ended = Some(PART_MISSING.into());
     }
-    let smallest_sum = smallest_sum(&path, knee.as_ref());
+    let sums = path.iter().chain(&knee).map(|place| place.sum);
+    let smallest_sum = sums.fold(1.0, f64::min);
     let knee_at = knee.as_ref().map(|knee| knee.at);
     points.extend(knee);
     points.sort_by(|a, b| a.at.total_cmp(&b.at));
@@ -79,13 +80,6 @@ pub(super) fn trace_front(
         ended,
         interrupted,
     })
-}
-
-/// Smallest a + b of the path and the knee, at most 1.
-fn smallest_sum(path: &[Compromise], knee: Option<&Compromise>) -> f64 {
-    path.iter()
-        .chain(knee)
-        .fold(1.0, |least, place| f64::min(least, place.sum))
 }
 
 /// Traces the front from the first end. If the trace does not reach the second end, the front is
