@@ -371,11 +371,24 @@ fn points(setup: &Setup<f64>, ranges: &[Vary]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{TestedDrives, flown};
+    use super::{Accuracy, TestedDrives, flown};
     use crate::batch::Batch;
     use crate::drive::Outcome;
-    use crate::parameters::Setup;
+    use crate::parameters::{Method, Setup};
     use std::sync::atomic::AtomicBool;
+
+    #[test]
+    fn an_accuracy_is_applied_with_its_own_method_and_step() {
+        let accuracy = Accuracy {
+            method: Method::Rk4,
+            step: 0.02,
+            error: 0.0,
+            drives: 1,
+            largest_defect: 1.0,
+        };
+        let setup = accuracy.applied_to(&Setup::default());
+        assert_eq!((setup.method, setup.flight.step), (Method::Rk4, 0.02));
+    }
 
     #[test]
     fn a_drive_that_lands_in_the_reference_only_is_named_with_its_status() {

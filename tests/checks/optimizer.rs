@@ -8,6 +8,8 @@ use longdrive::study::{Constraint, Search, Vary, optimum};
 use longdrive::{Drive, Error, Setup, study::Optimum};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 type Evaluated = Result<Evaluation, String>;
 
@@ -535,6 +537,21 @@ fn iterations_after_a_kink_on_a_bound_are_shown_and_counted_in_the_limit() {
             (Status::IterationLimit, limit)
         );
     }
+    // interrupted before the last iteration, which is on the bound
+    let (flag, last) = (Arc::new(AtomicBool::new(false)), whole.iterations);
+    let stop = flag.clone();
+    let observer = Observer {
+        interrupt: flag,
+        ..Observer::showing(move |iteration| {
+            stop.store(iteration.number + 1 == last, Ordering::Relaxed);
+        })
+    };
+    let options = Options::default();
+    let found = minimize_observed(&f, &domain, &[0.5, -3.0], &options, observer).unwrap();
+    assert_eq!(
+        (found.status, found.iterations),
+        (Status::Interrupted, last - 1)
+    );
 }
 
 #[test]
