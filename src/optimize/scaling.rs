@@ -312,7 +312,8 @@ impl Scaling {
         (0..at.x.len()).filter(is_active)
     }
 
-    /// Equality constraints, and constraints with nonzero multipliers.
+    /// Equality constraints, and constraints with nonzero multipliers. No threshold is needed: the
+    /// exact step of a working set has multipliers 0 for its inactive rows.
     pub fn active_rows<'a>(&'a self, multipliers: &'a [f64]) -> impl Iterator<Item = usize> + 'a {
         let is_active = |j: &usize| multipliers[*j] != 0.0 || self.domain.constraints.is_fixed(*j);
         (0..multipliers.len()).filter(is_active)
