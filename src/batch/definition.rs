@@ -113,6 +113,18 @@ impl Batch {
         Ok(batch)
     }
 
+    /// Copy of the batch with points of other parameters.
+    ///
+    /// # Errors
+    /// The errors of [`new`](Self::new).
+    pub(crate) fn with_parameters(&self, parameters: &[&'static Parameter]) -> Result<Self> {
+        Ok(Self {
+            largest_defect: self.largest_defect,
+            level: self.level,
+            ..Self::new(&self.setup, parameters, &self.of, &self.wrt)?
+        })
+    }
+
     /// Sets the instruction level. The default is the widest level of this processor.
     ///
     /// # Errors

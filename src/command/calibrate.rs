@@ -179,10 +179,7 @@ impl Args {
 fn read_shots(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<ShotTable> {
     let file = args.data.display();
     let filter = RowFilter::read(&args.only)?;
-    let mut table = ShotTable::open(setup, &args.data, filter)?;
-    if request.gives_air() {
-        table.in_given_air();
-    }
+    let table = ShotTable::open(setup, &args.data, filter, request.gives_air())?;
     if table.is_launched {
         request.refuse_club(&format!("the rows of {file} are launches"))?;
     }

@@ -177,7 +177,7 @@ impl Args {
         for text in &self.model {
             let model = Model::read(setup, text)?;
             let refuse =
-                |source: String| Error::unreadable(format!("`model` {}", model.name), source);
+                |source: String| Error::unreadable(format!("`model {}`", model.name), source);
             if let Some(same) = all.iter().find(|other| other.setup == model.setup) {
                 return Err(refuse(format!(
                     "it is the same as '{}'; leave it out",

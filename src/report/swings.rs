@@ -142,9 +142,8 @@ fn unknown(analysis: Option<&SwingsAnalysis>) -> Vec<String> {
         return vec![];
     };
     let nominal = analysis.nominal.as_ref().err();
-    let nominal = nominal.map(|why| {
-        format!("there is no best design for the mean swing, because its ball does not fly: {why}")
-    });
+    let nominal =
+        nominal.map(|why| format!("the best design for the mean swing was not found: {why}"));
     let error = match analysis.error() {
         Some(GoalError::Unknown(why)) => Some(format!(
             "the uncertainty of the best value is not known: the ball does not fly in one of the \

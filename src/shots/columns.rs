@@ -7,8 +7,9 @@ use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
     Column, Content, DecimalMark, OF_FLOWN, TableFormat, TableHead, TextTable, air_of_rows,
-    air_of_setup, cells, club_column, columns_remark, given_air, in_degrees, is_condition_head,
-    missing_of_launch, near_known, rest_of_head, split_unit, with_nearest, words,
+    air_of_setup, assume_unit, assumed_units_remark, cells, club_column, columns_remark, given_air,
+    ignore_stated_air, in_degrees, is_condition_head, missing_of_launch, near_known, rest_of_head,
+    split_unit, with_nearest, words,
 };
 use crate::units::Message;
 use std::borrow::Cow;
@@ -77,16 +78,16 @@ impl ShotColumns {
         is_air_given: bool,
     ) -> Result<Self> {
         add_totals(setup, &mut head)?;
-        let meant = Interpretation::of(Some(setup), &mut head, table);
+        let mut meant = Interpretation::of(Some(setup), &mut head);
         if is_air_given {
-            ignore_air(&mut head.columns);
+            ignore_stated_air(&mut head.columns);
         }
         let TableHead {
-            line,
             heads,
             columns,
             format,
             units,
+            rows,
             encoding,
             ..
         } = head;
@@ -114,24 +115,24 @@ impl ShotColumns {
                 .take(setup, at, column)
                 .map_err(|error| name.refused(format!(", column {}", at + 1), error.to_string()))?;
         }
+        for (at, column) in found.club.iter_mut().flatten() {
+            meant.assumed_units.extend(assume_unit(*at, column, &rows));
+        }
         if let Some(reason) = found.why_no_launch(&columns) {
             return Err(name.refused(String::new(), reason));
         }
         found.find_descriptions();
-        found.detect_decimal_mark(table, line);
-        found.add_remarks(&columns, meant.without_unit);
+        found.detect_decimal_mark(&rows);
+        found.add_remarks(&columns, assumed_units_remark(&meant.assumed_units));
         found.remarks.extend(meant.turned.map(Message::from));
         Ok(found)
     }
 
-    /// Detects the decimal mark from the rows below `line`, the line of the column heads.
-    fn detect_decimal_mark(&mut self, table: &TextTable, line: u64) {
-        self.decimal_mark = DecimalMark::detect(
-            table.separator,
-            self.read.iter().map(|read| read.at),
-            &table.rows_below(line),
-        );
-        let has_comma = table.separator != b',' && self.decimal_mark != Some(DecimalMark::Point);
+    /// Detects the decimal mark from the first rows.
+    fn detect_decimal_mark(&mut self, rows: &[Vec<String>]) {
+        let of_numbers = self.read.iter().map(|read| read.at);
+        self.decimal_mark = DecimalMark::detect(self.separator, of_numbers, rows);
+        let has_comma = self.separator != b',' && self.decimal_mark != Some(DecimalMark::Point);
         for read in &mut self.read {
             read.column.format.has_decimal_comma = has_comma;
         }
@@ -157,19 +158,22 @@ impl ShotColumns {
         self.condition = plain.iter().position(|head| is_condition_head(head));
     }
 
-    /// Puts the parameters outside of the launch in the order of the section `other`. Drops
-    /// parameters that `other` does not have.
+    /// Puts the parameters `first` of the first section before the parameters that only this
+    /// section has.
     ///
     /// # Errors
     /// The name of a parameter that has no column in this section.
-    pub(super) fn align(&mut self, other: &Self) -> std::result::Result<(), &'static str> {
-        let mut aligned = vec![];
-        for RowParameter { parameter, .. } in &other.further {
-            let mut own = self.further.iter();
-            let found = own.find(|own| own.parameter == *parameter);
-            aligned.push(found.cloned().ok_or(parameter.name)?);
+    pub(super) fn align(
+        &mut self,
+        first: &[&'static Parameter],
+    ) -> std::result::Result<(), &'static str> {
+        let own = self.further();
+        if let Some(missing) = first.iter().find(|parameter| !own.contains(parameter)) {
+            return Err(missing.name);
         }
-        self.further = aligned;
+        let place = |own: &RowParameter| first.iter().position(|of| *of == own.parameter);
+        self.further
+            .sort_by_key(|own| place(own).unwrap_or(first.len()));
         Ok(())
     }
 
@@ -209,7 +213,7 @@ impl ShotColumns {
                     && self.club[club].is_none()
                     && again.clone().in_unit("mph").check_unit().is_ok()
                 {
-                    self.club[club] = Some((at, again.in_unit("mph")));
+                    self.club[club] = Some((at, again));
                 }
             }
             _ => {}
@@ -246,7 +250,7 @@ impl ShotColumns {
     }
 
     /// Collects remarks on the columns.
-    fn add_remarks(&mut self, columns: &[Column], without_unit: Option<String>) {
+    fn add_remarks(&mut self, columns: &[Column], assumed_units: Option<Message>) {
         let is_read = |at: usize| {
             self.read.iter().any(|read| read.at == at)
                 || self.further.iter().any(|further| further.at == at)
@@ -273,13 +277,13 @@ impl ShotColumns {
             }
         });
         let not_read: Vec<String> = not_read.collect();
-        let in_degrees = self.is_export.then(|| in_degrees(columns)).flatten();
+        let of_club = self.club.iter().flatten().map(|(_, column)| column);
+        let in_degrees = in_degrees(columns.iter().chain(of_club)).filter(|_| self.is_export);
         let stated_air = self.stated_air().map(|air| air_of_rows(&air.column.head));
         let of_air = stated_air.or_else(|| given_air(columns));
         let replaced = (!self.added.is_empty())
             .then_some("the columns that an earlier 'fly' added (from Line on) are replaced");
-        let remarks = without_unit
-            .map(Message::from)
+        let remarks = assumed_units
             .into_iter()
             .chain(in_degrees.map(Message::from))
             .chain(of_air.map(Message::from))
@@ -307,7 +311,7 @@ impl ShotColumns {
     }
 
     /// The parameters that each row states, without those of the launch.
-    pub(super) fn further(&self) -> Vec<&'static Parameter> {
+    pub(crate) fn further(&self) -> Vec<&'static Parameter> {
         self.further.iter().map(|row| row.parameter).collect()
     }
 
@@ -332,13 +336,6 @@ impl ShotColumns {
         let air = self.stated_air()?;
         let stated = air.column.stated_air(&row[air.at]);
         stated.err().map(|why| air_of_setup(&why))
-    }
-}
-
-/// Ignores the columns in which the export states the air.
-fn ignore_air(columns: &mut [Column]) {
-    for column in columns.iter_mut().filter(|column| column.is_stated_air()) {
-        (column.content, column.is_of_given_air) = (Content::Note, true);
     }
 }
 

@@ -90,8 +90,11 @@ impl ShotColumns {
         let club = self.club.each_ref();
         let heads = club.map(|club| club.as_ref().map_or("", |(_, column)| &column.head));
         let stated = club.map(|club| {
-            let (at, column) = club.as_ref()?;
-            column.value(cell(*at)).ok().flatten()
+            let Some((at, column)) = club else {
+                return Ok(None);
+            };
+            let value = column.value(cell(*at));
+            value.map_err(|why| format!("{}: {why}", column.head))
         });
         shot.club = Club::measured(stated, heads, &mut shot.notes);
         let text = |at: Option<usize>| {

@@ -117,14 +117,20 @@ impl Flying {
         let is_stopped = || run.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
         let next = || {
             if is_stopped() {
-                Ok(None)
-            } else {
-                rows.next_rows(CHUNK)
+                return Ok(None);
             }
+            let Some(chunk) = rows.next_rows(CHUNK)? else {
+                return Ok(None);
+            };
+            let flying = match &chunk.section {
+                Some(section) => self.of_rows(&section.columns.further())?,
+                None => self.of_rows(further)?,
+            };
+            Ok(Some((flying, chunk)))
         };
-        let work = |chunk: Chunk| {
+        let work = |(flying, chunk): (Self, Chunk)| {
             let (shots, section) = chunk.shots(further);
-            let flown = self.flown(shots, section);
+            let flown = flying.flown(shots, section);
             let mut statistics = ShotStatistics::new(self.outcomes());
             statistics.add(&flown);
             (statistics, work(flown))
@@ -134,6 +140,13 @@ impl Flying {
             sink(result)
         })?;
         Ok(statistics)
+    }
+
+    /// The same flights for rows that also state the parameters `further`.
+    fn of_rows(&self, further: &[&'static Parameter]) -> Result<Self> {
+        let launch = &self.batch.parameters()[..LAUNCH.len()];
+        let batch = self.batch.with_parameters(&[launch, further].concat())?;
+        Ok(Self { batch, ..*self })
     }
 
     /// Flies the shot of a message of GSPro Open Connect.

@@ -4,8 +4,7 @@ use super::sign_conventions::turn_spins;
 use crate::drive::Outcome;
 use crate::parameters::Setup;
 use crate::table::{
-    Column, Content, TableHead, TextTable, assume_units, density_in, is_condition_head, split_unit,
-    words,
+    Column, Content, TableHead, assume_unit, density_in, is_condition_head, split_unit, words,
 };
 
 /// Makers with column heads (in lower case) that occur together only in their exports. Sources:
@@ -41,8 +40,8 @@ const SIGNATURES: [(&str, &[&str]); 16] = [
 pub(crate) struct Interpretation {
     /// Maker, if the column heads identify it.
     pub maker: Option<&'static str>,
-    /// Message about assumed units.
-    pub without_unit: Option<String>,
+    /// Columns without a unit, each with the assumed unit.
+    pub assumed_units: Vec<String>,
     /// Message about columns whose positive values are to the left.
     pub turned: Option<String>,
 }
@@ -50,7 +49,7 @@ pub(crate) struct Interpretation {
 impl Interpretation {
     /// Interprets the columns of an export, and changes them accordingly. A table that is not an
     /// export stays unchanged. With a `setup`, a column of weather is read as the air of each row.
-    pub fn of(setup: Option<&Setup<f64>>, head: &mut TableHead, table: &TextTable) -> Self {
+    pub fn of(setup: Option<&Setup<f64>>, head: &mut TableHead) -> Self {
         if !head.format.is_export {
             return Self::default();
         }
@@ -63,22 +62,19 @@ impl Interpretation {
         if maker == Some("Foresight") {
             rests_offline(&mut head.columns);
         }
-        let width = head.heads.len();
-        let rows = table
-            .rows_below(head.line)
-            .into_iter()
-            .filter(|row| row.len() >= width)
-            .collect::<Vec<_>>();
-        let states_unit =
-            |at: usize, column: &Column| rows.iter().any(|row| column.has_unit_in(&row[at]));
+        let (columns, rows) = (&mut head.columns, &head.rows);
         if let Some(setup) = setup {
-            weather_of_rows(setup, &plain, &mut head.columns, &rows);
+            weather_of_rows(setup, &plain, columns, rows);
         }
-        let without_unit = assume_units(&mut head.columns, states_unit);
+        let assumed_units = columns
+            .iter_mut()
+            .enumerate()
+            .filter_map(|(at, column)| assume_unit(at, column, rows))
+            .collect();
         Self {
             maker,
-            without_unit,
-            turned: turn_spins(maker, &mut head.columns, &rows),
+            assumed_units,
+            turned: turn_spins(maker, columns, rows),
         }
     }
 }

@@ -161,10 +161,16 @@ fn fill(
     let ball = ball_data(message)?;
     let (speed_unit, length_unit) = units(message)?;
     fill_ball(shot, message, speed_unit, length_unit)?;
-    if let Some(Json::Object(club)) = message.get("ClubData")
-        && option(message, "ContainsClubData") != Some(false)
-    {
-        shot.club = club_data(club, speed_unit, &mut shot.notes);
+    if option(message, "ContainsClubData") != Some(false) {
+        match message.get("ClubData") {
+            Some(Json::Object(club)) => {
+                shot.club = club_data(club, speed_unit, &mut shot.notes);
+            }
+            None | Some(Json::Null) => {}
+            Some(_) => shot
+                .notes
+                .push("ClubData is not an object; the club counts as not measured".into()),
+        }
     }
     remove_unsent(&mut shot.values);
     let stated = shot.conditions();
@@ -266,14 +272,16 @@ fn ball_data(message: &Map<String, Json>) -> Result<&Map<String, Json>, Refusal>
 }
 
 fn club_data(club: &Map<String, Json>, speed_unit: &str, notes: &mut Vec<String>) -> Club {
-    let value = |key| number(club, "ClubData", key).ok().flatten();
-    let angle = |key| value(key).map(f64::to_radians);
-    let speed = value("Speed").map(|speed| speed * size(Quantity::SPEED, speed_unit));
+    let value = |key, unit: f64| match number(club, "ClubData", key) {
+        Ok(number) => Ok(number.map(|number| number * unit)),
+        Err(refusal) => Err(refusal.reason),
+    };
+    let degree = size(Quantity::ANGLE, "deg");
     let stated = [
-        speed,
-        angle("AngleOfAttack"),
-        angle("Path"),
-        angle("FaceToTarget"),
+        value("Speed", size(Quantity::SPEED, speed_unit)),
+        value("AngleOfAttack", degree),
+        value("Path", degree),
+        value("FaceToTarget", degree),
     ];
     let heads = [
         "ClubData.Speed",

@@ -73,14 +73,20 @@ impl Club {
     ];
 
     /// Club data from stated values and their column heads, in the order of [`NAMES`](Self::NAMES).
-    /// An implausible value counts as not measured, with a note in `notes`. A club speed of 0
-    /// counts as not measured. If all other stated values are 0 too, none of them counts as
-    /// measured.
+    /// An unreadable or implausible value counts as not measured, with a note in `notes`. A club
+    /// speed of 0 counts as not measured. If all other stated values are 0 too, none of them counts
+    /// as measured.
     pub(super) fn measured(
-        stated: [Option<f64>; 4],
+        stated: [Result<Option<f64>, String>; 4],
         heads: [&str; 4],
         notes: &mut Vec<String>,
     ) -> Self {
+        let stated = stated.map(|value| {
+            value.unwrap_or_else(|why| {
+                notes.push(format!("{why}; it counts as not measured"));
+                None
+            })
+        });
         if Self::is_still(stated) {
             return Self::default();
         }

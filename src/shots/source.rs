@@ -44,6 +44,8 @@ pub(super) struct TableRows {
     setup: Setup<f64>,
     /// Column heads of the current section.
     columns: Arc<ShotColumns>,
+    /// The parameters besides the launch of the first section.
+    of_first: Vec<&'static Parameter>,
     /// True if a section other than the first began after the previous chunk.
     is_begun: bool,
     is_air_given: bool,
@@ -63,7 +65,7 @@ pub struct Section {
 /// A chunk of unread rows or messages.
 pub(super) struct Chunk {
     /// The section of the table; `None` for messages of GSPro Open Connect.
-    section: Option<Section>,
+    pub section: Option<Section>,
     records: Vec<Record>,
 }
 
@@ -140,6 +142,7 @@ impl Shots {
             table,
             setup,
             columns: columns.clone(),
+            of_first: columns.further(),
             is_begun: false,
             is_air_given,
             remarks: vec![],
@@ -219,7 +222,17 @@ impl Shots {
         self.column_of(of).map(Column::unit)
     }
 
-    /// The parameters that each row states, without those of the launch.
+    /// Advice for values whose unit is probably wrong.
+    pub(super) fn unit_advice(&self) -> &'static str {
+        match &self.columns {
+            Some(_) => "check the unit in the head",
+            None if self.is_written => "check the units of the original file",
+            None => "check Units in the messages",
+        }
+    }
+
+    /// The parameters that each row states, without those of the launch. The rows of a later
+    /// section of a table may state more, which follow.
     pub fn further(&self) -> &[&'static Parameter] {
         &self.further
     }
@@ -260,7 +273,7 @@ impl TableRows {
             return Ok(());
         };
         let mut columns = ShotColumns::read(&self.setup, head, &self.table, self.is_air_given)?;
-        columns.align(&self.columns).map_err(|missing| {
+        columns.align(&self.of_first).map_err(|missing| {
             let reason = format!(
                 "its column heads lack {missing}, which the first section has; give the \
                                   sections the same columns, or separate files"

@@ -125,6 +125,7 @@ impl UnitChecks {
     /// Warnings about columns of these shots.
     pub fn warnings(&self, of: &[Outcome], shots: &Shots) -> Vec<Message> {
         let name = |of| shots.name_of(of);
+        let advice = shots.unit_advice();
         let mut warnings = vec![];
         if let Some(fault) = self.speed_fault(of) {
             let mph = Quantity::SPEED.size_of("mph");
@@ -135,7 +136,7 @@ impl UnitChecks {
                 false => String::new(),
             };
             warnings.push(format!(
-                "{}: the balls carry {}{as_if}; check the unit in the head",
+                "{}: the balls carry {}{as_if}; {advice}",
                 name(Outcome::BallSpeed),
                 fault.carry
             ));
@@ -145,8 +146,7 @@ impl UnitChecks {
                     mistaken(of.quantity(), ratios, shots.unit_of(*of))?;
                 Some(format!(
                     "{}: predicted values are {ratio:.2} times the measured values in the median, \
-                     as if the measured values were in {meant} and read in {read}; \
-                     check the unit in the head",
+                     as if the measured values were in {meant} and read in {read}; {advice}",
                     name(*of)
                 ))
             });

@@ -58,16 +58,23 @@ impl Effects {
     }
 
     /// First-order standard uncertainty of the difference from another drive, if each parameter has
-    /// the same error in both: √Σ(σ (∂f₂/∂p − ∂f₁/∂p))².
+    /// the same error in both: √Σ(σ₂ ∂f₂/∂p − σ₁ ∂f₁/∂p)². A parameter without an uncertainty in
+    /// one of the drives has the effect 0 there.
     pub fn uncertainty_of_change(&self, other: &Self) -> f64 {
-        let there = |sigma_effect: &SigmaEffect| {
-            let same = other
-                .sigma_effects()
-                .find(|other| other.sigma.parameter == sigma_effect.sigma.parameter);
-            same.map_or(0.0, |other| other.first_order)
+        let in_other = |parameter| {
+            let mut effects = other.sigma_effects();
+            effects.find(|effect| effect.sigma.parameter == parameter)
         };
-        self.sigma_effects()
-            .map(|sigma_effect| there(sigma_effect) - sigma_effect.first_order)
+        let is_only_there = |there: &&SigmaEffect| {
+            let mut here = self.sigma_effects();
+            here.all(|here| here.sigma.parameter != there.sigma.parameter)
+        };
+        let here = self.sigma_effects().map(|here| {
+            let there = in_other(here.sigma.parameter);
+            there.map_or(0.0, |there| there.first_order) - here.first_order
+        });
+        let only_there = other.sigma_effects().filter(is_only_there);
+        here.chain(only_there.map(|there| there.first_order))
             .fold(0.0, f64::hypot)
     }
 

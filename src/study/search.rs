@@ -130,20 +130,23 @@ impl Search {
             .unwrap_or(Outcome::Carry)
     }
 
-    /// Refuses a search over swings, for studies of one drive.
+    /// Refuses a search over swings or for a sum of outcomes, for studies of an outcome of one
+    /// drive.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for a search over swings.
+    /// [`Error::Unreadable`] for such a search.
     pub fn refuse_swings(&self) -> Result<()> {
         if self.is_of_outcomes() {
             return Ok(());
         }
-        let reason = "it is over swings that vary; this study needs an outcome of one drive, and \
-                      constraints on outcomes";
-        Err(Error::Unreadable {
-            name: format!("the search for {}", self.of.expression),
-            source: reason.into(),
-        })
+        let why = match self.scenarios.is_one_drive() {
+            true => "a goal is not a single outcome",
+            false => "it is over swings that vary",
+        };
+        let source =
+            format!("{why}; this study needs an outcome of one drive, and constraints on outcomes");
+        let name = format!("the search for {}", self.of.expression);
+        Err(Error::unreadable(name, source))
     }
 
     /// True if every goal is an outcome of one drive.

@@ -135,9 +135,6 @@ enum DefaultSigma {
     Part(f64),
     /// Uncertainty of the mean wind, m/s, in addition to its gusts.
     Wind(f64),
-    /// Uncertainty of the position of a strike, read from its mark on the face, m. A strike that is
-    /// measured from the sweet spot also has the uncertainty of the sweet spot, [`SWEET_SPOT`].
-    Strike(f64),
 }
 
 /// Roughness length for gusts in a setup with uniform wind, m: open country with low vegetation (EN
@@ -173,9 +170,9 @@ const MONITOR: &str = "assumed: the uncertainty of launch monitors for the ball 
 const BALL: &str = "assumed: the uncertainty of launch monitors for the ball, as in `calibrate` \
                     for columns without sigma";
 const STRIKE: &str = "assumed: a mark on the face, read to a millimetre";
-const STRIKE_HIGH: &str = "assumed: a mark on the face, read to a millimetre; the height of the \
-                           sweet spot, from which strike.high is measured, is known within 3 mm \
-                           (docs/sources.md)";
+const STRIKE_FROM_SWEET_SPOT: &str = "assumed: a mark on the face, read to a millimetre; the \
+                                      height of the sweet spot, from which strike.high is \
+                                      measured, is known within 3 mm (docs/sources.md)";
 const SPOT: &str = "docs/sources.md: the height of the sweet spot is known within 3 mm";
 const LAW_DRAG: &str = "docs/sources.md: credible laws differ by 0.015 in C_D";
 const LAW_LIFT: &str = "docs/sources.md: credible laws differ by 0.02 in C_L, or 10 %";
@@ -201,7 +198,7 @@ const DEFAULTS: &[(&str, DefaultSigma, &str)] = &[
         DefaultSigma::Of(1e3 * SWEET_SPOT, "mm"),
         SPOT,
     ),
-    ("strike.high", DefaultSigma::Strike(1e-3), STRIKE_HIGH),
+    ("strike.high", DefaultSigma::Of(1.0, "mm"), STRIKE),
     ("strike.toe", DefaultSigma::Of(1.0, "mm"), STRIKE),
     ("launch.ball_speed", DefaultSigma::Of(1.0, "mph"), BALL),
     ("launch.launch_angle", DefaultSigma::Of(0.3, "deg"), BALL),
@@ -266,10 +263,6 @@ pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma], of: &[Outcome]) -> Res
                 number * parameter.quantity.size_of(unit).unwrap_or(1.0)
             }
             DefaultSigma::Part(part) => part * setup.value(parameter).unwrap_or_default().abs(),
-            DefaultSigma::Strike(mark) => match setup.club.cg_high {
-                Some(_) => *mark,
-                None => mark.hypot(SWEET_SPOT),
-            },
             DefaultSigma::Wind(mean) => {
                 let [right, downrange, speed] = gusts(setup);
                 mean.hypot(match *name {
@@ -278,6 +271,10 @@ pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma], of: &[Outcome]) -> Res
                     _ => speed,
                 })
             }
+        };
+        let (value, source) = match (*name, setup.club.cg_high) {
+            ("strike.high", None) => (value.hypot(SWEET_SPOT), STRIKE_FROM_SWEET_SPOT),
+            _ => (value, *source),
         };
         if value > 0.0 {
             all.push(Sigma {

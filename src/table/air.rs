@@ -3,7 +3,7 @@
 use super::column::{AIR, Column, Content};
 use crate::atmosphere::in_effect;
 use crate::parameters::Setup;
-use crate::units::{Message, Quantity};
+use crate::units::Quantity;
 
 /// Range of air density on golf courses, kg/m³: from a course at 5000 m on a hot day to the coast
 /// at −40 °C.
@@ -85,13 +85,10 @@ pub(super) fn air_as_given(head: &str) -> String {
     format!("the given air replaces the air that the export states for each row: {head}")
 }
 
-/// Replaces the message [`air_of_rows`] by the message [`air_as_given`].
-pub(crate) fn replace_air_remark(remarks: &mut [Message], head: &str) {
-    let replaced = air_of_rows(head);
-    for remark in remarks {
-        if remark.to_string().ends_with(&replaced) {
-            *remark = air_as_given(head).into();
-        }
+/// Ignores the columns in which an export states the air, because the setup gives it.
+pub(crate) fn ignore_stated_air(columns: &mut [Column]) {
+    for column in columns.iter_mut().filter(|column| column.is_stated_air()) {
+        (column.content, column.is_of_given_air) = (Content::Note, true);
     }
 }
 

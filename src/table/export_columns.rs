@@ -18,39 +18,38 @@ const DEFAULT_UNITS: [(Quantity, &str); 4] = [
     (Quantity::TIME, "s"),
 ];
 
-/// Assumes default units for columns without a unit and returns a remark. Angles are in degrees
-/// already. A column is skipped if its cells contain units: `states_unit` is true for it.
-pub(crate) fn assume_units(
-    columns: &mut [Column],
-    states_unit: impl Fn(usize, &Column) -> bool,
-) -> Option<String> {
-    let mut assumed = vec![];
-    for (at, column) in columns.iter_mut().enumerate() {
-        let is_unstated = column.lacks_unit() || column.is_in_assumed_degrees();
-        if is_unstated && states_unit(at, column) {
-            column.has_units_in_cells = true;
-            column.is_in_assumed_degrees = false;
-            continue;
-        }
-        if !column.lacks_unit() {
-            continue;
-        }
-        let Some((_, unit)) = DEFAULT_UNITS
-            .iter()
-            .find(|(quantity, _)| column.quantity() == Some(*quantity))
-        else {
-            continue;
-        };
-        let is_height = column.content == Content::Outcome(Outcome::ApexHeight);
-        let unit = if is_height { "ft" } else { unit };
-        assumed.push(format!("{} in {unit}", column.head));
-        *column = column.clone().in_unit(unit);
+/// Assumes the default unit for a column without a unit. An angle is in degrees already. If a cell
+/// of these rows has a unit, the column has the units of its cells. Returns the head with the
+/// assumed unit, for [`assumed_units_remark`].
+pub(crate) fn assume_unit(at: usize, column: &mut Column, rows: &[Vec<String>]) -> Option<String> {
+    if !column.lacks_unit() && !column.is_in_assumed_degrees() {
+        return None;
     }
+    if rows.iter().any(|row| column.has_unit_in(&row[at])) {
+        column.has_units_in_cells = true;
+        column.is_in_assumed_degrees = false;
+        return None;
+    }
+    if !column.lacks_unit() {
+        return None;
+    }
+    let quantity = column.quantity();
+    let mut defaults = DEFAULT_UNITS.iter();
+    let (_, unit) = defaults.find(|(of, _)| quantity == Some(*of))?;
+    let is_height = column.content == Content::Outcome(Outcome::ApexHeight);
+    let unit = if is_height { "ft" } else { unit };
+    *column = column.clone().in_unit(unit);
+    Some(format!("{} in {unit}", column.head))
+}
+
+/// Remark on columns with assumed units; `None` if there are none.
+pub(crate) fn assumed_units_remark(assumed: &[String]) -> Option<Message> {
     (!assumed.is_empty()).then(|| {
         format!(
             "{ASSUMED_UNITS} {}; if the units are different, write them into the column heads",
             assumed.join(", ")
         )
+        .into()
     })
 }
 
@@ -128,7 +127,7 @@ pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
 }
 
 /// Remark on angles without a unit, which are read in degrees.
-pub(crate) fn in_degrees(columns: &[Column]) -> Option<String> {
+pub(crate) fn in_degrees<'a>(columns: impl IntoIterator<Item = &'a Column>) -> Option<String> {
     let heads = heads_of(columns, Column::is_in_assumed_degrees);
     let (is, angles) = if heads.len() == 1 {
         ("is", "an angle")
@@ -164,7 +163,7 @@ pub(super) fn ignore_columns(
         let is_of_the_strike = club == ClubColumns::Ignored && column.is_of_the_strike();
         is_of_the_strike || column.content == Content::Outcome(Outcome::SmashFactor)
     };
-    let ignored = heads_of(columns, is_club);
+    let ignored = heads_of(&*columns, is_club);
     if !ignored.is_empty() {
         let reason = match club {
             ClubColumns::Ignored => {
@@ -184,7 +183,7 @@ pub(super) fn ignore_columns(
     };
     let is_of_row = selects_spin_by_row
         && (club == ClubColumns::Ignored || !columns.iter().any(Column::is_of_the_strike));
-    let repeated = heads_of(columns, is_redundant);
+    let repeated = heads_of(&*columns, is_redundant);
     if !repeated.is_empty() {
         let reason = match is_of_row {
             true => {
@@ -217,9 +216,12 @@ fn redundant_spins(columns: &[Column]) -> &'static [Outcome] {
 }
 
 /// Column heads of the columns that satisfy `is`.
-pub(crate) fn heads_of(columns: &[Column], is: impl Fn(&Column) -> bool) -> Vec<&str> {
+pub(crate) fn heads_of<'a>(
+    columns: impl IntoIterator<Item = &'a Column>,
+    is: impl Fn(&Column) -> bool,
+) -> Vec<&'a str> {
     columns
-        .iter()
+        .into_iter()
         .filter(|column| is(column))
         .map(|column| column.head.as_str())
         .collect()

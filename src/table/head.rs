@@ -64,6 +64,9 @@ pub(crate) struct TableHead {
     pub format: TableFormat,
     /// Cells of the line of units; `None` without this line.
     pub units: Option<Vec<String>>,
+    /// The first rows of the section with a cell for each head. They show units, decimal mark and
+    /// signs. Empty for a table in SI.
+    pub rows: Vec<Vec<String>>,
     /// Remarks on ignored columns.
     pub remarks: Vec<Message>,
     /// Remark on the encoding.
@@ -117,6 +120,7 @@ impl TableHead {
             columns,
             format,
             units,
+            rows: vec![],
             remarks,
             encoding: None,
         })
@@ -138,6 +142,7 @@ impl TableHead {
             columns,
             format: TableFormat::default(),
             units: None,
+            rows: vec![],
             remarks: vec![],
             encoding: None,
         })

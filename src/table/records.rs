@@ -13,6 +13,9 @@ const LONGEST: u64 = 1 << 20;
 /// of the first line.
 const MOST_LINES: usize = 32;
 
+/// Number of bytes after which no further line is read ahead.
+const MOST_AHEAD: usize = 1 << 16;
+
 /// A row of a table; or, in a stream of messages, a JSON object or other text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Record {
@@ -45,8 +48,8 @@ pub(super) struct Lines {
     end: u8,
     /// Number of lines that have been read from the source.
     read: u64,
-    /// Lines that were pushed back.
-    held: VecDeque<(u64, String)>,
+    /// Lines that were read ahead or pushed back. An error is the last of them.
+    held: VecDeque<io::Result<(u64, String)>>,
 }
 
 impl Lines {
@@ -68,9 +71,14 @@ impl Lines {
 
     /// The next line, with its number.
     pub fn line(&mut self) -> io::Result<Option<(u64, String)>> {
-        if let Some(held) = self.held.pop_front() {
-            return Ok(Some(held));
+        match self.held.pop_front() {
+            Some(held) => held.map(Some),
+            None => self.next_line(),
         }
+    }
+
+    /// Reads a line from the source.
+    fn next_line(&mut self) -> io::Result<Option<(u64, String)>> {
         let mut bytes = vec![];
         let count = (&mut self.source)
             .take(LONGEST)
@@ -92,7 +100,23 @@ impl Lines {
 
     /// Pushes a line back to the front of the input.
     pub fn give_back(&mut self, line: (u64, String)) {
-        self.held.push_front(line);
+        self.held.push_front(Ok(line));
+    }
+
+    /// The next lines, which stay unread: at most `most`, and few more bytes than [`MOST_AHEAD`].
+    /// They end before an error of the source, which [`line`](Self::line) returns in its place.
+    pub fn ahead(&mut self, most: usize) -> impl Iterator<Item = &str> {
+        let mut bytes: usize = self.held.iter().flatten().map(|line| line.1.len()).sum();
+        while self.held.len() < most && bytes < MOST_AHEAD {
+            match self.next_line().transpose() {
+                None => break,
+                Some(line) => {
+                    bytes += line.as_ref().map_or(MOST_AHEAD, |line| line.1.len());
+                    self.held.push_back(line);
+                }
+            }
+        }
+        self.held.iter().flatten().map(|line| line.1.as_str())
     }
 
     /// The next line other than blank lines, comments (`#`) and a separator declaration (`sep=;`).

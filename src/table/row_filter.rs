@@ -32,6 +32,8 @@ struct ColumnFilter {
     at: usize,
     /// Number of rows for each text in this column; at most [`MOST_VALUES`] texts.
     seen: BTreeMap<String, u64>,
+    /// True if the column has other texts too.
+    has_others: bool,
 }
 
 impl RowFilter {
@@ -57,6 +59,7 @@ impl RowFilter {
                     values: vec![value.into()],
                     at: 0,
                     seen: BTreeMap::new(),
+                    has_others: false,
                 }),
             }
         }
@@ -106,6 +109,8 @@ impl RowFilter {
             is_taken &= column.values.iter().any(|value| is_like(value, cell));
             if column.seen.len() < MOST_VALUES || column.seen.contains_key(cell) {
                 *column.seen.entry(cell.into()).or_default() += 1;
+            } else {
+                column.has_others = true;
             }
         }
         self.rows += 1;
@@ -123,11 +128,7 @@ impl RowFilter {
         }
         let of_column = |column: &ColumnFilter| {
             let values = counted_values(column.seen.iter());
-            let more = if column.seen.len() < MOST_VALUES {
-                ""
-            } else {
-                ", …"
-            };
+            let more = if column.has_others { ", …" } else { "" };
             format!("; {} is {values}{more}", column.name)
         };
         let listed: String = self.columns.iter().map(of_column).collect();

@@ -14,7 +14,7 @@ use crate::parameters::Setup;
 use std::io::{self, BufReader, Cursor, Read};
 use std::path::Path;
 
-/// Number of bytes inspected for format, column heads and decimal mark.
+/// Number of bytes inspected for format, encoding and column heads.
 const BEGINNING: u64 = 1 << 16;
 
 /// Buffer size, bytes.
@@ -113,8 +113,6 @@ pub(crate) struct TextTable {
     lines: Lines,
     /// Cell separator.
     pub separator: u8,
-    /// The first 64 KiB of the text.
-    beginning: String,
     encoding: Encoding,
     /// True for exports, which may contain further lines of column heads.
     has_sections: bool,
@@ -156,7 +154,6 @@ impl TextTable {
             name,
             lines,
             separator: place.separator,
-            beginning,
             encoding,
             has_sections: false,
             heads: vec![],
@@ -227,24 +224,19 @@ impl TextTable {
         {
             self.give_back(below);
         }
+        head.rows = self.rows_ahead(&head);
         Ok(head)
     }
 
-    /// Rows below the line `head` of column heads: at most [`MOST_ROWS`], and only rows in the
-    /// first 64 KiB of the text.
-    pub fn rows_below(&self, head: u64) -> Vec<Vec<String>> {
-        let has_returns = self.beginning.contains('\r') && !self.beginning.contains('\n');
-        let end = if has_returns { '\r' } else { '\n' };
-        let below = usize::try_from(head).unwrap_or(usize::MAX);
-        let lines = self.beginning.split(end).skip(below);
-        let rows = lines.take_while(|line| !(self.has_sections && is_head(line, self.separator)));
-        let cells = |line: &str| {
-            cells(line, self.separator)
-                .into_iter()
-                .map(String::from)
-                .collect()
-        };
-        rows.take(MOST_ROWS).map(cells).collect()
+    /// The first rows of the section with this head, which stay unread.
+    fn rows_ahead(&mut self, head: &TableHead) -> Vec<Vec<String>> {
+        let separator = self.separator;
+        let lines = self.lines.ahead(MOST_ROWS);
+        lines
+            .take_while(|line| !(head.format.is_export && is_head(line, separator)))
+            .map(|line| cells(line, separator).into_iter().map(Into::into).collect())
+            .filter(|row: &Vec<String>| row.len() >= head.heads.len())
+            .collect()
     }
 
     /// The next row or line of column heads; `None` at the end.

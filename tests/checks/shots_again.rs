@@ -589,7 +589,13 @@ fn json_lines_of_fly_have_all_measured_values() {
     let lines = folder.path().join("flown.jsonl").display().to_string();
     assert_eq!(longdrive(&["fly", sample, "-o", &lines]).status, 0);
     let open = |file: &str| {
-        ShotTable::open(&Setup::default(), Path::new(file), RowFilter::default()).unwrap()
+        ShotTable::open(
+            &Setup::default(),
+            Path::new(file),
+            RowFilter::default(),
+            false,
+        )
+        .unwrap()
     };
     let (table, again) = (open(sample), open(&lines));
     assert_eq!((table.residuals(), again.residuals()), (48, 48));

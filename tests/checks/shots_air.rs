@@ -3,7 +3,10 @@
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use crate::shots::flown;
+use longdrive::report::ShotWriter;
+use longdrive::shots::Flown;
 use longdrive::study::calibrate::{MeasuredShot, ShotTable};
+use longdrive::table::RowFilter;
 use longdrive::{Drive, Outcome, Setup};
 use serde_json::Value;
 use std::fs;
@@ -16,6 +19,24 @@ fn garmin(air: &[&str]) -> String {
     let shot = row.strip_suffix("1.184,77,101.3,50").unwrap();
     air.iter().fold(format!("{heads}\n"), |text, air| {
         format!("{text}{shot}{air}\n")
+    })
+}
+
+/// That shot without an air, then a section with it in air of 0.9 kg/m³.
+fn air_in_second_section() -> String {
+    let with_air = garmin(&["0.9,77,77.0,50"]);
+    let without_air = with_air.replace("Air Density", "Note 2");
+    format!("{without_air}{with_air}").replace('\u{feff}', "")
+}
+
+/// A table of shots in the air that it states, and in the air of the setup.
+fn tables(text: &str) -> [ShotTable; 2] {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.csv");
+    fs::write(&file, text).unwrap();
+    [false, true].map(|is_air_given| {
+        let filter = RowFilter::default();
+        ShotTable::open(&Setup::default(), &file, filter, is_air_given).unwrap()
     })
 }
 
@@ -101,7 +122,7 @@ fn same_flight_in_the_air_of_an_export_and_in_that_air_set() {
 #[test]
 fn same_air_of_each_row_in_calibrate_and_fly() {
     let text = garmin(&["0.997,77,85.3,50", ",,,"]);
-    let mut table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
+    let [table, given] = tables(&text);
     let air = |table: &ShotTable, shot: usize| {
         table.shots[shot]
             .inputs
@@ -128,25 +149,18 @@ fn same_air_of_each_row_in_calibrate_and_fly() {
             remarks(&table)
         );
     }
-    table.in_given_air();
     assert!(
-        air(&table, 0).is_none()
-            && remarks(&table)
+        air(&given, 0).is_none()
+            && remarks(&given)
                 .contains("the given air replaces the air that the export states for each row"),
         "{}",
-        remarks(&table)
+        remarks(&given)
     );
 }
 
 #[test]
 fn the_air_that_only_a_second_section_states_is_reported_and_overridden() {
-    let with_air = garmin(&["0.9,77,77.0,50"]);
-    let without_air: String = with_air
-        .replace("Air Density", "Note 2")
-        .trim_start_matches('\u{feff}')
-        .into();
-    let text = format!("{without_air}{with_air}").replace('\u{feff}', "");
-    let mut table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
+    let [table, given] = tables(&air_in_second_section());
     let has_air = |table: &ShotTable| -> Vec<bool> {
         let is_air = |shot: &MeasuredShot| {
             let mut inputs = shot.inputs.iter();
@@ -162,10 +176,44 @@ fn the_air_that_only_a_second_section_states_is_reported_and_overridden() {
     let stated = "from line 4 on: each shot flies in the air that the export states for its row: \
                   Air Density";
     assert!(remarks(&table).contains(stated), "{}", remarks(&table));
-    table.in_given_air();
-    assert_eq!(has_air(&table), [false, false]);
-    let given = "the given air replaces the air that the export states for each row: Air Density";
-    assert!(remarks(&table).contains(given), "{}", remarks(&table));
+    assert_eq!(has_air(&given), [false, false]);
+    let says = "the given air replaces the air that the export states for each row: Air Density";
+    assert!(remarks(&given).contains(says), "{}", remarks(&given));
+}
+
+/// The second section states an air that the first does not have.
+#[test]
+fn same_flight_in_the_air_of_a_second_section_and_in_that_air_set() {
+    let (shots, all, _) = flown(Cursor::new(air_in_second_section()));
+    for (section, density) in [1.184, 0.9].into_iter().enumerate() {
+        let found = all[section].predicted(0, 0).unwrap();
+        close(found, carry(density), 250.0, 1e-6, &format!("{density}"));
+    }
+    let writer = ShotWriter::json_lines(&shots, &[Outcome::CarryDistance]);
+    let lines: String = all
+        .iter()
+        .map(|flown| String::from_utf8(writer.rows(flown)).unwrap())
+        .collect();
+    let densities: Vec<Option<f64>> = lines
+        .lines()
+        .map(|line| serde_json::from_str::<Value>(line).unwrap())
+        .map(|line| line["parameters"]["air.density"].as_f64())
+        .collect();
+    assert_eq!(densities, [None, Some(0.9)]);
+}
+
+/// The second section begins after the first 64 KiB, and states its air by the weather.
+#[test]
+fn same_air_in_a_section_far_from_the_beginning() {
+    let text = include_str!("../data/cases/trackman-short-heads.csv");
+    let (heads, rows) = text.trim_end().split_once('\n').unwrap();
+    let first = format!("{heads}\n{}", format!("{rows}\n").repeat(500));
+    assert!(first.len() > 1 << 16);
+    let second = text.replace("Club,", "Club Name,");
+    let (_, all, tally) = flown(Cursor::new(first + &second));
+    assert!(tally.refused.is_empty(), "{:?}", tally.refused);
+    let air = |flown: &Flown| flown.shots[0].further()[0];
+    assert_eq!(air(&all[0]), air(all.last().unwrap()));
 }
 
 #[test]

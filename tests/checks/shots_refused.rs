@@ -245,7 +245,13 @@ fn no_spin_and_topspin_are_out_of_range_in_every_format() {
 #[test]
 fn exports_without_units_are_read_as_in_fly() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/data/shots/rapsodo.csv");
-    let table = ShotTable::open(&Setup::default(), Path::new(file), RowFilter::default()).unwrap();
+    let table = ShotTable::open(
+        &Setup::default(),
+        Path::new(file),
+        RowFilter::default(),
+        false,
+    )
+    .unwrap();
     let with_units = read(
         "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin Axis \
          [deg],Apex [ft],Carry Distance [yd],\

@@ -87,11 +87,16 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
     text
 }
 
-/// Warnings about a distribution of swings, in two cases: in the directions that the shots do not
-/// identify, its deviation is smaller than the prior's; or it does not reproduce the measured
-/// launches.
+/// Warnings about a distribution of swings, in three cases: its iterations did not converge; in the
+/// directions that the shots do not identify, its deviation is smaller than the prior's; or it does
+/// not reproduce the measured launches.
 pub fn population_warnings(population: &Population, system: System) -> Vec<Message> {
     let mut all = vec![];
+    if !population.is_converged {
+        let not_converged = "mean and deviation of the swings still changed when the iterations \
+                             ended; give more shots, or fewer parameters (`vary`)";
+        all.push(not_converged.into());
+    }
     if population.prior_factor < 1.0 {
         let part = significant(population.prior_factor, 3);
         all.push(format!(

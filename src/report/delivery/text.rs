@@ -57,7 +57,7 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
 fn measured_club(delivered: &Delivered, system: System) -> Option<Line> {
     let unknowns = delivered.posteriors.iter().map(|known| &known.unknown);
     let measured: Vec<_> = unknowns
-        .filter(|unknown| unknown.has_uncertainty_of_monitor())
+        .filter(|unknown| unknown.has_assumed_error())
         .collect();
     let one = |unknown: &&Unknown| {
         let sigma = shown::spread(unknown.parameter, unknown.sigma, system);

@@ -167,7 +167,7 @@ impl Keys {
         let keys = heads.iter().enumerate().map(key).collect();
         Self {
             of: self.of.clone(),
-            further: self.further.clone(),
+            further: columns.further().iter().map(|row| row.name).collect(),
             cells: Some((columns.clone(), keys)),
         }
     }

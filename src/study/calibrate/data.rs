@@ -12,12 +12,21 @@ use std::path::Path;
 
 impl ShotTable {
     /// Reads measured shots from the rows of a CSV file that `filter` selects, by default all rows.
+    /// If `is_air_given` is true, every shot has the air of the setup, even if an export states
+    /// other air.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read), and [`Error::Table`](crate::Error::Table) if `filter`
     /// selects no row or names a column that the table does not have.
-    pub fn open(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
-        Self::opened(setup, path, filter, ClubColumns::Ignored)
+    pub fn open(
+        setup: &Setup<f64>,
+        path: &Path,
+        filter: RowFilter,
+        is_air_given: bool,
+    ) -> Result<Self> {
+        let mut text = Text::of_file(path)?;
+        text.filter = filter;
+        Self::read_rows(setup, text, ClubColumns::Ignored, is_air_given)
     }
 
     /// Reads launches from a CSV file, together with the club columns in the same rows. A row needs
@@ -26,18 +35,9 @@ impl ShotTable {
     /// # Errors
     /// The errors of [`open`](Self::open).
     pub fn open_launches(setup: &Setup<f64>, path: &Path, filter: RowFilter) -> Result<Self> {
-        Self::opened(setup, path, filter, ClubColumns::Read)
-    }
-
-    fn opened(
-        setup: &Setup<f64>,
-        path: &Path,
-        filter: RowFilter,
-        club: ClubColumns,
-    ) -> Result<Self> {
         let mut text = Text::of_file(path)?;
         text.filter = filter;
-        Self::read_rows(setup, text, club)
+        Self::read_rows(setup, text, ClubColumns::Read, false)
     }
 
     /// Reads measured shots from CSV text. Also reads messages of GSPro Open Connect, and exports
@@ -55,11 +55,16 @@ impl ShotTable {
         let mut bytes = vec![];
         SourceName(file.into()).io(source.read_to_end(&mut bytes))?;
         let text = Text::open(file, Cursor::new(bytes))?;
-        Self::read_rows(setup, text, ClubColumns::Ignored)
+        Self::read_rows(setup, text, ClubColumns::Ignored, false)
     }
 
     /// Reads CSV text. With [`ClubColumns::Read`] a row needs no measurement other than its launch.
-    fn read_rows(setup: &Setup<f64>, text: Text, club: ClubColumns) -> Result<Self> {
+    fn read_rows(
+        setup: &Setup<f64>,
+        text: Text,
+        club: ClubColumns,
+        is_air_given: bool,
+    ) -> Result<Self> {
         let file = text.name.0.clone();
         if is_json(&text.beginning) {
             return Self::of_messages(setup, Shots::of_text(setup, text)?, &file, club);
@@ -69,7 +74,7 @@ impl ShotTable {
             ClubColumns::Read => TableOptions::DELIVERIES,
         };
         let (mut table, head) = TextTable::open(text, setup, &wanted)?;
-        let mut reading = Reading::of_head(setup, &table, head, club)?;
+        let mut reading = Reading::of_head(setup, &table, head, club, is_air_given)?;
         let is_launched = reading.is_launched;
         let mut rows = ShotRows::new(&file);
         rows.begin(None, &reading);
@@ -81,7 +86,7 @@ impl ShotTable {
                     let Some(head) = table.section(&record, setup, &wanted)? else {
                         continue;
                     };
-                    reading = Reading::of_head(setup, &table, head, club)?;
+                    reading = Reading::of_head(setup, &table, head, club, is_air_given)?;
                     if reading.is_launched != is_launched {
                         let reason = "launches and deliveries are mixed: the rows of this section \
                                       are of another kind than the rows before it; use a separate \

@@ -110,16 +110,12 @@ impl FitPlan {
                 ));
             }
         }
-        let inputs = table
-            .shots
-            .iter()
-            .take(1)
-            .flat_map(|shot| &shot.inputs)
-            .map(|(parameter, _)| parameter.name);
-        let names: Vec<_> = inputs
-            .chain(self.fit.iter().map(|vary| vary.parameter.name))
-            .collect();
-        refuse_replaced(&names, |_| false)?;
+        for shot in &table.shots {
+            let inputs = shot.inputs.iter().map(|(parameter, _)| parameter.name);
+            let fitted = self.fit.iter().map(|vary| vary.parameter.name);
+            let names: Vec<_> = inputs.chain(fitted).collect();
+            refuse_replaced(&names, |_| false)?;
+        }
         check_measurements(&table.shots)?;
         if table.residuals() < self.fit.len() {
             return refuse(format!(

@@ -8,9 +8,10 @@ use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Interpretation, Shot};
 use crate::table::{
     CONDITIONS, ClubColumns, Column, ConditionFault, Content, StatedConditions as Launch,
-    TableHead, TextTable, club_column, columns_remark, conditions, contradiction, given_air,
-    has_whole_launch, heads_of, implausible, implausible_club, implausible_launch, impossible,
-    in_degrees, is_straight_by_assumption, near_known, outside,
+    TableHead, TextTable, assumed_units_remark, club_column, columns_remark, conditions,
+    contradiction, given_air, has_whole_launch, heads_of, ignore_stated_air, implausible,
+    implausible_club, implausible_launch, impossible, in_degrees, is_straight_by_assumption,
+    near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -161,27 +162,24 @@ impl Reading {
         table: &TextTable,
         mut head: TableHead,
         club: ClubColumns,
+        is_air_given: bool,
     ) -> Read<Self> {
         let refused = |place: String, reason: String| table.name.refused(place, reason);
+        let of_weather = (club == ClubColumns::Ignored).then_some(setup);
         let Interpretation {
-            without_unit,
+            assumed_units,
             turned,
             ..
-        } = Interpretation::of(
-            (club == ClubColumns::Ignored).then_some(setup),
-            &mut head,
-            table,
-        );
+        } = Interpretation::of(of_weather, &mut head);
+        if is_air_given {
+            ignore_stated_air(&mut head.columns);
+        }
         let is_export = head.format.is_export;
         let mut remarks: Vec<Message> = head.encoding.map(Message::from).into_iter().collect();
         remarks.append(&mut head.remarks);
-        remarks.extend(
-            in_degrees(&head.columns)
-                .into_iter()
-                .chain(without_unit)
-                .chain(turned)
-                .map(Message::from),
-        );
+        remarks.extend(in_degrees(&head.columns).map(Message::from));
+        remarks.extend(assumed_units_remark(&assumed_units));
+        remarks.extend(turned.map(Message::from));
         remarks.extend(given_air(&head.columns).map(Message::from));
         if is_export {
             remarks.extend(without_totals(&mut head));

@@ -287,19 +287,21 @@ impl ShotRows {
         )
     }
 
-    /// Column heads that state the air. Adds a remark on each.
-    fn stated_air(&self, remarks: &mut Vec<Message>) -> Vec<String> {
-        let mut heads: Vec<String> = vec![];
+    /// Remarks on the columns that state the air, one for each head.
+    fn air_remarks(&self) -> Vec<Message> {
+        let mut heads: Vec<&str> = vec![];
+        let mut remarks = vec![];
         for section in &self.sections {
-            let Some(head) = section.reading.air_head() else {
-                continue;
-            };
-            if !heads.iter().any(|other| other == head) {
+            if let Some(head) = section
+                .reading
+                .air_head()
+                .filter(|head| !heads.contains(head))
+            {
                 remarks.push(section.remark(&air_of_rows(head).into()));
-                heads.push(head.into());
+                heads.push(head);
             }
         }
-        heads
+        remarks
     }
 
     /// Origin of the standard uncertainties. Adds a remark on each assumed one.
@@ -367,7 +369,7 @@ impl ShotRows {
         let launch_beside_club = readings().find_map(Reading::launch_beside_club);
         let mut remarks = self.remarks(left_out);
         remarks.extend(filter.remark());
-        let stated_air = self.stated_air(&mut remarks);
+        remarks.extend(self.air_remarks());
         remarks.extend(self.airless.drain(..).map(Message::from));
         let sigma_origin = self.sigma_origin(&mut remarks);
         Ok(ShotTable {
@@ -378,7 +380,6 @@ impl ShotRows {
             warnings,
             launch_beside_club,
             sigma_origin,
-            stated_air,
         })
     }
 }

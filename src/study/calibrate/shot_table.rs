@@ -3,7 +3,6 @@
 use super::statistics::SigmaOrigin;
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup, Vary};
-use crate::table::replace_air_remark;
 use crate::units::Message;
 use serde::Serialize;
 
@@ -36,25 +35,9 @@ pub struct ShotTable {
     pub(super) launch_beside_club: Option<[String; 2]>,
     /// Origin of the standard uncertainties: the table, instruments, or mere weights.
     pub sigma_origin: SigmaOrigin,
-    /// Heads of the columns that state the air of each row of an export.
-    pub(super) stated_air: Vec<String>,
 }
 
 impl ShotTable {
-    /// Discards the air that an export states, because the setup gives it explicitly.
-    pub fn in_given_air(&mut self) {
-        if self.stated_air.is_empty() {
-            return;
-        }
-        for head in self.stated_air.drain(..) {
-            replace_air_remark(&mut self.remarks, &head);
-        }
-        for shot in &mut self.shots {
-            shot.inputs
-                .retain(|(parameter, _)| parameter.name != "air.density");
-        }
-    }
-
     /// Number of residuals.
     pub fn residuals(&self) -> usize {
         self.shots.iter().map(MeasuredShot::residuals).sum()

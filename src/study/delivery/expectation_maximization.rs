@@ -7,7 +7,6 @@ use super::unknown::Unknown;
 use crate::derivative::{Evaluator, Order, Taylor};
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::study::calibrate::ShotTable;
 use nalgebra::{DMatrix, DVector};
 
 /// Maximum number of iterations.
@@ -63,7 +62,6 @@ impl SwingInformation {
         shots: &[&Delivered],
         of: &[Outcome],
         unknowns: &[Unknown],
-        table: &ShotTable,
         mean: &DVector<f64>,
         launches: &LinearizedLaunches,
     ) -> Result<Self> {
@@ -76,7 +74,7 @@ impl SwingInformation {
             count,
         };
         for shot in shots {
-            all.add(shot, of, unknowns, table, &at, launches)?;
+            all.add(shot, of, unknowns, &at, launches)?;
         }
         Ok(all)
     }
@@ -87,7 +85,6 @@ impl SwingInformation {
         shot: &Delivered,
         of: &[Outcome],
         unknowns: &[Unknown],
-        table: &ShotTable,
         at: &[f64],
         launches: &LinearizedLaunches,
     ) -> Result<()> {
@@ -120,7 +117,7 @@ impl SwingInformation {
         let mut score = weighted * residuals;
         self.information += slopes.transpose() * slopes / self.count;
         for (i, (posterior, unknown)) in shot.posteriors.iter().zip(unknowns).enumerate() {
-            if table.gives(unknown.parameter) {
+            if shot.measured.contains(&unknown.parameter) {
                 let prior = posterior.unknown;
                 let weight = (unknown.sigma / prior.sigma).powi(2);
                 information[(i, i)] += weight;

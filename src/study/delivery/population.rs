@@ -6,7 +6,7 @@ use super::unknown::Unknown;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
-use crate::study::calibrate::{Measurement, ShotTable};
+use crate::study::calibrate::Measurement;
 use crate::units::counted;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
@@ -23,6 +23,9 @@ pub struct Population {
     /// shots do not identify.
     #[serde(rename = "kept")]
     pub prior_factor: f64,
+    /// True if mean and covariance of the swings converged.
+    #[serde(skip)]
+    pub is_converged: bool,
     /// The launch outcomes, measured and computed from the distribution.
     #[serde(rename = "launches")]
     pub predicted: Vec<PredictedOutcome>,
@@ -111,20 +114,14 @@ impl Population {
     ///
     /// Along unidentified directions the swings have their prior distribution. Because an impact is
     /// nonlinear, the predicted launches may then scatter more than the shots; if so, the prior
-    /// deviation along these directions is reduced. If `table` has values of an unknown, the value
-    /// in a row is a measurement of the swing in this row; in a row without a value, the prior
-    /// takes its place. The prior of any other unknown is not a measurement.
+    /// deviation along these directions is reduced. A value of an unknown that is stated with a
+    /// launch is a measurement of this swing; any other prior is not.
     ///
     /// # Errors
     /// [`Error::Delivery`] for fewer than [`LEAST_SHOTS`] shots, and if most swings of the
     /// distribution are not strikes; the errors of
     /// [`Evaluator::at`](crate::derivative::Evaluator::at) if the mean swing is not a strike.
-    pub fn of(
-        setup: &Setup<f64>,
-        all: &[ShotDelivery],
-        unknowns: &[Unknown],
-        table: &ShotTable,
-    ) -> Result<Self> {
+    pub fn of(setup: &Setup<f64>, all: &[ShotDelivery], unknowns: &[Unknown]) -> Result<Self> {
         let shots: Vec<&Delivered> = all.iter().filter_map(ShotDelivery::explained).collect();
         if shots.len() < LEAST_SHOTS {
             let least = counted(LEAST_SHOTS as u64, "shot");
@@ -136,7 +133,7 @@ impl Population {
         }
         let mut best: Option<(f64, Self)> = None;
         for prior_factor in PRIOR_FACTORS {
-            let found = converged(setup, &shots, unknowns, table, prior_factor);
+            let found = converged(setup, &shots, unknowns, prior_factor);
             let found = match (found, &best) {
                 (Ok(found), _) => found,
                 (Err(error), None) if prior_factor == PRIOR_FACTORS[PRIOR_FACTORS.len() - 1] => {
@@ -208,6 +205,7 @@ struct ConvergedDistribution {
     /// Covariance in the basis of the identified directions.
     spread: DMatrix<f64>,
     prior_factor: f64,
+    is_converged: bool,
 }
 
 /// Computes the distribution of the swings, with the prior's standard deviations along unidentified
@@ -218,7 +216,6 @@ fn converged(
     setup: &Setup<f64>,
     shots: &[&Delivered],
     unknowns: &[Unknown],
-    table: &ShotTable,
     prior_factor: f64,
 ) -> Result<Population> {
     let n = unknowns.len();
@@ -232,7 +229,7 @@ fn converged(
     let mut iteration = 0;
     loop {
         let launches = LinearizedLaunches::of(setup, &of, unknowns, &mean, &covariance)?;
-        let information = SwingInformation::new(shots, &of, unknowns, table, &mean, &launches)?;
+        let information = SwingInformation::new(shots, &of, unknowns, &mean, &launches)?;
         let directions = IdentifiedDirections::new(&information.information);
         let (along, unidentified) = (&directions.identified, &directions.unidentified);
         let assumed = unidentified * (prior_factor * prior_factor);
@@ -246,7 +243,8 @@ fn converged(
         let next = (&mean + along * centre + moved, &found + &assumed);
         let change = (&next.0 - &mean).amax().max((&next.1 - &covariance).amax());
         iteration += 1;
-        if iteration < ITERATIONS && change >= TOLERANCE {
+        let is_converged = change < TOLERANCE;
+        if iteration < ITERATIONS && !is_converged {
             (mean, covariance) = next;
             continue;
         }
@@ -258,6 +256,7 @@ fn converged(
             directions,
             spread,
             prior_factor,
+            is_converged,
         };
         return Ok(solution.population(shots, &of, unknowns));
     }
@@ -304,6 +303,7 @@ impl ConvergedDistribution {
             } else {
                 1.0
             },
+            is_converged: self.is_converged,
             predicted: predicted(shots, of, &self.information, &self.launches),
         }
     }

@@ -71,6 +71,8 @@ pub struct Delivered {
     pub message: String,
     /// The posterior of each unknown.
     pub posteriors: Vec<Posterior>,
+    /// The unknowns whose prior is a measurement of this swing, stated with its launch.
+    pub measured: Vec<&'static Parameter>,
     /// The measured outcomes with their computed values.
     pub explained: Vec<Explained>,
     /// Derivatives of the measured outcomes by the unknowns, divided by the outcome's standard

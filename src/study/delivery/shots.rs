@@ -87,6 +87,7 @@ fn shot_delivery(
     unknowns: &[Unknown],
 ) -> Result<Delivered> {
     let (mut own, mut unknowns) = (*setup, unknowns.to_vec());
+    let mut measured_unknowns = vec![];
     let mut launch: Vec<Measurement> = shot
         .measured
         .iter()
@@ -103,7 +104,10 @@ fn shot_delivery(
             .find(|unknown| unknown.parameter == parameter)
         {
             // a measured club value is uncertain: it becomes the prior
-            Some(unknown) => *unknown = unknown.measured_as(value),
+            Some(unknown) => {
+                *unknown = unknown.measured_as(value);
+                measured_unknowns.push(parameter);
+            }
             None => own.set_value(parameter, Some(value))?,
         }
     }
@@ -113,7 +117,10 @@ fn shot_delivery(
                 .into();
         return Err(Error::Delivery { reason });
     }
-    delivery(&own, &launch, &unknowns)
+    Ok(Delivered {
+        measured: measured_unknowns,
+        ..delivery(&own, &launch, &unknowns)?
+    })
 }
 
 impl Spread {

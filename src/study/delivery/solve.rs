@@ -72,6 +72,7 @@ pub fn delivery(
         status: found.status,
         message: found.message.clone(),
         posteriors,
+        measured: vec![],
         explained: explained.collect(),
         jacobian: found.rows.jacobian[..measured.len()].to_vec(),
         unidentified: unidentified(&jacobian, &free_parameters),

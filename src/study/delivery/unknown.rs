@@ -31,6 +31,8 @@ const GOLFERS: &str = "assumed: how golfers differ from each other";
 const STRIKES: &str = "assumed: how far amateurs strike from the middle of the face";
 const EVENLY: &str = "assumed: spread evenly over its range";
 const CLUB: &str = "assumed: the error of a launch monitor's club values";
+const UNKNOWN_ERROR: &str =
+    "assumed: as uncertain as unmeasured, since no error of its measurement is known";
 
 /// Default unknowns with their prior standard uncertainties.
 const DEFAULT_UNKNOWNS: [(&str, &str, &str); 7] = [
@@ -55,13 +57,13 @@ const CLUB_UNCERTAINTIES: [(&str, &str); 4] = [
 const REACH: f64 = 4.0;
 
 impl Unknown {
-    /// True if the prior is a measured value with a launch monitor's default uncertainty.
-    pub fn has_uncertainty_of_monitor(&self) -> bool {
-        self.source == Some(CLUB)
+    /// True if the prior is a measured value with an assumed uncertainty.
+    pub fn has_assumed_error(&self) -> bool {
+        [Some(CLUB), Some(UNKNOWN_ERROR)].contains(&self.source)
     }
 
-    /// The unknown with a launch monitor's value as prior. The uncertainty becomes the monitor's if
-    /// it is known and the user gave none; otherwise it stays. The search range is widened to
+    /// The unknown with a measured value as prior. If the user gave no uncertainty, it becomes that
+    /// of a launch monitor; where this is not known, it stays. The search range is widened to
     /// include the range around the value.
     pub fn measured_as(self, value: f64) -> Self {
         let Self {
@@ -77,7 +79,8 @@ impl Unknown {
         let stated = monitor.and_then(|(_, sigma)| parameter.quantity.read_difference(sigma).ok());
         let (sigma, source) = match (source, stated) {
             (Some(_), Some(stated)) => (stated, Some(CLUB)),
-            _ => (sigma, source),
+            (Some(_), None) => (sigma, Some(UNKNOWN_ERROR)),
+            (None, _) => (sigma, None),
         };
         let range = search_range(parameter, value, sigma).map_or([low, high], |[least, most]| {
             [low.min(least), high.max(most)]
@@ -136,7 +139,7 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
             names.join(", ")
         );
         return Err(Error::Unreadable {
-            name: format!("`sigma` {}", unused.parameter.name),
+            name: format!("`sigma {}`", unused.parameter.name),
             source: source.into(),
         });
     }

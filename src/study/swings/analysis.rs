@@ -1,8 +1,8 @@
 use super::golfer::Swings;
 use super::measure::Measure;
 use super::scenarios::Scenarios;
-use crate::error::Result;
-use crate::optimize::{Observer, minimize_observed};
+use crate::error::{Error, Result};
+use crate::optimize::{Observer, Status, minimize_observed};
 use crate::parameters::Setup;
 use crate::statistics::Moments;
 use crate::study::problem::SearchProblem;
@@ -50,8 +50,8 @@ pub enum GoalError {
     Quadrature(f64),
     /// The error of a sequence of swings.
     Sampling(SamplingError),
-    /// Unknown, because the ball does not fly in a swing of the other scenarios. The text names the
-    /// swing and the reason.
+    /// Unknown, for example because the ball does not fly in a swing of the other scenarios. The
+    /// text is the reason.
     Unknown(String),
 }
 
@@ -71,9 +71,9 @@ const QUANTILE: f64 = 0.995;
 /// Safety factor of the quadrature error, for the neglected error of the finer rule.
 const SAFETY: f64 = 2.0;
 
-/// Computes the best design for the mean swing and the errors of the goals. If the mean swing or
-/// another scenario does not fly, the corresponding field contains the reason. `None` if `stop`
-/// became true before the end.
+/// Computes the best design for the mean swing and the errors of the goals. A field contains the
+/// reason if the search for the mean swing does not converge, or if another scenario does not fly.
+/// `None` if `stop` became true before the end.
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).
@@ -106,26 +106,31 @@ fn analysed(
         interrupt: Arc::clone(stop),
         ..Observer::default()
     };
-    let design = minimize_observed(
+    let found = minimize_observed(
         &mean_swing,
         &mean_swing.domain,
         &mean_swing.start(),
         &search.options,
         observer,
-    )?
-    .x;
-    let nominal = mean_swing.values(&design).map(|for_mean_swing| Nominal {
-        for_mean_swing,
-        over_swings: all_swings.values(&design).ok(),
-        design,
-    });
-    let nominal = nominal.map_err(|error| error.to_string());
-    let errors = match best.goals.as_deref() {
-        Some(goals) => errors_of(&all_swings, swings, &best.solution.x, goals)
-            .unwrap_or_else(|error| vec![GoalError::Unknown(error.to_string()); goals.len()]),
-        None => vec![],
+    )?;
+    let nominal = match found.status {
+        Status::Converged => mean_swing.values(&found.x).map(|for_mean_swing| Nominal {
+            for_mean_swing,
+            over_swings: all_swings.values(&found.x).ok(),
+            design: found.x,
+        }),
+        _ => Err(Error::NotConverged {
+            status: found.status.name(),
+            message: found.message.into(),
+        }),
     };
-    Ok(SwingsAnalysis { nominal, errors })
+    Ok(SwingsAnalysis {
+        nominal: nominal.map_err(|error| error.to_string()),
+        errors: match best.goals.as_deref() {
+            Some(goals) => errors_of(&all_swings, swings, &best.solution.x, goals),
+            None => vec![],
+        },
+    })
 }
 
 /// `search` with other scenarios.
@@ -136,30 +141,36 @@ fn over(search: &Search, scenarios: Scenarios) -> Search {
     }
 }
 
-/// The quadrature or sampling error of each goal at the best design `x`.
-fn errors_of(
-    problem: &SearchProblem,
-    swings: &Swings,
-    x: &[f64],
-    goals: &[f64],
-) -> Result<Vec<GoalError>> {
+/// The quadrature or sampling error of each goal at the best design `x`. The other scenarios of a
+/// goal may contain a swing that does not fly; this concerns no goal with other scenarios.
+fn errors_of(problem: &SearchProblem, swings: &Swings, x: &[f64], goals: &[f64]) -> Vec<GoalError> {
     let search = &problem.search;
     let of: Vec<&Goal> = search.goals().collect();
     let has_smooth_goal = !of.iter().all(|goal| goal.has_edge());
     let finer = match search.scenarios.rule.finer() {
         Some(rule) if has_smooth_goal => {
-            let finer = over(search, Scenarios::new(swings, rule)?);
-            Some(SearchProblem::new(&problem.set_up, finer, &problem.stop)?.values(x)?)
+            let scenarios = Scenarios::new(swings, rule);
+            let problem = scenarios.and_then(|finer| {
+                SearchProblem::new(&problem.set_up, over(search, finer), &problem.stop)
+            });
+            Some(problem.and_then(|problem| problem.values(x)))
         }
         _ => None,
     };
     let replications = match finer.is_none() || of.iter().any(|goal| goal.has_edge()) {
-        true => problem.replications(x)?,
-        false => vec![],
+        true => problem.replications(x),
+        false => Ok(vec![]),
     };
-    let error = |(k, (goal, value)): (usize, (&&Goal, &f64))| match &finer {
-        Some(finer) if !goal.has_edge() => GoalError::Quadrature(SAFETY * (finer[k] - value).abs()),
-        _ => {
+    if finer.is_none() && replications.as_ref().is_ok_and(Vec::is_empty) {
+        return vec![];
+    }
+    let error = |(k, (goal, value)): (usize, (&&Goal, &f64))| match (&finer, &replications) {
+        (Some(Ok(finer)), _) if !goal.has_edge() => {
+            GoalError::Quadrature(SAFETY * (finer[k] - value).abs())
+        }
+        (Some(Err(error)), _) if !goal.has_edge() => GoalError::Unknown(error.to_string()),
+        (_, Err(error)) => GoalError::Unknown(error.to_string()),
+        (_, Ok(replications)) => {
             let others: Vec<f64> = replications.iter().map(|values| values[k]).collect();
             GoalError::Sampling(SamplingError {
                 interval: interval(goal, *value, &others),
@@ -167,10 +178,7 @@ fn errors_of(
             })
         }
     };
-    if finer.is_none() && replications.is_empty() {
-        return Ok(vec![]);
-    }
-    Ok(of.iter().zip(goals).enumerate().map(error).collect())
+    of.iter().zip(goals).enumerate().map(error).collect()
 }
 
 /// The 99 % interval of a goal from independent estimates: Student's interval about the mean of the

@@ -49,28 +49,20 @@ impl Swings {
 }
 
 fn recorded(setup: &Setup<f64>, table: &mut dyn Points, path: &Path) -> Result<Swings> {
-    if table.rows() > MOST_ROWS {
-        let (rows, limit) = (
-            table.rows().to_string(),
-            format!("the {MOST_ROWS} recorded swings that are allowed"),
-        );
-        let (size, advice) = (
-            "too long".into(),
-            format!("take a part of {}", path.display()),
-        );
-        return Err(Error::TooLarge {
-            rows,
-            size,
-            limit,
-            advice,
-        });
-    }
     let parameters = table.parameters().to_vec();
     let refuse = |reason: String| Error::Table {
         file: path.display().to_string(),
         place: String::new(),
         reason,
     };
+    if table.rows() > MOST_ROWS {
+        let rows = table.rows();
+        let reason = format!(
+            "it has {rows} rows, and at most {MOST_ROWS} recorded swings are allowed; take a part \
+             of them"
+        );
+        return Err(refuse(reason));
+    }
     for parameter in &parameters {
         if parameter.is_of_launch() && !setup.launch.is_given() {
             let reason = format!(

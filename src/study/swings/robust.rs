@@ -63,7 +63,7 @@ impl Model {
                 let source = "write NAME=VALUE, several of them with commas between, for example \
                               aero.law=ferguson,impact.gear_scale=0.5";
                 return Err(Error::unreadable(
-                    format!("`model` {}", text.trim()),
+                    format!("`model {}`", text.trim()),
                     source,
                 ));
             };

@@ -118,6 +118,24 @@ impl Rule {
         })
     }
 
+    /// Refuses a rule without scenarios, or with more than [`MOST_SCENARIOS`] for this number of
+    /// parameters. The scenarios of [`Rule::Recorded`] exist already.
+    fn check_count(self, parameters: usize) -> Result<()> {
+        let count = match self {
+            Self::Quadrature(nodes) => nodes.saturating_pow(parameters as u32),
+            Self::Sequence { count, .. } => count,
+            Self::Recorded => return Ok(()),
+        };
+        if (1..=MOST_SCENARIOS).contains(&count) {
+            return Ok(());
+        }
+        let source = format!(
+            "it gives {count} scenarios, and a search takes 1 to {MOST_SCENARIOS}; give another \
+             number of nodes or points, or vary fewer parameters"
+        );
+        Err(Error::unreadable("the rule of the scenarios", source))
+    }
+
     /// Gauss's rule with 1.5 times as many nodes; `None` for any other rule.
     pub(super) fn finer(self) -> Option<Self> {
         match self {
@@ -161,14 +179,15 @@ impl Scenarios {
     ///
     /// # Errors
     /// The errors of [`Uncertain::check`]; [`Error::Unreadable`] for [`Rule::Recorded`] with
-    /// distributions, for another rule with recorded swings, and for a value outside the
-    /// parameter's allowed range. A `truncated` distribution with bounds inside this range has no
-    /// such values.
+    /// distributions, for another rule with recorded swings, for a rule without scenarios or with
+    /// more than 100,000, and for a value outside the parameter's allowed range. A `truncated`
+    /// distribution with bounds inside this range has no such values.
     pub fn new(swings: &Swings, rule: Rule) -> Result<Self> {
         if let Swings::Distributed { inputs, .. } = swings {
             inputs.iter().try_for_each(Uncertain::check)?;
         }
         let parameters = swings.parameters();
+        rule.check_count(parameters.len())?;
         let (points, weights) = match (swings, rule) {
             (Swings::Recorded { rows, .. }, Rule::Recorded) => equally_weighted(rows.clone()),
             (Swings::Distributed { inputs, factor }, Rule::Sequence { count, seed }) => {

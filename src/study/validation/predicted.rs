@@ -98,13 +98,8 @@ pub const SCATTER: [(&str, f64); 6] = [
 /// Mean carry of drives scattered by [`SCATTER`], minus the carry of the average launch: to second
 /// order, half the second derivatives times the variances.
 pub(super) fn of_averaging(case: &Case, law: Law<f64>) -> Option<f64> {
-    let mut setup = launched(
-        Setup {
-            law,
-            ..Setup::default()
-        },
-        case,
-    );
+    let mut setup = launched(in_air_of(case, Setup::default(), None), case);
+    setup.law = law;
     setup.launch.spin_axis = Some(0.0);
     let wrt: Option<Vec<_>> = SCATTER
         .iter()

@@ -4,8 +4,8 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::column::Column;
 use crate::table::decimal_mark::DecimalMarkCheck;
-use crate::table::head::{TableHead, TableOptions};
-use crate::table::records::cells;
+use crate::table::head::{TableHead, TableOptions, columns_remark, remark_from_line};
+use crate::table::records::{Record, cells};
 use crate::table::row_fault::{NonShotRows, RowFault};
 use crate::table::text::{SourceName, TableEntry, Text, TextTable};
 use crate::units::Message;
@@ -20,6 +20,8 @@ pub(super) struct CsvRows {
     table: TextTable,
     columns: PointColumns,
     section: CsvSection,
+    /// Remarks on later sections.
+    section_notes: Vec<Message>,
     /// Number of the row in the file.
     row: u64,
     no_shots: NonShotRows,
@@ -54,10 +56,41 @@ impl CsvRows {
             table,
             columns,
             section,
+            section_notes: vec![],
             row: 0,
             no_shots: NonShotRows::default(),
             marks: DecimalMarkCheck::default(),
         })
+    }
+
+    /// Begins a section at a line of column heads. Only the columns of the first section's
+    /// parameters are read.
+    fn begin(&mut self, record: &Record) -> Result<()> {
+        let wanted = &TableOptions::POINTS;
+        let Some(head) = self.table.section(record, &self.setup, wanted)? else {
+            return Ok(());
+        };
+        let (file, parameters) = (&self.table.name, &self.columns.parameters);
+        let own = PointColumns::new(&self.setup, file, &head)?;
+        let at = own.places_of(parameters).map_err(|missing| {
+            let reason = format!(
+                "the column heads in line {} lack {missing}, which the first column heads have",
+                record.line
+            );
+            file.refused(String::new(), reason)
+        })?;
+        self.section = CsvSection::new(file, &head, parameters, &at)?;
+        let others = own.at.iter().filter(|place| !at.contains(place));
+        let others: Vec<&str> = others.map(|at| head.columns[*at].head.as_str()).collect();
+        let what = "columns not read, since the first column heads lack them";
+        let notes = own
+            .notes
+            .iter()
+            .cloned()
+            .chain(columns_remark(what, &others));
+        let notes = notes.map(|note| remark_from_line(record.line, &note));
+        self.section_notes.extend(notes);
+        Ok(())
     }
 
     /// Cells of the next row; `None` at the end. Averages and titles of an export are skipped.
@@ -66,23 +99,7 @@ impl CsvRows {
             let record = match self.table.next_entry()? {
                 None => return Ok(None),
                 Some(TableEntry::Head(record)) => {
-                    let wanted = &TableOptions::POINTS;
-                    let Some(head) = self.table.section(&record, &self.setup, wanted)? else {
-                        continue;
-                    };
-                    let file = &self.table.name;
-                    let again = PointColumns::new(&self.setup, file, &head)?;
-                    let at = again
-                        .places_of(&self.columns.parameters)
-                        .map_err(|missing| {
-                            let reason = format!(
-                                "the column heads in line {} lack {missing}, which the first \
-                                 column heads have",
-                                record.line
-                            );
-                            file.refused(String::new(), reason)
-                        })?;
-                    self.section = CsvSection::new(file, &head, &self.columns.parameters, &at)?;
+                    self.begin(&record)?;
                     continue;
                 }
                 Some(TableEntry::Row(record)) => record,
@@ -143,6 +160,7 @@ impl PointRows for CsvRows {
             &self.columns.at,
         )?;
         (self.table, self.row, self.no_shots) = (table, 0, NonShotRows::default());
+        self.section_notes.clear();
         Ok(())
     }
 
@@ -168,6 +186,7 @@ impl PointRows for CsvRows {
         self.columns
             .notes
             .iter()
+            .chain(&self.section_notes)
             .cloned()
             .chain(self.no_shots.messages().into_iter().map(Message::from))
             .collect()
