@@ -173,7 +173,7 @@ impl Designed<'_> {
             shown::with_digits(constraint.unit, value, system, 5)
         };
         let goal = &self.best.search.of;
-        let text = match (constraint.by, price, margin) {
+        let text = match (constraint.enforcement, price, margin) {
             (Enforcement::Unknown, ..) => {
                 "not checked, because its value is unknown; it can be stated as a named limit"
                     .into()
@@ -243,7 +243,7 @@ fn limit_report(state: &ConstraintState) -> LimitReport {
         name: constraint.name.clone(),
         expression: constraint.expression.clone(),
         source: constraint.rule.map(|rule| rule.source),
-        by: match constraint.by {
+        by: match constraint.enforcement {
             Enforcement::Bound(_) => "bound",
             Enforcement::Limit(_) => "limit",
             Enforcement::Value(_) => "value",

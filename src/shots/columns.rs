@@ -38,7 +38,8 @@ pub struct ShotColumns {
     pub(super) read: Vec<MeasuredColumn>,
     /// Columns of the club: speed, attack angle, path, face angle.
     pub(super) club: [Option<(usize, Column)>; 4],
-    pub(super) further: Vec<RowParameter>,
+    /// The parameters besides the launch.
+    pub(super) other_parameters: Vec<RowParameter>,
     /// Column with the origin of the spin.
     pub(super) spin_type: Option<usize>,
     /// Column that states the conditions for which the values hold, such as normalized weather.
@@ -98,7 +99,7 @@ impl ShotColumns {
             maker: meant.maker,
             read: vec![],
             club: Default::default(),
-            further: vec![],
+            other_parameters: vec![],
             spin_type: None,
             condition: None,
             club_name: club_column(&heads, |at| columns[at].content == Content::Note),
@@ -112,7 +113,7 @@ impl ShotColumns {
         };
         for (at, column) in columns.iter().enumerate() {
             found
-                .take(setup, at, column)
+                .add(setup, at, column)
                 .map_err(|error| name.refused(format!(", column {}", at + 1), error.to_string()))?;
         }
         for (at, column) in found.club.iter_mut().flatten() {
@@ -167,19 +168,19 @@ impl ShotColumns {
         &mut self,
         first: &[&'static Parameter],
     ) -> std::result::Result<(), &'static str> {
-        let own = self.further();
+        let own = self.other_parameters();
         if let Some(missing) = first.iter().find(|parameter| !own.contains(parameter)) {
             return Err(missing.name);
         }
         let place = |own: &RowParameter| first.iter().position(|of| *of == own.parameter);
-        self.further
+        self.other_parameters
             .sort_by_key(|own| place(own).unwrap_or(first.len()));
         Ok(())
     }
 
     /// Adds a column by its meaning: a measured outcome, a parameter of the flight, or a value of
     /// the club. Of several columns with the same meaning, only the first is added.
-    fn take(&mut self, setup: &Setup<f64>, at: usize, column: &Column) -> Result<()> {
+    fn add(&mut self, setup: &Setup<f64>, at: usize, column: &Column) -> Result<()> {
         match column.content {
             Content::Outcome(of) if self.read.iter().all(|read| read.of != of) => {
                 column.check_unit()?;
@@ -192,7 +193,7 @@ impl ShotColumns {
             }
             Content::Input(parameter) if !parameter.is_of_strike() && !parameter.is_of_launch() => {
                 column.check_unit()?;
-                self.further.push(RowParameter {
+                self.other_parameters.push(RowParameter {
                     at,
                     parameter,
                     column: column.clone(),
@@ -253,7 +254,7 @@ impl ShotColumns {
     fn add_remarks(&mut self, columns: &[Column], assumed_units: Option<Message>) {
         let is_read = |at: usize| {
             self.read.iter().any(|read| read.at == at)
-                || self.further.iter().any(|further| further.at == at)
+                || self.other_parameters.iter().any(|row| row.at == at)
                 || self.club.iter().flatten().any(|(club, _)| *club == at)
                 || [self.spin_type, self.condition].contains(&Some(at))
         };
@@ -263,7 +264,7 @@ impl ShotColumns {
                     .iter()
                     .any(|read| read.column.content == column.content)
             };
-            column.content == Content::Written || column.is_of_given_air || is_twice()
+            column.content == Content::Written || column.is_overridden_air || is_twice()
         };
         let not_read = columns
             .iter()
@@ -311,8 +312,11 @@ impl ShotColumns {
     }
 
     /// The parameters that each row states, without those of the launch.
-    pub(crate) fn further(&self) -> Vec<&'static Parameter> {
-        self.further.iter().map(|row| row.parameter).collect()
+    pub(crate) fn other_parameters(&self) -> Vec<&'static Parameter> {
+        self.other_parameters
+            .iter()
+            .map(|row| row.parameter)
+            .collect()
     }
 
     /// Column head of an outcome, for messages; the name of the outcome if it has no column.
@@ -326,8 +330,8 @@ impl ShotColumns {
 impl ShotColumns {
     /// The air column; `None` if the export states no air.
     fn stated_air(&self) -> Option<&RowParameter> {
-        let mut further = self.further.iter();
-        further.find(|further| further.column.is_stated_air())
+        let mut parameters = self.other_parameters.iter();
+        parameters.find(|row| row.column.is_stated_air())
     }
 
     /// Message for a row without usable air; `None` if the row states its air, or if the table has

@@ -128,7 +128,7 @@ impl ShotColumns {
             at,
             parameter,
             column,
-        } in &self.further
+        } in &self.other_parameters
         {
             let (name, cell) = (&column.head, &row[*at]);
             if column.is_stated_air() {

@@ -16,7 +16,7 @@ pub struct Flown {
     pub(super) flights: Vec<Option<usize>>,
     pub(super) block: Block,
     /// True if the predicted and measured roll-outs are compared.
-    pub(super) is_on_their_ground: bool,
+    pub(super) compares_roll_out: bool,
     /// The section of the table; `None` for messages of GSPro Open Connect.
     pub section: Option<Section>,
 }
@@ -76,7 +76,7 @@ impl Flown {
     /// if the setup's ground is declared to be the ground of the shots.
     pub fn residual(&self, row: usize, outcome: usize) -> Option<f64> {
         let (of, shot) = (self.of[outcome], &self.shots[row]);
-        let has_no_ground = of.needs_run() && !self.is_on_their_ground;
+        let has_no_ground = of.needs_run() && !self.compares_roll_out;
         let has_no_side = shot.is_direction_assumed() || shot.is_axis_assumed();
         if has_no_ground || of.is_lateral() && has_no_side {
             return None;

@@ -18,7 +18,7 @@ pub struct Flying {
     batch: Batch,
     /// True if the setup describes the ground of the shots, so that total, run and lateral total
     /// are compared. False by default.
-    pub is_on_their_ground: bool,
+    pub compares_roll_out: bool,
 }
 
 /// Range of launches for which the integration method and step are chosen. It does not depend on
@@ -39,7 +39,7 @@ impl Flying {
     /// The errors of [`Batch::new`], [`Error::Nothing`] if there is no outcome, and
     /// [`Error::Unreadable`] if a requested outcome does not belong to the flight.
     pub fn new(setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Self> {
-        Self::with(setup, shots.further(), of)
+        Self::with(setup, shots.other_parameters(), of)
     }
 
     /// Prepares to compute these outcomes for single messages of GSPro Open Connect.
@@ -50,7 +50,11 @@ impl Flying {
         Self::with(setup, &[], of)
     }
 
-    fn with(setup: &Setup<f64>, further: &[&'static Parameter], of: &[Outcome]) -> Result<Self> {
+    fn with(
+        setup: &Setup<f64>,
+        other_parameters: &[&'static Parameter],
+        of: &[Outcome],
+    ) -> Result<Self> {
         if let Some(of_launch) = of.iter().find(|of| of.group() != OutcomeGroup::Flight) {
             let why = match of_launch.group() {
                 OutcomeGroup::Head => {
@@ -67,10 +71,10 @@ impl Flying {
         }
         let launch = LAUNCH.iter().map(|name| setup.parameter(name));
         let mut parameters = launch.collect::<Result<Vec<_>>>()?;
-        parameters.extend(further);
+        parameters.extend(other_parameters);
         Ok(Self {
             batch: Batch::new(setup, &parameters, of, &[])?,
-            is_on_their_ground: false,
+            compares_roll_out: false,
         })
     }
 
@@ -113,7 +117,11 @@ impl Flying {
         mut sink: impl FnMut(R) -> Result<()>,
     ) -> Result<ShotStatistics> {
         let mut statistics = ShotStatistics::new(self.outcomes());
-        let Shots { rows, further, .. } = shots;
+        let Shots {
+            rows,
+            other_parameters,
+            ..
+        } = shots;
         let is_stopped = || run.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
         let next = || {
             if is_stopped() {
@@ -123,13 +131,13 @@ impl Flying {
                 return Ok(None);
             };
             let flying = match &chunk.section {
-                Some(section) => self.of_rows(&section.columns.further())?,
-                None => self.of_rows(further)?,
+                Some(section) => self.of_rows(&section.columns.other_parameters())?,
+                None => self.of_rows(other_parameters)?,
             };
             Ok(Some((flying, chunk)))
         };
         let work = |(flying, chunk): (Self, Chunk)| {
-            let (shots, section) = chunk.shots(further);
+            let (shots, section) = chunk.shots(other_parameters);
             let flown = flying.flown(shots, section);
             let mut statistics = ShotStatistics::new(self.outcomes());
             statistics.add(&flown);
@@ -142,10 +150,12 @@ impl Flying {
         Ok(statistics)
     }
 
-    /// The same flights for rows that also state the parameters `further`.
-    fn of_rows(&self, further: &[&'static Parameter]) -> Result<Self> {
+    /// The same flights for rows that state these parameters besides the launch.
+    fn of_rows(&self, other_parameters: &[&'static Parameter]) -> Result<Self> {
         let launch = &self.batch.parameters()[..LAUNCH.len()];
-        let batch = self.batch.with_parameters(&[launch, further].concat())?;
+        let batch = self
+            .batch
+            .with_parameters(&[launch, other_parameters].concat())?;
         Ok(Self { batch, ..*self })
     }
 
@@ -172,7 +182,7 @@ impl Flying {
             shots,
             flights,
             block,
-            is_on_their_ground: self.is_on_their_ground,
+            compares_roll_out: self.compares_roll_out,
             section,
         }
     }

@@ -101,7 +101,7 @@ fn weather_of_rows(
     };
     if columns
         .iter()
-        .any(|column| column.is_stated_air() || column.is_of_given_air)
+        .any(|column| column.is_stated_air() || column.is_overridden_air)
     {
         return;
     }
@@ -110,7 +110,7 @@ fn weather_of_rows(
     if let Some(at) = (0..columns.len()).filter(is_condition).find(states_weather) {
         let column = &mut columns[at];
         if setup.why_replaced(density).is_some() {
-            (column.content, column.is_of_given_air) = (Content::Note, true);
+            (column.content, column.is_overridden_air) = (Content::Note, true);
         } else {
             (column.content, column.is_weather) = (Content::Input(density), true);
         }

@@ -101,8 +101,8 @@ fn suggestion(ball: &Map<String, Json>, key: &str) -> String {
 
 /// Reads the shot of a message. A message without ball data, such as a heartbeat, is refused. A
 /// message can also be a line that `fly` wrote; its `parameters` must then be exactly those in
-/// `further`.
-pub(super) fn shot(record: Record, further: &[&'static Parameter]) -> Shot {
+/// `other_parameters`.
+pub(super) fn shot(record: Record, other_parameters: &[&'static Parameter]) -> Shot {
     let Record {
         line,
         text,
@@ -125,7 +125,7 @@ pub(super) fn shot(record: Record, further: &[&'static Parameter]) -> Shot {
         Err(reason) => return Shot::refused(line, text, Refusal::new(Refusal::JSON, reason)),
     };
     let mut shot = Shot::refused(line, text, Refusal::new(Refusal::NO_BALL, ""));
-    if let Err(refusal) = fill(&mut shot, &message, further) {
+    if let Err(refusal) = fill(&mut shot, &message, other_parameters) {
         shot.point = Err(refusal);
     }
     shot
@@ -153,10 +153,10 @@ fn syntax_error(error: &serde_json::Error) -> String {
 fn fill(
     shot: &mut Shot,
     message: &Map<String, Json>,
-    further: &[&'static Parameter],
+    other_parameters: &[&'static Parameter],
 ) -> Result<(), Refusal> {
     if written::is_written(message) {
-        return written::fill(shot, message, further);
+        return written::fill(shot, message, other_parameters);
     }
     let ball = ball_data(message)?;
     let (speed_unit, length_unit) = units(message)?;

@@ -180,8 +180,9 @@ impl Shot {
     }
 
     /// Values of the other parameters, in the order of
-    /// [`Shots::further`](crate::shots::Shots::further), SI. Empty if the shot cannot be flown.
-    pub fn further(&self) -> &[f64] {
+    /// [`Shots::other_parameters`](crate::shots::Shots::other_parameters), SI. Empty if the shot
+    /// cannot be flown.
+    pub fn other_parameters(&self) -> &[f64] {
         self.point
             .as_ref()
             .map_or(&[], |point| &point[LAUNCH.len()..])

@@ -27,7 +27,7 @@ pub struct Shots {
     columns: Option<Arc<ShotColumns>>,
     pub(super) rows: UnreadRows,
     /// The parameters that each row states, without those of the launch.
-    pub(super) further: Vec<&'static Parameter>,
+    pub(super) other_parameters: Vec<&'static Parameter>,
     /// True if the source is JSON lines written by `fly`.
     is_written: bool,
 }
@@ -121,13 +121,13 @@ impl Shots {
                      messages; leave out `only`";
                 return Err(text.name.refused(String::new(), reason));
             }
-            let further = written::further(setup, &text.beginning);
+            let other_parameters = written::other_parameters(setup, &text.beginning);
             let is_written = written::begins(&text.beginning);
             let rows = UnreadRows::Objects(text.source, Objects::default(), text.name);
             return Ok(Self {
                 columns: None,
                 rows,
-                further,
+                other_parameters,
                 is_written,
             });
         }
@@ -142,13 +142,13 @@ impl Shots {
             table,
             setup,
             columns: columns.clone(),
-            of_first: columns.further(),
+            of_first: columns.other_parameters(),
             is_begun: false,
             is_air_given,
             remarks: vec![],
         };
         Ok(Self {
-            further: columns.further(),
+            other_parameters: columns.other_parameters(),
             columns: Some(columns),
             rows: UnreadRows::Table(Box::new(rows)),
             is_written: false,
@@ -162,7 +162,7 @@ impl Shots {
     pub(crate) fn all(mut self) -> Result<Vec<Shot>> {
         let mut all = vec![];
         while let Some(chunk) = self.rows.next_rows(CHUNK)? {
-            all.extend(chunk.shots(&self.further).0);
+            all.extend(chunk.shots(&self.other_parameters).0);
         }
         Ok(all)
     }
@@ -233,8 +233,8 @@ impl Shots {
 
     /// The parameters that each row states, without those of the launch. The rows of a later
     /// section of a table may state more, which follow.
-    pub fn further(&self) -> &[&'static Parameter] {
-        &self.further
+    pub fn other_parameters(&self) -> &[&'static Parameter] {
+        &self.other_parameters
     }
 }
 
@@ -323,13 +323,13 @@ impl UnreadRows {
 }
 
 impl Chunk {
-    /// Reads the shots of these rows, each with values of the parameters `further`. Also returns
-    /// the section of the rows.
-    pub fn shots(self, further: &[&'static Parameter]) -> (Vec<Shot>, Option<Section>) {
+    /// Reads the shots of these rows, and returns them with the section of the rows. Each message
+    /// has values of `other_parameters`.
+    pub fn shots(self, other_parameters: &[&'static Parameter]) -> (Vec<Shot>, Option<Section>) {
         let Self { section, records } = self;
         let shot = |record: Record| match &section {
             Some(section) => section.columns.shot(record),
-            None => open_connect::shot(record, further),
+            None => open_connect::shot(record, other_parameters),
         };
         (records.into_iter().map(shot).collect(), section)
     }

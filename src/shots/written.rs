@@ -32,7 +32,7 @@ pub(super) fn begins(beginning: &str) -> bool {
 }
 
 /// The parameters outside of the launch in a text that `fly` wrote, from its first flown line.
-pub(super) fn further(setup: &Setup<f64>, beginning: &str) -> Vec<&'static Parameter> {
+pub(super) fn other_parameters(setup: &Setup<f64>, beginning: &str) -> Vec<&'static Parameter> {
     let mut objects = Objects::default();
     objects.push(beginning.as_bytes());
     let lines = std::iter::from_fn(|| objects.next_object());
@@ -75,7 +75,7 @@ fn members<'a>(
 pub(super) fn fill(
     shot: &mut Shot,
     message: &Map<String, Json>,
-    further: &[&'static Parameter],
+    other_parameters: &[&'static Parameter],
 ) -> Result<(), Refusal> {
     let text = message.get("row").map(Json::to_string).unwrap_or_default();
     // an unmodified line keeps the text of its original row
@@ -92,7 +92,7 @@ pub(super) fn fill(
             .unwrap_or("it was refused without a reason");
         return Err(Refusal::new(Refusal::BEFORE, reason));
     }
-    shot.point = Ok(point(shot, message, further)?);
+    shot.point = Ok(point(shot, message, other_parameters)?);
     Ok(())
 }
 
@@ -139,13 +139,14 @@ fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refus
 fn point(
     shot: &Shot,
     message: &Map<String, Json>,
-    further: &[&'static Parameter],
+    other_parameters: &[&'static Parameter],
 ) -> Result<Vec<f64>, Refusal> {
     let own = members(message, "parameters")?;
-    if let Some((name, _)) = own
-        .iter()
-        .find(|(name, _)| further.iter().all(|parameter| parameter.name != *name))
-    {
+    if let Some((name, _)) = own.iter().find(|(name, _)| {
+        other_parameters
+            .iter()
+            .all(|parameter| parameter.name != *name)
+    }) {
         let reason = format!(
             "the line has a value of {name}, but the first line has none; fly the original table \
              of these lines"
@@ -153,7 +154,7 @@ fn point(
         return Err(Refusal::new(Refusal::JSON, reason));
     }
     let mut point = launch(&shot.conditions(), |of| of.name().into(), |_| true)?;
-    for parameter in further {
+    for parameter in other_parameters {
         let name = format!("parameters.{}", parameter.name);
         let value = own.iter().find(|(own, _)| *own == parameter.name);
         let value = value.and_then(|(_, value)| value.as_f64());

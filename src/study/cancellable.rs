@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Warning for an interrupted check of the validity limits.
-pub(super) const NOT_LOOKED_AT: &str = "the validity limits of the drives were not checked: the \
+pub(super) const LIMITS_NOT_CHECKED: &str = "the validity limits of the drives were not checked: the \
                                         work was stopped before this check";
 
 /// Applies `work` to the items in parallel, and returns the results in the order of the items.

@@ -156,12 +156,12 @@ const AROUND: usize = 24;
 /// # Errors
 /// The errors of [`windows`].
 pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
-    let top = Top::new(best, loss)?;
+    let around = LossAround::new(best, loss)?;
     Ok(Flatness {
         loss,
-        windows: top.windows()?,
-        directions: top.directions(),
-        ellipses: top.ellipses(),
+        windows: around.windows()?,
+        directions: around.directions(),
+        ellipses: around.ellipses(),
     })
 }
 
@@ -171,18 +171,18 @@ pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
 /// [`Error::NotConverged`] without a converged optimum; [`Error::Optimizer`] for a loss that is not
 /// above 0; [`Error::Unreadable`] for a search over swings.
 pub fn windows(best: &Optimum, loss: f64) -> Result<Vec<Window>> {
-    Top::new(best, loss)?.windows()
+    LossAround::new(best, loss)?.windows()
 }
 
 /// An optimum, with the losses of drives around it.
-struct Top<'a> {
+struct LossAround<'a> {
     domain: Domain,
     values: Evaluator,
     best: &'a Optimum,
     loss: f64,
 }
 
-impl<'a> Top<'a> {
+impl<'a> LossAround<'a> {
     fn new(best: &'a Optimum, loss: f64) -> Result<Self> {
         if !(loss > 0.0 && loss.is_finite()) {
             return Err(Error::Optimizer(format!("the loss {loss} must be above 0")));
@@ -292,7 +292,7 @@ impl<'a> Top<'a> {
         let search = BrentRoot::new(inside, outside, 1e-13);
         let found = Executor::new(
             Excess {
-                top: self,
+                around: self,
                 i,
                 from,
                 width,
@@ -410,7 +410,7 @@ impl<'a> Top<'a> {
 
 /// Loss minus allowed loss, as a function of the fraction of the distance to a bound.
 struct Excess<'a> {
-    top: &'a Top<'a>,
+    around: &'a LossAround<'a>,
     i: usize,
     from: f64,
     width: f64,
@@ -422,10 +422,10 @@ impl CostFunction for Excess<'_> {
 
     fn cost(&self, part: &f64) -> std::result::Result<f64, argmin::core::Error> {
         match self
-            .top
-            .lost_at(&self.top.moved(self.i, self.from + part * self.width))
+            .around
+            .lost_at(&self.around.moved(self.i, self.from + part * self.width))
         {
-            Some(Ok(lost)) => Ok(lost - self.top.loss),
+            Some(Ok(lost)) => Ok(lost - self.around.loss),
             _ => Err(argmin::core::Error::msg(
                 "no flight between two drives that fly",
             )),

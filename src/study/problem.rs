@@ -11,7 +11,7 @@ use super::cancellable::{each_until, stopped};
 use super::goal::Goal;
 use super::search::{Search, Sense};
 use super::swings::flown::{columns, no_flight};
-use super::swings::part::part_of;
+use super::swings::subset::subset_of;
 use super::swings::{Measure, Scenarios};
 use crate::batch::Batch;
 use crate::derivative::{self, Evaluator, Order, Taylor};
@@ -43,17 +43,17 @@ pub(super) struct SearchProblem {
     /// An evaluator for each scenario.
     drives: Vec<Evaluator>,
     /// Indices of the scenarios for which second derivatives are computed, in ascending order.
-    part: Vec<usize>,
-    /// Number of scenarios that each scenario in `part` represents.
-    represents: Vec<f64>,
-    /// The last computed second derivatives of the drives in `part`.
+    subset: Vec<usize>,
+    /// Number of scenarios that each scenario in `subset` represents.
+    multiplicities: Vec<f64>,
+    /// The last computed second derivatives of the drives in `subset`.
     second_derivatives: Mutex<Option<Arc<SecondDerivatives>>>,
     /// Interrupt flag: once true, no more drives are computed, and evaluations that need them fail.
     pub stop: Arc<AtomicBool>,
     pub domain: Domain,
 }
 
-/// Second derivatives of the drives in [`SearchProblem::part`].
+/// Second derivatives of the drives in [`SearchProblem::subset`].
 struct SecondDerivatives {
     at: Vec<f64>,
     /// A Hessian for each drive and outcome.
@@ -97,11 +97,11 @@ impl SearchProblem {
         let begun = Vary::initialised(setup, &search.vary)?;
         // second derivatives of a goal with a kink or jump come from the few drives near the kink
         // or jump: no subset of the drives represents them
-        let (part, represents) = if search.goals().any(Goal::has_edge) {
+        let (subset, multiplicities) = if search.goals().any(Goal::has_edge) {
             let count = scenarios.points.len();
             ((0..count).collect(), vec![1.0; count])
         } else {
-            part_of(scenarios)
+            subset_of(scenarios)
         };
         let evaluator = |point: &Vec<f64>| {
             let setup = begun.with_values(&scenarios.parameters, point)?;
@@ -120,8 +120,8 @@ impl SearchProblem {
             of,
             is_of_outcomes,
             drives,
-            part,
-            represents,
+            subset,
+            multiplicities,
             second_derivatives: Mutex::default(),
             stop: Arc::clone(stop),
             domain,
@@ -222,7 +222,7 @@ impl SearchProblem {
             .collect()
     }
 
-    /// Second derivatives of the drives in `part` near `x`, each times the number of scenarios that
+    /// Second derivatives of the drives in `subset` near `x`, each times the number of scenarios that
     /// the drive represents. They are computed at the nearest point of a grid over the ranges. Near
     /// an optimum they are therefore computed only once, and do not depend on the points evaluated
     /// before.
@@ -238,8 +238,8 @@ impl SearchProblem {
             return Ok(known);
         }
         let computed = |at: &[f64]| {
-            let mut flown = self.flown(&self.part, at, Order::Second, &self.stop)?;
-            for (outcomes, factor) in flown.iter_mut().zip(&self.represents) {
+            let mut flown = self.flown(&self.subset, at, Order::Second, &self.stop)?;
+            for (outcomes, factor) in flown.iter_mut().zip(&self.multiplicities) {
                 let entries = outcomes
                     .iter_mut()
                     .flat_map(|outcome| outcome.hessian.iter_mut().flatten());
@@ -516,19 +516,19 @@ impl SearchProblem {
     /// The objective and the constraint functions from the goals over the scenarios with these
     /// weights, with smoothed kinks and jumps. Values and gradients use all drives. Hessians use
     /// the products of the outcome gradients of all drives, but the second derivatives only of the
-    /// drives in `part`.
+    /// drives in `subset`.
     pub fn weighted(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
         if let ([drive], true) = (self.drives.as_slice(), self.is_of_outcomes) {
             let goals = drive.at(x).map_err(|error| error.to_string())?;
             return Ok(self.as_functions(goals));
         }
         let all: Vec<usize> = (0..self.drives.len()).collect();
-        let flown = if self.part.len() == all.len() {
+        let flown = if self.subset.len() == all.len() {
             self.flown(&all, x, Order::Second, &self.stop)?
         } else {
             let mut flown = self.flown(&all, x, Order::First, &self.stop)?;
             let known = self.second_derivatives(x)?;
-            for (k, of_drive) in self.part.iter().zip(&known.of_drives) {
+            for (k, of_drive) in self.subset.iter().zip(&known.of_drives) {
                 flown[*k]
                     .iter_mut()
                     .zip(of_drive)

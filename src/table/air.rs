@@ -88,7 +88,7 @@ pub(super) fn air_as_given(head: &str) -> String {
 /// Ignores the columns in which an export states the air, because the setup gives it.
 pub(crate) fn ignore_stated_air(columns: &mut [Column]) {
     for column in columns.iter_mut().filter(|column| column.is_stated_air()) {
-        (column.content, column.is_of_given_air) = (Content::Note, true);
+        (column.content, column.is_overridden_air) = (Content::Note, true);
     }
 }
 

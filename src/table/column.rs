@@ -43,7 +43,7 @@ pub(crate) struct Column {
     /// True for a launch condition whose column head is its dotted name: `launch.ball_speed`.
     pub is_dotted_condition: bool,
     /// True for an air column that the weather of the setup overrides.
-    pub is_of_given_air: bool,
+    pub is_overridden_air: bool,
     /// Handedness of the golfer.
     golfer: Golfer,
     /// True if each cell contains a unit.
@@ -79,7 +79,7 @@ const STATUS: &str = "status";
 /// Columns that `fly` adds to the shots.
 pub(crate) const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
 /// Prefixes of columns that `fly` adds.
-const FLOWN: [&str; 2] = ["Predicted ", "Residual "];
+const FLOWN_PREFIXES: [&str; 2] = ["Predicted ", "Residual "];
 /// Parameter of the air density that launch monitors state.
 pub(super) const AIR: &str = "air.density";
 /// Group of the launch conditions.
@@ -116,7 +116,7 @@ impl Column {
         let unit = unit.or(below);
         let is_given = |parameter: &str| is_replaced(setup, parameter);
         let meaning = launch_monitor::meaning_with(name, unit.as_deref());
-        let is_of_given_air = matches!(meaning, Some(Meaning::Input(AIR)) if is_given(AIR));
+        let is_overridden_air = matches!(meaning, Some(Meaning::Input(AIR)) if is_given(AIR));
         let content = match (name.strip_prefix("sigma ").map(str::trim), meaning) {
             (None, Some(Meaning::Outcome(outcome))) => Content::Outcome(outcome),
             // the setup's weather overrides the air of the rows
@@ -124,7 +124,7 @@ impl Column {
             (None, Some(Meaning::Input(parameter))) => Content::Input(setup.column(parameter)?),
             (None, None)
                 if OF_FLOWN.contains(&name)
-                    || FLOWN.iter().any(|before| name.starts_with(before)) =>
+                    || FLOWN_PREFIXES.iter().any(|before| name.starts_with(before)) =>
             {
                 Content::Written
             }
@@ -134,7 +134,7 @@ impl Column {
         let mut column = Self {
             unit,
             format,
-            is_of_given_air,
+            is_overridden_air,
             golfer: setup.golfer,
             ..Self::of(content, name)
         };
@@ -146,7 +146,7 @@ impl Column {
                 column.is_unit_assumed,
             ) = (Some("deg".into()), true, true);
         }
-        Ok(column.sized())
+        Ok(column.with_parsed_unit())
     }
 
     /// A column of a table in SI.
@@ -189,7 +189,7 @@ impl Column {
             format: TableFormat::default(),
             is_in_assumed_degrees: false,
             is_dotted_condition,
-            is_of_given_air: false,
+            is_overridden_air: false,
             golfer: Golfer::Right,
             has_units_in_cells: false,
             is_unit_assumed: false,
@@ -200,7 +200,7 @@ impl Column {
 
     /// True if the column is ignored because its column head is unknown.
     pub fn is_unknown(&self) -> bool {
-        self.content == Content::Note && self.head != NOTE && !self.is_of_given_air
+        self.content == Content::Note && self.head != NOTE && !self.is_overridden_air
     }
 
     /// True if the column is an angle without a unit, and is read in degrees.
@@ -226,7 +226,10 @@ impl Column {
     /// Checks that the unit is present and has the right dimension.
     pub fn check_unit(&self) -> Result<()> {
         match (&self.unit, self.quantity()) {
-            _ if self.is_unknown() || self.is_of_given_air || self.content == Content::Written => {
+            _ if self.is_unknown()
+                || self.is_overridden_air
+                || self.content == Content::Written =>
+            {
                 Ok(())
             }
             _ if self.has_units_in_cells || self.is_weather => Ok(()),
@@ -277,14 +280,14 @@ impl Column {
                 is_unit_assumed: true,
                 ..self
             }
-            .sized()
+            .with_parsed_unit()
         } else {
             self
         }
     }
 
     /// Parses the unit.
-    fn sized(self) -> Self {
+    fn with_parsed_unit(self) -> Self {
         let size = self
             .unit
             .as_ref()
@@ -348,7 +351,7 @@ impl Column {
     }
 
     /// Size of the column's unit, SI.
-    pub fn one(&self) -> f64 {
+    pub fn unit_size(&self) -> f64 {
         let size = self
             .unit
             .as_ref()

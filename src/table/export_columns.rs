@@ -122,7 +122,7 @@ pub(crate) fn near_known(columns: &[Column]) -> String {
 pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
     columns
         .iter()
-        .find(|column| column.is_of_given_air)
+        .find(|column| column.is_overridden_air)
         .map(|column| air_as_given(&column.head))
 }
 

@@ -3,7 +3,7 @@
 use crate::common::{LARGE_STEPS, close};
 use longdrive::optimize::{Bounds, Observer, Observers, Solution, Status};
 use longdrive::study::{
-    Change, ChartObserver, Constraint, Fineness, Optimum, Search, Sense, Vary, change, chart,
+    Change, ChartObserver, Constraint, Fineness, Goal, Optimum, Search, Sense, Vary, change, chart,
     flatness, map, optima, optimum, sensitivities, sensitivity,
 };
 use longdrive::{Drive, Error, Outcome, Setup};
@@ -684,6 +684,18 @@ fn same_nearest_point_of_many_starts_for_both_senses() {
 }
 
 /// Zero starts and zero nodes are errors, not one start and one node.
+#[test]
+fn a_chart_of_a_sum_of_outcomes_is_refused_with_this_reason() {
+    let setup = Setup::default();
+    let mut search = search(&setup, &["club.loft=8deg..14deg"], &[]);
+    search.of = Goal::read("mean(carry) - 2*mean(apex_height)", None).unwrap();
+    let error = search.refuse_swings().unwrap_err().to_string();
+    assert!(
+        error.contains("a goal is not a single outcome") && !error.contains("swings that vary"),
+        "{error}"
+    );
+}
+
 #[test]
 fn no_starts_and_no_nodes_are_refused() {
     let setup = Setup::default();

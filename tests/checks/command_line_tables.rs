@@ -265,6 +265,18 @@ fn numbers_of_two_meanings_are_refused_with_both_cells() {
 }
 
 #[test]
+fn columns_that_only_a_later_section_has_are_named() {
+    let launch = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]";
+    let text = format!("{launch}\n150,12,2500\n{launch},Launch Direction [deg]\n150,12,2500,3\n");
+    let (_folder, path) = table("sections.csv", &text);
+    let points = open_table(&Setup::default(), &path).unwrap();
+    let notes: Vec<String> = points.notes().iter().map(ToString::to_string).collect();
+    let says = "from line 3 on: columns not read, since the first column heads lack them: Launch \
+                Direction";
+    assert!(notes.contains(&says.to_owned()), "{notes:?}");
+}
+
+#[test]
 fn ignored_columns_of_a_sweep_are_in_json_too() {
     let (folder, path) =
         crate::sweep::table("points.csv", "club.loft [deg],carry [yd],note\n10,240,x\n");

@@ -262,6 +262,13 @@ fn exact_zero_uncertainty_of_the_change_to_an_equal_drive() {
         1e-12,
         "the change",
     );
+    // a parameter may have an uncertainty in one of the drives only
+    let few = effects(&other, &[Outcome::Carry], &sigmas[..3], &mut |_, _| ()).unwrap();
+    let ways = [
+        here.uncertainty_of_change(&few[0]),
+        few[0].uncertainty_of_change(&here),
+    ];
+    crate::common::close(ways[0], ways[1], expected, 1e-12, "both ways");
 }
 
 #[test]

@@ -171,6 +171,22 @@ fn a_column_or_a_value_that_is_not_there_is_refused_with_those_that_are() {
     }
 }
 
+#[test]
+fn dots_follow_the_values_of_a_column_only_if_there_are_more() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("clubs.csv");
+    for (clubs, has_dots) in [(12, false), (13, true)] {
+        let rows: String = (0..clubs)
+            .map(|k| format!("Club {k},150,12,2500\n"))
+            .collect();
+        let heads = "Club,Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]";
+        std::fs::write(&file, format!("{heads}\n{rows}")).unwrap();
+        let output = longdrive(&["fly", file.to_str().unwrap(), "--only", "Club=Putter"]);
+        assert_eq!(output.status, 2);
+        assert_eq!(output.err.contains('…'), has_dots, "{}", output.err);
+    }
+}
+
 /// A club value on the command line has the uncertainty of an instrument, like a column of the
 /// table.
 #[test]

@@ -328,7 +328,7 @@ fn independent_air_of_an_altitude_and_a_temperature() {
     let (shots, found, _) = case("trackman-short-heads.csv");
     assert_eq!(
         shots
-            .further()
+            .other_parameters()
             .iter()
             .map(|parameter| parameter.name)
             .collect::<Vec<_>>(),
@@ -337,7 +337,7 @@ fn independent_air_of_an_altitude_and_a_temperature() {
     let kelvin = 273.15 + 25.0;
     let pressure = 101_325.0 * (1.0 - 0.0065 * (1135.0 * 0.3048) / 288.15_f64).powf(5.255_88);
     close(
-        found[0].shots[0].further()[0],
+        found[0].shots[0].other_parameters()[0],
         pressure / (287.05 * kelvin),
         1.1,
         2e-3,

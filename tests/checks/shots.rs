@@ -419,6 +419,23 @@ fn messages_that_cannot_be_flown_give_the_reason() {
     );
 }
 
+/// Carries in metres, read in yards: messages have no head in which the unit could be corrected.
+#[test]
+fn the_advice_on_a_wrong_unit_of_messages_names_their_units() {
+    let message = r#"{"BallData": {"Speed": 160, "VLA": 12, "HLA": 0, "TotalSpin": 2500, "SpinAxis": 0,
+        "CarryDistance": 239.6}}"#;
+    let (shots, _, tally) = flown(io::Cursor::new(message.repeat(8)));
+    let warnings: Vec<String> = tally
+        .unit_warnings(&shots)
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    assert!(
+        warnings[0].contains("check Units in the messages") && !warnings[0].contains("head"),
+        "{warnings:?}"
+    );
+}
+
 #[test]
 fn tables_without_a_launch_name_the_nearest_head() {
     let misspelt = "Club,Ball Sped (mph),Launch Angl (deg),Spin (rpm)\nDriver,160,12,2500\n";

@@ -115,7 +115,7 @@ fn same_flight_in_the_air_of_an_export_and_in_that_air_set() {
             .unwrap()
             .to_string()
             .contains("not used: ")
-            && shots.further().is_empty()
+            && shots.other_parameters().is_empty()
     );
 }
 
@@ -212,7 +212,7 @@ fn same_air_in_a_section_far_from_the_beginning() {
     let second = text.replace("Club,", "Club Name,");
     let (_, all, tally) = flown(Cursor::new(first + &second));
     assert!(tally.refused.is_empty(), "{:?}", tally.refused);
-    let air = |flown: &Flown| flown.shots[0].further()[0];
+    let air = |flown: &Flown| flown.shots[0].other_parameters()[0];
     assert_eq!(air(&all[0]), air(all.last().unwrap()));
 }
 

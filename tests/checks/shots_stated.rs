@@ -246,6 +246,61 @@ fn assumed_uncertainties_of_every_section_are_reported() {
     );
 }
 
+/// Speeds without a unit are in mph and angles in degrees, also those of the club.
+#[test]
+fn assumed_units_of_the_club_are_reported() {
+    let text = "Ball Speed,Launch Angle,Spin Rate,Club Speed,Attack Angle\n150,12,2500,103,-1\n";
+    let (shots, all, _) = flown(text.as_bytes());
+    let remarks: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
+    let remarks = remarks.join("\n");
+    for says in [
+        "Club Speed in mph",
+        "Launch Angle, Attack Angle are read in degrees",
+    ] {
+        assert!(remarks.contains(says), "no '{says}' in {remarks}");
+    }
+    let speed = all[0].shots[0].club.speed.unwrap();
+    close(speed, 103.0 * 0.44704, 46.0, 1e-12, "mph");
+    // cells with units
+    let (shots, all, _) = flown(text.replace("103", "46 m/s").leak().as_bytes());
+    assert_eq!(all[0].shots[0].club.speed, Some(46.0));
+    let remarks: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
+    assert!(!remarks.join("\n").contains("Club Speed"), "{remarks:?}");
+}
+
+#[test]
+fn an_unreadable_value_of_the_club_has_a_note() {
+    let heads =
+        "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Club Speed [mph],Club Path [deg]";
+    let text = format!("{heads}\n150,12,2500,fast,2\n");
+    let (_, all, _) = flown(Cursor::new(text));
+    let message = r#"{"BallData": {"Speed": 150, "VLA": 12, "TotalSpin": 2500, "SpinAxis": 0},
+        "ClubData": {"Speed": "fast", "Path": 2}}"#;
+    let no_object = message.replace(r#"{"Speed": "fast", "Path": 2}"#, "[103]");
+    let (_, messages, _) = flown(Cursor::new(format!("{message}\n{no_object}")));
+    let [row, message, no_object] = [
+        &all[0].shots[0],
+        &messages[0].shots[0],
+        &messages[0].shots[1],
+    ];
+    for (shot, says) in [
+        (row, "Club Speed: 'fast' is not a number"),
+        (
+            message,
+            "ClubData.Speed: \"fast\" is not a number; it counts as not measured",
+        ),
+        (
+            no_object,
+            "ClubData is not an object; the club counts as not measured",
+        ),
+    ] {
+        assert!(shot.club.speed.is_none() && shot.launch().is_some());
+        assert!(shot.notes.join("\n").contains(says), "{:?}", shot.notes);
+    }
+    assert_eq!(row.club.path, message.club.path);
+    assert!(row.club.path.is_some());
+}
+
 #[test]
 fn every_lateral_value_that_is_not_compared_is_named() {
     let head = "ball_speed [mph],launch_angle [deg],spin [rpm],lateral [yd],lateral_total [yd]";

@@ -4,10 +4,12 @@ use crate::command_line::{file_with, json, longdrive, number, on_one_line};
 use crate::common::close;
 use longdrive::derivative::{Order, Taylor, hessian};
 use longdrive::optimize::Observer;
-use longdrive::study::swings::{GoalFunction, Rule, Scenarios, Strokes, Swings, resampled};
+use longdrive::study::swings::{
+    GoalError, GoalFunction, Rule, Scenarios, Strokes, Swings, analyse_over_swings, resampled,
+};
 use longdrive::study::uncertainty::{Distribution, Uncertain};
-use longdrive::study::{Goal, Optimum, Search, Sense, Vary, optimum};
-use longdrive::{Drive, Outcome, Setup};
+use longdrive::study::{Constraint, Goal, Optimum, Search, Sense, Vary, optimum};
+use longdrive::{Drive, Error, Outcome, Setup};
 use std::sync::Arc;
 
 /// Swings with these distributions, without correlations.
@@ -699,9 +701,87 @@ fn bad_swings_and_goals_are_refused_with_the_reason() {
     }
     let failed = longdrive(&["optimum-sensitivity", one]);
     assert!(
-        failed.status == 2 && failed.err.contains("use \"optimize\""),
+        failed.status == 2 && failed.err.contains("has no option '--distribution'"),
         "{}",
         failed.err
+    );
+}
+
+#[test]
+fn too_many_recorded_swings_are_refused_with_their_number() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("swings.csv");
+    let rows = "100\n".repeat(100_001);
+    std::fs::write(&file, format!("swing.speed [mph]\n{rows}")).unwrap();
+    let error = Swings::open(&Setup::default(), &file).unwrap_err();
+    let says = "it has 100001 rows, and at most 100000 recorded swings are allowed";
+    assert!(
+        matches!(error, Error::Table { .. }) && error.to_string().contains(says),
+        "{error}"
+    );
+}
+
+/// A single swing has no scatter, so that no design of the mean swing meets the limit.
+#[test]
+fn a_search_for_the_mean_swing_that_does_not_converge_gives_no_nominal_design() {
+    let limit = [
+        "--maximize",
+        "mean(carry)",
+        "--subject-to",
+        "std(lateral) >= 1yd",
+    ];
+    let args = [&["optimize"], &limit[..], &GOLFER].concat();
+    let (_, answer) = json(&args);
+    assert_eq!(answer["status"], "converged");
+    assert!(
+        answer["swings"]["nominal"].is_null(),
+        "{}",
+        answer["swings"]
+    );
+    let printed = longdrive(&args);
+    assert!(
+        on_one_line(&printed.out).contains("the best design for the mean swing was not found: "),
+        "{}",
+        printed.out
+    );
+}
+
+/// Attack angles from one with which no ball flies. The nodes of the finer quadrature do not reach
+/// it, the sequences do.
+#[test]
+fn the_error_of_a_smooth_goal_is_known_if_only_the_sequences_contain_a_swing_without_flight() {
+    let setup = Setup::default();
+    let flies = |attack: f64| {
+        let mut swung = setup;
+        swung.swing.attack_angle = attack;
+        Drive::new(&swung).is_ok_and(|drive| Outcome::Carry.of(&drive).is_ok())
+    };
+    let (mut low, mut high) = (-0.7, 0.0);
+    assert!(!flies(low) && flies(high));
+    for _ in 0..50 {
+        let middle = 0.5 * (low + high);
+        *(if flies(middle) { &mut high } else { &mut low }) = middle;
+    }
+    // the outermost of 6 nodes is 3.4 % of the range from its end
+    let end = 1.02 * low;
+    let attack = format!("swing.attack_angle=uniform({end:?} rad, 0 rad)");
+    let distributed = swings(&setup, &[&attack]);
+    let search = Search {
+        of: Goal::read("mean(carry)", None).unwrap(),
+        vary: vec![Vary::read(&setup, "swing.path=-0.001deg..0.001deg").unwrap()],
+        subject_to: vec![Constraint::read_over_swings("within(carry, 500m) >= 0", None).unwrap()],
+        scenarios: Scenarios::new(&distributed, Rule::Quadrature(4)).unwrap(),
+        ..Search::largest(Outcome::Carry)
+    };
+    let best = optimum(&setup, search, Observer::default()).unwrap();
+    let analysis = analyse_over_swings(&setup, &distributed, &best, &Arc::default());
+    let errors = analysis.unwrap().unwrap().errors;
+    assert!(
+        matches!(
+            errors[..],
+            [GoalError::Quadrature(_), GoalError::Unknown(_)]
+        ),
+        "{errors:?}"
     );
 }
 
@@ -960,6 +1040,15 @@ fn documents_say_the_best_lofts_of_a_beginner_and_of_a_professional() {
 fn scenarios_by_a_rule_that_does_not_fit_the_swings_are_refused() {
     let setup = Setup::default();
     let distributed = swings(&setup, &["swing.speed=normal(100mph,2mph)"]);
+    let three = ["swing.speed", "swing.path", "swing.attack_angle"].map(|name| {
+        let (value, unit) = if name == "swing.speed" {
+            (45, "m/s")
+        } else {
+            (0, "deg")
+        };
+        format!("{name}=normal({value}{unit},1{unit})")
+    });
+    let three = swings(&setup, &three.each_ref().map(String::as_str));
     let recorded = Swings::recorded(
         vec![setup.variable("swing.speed").unwrap()],
         vec![vec![45.0], vec![46.0]],
@@ -970,6 +1059,9 @@ fn scenarios_by_a_rule_that_does_not_fit_the_swings_are_refused() {
         (&distributed, Rule::Recorded),
         (&recorded, Rule::Quadrature(4)),
         (&recorded, sequence),
+        (&distributed, Rule::Quadrature(0)),
+        (&distributed, Rule::Quadrature(100_001)),
+        (&three, Rule::Quadrature(47)),
     ] {
         let error = Scenarios::new(swings, rule).unwrap_err().to_string();
         assert!(

@@ -845,6 +845,40 @@ fn exact_gusts_in_the_uncertainty_of_the_wind() {
     assert_eq!(sigma(&rough, "wind.speed"), 1.0_f64.hypot(8.0));
 }
 
+/// A strike from a stated centre of gravity has the uncertainty of its mark only.
+#[test]
+fn the_uncertainty_of_a_strike_has_the_source_of_its_size() {
+    let sigma = |setup: &Setup<f64>| {
+        let all = with_defaults(setup, &[], &[Outcome::Carry]).unwrap();
+        let mut all = all.into_iter();
+        all.find(|sigma| sigma.parameter.name == "strike.high")
+            .unwrap()
+    };
+    let mut setup = Setup::default();
+    setup.set("club.cg_high", "none").unwrap();
+    let spot = sigma(&setup);
+    setup.set("club.cg_high", "0 mm").unwrap();
+    let stated = sigma(&setup);
+    close(
+        spot.value,
+        1e-3_f64.hypot(3e-3),
+        1e-3,
+        1e-12,
+        "from the sweet spot",
+    );
+    close(
+        stated.value,
+        1e-3,
+        1e-3,
+        1e-12,
+        "from the centre of gravity",
+    );
+    assert_eq!(
+        [spot, stated].map(|sigma| sigma.source.unwrap().contains("sweet spot")),
+        [true, false]
+    );
+}
+
 #[test]
 fn an_unset_wind_is_refused_with_advice() {
     for name in ["wind.speed", "wind.from"] {

@@ -95,10 +95,10 @@ fn fly(args: &Args) -> Result<Answer> {
 /// The flights of the shots. If the request gives a ground, it is taken as the ground on which the
 /// shots were measured.
 fn flying(request: &Request, setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Flying> {
-    request.refuse_replaced(setup, shots.further())?;
+    request.refuse_replaced(setup, shots.other_parameters())?;
     let mut flying =
         flying_within_tolerance(request, setup, of, |setup| Flying::new(setup, shots, of))?;
-    flying.is_on_their_ground = request.gives_ground();
+    flying.compares_roll_out = request.gives_ground();
     Ok(flying)
 }
 
@@ -125,7 +125,9 @@ fn read_shots(
     let of_rows = CONDITIONS
         .iter()
         .filter_map(|of| setup.launch_condition(of.name()));
-    let of_rows: Vec<_> = of_rows.chain(shots.further().iter().copied()).collect();
+    let of_rows: Vec<_> = of_rows
+        .chain(shots.other_parameters().iter().copied())
+        .collect();
     request.refuse_stated(&of_rows, "every row has a value of its own")?;
     Ok(shots)
 }
@@ -142,9 +144,9 @@ fn refuse_no_rows(tally: &ShotStatistics, file: &Path) -> Result<()> {
 }
 
 /// Remarks on measured outcomes without a comparison, with advice on how to get a comparison.
-fn not_compared(shots: &Shots, of: &[Outcome], is_on_their_ground: bool) -> Vec<Message> {
+fn not_compared(shots: &Shots, of: &[Outcome], compares_roll_out: bool) -> Vec<Message> {
     let mut remarks = vec![];
-    if !is_on_their_ground && of.iter().any(|of| of.needs_run() && shots.has(*of)) {
+    if !compares_roll_out && of.iter().any(|of| of.needs_run() && shots.has(*of)) {
         remarks.push(Message::from(
             "the measured totals are not compared: the ground is not given; name it with \
              `set ground.turf=average`, or another",

@@ -184,7 +184,7 @@ impl<'a> CalibrationReport<'a> {
                 .fold((0, 0), |(stopped, all), (_, held)| {
                     (
                         stopped + held.count(FitStatus::Interrupted),
-                        all + held.ended.len(),
+                        all + held.statuses.len(),
                     )
                 });
         let of_all = counted_of(stopped as u64, all as u64, ["fit", "fits"]);
@@ -243,7 +243,7 @@ impl<'a> CalibrationReport<'a> {
 impl HeldOutReport {
     fn new(fit: &str, held: &HeldOut) -> Self {
         let mut statuses: Vec<FitStatus> = vec![];
-        for status in &held.ended {
+        for status in &held.statuses {
             if !statuses.contains(status) {
                 statuses.push(*status);
             }

@@ -39,8 +39,8 @@ pub(super) fn data(document: &mut Document, table: &ShotTable, system: System) {
 pub(super) fn starts(document: &mut Document, found: &Calibration) {
     let Starts {
         made,
-        same,
-        elsewhere,
+        at_best,
+        others,
     } = &found.starts;
     if *made <= 1 {
         return;
@@ -52,8 +52,8 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
             counted((made - stopped) as u64, "start")
         ),
     };
-    let mut text = format!("{same} of {of} ended at the sum of squares of this fit");
-    for (status, count) in elsewhere {
+    let mut text = format!("{at_best} of {of} ended at the sum of squares of this fit");
+    for (status, count) in others {
         text += &match status {
             FitStatus::Undefined => {
                 format!(
@@ -74,7 +74,7 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
                 | FitStatus::Misfit
         )
     };
-    if elsewhere.iter().any(|(status, _)| !has_end(status)) {
+    if others.iter().any(|(status, _)| !has_end(status)) {
         document.paragraph(
             "Starts are spread over the ranges of the parameters: with narrower ranges more of the \
              starts reach a minimum.",
@@ -398,8 +398,8 @@ fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
         .mean_square()
         .map_or(shown::NONE.into(), |mean| format!("{:.3}", mean.sqrt()));
     let interrupted = held.count(FitStatus::Interrupted);
-    let others = held.ended.len() - interrupted - held.count(FitStatus::Converged);
-    let mut what = match (interrupted, held.ended.len()) {
+    let others = held.statuses.len() - interrupted - held.count(FitStatus::Converged);
+    let mut what = match (interrupted, held.statuses.len()) {
         (0, _) => name.to_owned(),
         (stopped, all) if stopped == all => format!("{name}: interrupted, nothing was fitted"),
         (stopped, all) => format!("{name}: interrupted, {stopped} of {all} fits left out"),
@@ -407,7 +407,7 @@ fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
     if others > 0 {
         what += &format!(
             "; not converged: {}",
-            counted_of(others as u64, held.ended.len() as u64, ["fit", "fits"])
+            counted_of(others as u64, held.statuses.len() as u64, ["fit", "fits"])
         );
     }
     vec![folds, rms, outcomes.join(", "), what]

@@ -23,7 +23,7 @@ const LAUNCH: [&str; 5] = [
 pub(super) struct Keys {
     of: Vec<Outcome>,
     /// The parameters besides the launch, each with a value in every row.
-    further: Vec<&'static str>,
+    other_parameters: Vec<&'static str>,
     /// The columns of the export, with the key of each column; `None` for shots that came as
     /// messages.
     cells: Option<(Arc<ShotColumns>, Vec<String>)>,
@@ -146,7 +146,11 @@ impl Keys {
     pub fn new(shots: &Shots, of: &[Outcome]) -> Self {
         Self {
             of: of.to_vec(),
-            further: shots.further().iter().map(|row| row.name).collect(),
+            other_parameters: shots
+                .other_parameters()
+                .iter()
+                .map(|row| row.name)
+                .collect(),
             cells: None,
         }
     }
@@ -167,7 +171,11 @@ impl Keys {
         let keys = heads.iter().enumerate().map(key).collect();
         Self {
             of: self.of.clone(),
-            further: columns.further().iter().map(|row| row.name).collect(),
+            other_parameters: columns
+                .other_parameters()
+                .iter()
+                .map(|row| row.name)
+                .collect(),
             cells: Some((columns.clone(), keys)),
         }
     }
@@ -215,8 +223,11 @@ impl Keys {
             None => bytes.extend_from_slice(b"null"),
         }
         bytes.extend_from_slice(b",\"parameters\":");
-        let further = shot.further().iter().map(|value| Some(*value));
-        push_numbers(bytes, self.further.iter().copied().zip(further));
+        let other_parameters = shot.other_parameters().iter().map(|value| Some(*value));
+        push_numbers(
+            bytes,
+            self.other_parameters.iter().copied().zip(other_parameters),
+        );
         bytes.extend_from_slice(b",\"club\":");
         let club = Club::NAMES
             .into_iter()

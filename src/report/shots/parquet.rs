@@ -33,7 +33,7 @@ enum ColumnSource {
     Notes,
     Launch(usize),
     Club(usize),
-    Further(usize),
+    Parameter(usize),
     SpinOrigin,
     Condition,
     Measured(Outcome),
@@ -75,10 +75,10 @@ impl ShotParquet {
             .enumerate()
             .for_each(|(at, name)| number((*name).into(), ColumnSource::Club(at)));
         shots
-            .further()
+            .other_parameters()
             .iter()
             .enumerate()
-            .for_each(|(at, row)| number(row.name.into(), ColumnSource::Further(at)));
+            .for_each(|(at, row)| number(row.name.into(), ColumnSource::Parameter(at)));
         MEASURED.iter().for_each(|of| {
             number(
                 format!("measured_{}", of.name()),
@@ -209,8 +209,8 @@ impl ShotParquet {
             ColumnSource::Condition => texts(&|flown, row| flown.shots[row].condition.clone()),
             ColumnSource::Launch(at) => numbers(&|flown, row| launch(&flown.shots[row])[at]),
             ColumnSource::Club(at) => numbers(&|flown, row| flown.shots[row].club.values()[at]),
-            ColumnSource::Further(at) => {
-                numbers(&|flown, row| flown.shots[row].further().get(at).copied())
+            ColumnSource::Parameter(at) => {
+                numbers(&|flown, row| flown.shots[row].other_parameters().get(at).copied())
             }
             ColumnSource::Measured(of) => {
                 numbers(&|flown, row| Some(flown.shots[row].value(of)?.value))

@@ -2,7 +2,7 @@ use super::figures::{ALTERNATIVE, best, figures};
 use crate::parameters::{Law, TABLE_LAW};
 use crate::report::document::{Detail, Document, DocumentTable};
 use crate::report::shown::NONE;
-use crate::study::validation::{Case, Compared, LawScores, SWEPT, SetScores};
+use crate::study::validation::{Case, Compared, LawScores, OTHER_TEMPERATURES, SetScores};
 use crate::units::{System, counted, fixed, signed};
 
 /// The first quantity of most sets. The table names the first quantity of the other sets only.
@@ -117,7 +117,8 @@ fn one(document: &mut Document, set: &SetScores, system: System) {
     });
     let mut head: Vec<&str> = compared.iter().flat_map(|of| [of.words(), "MAE"]).collect();
     let is_swept = set.laws.iter().any(|law| law.bias_in_other_air.is_some());
-    let [cold, warm] = SWEPT.map(|temperature| format!("{} °C", fixed(temperature - 273.15, 0)));
+    let [cold, warm] =
+        OTHER_TEMPERATURES.map(|temperature| format!("{} °C", fixed(temperature - 273.15, 0)));
     let is_averaged = set.laws.iter().any(|law| law.averaged.is_some());
     if is_averaged {
         head.push("averaged");

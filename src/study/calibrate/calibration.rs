@@ -67,13 +67,14 @@ pub struct Starts {
     pub made: usize,
     /// Number of starts that reached the smallest sum of squares.
     // within a relative 1e-6
-    pub same: usize,
+    #[serde(rename = "same")]
+    pub at_best: usize,
     /// Number of starts that did not reach the smallest sum of squares, by status; `undefined` if
     /// the ball of a row does not fly at the starting point.
     // empty if `Calibration::renewals` exceeds 1, because only the best search is then repeated
-    #[serde(serialize_with = "by_name")]
+    #[serde(rename = "elsewhere", serialize_with = "by_name")]
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, usize>"))]
-    pub elsewhere: Vec<(FitStatus, usize)>,
+    pub others: Vec<(FitStatus, usize)>,
 }
 
 /// Parameters fitted to shots.

@@ -109,13 +109,13 @@ impl ShotTable {
         file: &str,
         club: ClubColumns,
     ) -> Result<Self> {
-        let further = shots.further().to_vec();
+        let other_parameters = shots.other_parameters().to_vec();
         let shots = shots.all()?;
-        let reading = Reading::of_shots(setup, &shots, &further, club);
+        let reading = Reading::of_shots(setup, &shots, &other_parameters, club);
         let mut rows = ShotRows::new(file);
         rows.begin(None, &reading);
         for shot in &shots {
-            rows.take_shot(&reading, shot, &further);
+            rows.take_shot(&reading, shot, &other_parameters);
         }
         rows.table(&RowFilter::default())
     }

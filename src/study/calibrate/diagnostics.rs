@@ -8,7 +8,7 @@ use super::verdict::{WARNED_MISFIT, misfit_text};
 use crate::drive::{CheckScope, ExceededCount, exceeded_in_flight};
 use crate::optimize::least_squares::FitStatus;
 use crate::parameters::{Parameter, Setup, Vary};
-use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
+use crate::study::cancellable::{LIMITS_NOT_CHECKED, each_until};
 use crate::units::{Digits, Message};
 use std::sync::atomic::AtomicBool;
 
@@ -154,7 +154,7 @@ pub fn validity_warnings(
     };
     let mut count = ExceededCount::default();
     let Some(drives) = each_until(shots, stop, looked_at) else {
-        return vec![NOT_LOOKED_AT.into()];
+        return vec![LIMITS_NOT_CHECKED.into()];
     };
     drives
         .into_iter()

@@ -1,5 +1,5 @@
 use super::calibration::{Calibration, Estimate, FitResidual, Starts};
-use super::refusal::no_answer;
+use super::refusal::failed_rows_error;
 use super::residuals::ShotResiduals;
 use super::shot_table::{MeasuredShot, ShotTable};
 use super::statistics::{FitRange, FitStatistics};
@@ -355,22 +355,22 @@ impl RepeatedSearches {
     fn by_end(&self, made: usize) -> Starts {
         let best = self.fits[0].cost;
         let is_same = |fit: &&Fit| (fit.cost - best).abs() <= 1e-6 * best.abs().max(1e-12);
-        let (same, others): (Vec<&Fit>, Vec<_>) = self
+        let (at_best, larger): (Vec<&Fit>, Vec<_>) = self
             .fits
             .iter()
             .filter(|fit| fit.status != FitStatus::Interrupted)
             .partition(is_same);
-        let mut elsewhere: Vec<(FitStatus, usize)> = vec![];
-        for Fit { status, .. } in others {
-            match elsewhere.iter_mut().find(|(other, _)| other == status) {
+        let mut others: Vec<(FitStatus, usize)> = vec![];
+        for Fit { status, .. } in larger {
+            match others.iter_mut().find(|(other, _)| other == status) {
                 Some((_, count)) => *count += 1,
-                None => elsewhere.push((*status, 1)),
+                None => others.push((*status, 1)),
             }
         }
         Starts {
             made,
-            same: same.len(),
-            elsewhere,
+            at_best: at_best.len(),
+            others,
         }
     }
 }
@@ -383,7 +383,7 @@ fn missing(what: &str, problem: &ShotResiduals<'_>, at: &[f64]) -> Error {
     match problem.each(at) {
         Ok(each) => {
             let rows = problem.shots.iter().zip(each);
-            no_answer(
+            failed_rows_error(
                 what,
                 &rows
                     .filter_map(|(shot, row)| row.err().map(|why| (shot.row, why)))

@@ -14,7 +14,7 @@ pub struct HeldOut {
     /// Number of folds; 0 for a setup flown without a fit.
     pub folds: usize,
     /// Status of the fit of each fold. An interrupted fit gives no residuals.
-    pub ended: Vec<FitStatus>,
+    pub statuses: Vec<FitStatus>,
     /// Residuals of the held-out rows.
     pub residuals: Vec<FitResidual>,
 }
@@ -29,7 +29,7 @@ impl HeldOut {
 
     /// Number of fits with this status.
     pub fn count(&self, status: FitStatus) -> usize {
-        self.ended.iter().filter(|ended| **ended == status).count()
+        self.statuses.iter().filter(|own| **own == status).count()
     }
 
     /// Reports whether a fit was interrupted.
@@ -48,14 +48,14 @@ impl HeldOut {
         observer: &FitObserver,
     ) -> Result<Self> {
         let flown = flown(setup, &table.shots, &observer.interrupt)?;
-        let ended = if flown.is_none() {
+        let statuses = if flown.is_none() {
             vec![FitStatus::Interrupted]
         } else {
             vec![]
         };
         Ok(Self {
             folds: 0,
-            ended,
+            statuses,
             residuals: flown.unwrap_or_default(),
         })
     }
@@ -116,10 +116,10 @@ pub fn held_out(
     observer: &FitObserver,
 ) -> Result<HeldOut> {
     check_folds(table, plan, folds)?;
-    let (mut residuals, mut ended) = (vec![], vec![]);
+    let (mut residuals, mut statuses) = (vec![], vec![]);
     for fold in 0..folds {
         if observer.is_interrupted() {
-            ended.push(FitStatus::Interrupted);
+            statuses.push(FitStatus::Interrupted);
             continue;
         }
         let (held_out, seen): (Vec<_>, Vec<_>) = table
@@ -146,13 +146,13 @@ pub fn held_out(
         let status = found
             .filter(|_| held_out.is_some())
             .map_or(FitStatus::Interrupted, |found| found.fit.status);
-        ended.push(status);
+        statuses.push(status);
         residuals.extend(held_out.into_iter().flatten());
     }
     residuals.sort_by_key(|residual| residual.row);
     Ok(HeldOut {
         folds,
-        ended,
+        statuses,
         residuals,
     })
 }

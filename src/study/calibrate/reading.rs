@@ -242,7 +242,7 @@ impl Reading {
     pub fn of_shots(
         setup: &Setup<f64>,
         shots: &[Shot],
-        further: &[&'static Parameter],
+        other_parameters: &[&'static Parameter],
         club: ClubColumns,
     ) -> Self {
         let is_stated = |of: &&Outcome| {
@@ -275,7 +275,7 @@ impl Reading {
             );
         }
         columns.extend(
-            further
+            other_parameters
                 .iter()
                 .map(|parameter| Column::of(Content::Input(parameter), parameter.name)),
         );
@@ -292,13 +292,17 @@ impl Reading {
     }
 
     /// Values of `shot`, in the order of the columns.
-    pub fn numbers(&self, shot: &Shot, further: &[&'static Parameter]) -> Vec<Option<f64>> {
+    pub fn numbers(
+        &self,
+        shot: &Shot,
+        other_parameters: &[&'static Parameter],
+    ) -> Vec<Option<f64>> {
         let of = |column: &Column| match column.content {
             Content::Outcome(outcome) => shot.value(outcome).map(|value| value.value),
             Content::Input(parameter) => {
-                let at = || further.iter().position(|own| *own == parameter);
+                let at = || other_parameters.iter().position(|own| *own == parameter);
                 ClubOfShot::place(parameter).map_or_else(
-                    || shot.further().get(at()?).copied(),
+                    || shot.other_parameters().get(at()?).copied(),
                     |at| shot.club.values()[at],
                 )
             }
@@ -443,7 +447,9 @@ impl Reading {
             row.not_compared.push(column.head.clone());
             return Ok(());
         }
-        let assumed = outcome.measurement_uncertainty().unwrap_or(column.one());
+        let assumed = outcome
+            .measurement_uncertainty()
+            .unwrap_or(column.unit_size());
         let sigma = self.sigma(record, Content::Sigma(outcome), assumed)?;
         row.shot.measured.push(Measurement {
             outcome,
@@ -558,7 +564,7 @@ impl Reading {
     fn check_launch(&self, stated: &Launch) -> Result<(), RowError> {
         let mut looked_at = *stated;
         for (value, of) in looked_at.iter_mut().zip(CONDITIONS) {
-            *value = value.filter(|value| !self.may_be_none(of, *value));
+            *value = value.filter(|value| !self.is_measured_zero(of, *value));
         }
         if let Some(why) = implausible_launch(&looked_at, |of| self.head(of)) {
             return Err(RowError::new(None, why));
@@ -576,7 +582,7 @@ impl Reading {
 
     /// Message for an implausible measured value.
     fn outside(&self, of: Outcome, value: f64) -> Option<String> {
-        if self.may_be_none(of, value) {
+        if self.is_measured_zero(of, value) {
             None
         } else {
             outside(of, value)
@@ -584,7 +590,7 @@ impl Reading {
     }
 
     /// True for a 0 that is a value, not a missing measurement: zero spin, except in exports.
-    fn may_be_none(&self, of: Outcome, value: f64) -> bool {
+    fn is_measured_zero(&self, of: Outcome, value: f64) -> bool {
         of == Outcome::Spin && value == 0.0 && !self.is_export
     }
 

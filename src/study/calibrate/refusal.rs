@@ -16,7 +16,7 @@ struct Group {
 /// Error for failed rows, given as row numbers with errors: [`Error::NoFit`] if all errors are
 /// results of the drives (such as a ball that does not fly), [`Error::Calibration`] if a row has
 /// bad input. The message begins with `what`.
-pub(super) fn no_answer(what: &str, failed: &[(usize, Error)]) -> Error {
+pub(super) fn failed_rows_error(what: &str, failed: &[(usize, Error)]) -> Error {
     let reason = format!("{what}: {}", refusal(failed));
     let Some((_, first)) = failed.first() else {
         return Error::Calibration { reason };
@@ -128,7 +128,7 @@ fn numbered(rows: &[usize]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{no_answer, numbered, refusal};
+    use super::{failed_rows_error, numbered, refusal};
     use crate::error::Error;
 
     #[test]
@@ -192,7 +192,7 @@ mod tests {
         ] {
             let failed: Vec<_> = errors.into_iter().enumerate().collect();
             assert_eq!(
-                no_answer("nothing flies", &failed).status(),
+                failed_rows_error("nothing flies", &failed).status(),
                 status,
                 "{failed:?}"
             );

@@ -40,19 +40,19 @@ pub(super) struct ShotRows {
     row: usize,
     shots: Vec<MeasuredShot>,
     no_shots: NonShotRows,
-    messages: Vec<String>,
+    refused_messages: Vec<String>,
     /// Number of shots by the name of the club.
     clubs: BTreeMap<String, u64>,
     incomplete: Vec<String>,
     unreadable: Vec<String>,
     /// Lateral columns that are not compared because launch direction or spin axis is assumed, with
     /// their rows.
-    sideways: BTreeMap<String, Vec<String>>,
+    uncompared_laterals: BTreeMap<String, Vec<String>>,
     /// Messages on columns of the club without a usable value, with their rows.
     not_stated: BTreeMap<String, Vec<String>>,
     contradictions: Vec<String>,
     implausible: Vec<String>,
-    airless: Vec<String>,
+    rows_without_air: Vec<String>,
     sections: Vec<TableSection>,
     /// Error of the first incomplete row of a table that is not an export.
     first_incomplete: Option<Error>,
@@ -123,16 +123,21 @@ impl ShotRows {
     }
 
     /// Adds the shot of a message.
-    pub fn take_shot(&mut self, reading: &Reading, shot: &Shot, further: &[&'static Parameter]) {
+    pub fn take_shot(
+        &mut self,
+        reading: &Reading,
+        shot: &Shot,
+        other_parameters: &[&'static Parameter],
+    ) {
         self.row += 1;
         if let Some(refusal) = shot.refusal() {
-            self.messages.push(format!(
+            self.refused_messages.push(format!(
                 "row {} (line {}: {})",
                 self.row, shot.line, refusal.reason
             ));
             return;
         }
-        let numbers = reading.numbers(shot, further);
+        let numbers = reading.numbers(shot, other_parameters);
         // an error in one row of an export rejects only that row
         let _ = self.add(reading, reading.shot(self.row, Values::Numbers(&numbers)));
     }
@@ -153,7 +158,7 @@ impl ShotRows {
 
     fn add_row(&mut self, reading: &Reading, row: ReadRow) {
         let number = format!("row {}", self.row);
-        self.airless.extend(
+        self.rows_without_air.extend(
             row.no_air
                 .map(|why| format!("{number}: {}", air_of_setup(&why))),
         );
@@ -162,7 +167,10 @@ impl ShotRows {
             .extend(implausible.map(|why| format!("{number}: not compared: {why}")));
         if reading.club == ClubColumns::Ignored {
             for head in row.not_compared {
-                self.sideways.entry(head).or_default().push(number.clone());
+                self.uncompared_laterals
+                    .entry(head)
+                    .or_default()
+                    .push(number.clone());
             }
         }
         for why in row.not_stated {
@@ -213,7 +221,10 @@ impl ShotRows {
                 "rows left out, since they lack a value that every shot needs",
             ),
             (&self.unreadable, "rows left out, since they cannot be used"),
-            (&self.messages, "messages that are no shots are left out"),
+            (
+                &self.refused_messages,
+                "messages that are no shots are left out",
+            ),
         ];
         messages.extend(
             others
@@ -245,7 +256,7 @@ impl ShotRows {
             remarks.extend(of_section.map(|remark| section.remark(remark)));
         }
         remarks.extend(left_out);
-        for (head, rows) in std::mem::take(&mut self.sideways) {
+        for (head, rows) in std::mem::take(&mut self.uncompared_laterals) {
             let why = "in rows without a measured launch direction, or without a measured spin \
                        axis or sidespin";
             remarks.push(format!("{head} is not compared {why}: {}", rows.join(", ")).into());
@@ -370,7 +381,7 @@ impl ShotRows {
         let mut remarks = self.remarks(left_out);
         remarks.extend(filter.remark());
         remarks.extend(self.air_remarks());
-        remarks.extend(self.airless.drain(..).map(Message::from));
+        remarks.extend(self.rows_without_air.drain(..).map(Message::from));
         let sigma_origin = self.sigma_origin(&mut remarks);
         Ok(ShotTable {
             file: self.file,

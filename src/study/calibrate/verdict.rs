@@ -70,7 +70,7 @@ pub(super) fn set_status_of_data(found: &mut Calibration, loss: Loss, origin: Si
     if !matches!(found.fit.status, FitStatus::Converged | FitStatus::Stalled) {
         return;
     }
-    if let Some(row) = outweighing(&found.residuals, loss) {
+    if let Some(row) = dominating_residual(&found.residuals, loss) {
         found.fit.status = FitStatus::DominatedByOneResidual;
         found.fit.message = format!(
             "row {}: {} is {:.1e} standard uncertainties from the fit. All other residuals \
@@ -110,7 +110,7 @@ pub(super) fn set_status_of_data(found: &mut Calibration, loss: Loss, origin: Si
 /// w of the loss. It dominates if (w r)² exceeds 1e6 (1000 standard uncertainties), and exceeds 1e6
 /// times the sum of these squares over all other residuals. Huber's loss limits w r, so there a
 /// residual dominates only if rounding in the sum of losses hides the others.
-fn outweighing(residuals: &[FitResidual], loss: Loss) -> Option<&FitResidual> {
+fn dominating_residual(residuals: &[FitResidual], loss: Loss) -> Option<&FitResidual> {
     /// Threshold for the sum of (w r)² over all residuals but the largest, as a fraction of the
     /// largest (w r)².
     const PART: f64 = 1e-6;

@@ -24,11 +24,11 @@ const NEIGHBOURS: usize = 8;
 const SPACING: f64 = 1e-12;
 
 /// Tolerance of a jump, in multiples of the scatter of the samples.
-const BAR: f64 = 4.0;
+const SCATTER_FACTOR: f64 = 4.0;
 
 /// Smallest relative tolerances of jumps of value, gradient and Hessian: the few samples may
 /// scatter by less than the rounding.
-const PROMISED: [f64; 3] = [1e-13, 1e-12, 1e-10];
+const LEAST_TOLERANCE: [f64; 3] = [1e-13, 1e-12, 1e-10];
 
 /// An outcome at a parameter value where the number of time steps changes.
 #[derive(Clone, Debug, Serialize)]
@@ -112,7 +112,12 @@ pub(super) fn continuity(
                     .map(|taylors| entries(&taylors[i], &scales, order))
                     .collect::<Vec<_>>()
             };
-            jump(&entries(&before), &entries(&after), size, PROMISED[order])
+            jump(
+                &entries(&before),
+                &entries(&after),
+                size,
+                LEAST_TOLERANCE[order],
+            )
         });
         Continuity {
             of: *of,
@@ -167,7 +172,7 @@ fn entries(taylor: &Taylor, scales: &[f64], order: usize) -> Vec<f64> {
 
 /// Jump between the means of two sides and its tolerance from their scatter, both relative to the
 /// larger of the largest entry and `size`, the magnitude of the outcome's terms.
-fn jump(before: &[Vec<f64>], after: &[Vec<f64>], size: f64, promised: f64) -> (f64, f64) {
+fn jump(before: &[Vec<f64>], after: &[Vec<f64>], size: f64, least_tolerance: f64) -> (f64, f64) {
     let (mut jump, mut scatter, mut size) = (0.0_f64, 0.0_f64, size);
     for entry in 0..before[0].len() {
         let [a, b] = [before, after].map(|side| {
@@ -185,7 +190,10 @@ fn jump(before: &[Vec<f64>], after: &[Vec<f64>], size: f64, promised: f64) -> (f
     if size == 0.0 {
         (jump, 0.0)
     } else {
-        (jump / size, promised.max(BAR * scatter / size))
+        (
+            jump / size,
+            least_tolerance.max(SCATTER_FACTOR * scatter / size),
+        )
     }
 }
 

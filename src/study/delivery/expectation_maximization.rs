@@ -151,20 +151,20 @@ impl SwingInformation {
     }
 
     /// Mean and covariance of the swings along the directions `along`, iterated from the covariance
-    /// `begin`. In the other directions the covariance stays `assumed` and the mean stays `moved`.
+    /// `initial_covariance`. In the other directions the covariance stays `fixed_covariance` and the mean stays `fixed_mean`.
     /// Means are relative to the mean swing of the linearization.
     pub(super) fn maximize_likelihood(
         &self,
         along: &DMatrix<f64>,
-        assumed: &DMatrix<f64>,
-        moved: &DVector<f64>,
-        begin: DMatrix<f64>,
+        fixed_covariance: &DMatrix<f64>,
+        fixed_mean: &DVector<f64>,
+        initial_covariance: DMatrix<f64>,
     ) -> (DVector<f64>, DMatrix<f64>) {
         let ((n, size), back) = (along.shape(), along.transpose());
-        let (mut mean, mut spread) = (DVector::zeros(size), begin);
+        let (mut mean, mut spread) = (DVector::zeros(size), initial_covariance);
         for _ in 0..ITERATIONS {
-            let covariance = along * &spread * &back + assumed;
-            let centre = along * &mean + moved;
+            let covariance = along * &spread * &back + fixed_covariance;
+            let centre = along * &mean + fixed_mean;
             let mut swings = vec![];
             let mut left = DMatrix::zeros(size, size);
             for ShotGroup {

@@ -232,15 +232,23 @@ fn converged(
         let information = SwingInformation::new(shots, &of, unknowns, &mean, &launches)?;
         let directions = IdentifiedDirections::new(&information.information);
         let (along, unidentified) = (&directions.identified, &directions.unidentified);
-        let assumed = unidentified * (prior_factor * prior_factor);
-        let moved = -(unidentified * &mean);
-        let begin = match iteration {
+        let fixed_covariance = unidentified * (prior_factor * prior_factor);
+        let fixed_mean = -(unidentified * &mean);
+        let initial_covariance = match iteration {
             0 => DMatrix::identity(along.ncols(), along.ncols()),
             _ => along.transpose() * &covariance * along,
         };
-        let (centre, spread) = information.maximize_likelihood(along, &assumed, &moved, begin);
+        let (centre, spread) = information.maximize_likelihood(
+            along,
+            &fixed_covariance,
+            &fixed_mean,
+            initial_covariance,
+        );
         let found = along * &spread * along.transpose();
-        let next = (&mean + along * centre + moved, &found + &assumed);
+        let next = (
+            &mean + along * centre + fixed_mean,
+            &found + &fixed_covariance,
+        );
         let change = (&next.0 - &mean).amax().max((&next.1 - &covariance).amax());
         iteration += 1;
         let is_converged = change < TOLERANCE;

@@ -17,7 +17,7 @@ pub struct DesignConstraint {
     /// The rule of golf; `None` for other constraints.
     pub rule: Option<&'static GolfRule>,
     /// Method by which the search enforces the constraint.
-    pub by: Enforcement,
+    pub enforcement: Enforcement,
     /// Lower and upper limit, SI; may be infinite.
     pub range: [f64; 2],
     /// Physical quantity of the value, with its display unit.
@@ -63,7 +63,7 @@ impl DesignConstraint {
             let is_met = value.is_none_or(|value| margin_of(value) >= -MET * self.step);
             (multiplier > 0.0 && is_met).then_some(multiplier)
         };
-        let (value, price) = match self.by {
+        let (value, price) = match self.enforcement {
             Enforcement::Bound(i) => {
                 let vary = best.search.vary[i];
                 // if a bound of the search is tighter than the rule, the multiplier belongs to that

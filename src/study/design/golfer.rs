@@ -42,7 +42,7 @@ pub fn golfer(setup: &Setup<f64>) -> Result<Swings> {
         );
         Ok(Uncertain {
             parameter,
-            distribution: cut(mean, deviation),
+            distribution: truncated_with_deviation(mean, deviation),
         })
     });
     let inputs = inputs.collect::<Result<Vec<_>>>()?;
@@ -55,7 +55,7 @@ pub fn golfer(setup: &Setup<f64>) -> Result<Swings> {
 
 /// Truncated normal distribution; `deviation` is its standard deviation after the truncation.
 /// Bisection finds the larger standard deviation before the truncation.
-fn cut(mean: f64, deviation: f64) -> Distribution {
+fn truncated_with_deviation(mean: f64, deviation: f64) -> Distribution {
     let of = |mean: f64, deviation: f64, wider: f64| {
         let [low, high] = [mean - WITHIN * deviation, mean + WITHIN * deviation];
         Distribution::Truncated {

@@ -77,8 +77,9 @@ impl Design {
             }
         }
         design.budget(setup);
-        let is_listed =
-            |constraint: &DesignConstraint, k: usize| constraint.by == Enforcement::Limit(k);
+        let is_listed = |constraint: &DesignConstraint, k: usize| {
+            constraint.enforcement == Enforcement::Limit(k)
+        };
         for k in 0..requested {
             let mut listed = design.constraints.iter();
             if !listed.any(|constraint| is_listed(constraint, k)) {
@@ -142,13 +143,13 @@ impl Design {
         rule: &'static GolfRule,
         expression: String,
         range: [f64; 2],
-        by: Enforcement,
+        enforcement: Enforcement,
     ) {
         self.constraints.push(DesignConstraint {
             name: rule.name.into(),
             expression,
             rule: Some(rule),
-            by,
+            enforcement,
             range,
             unit: rule.unit(),
             step: rule.quantity().read(rule.step).unwrap_or(1.0),
@@ -191,7 +192,7 @@ impl Design {
             (true, None) => Ok(None),
             (false, Some(_)) => {
                 let each = scenarios
-                    .and_ends(&places)
+                    .with_bounds(&places)
                     .map(|point| value(&setup.with_values(&scenarios.parameters, &point)?))
                     .collect::<Result<Vec<f64>>>()?;
                 let worst = rule.worst(each).unwrap_or(rule.bound());
@@ -268,7 +269,7 @@ impl Design {
             .iter()
             .position(|swung| *swung == parameter)
         {
-            let values = scenarios.and_ends(&[k]).map(|point| point[k]);
+            let values = scenarios.with_bounds(&[k]).map(|point| point[k]);
             let worst = rule.worst(values).unwrap_or(bound);
             self.note_endless(scenarios, rule, &[k]);
             return Ok(Enforcement::Value(checked(
@@ -330,7 +331,7 @@ impl Design {
     fn note_endless(&mut self, scenarios: &Scenarios, rule: &GolfRule, places: &[usize]) {
         let names = places
             .iter()
-            .filter(|k| scenarios.is_endless(**k))
+            .filter(|k| scenarios.is_unbounded(**k))
             .map(|k| scenarios.parameters[*k].name);
         let names: Vec<_> = names.collect();
         if !names.is_empty() {
@@ -363,7 +364,7 @@ impl Design {
             name: name.into(),
             expression: limit.expression.clone(),
             rule: None,
-            by: Enforcement::Limit(k),
+            enforcement: Enforcement::Limit(k),
             range: [limit.low, limit.high],
             unit,
             step: unit.size(),

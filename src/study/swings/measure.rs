@@ -266,7 +266,7 @@ impl LowestShare<'_> {
     fn mean(&self, is_second: bool) -> Taylor {
         let t = self.threshold();
         let terms = self.drives.iter().map(|(f, weight)| {
-            let [value, slope, bend] = self.plus(t - self.sign * f.value);
+            let [value, slope, bend] = self.smoothed_positive_part(t - self.sign * f.value);
             // derivatives of −φ(t − u) by f
             let by_f = [-value, self.sign * slope, -bend];
             (*f, by_f.map(|part| weight / self.share * part))
@@ -277,8 +277,8 @@ impl LowestShare<'_> {
         mean
     }
 
-    /// φ, φ′ and φ″.
-    fn plus(&self, z: f64) -> [f64; 3] {
+    /// φ, φ′ and φ″: the smoothed positive part of z.
+    fn smoothed_positive_part(&self, z: f64) -> [f64; 3] {
         let smoothing = self.smoothing;
         let width = (z * z + 4.0 * smoothing * smoothing).sqrt();
         [
@@ -292,8 +292,9 @@ impl LowestShare<'_> {
     /// bit. The excess rises with t, from −α to 1 − α.
     fn threshold(&self) -> f64 {
         let excess = |t: f64| {
-            let weighted =
-                |(f, weight): &(&Taylor, f64)| weight * self.plus(t - self.sign * f.value)[1];
+            let weighted = |(f, weight): &(&Taylor, f64)| {
+                weight * self.smoothed_positive_part(t - self.sign * f.value)[1]
+            };
             self.drives.iter().map(weighted).sum::<f64>() - self.share
         };
         let values = self.drives.iter().map(|(f, _)| self.sign * f.value);
@@ -327,7 +328,9 @@ impl LowestShare<'_> {
         let bends: Vec<f64> = self
             .drives
             .iter()
-            .map(|(f, weight)| weight / self.share * self.plus(t - self.sign * f.value)[2])
+            .map(|(f, weight)| {
+                weight / self.share * self.smoothed_positive_part(t - self.sign * f.value)[2]
+            })
             .collect();
         let bend: f64 = bends.iter().sum();
         // ±∂²G/∂t∂x; the sign cancels in the product

@@ -15,12 +15,12 @@ mod function;
 mod golfer;
 mod measure;
 mod pareto;
-pub(super) mod part;
 mod quadrature;
 mod resampled;
 mod robust;
 mod scenarios;
 mod strokes;
+pub(super) mod subset;
 mod warnings;
 
 pub use analysis::{GoalError, Nominal, SamplingError, SwingsAnalysis, analyse_over_swings};

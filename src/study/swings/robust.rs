@@ -323,7 +323,7 @@ pub fn robust(
     let goals = losses.goals(&design)?;
     Ok(Robust {
         setup: losses.problems[0].moved(&design)?,
-        losses: losses.of(&goals),
+        losses: losses.losses(&goals),
         shares: shares(&solution, search.subject_to.len()),
         models,
         matrix,
@@ -495,7 +495,7 @@ impl<'a> Losses<'a> {
     }
 
     /// The loss of each model, from the values of its goals.
-    fn of(&self, goals: &[Vec<f64>]) -> Vec<f64> {
+    fn losses(&self, goals: &[Vec<f64>]) -> Vec<f64> {
         let all = goals.iter().enumerate();
         all.map(|(model, goals)| self.loss(model, goals)).collect()
     }

@@ -258,21 +258,21 @@ impl Scenarios {
 
     /// Bounds of the distribution of a parameter (by index), SI; they may be infinite. `None` for
     /// recorded swings.
-    fn ends(&self, of: usize) -> Option<[f64; 2]> {
+    fn bounds(&self, of: usize) -> Option<[f64; 2]> {
         match &self.distributed {
-            Some(Swings::Distributed { inputs, .. }) => Some(inputs[of].distribution.ends()),
+            Some(Swings::Distributed { inputs, .. }) => Some(inputs[of].distribution.bounds()),
             _ => None,
         }
     }
 
     /// The scenarios, then copies of them in which parameters of `of` lie at the bounds of their
     /// distributions, in all combinations. A parameter with an infinite bound keeps its values.
-    pub(crate) fn and_ends<'a>(&'a self, of: &[usize]) -> impl Iterator<Item = Vec<f64>> + 'a {
-        let ends = |k: &usize| Some((*k, self.ends(*k)?));
-        let (bounded, endless): (Vec<_>, Vec<_>) = of
+    pub(crate) fn with_bounds<'a>(&'a self, of: &[usize]) -> impl Iterator<Item = Vec<f64>> + 'a {
+        let bounds = |k: &usize| Some((*k, self.bounds(*k)?));
+        let (bounded, unbounded): (Vec<_>, Vec<_>) = of
             .iter()
-            .filter_map(ends)
-            .partition(|(_, ends)| ends.iter().all(|end| end.is_finite()));
+            .filter_map(bounds)
+            .partition(|(_, bounds)| bounds.iter().all(|bound| bound.is_finite()));
         let corners = if bounded.is_empty() {
             0
         } else {
@@ -280,7 +280,7 @@ impl Scenarios {
         };
         // if all distributions of `of` are bounded, their values are the same in the copies of
         // every scenario: copies of the first scenario are enough
-        let others = if endless.is_empty() {
+        let others = if unbounded.is_empty() {
             1
         } else {
             self.points.len()
@@ -289,8 +289,8 @@ impl Scenarios {
             let bounded = bounded.clone();
             self.points.iter().take(others).map(move |point| {
                 let mut point = point.clone();
-                for (i, (k, ends)) in bounded.iter().enumerate() {
-                    point[*k] = ends[(corner >> i) & 1];
+                for (i, (k, bounds)) in bounded.iter().enumerate() {
+                    point[*k] = bounds[(corner >> i) & 1];
                 }
                 point
             })
@@ -300,9 +300,9 @@ impl Scenarios {
 
     /// True if the distribution of a parameter has an infinite bound: the parameter then has values
     /// beyond the scenarios.
-    pub(crate) fn is_endless(&self, of: usize) -> bool {
-        self.ends(of)
-            .is_some_and(|ends| ends.iter().any(|end| end.is_infinite()))
+    pub(crate) fn is_unbounded(&self, of: usize) -> bool {
+        self.bounds(of)
+            .is_some_and(|bounds| bounds.iter().any(|bound| bound.is_infinite()))
     }
 
     /// One scenario: the mean of each parameter.

@@ -7,13 +7,13 @@ use super::scenarios::Scenarios;
 use crate::drive::{CheckScope, ExceededCount, ExceededLimits, Outcome, exceeded_in_flight};
 use crate::parameters::Setup;
 use crate::study::Optimum;
-use crate::study::cancellable::{NOT_LOOKED_AT, each_until};
+use crate::study::cancellable::{LIMITS_NOT_CHECKED, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
 /// For each validity limit of the model: the share of the swings that exceed it, with the design of
 /// `setup`. Swings that do not land are not counted. `None` once `stop` is true.
-fn beyond_share(
+fn exceeded_shares(
     setup: &Setup<f64>,
     scenarios: &Scenarios,
     of: &[Outcome],
@@ -43,9 +43,9 @@ fn warnings(
         return setup.drive_warnings(of);
     }
     let mut warnings = setup.warnings();
-    match beyond_share(setup, scenarios, of, stop) {
+    match exceeded_shares(setup, scenarios, of, stop) {
         Some(share) => warnings.extend(share.warnings(&setup.law, "the swings")),
-        None => warnings.push(NOT_LOOKED_AT.into()),
+        None => warnings.push(LIMITS_NOT_CHECKED.into()),
     }
     warnings
 }
@@ -93,12 +93,12 @@ impl Robust {
             let of_setup = setup.warnings();
             for message in of_drives {
                 // a warning about the setup does not name a model: it concerns all models
-                let message = match of_setup.contains(&message) || message == NOT_LOOKED_AT.into() {
-                    true => message,
-                    false => {
-                        Message::from(format!("with the model '{}': ", model.name)).message(message)
-                    }
-                };
+                let message =
+                    match of_setup.contains(&message) || message == LIMITS_NOT_CHECKED.into() {
+                        true => message,
+                        false => Message::from(format!("with the model '{}': ", model.name))
+                            .message(message),
+                    };
                 if !all.contains(&message) {
                     all.push(message);
                 }
@@ -122,8 +122,9 @@ impl Pareto {
             .collect();
         let mut count = ExceededCount::default();
         for point in &self.points {
-            let Some(share) = beyond_share(&point.setup, &self.search.scenarios, &of, stop) else {
-                return vec![NOT_LOOKED_AT.into()];
+            let Some(share) = exceeded_shares(&point.setup, &self.search.scenarios, &of, stop)
+            else {
+                return vec![LIMITS_NOT_CHECKED.into()];
             };
             count.add(share.exceeded_limits());
         }

@@ -100,7 +100,7 @@ impl Distribution {
     /// deviation ≤ 0, and a truncation that leaves no probability.
     pub fn check(&self) -> Result<()> {
         let name = || format!("the distribution {self:?}");
-        self.why_none().map_or(Ok(()), |why| {
+        self.why_invalid().map_or(Ok(()), |why| {
             Err(Error::Unreadable {
                 name: name(),
                 source: why.into(),
@@ -109,13 +109,13 @@ impl Distribution {
     }
 
     /// Reason why the distribution is invalid; `None` if it is valid.
-    fn why_none(&self) -> Option<&'static str> {
+    fn why_invalid(&self) -> Option<&'static str> {
         let numbers = self.numbers();
         let deviation = match *self {
             Self::Normal { deviation, .. } | Self::Truncated { deviation, .. } => Some(deviation),
             Self::Uniform { .. } | Self::Triangular { .. } => None,
         };
-        let [low, high] = self.ends();
+        let [low, high] = self.bounds();
         let rises = low < high && (!matches!(self, Self::Triangular { .. }) || numbers.is_sorted());
         if deviation.is_some_and(|deviation| !(deviation > 0.0 && deviation.is_finite())) {
             return Some("the standard deviation must be a finite number above 0");
@@ -177,7 +177,7 @@ impl Distribution {
     }
 
     /// Bounds of the support; may be infinite.
-    pub fn ends(&self) -> [f64; 2] {
+    pub fn bounds(&self) -> [f64; 2] {
         match *self {
             Self::Normal { .. } => [f64::NEG_INFINITY, f64::INFINITY],
             Self::Uniform { low, high }
@@ -390,7 +390,7 @@ impl Uncertain {
             parameter,
             distribution,
         };
-        match distribution.why_none() {
+        match distribution.why_invalid() {
             Some(why) => Err(unreadable(why.into())),
             None => read.check_range().map(|()| read),
         }
@@ -402,7 +402,7 @@ impl Uncertain {
     /// The errors of [`Distribution::check`]; [`Error::OutOfRange`] if the mean of a normal
     /// distribution, or a bound of another distribution, is not an allowed value.
     pub fn check(&self) -> Result<()> {
-        if let Some(why) = self.distribution.why_none() {
+        if let Some(why) = self.distribution.why_invalid() {
             let name = format!("the distribution of {}", self.parameter);
             return Err(Error::Unreadable {
                 name,

@@ -17,7 +17,7 @@ use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
 /// Temperatures of the colder and the warmer air for drives without a stated air, K: 15 and 35 °C.
-pub const SWEPT: [f64; 2] = [288.15, 308.15];
+pub const OTHER_TEMPERATURES: [f64; 2] = [288.15, 308.15];
 
 /// The error of a quantity for one drive.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -180,7 +180,8 @@ impl SetScores {
         let bias_in_other_air = if has_density || self.set.computation == Computation::Optimum {
             None
         } else {
-            let [cold, warm] = SWEPT.map(|temperature| self.scores(base, law, Some(temperature)));
+            let [cold, warm] =
+                OTHER_TEMPERATURES.map(|temperature| self.scores(base, law, Some(temperature)));
             let [cold, warm] =
                 [cold?, warm?].map(|scores| scores.first().and_then(|score| score.bias));
             Some(BiasInOtherAir { cold, warm })

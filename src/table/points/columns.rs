@@ -104,7 +104,7 @@ fn not_read(head: &TableHead, read: &[usize]) -> Option<Message> {
     };
     let not_read = heads_of(&head.columns, |column| {
         !is_read(column)
-            && !column.is_of_given_air
+            && !column.is_overridden_air
             && (column.content != Content::Note || !head.format.is_export)
     });
     let of = if head.has_strike() && !head.format.is_export {

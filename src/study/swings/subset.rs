@@ -5,7 +5,7 @@ use super::scenarios::{Rule, Scenarios};
 use nalgebra::{DMatrix, DVector};
 
 /// Number of all scenarios per scenario in the subset.
-const ONE_IN: usize = 16;
+const REDUCTION: usize = 16;
 /// Minimum number of scenarios in the subset.
 const LEAST: usize = 128;
 /// Minimum number of scenarios in the subset per moment that the weights reproduce.
@@ -16,23 +16,23 @@ const PER_MOMENT: usize = 2;
 ///
 /// The first points of a sequence are spread as evenly as the whole sequence. Gauss's rule keeps
 /// all its nodes, because a subset of them is not a quadrature rule.
-pub(in crate::study) fn part_of(scenarios: &Scenarios) -> (Vec<usize>, Vec<f64>) {
+pub(in crate::study) fn subset_of(scenarios: &Scenarios) -> (Vec<usize>, Vec<f64>) {
     let all = scenarios.points.len();
-    let count = (all / ONE_IN)
+    let count = (all / REDUCTION)
         .max(LEAST)
         .max(PER_MOMENT * moments(scenarios.parameters.len()));
-    let part: Vec<usize> = match scenarios.rule {
+    let subset: Vec<usize> = match scenarios.rule {
         Rule::Sequence { .. } if 2 * count <= all => (0..count).collect(),
         Rule::Recorded if 2 * count <= all => (0..count).map(|k| k * all / count).collect(),
         _ => return ((0..all).collect(), vec![1.0; all]),
     };
-    let weights = part_weights(&part, scenarios);
-    let represents = part
+    let weights = subset_weights(&subset, scenarios);
+    let multiplicities = subset
         .iter()
         .zip(weights)
         .map(|(k, weight)| weight / scenarios.weights[*k])
         .collect();
-    (part, represents)
+    (subset, multiplicities)
 }
 
 /// Number of moments: the constant 1, each parameter, and each product of two (squares included).
@@ -43,7 +43,7 @@ fn moments(parameters: usize) -> usize {
 /// Weights of the subset that reproduce the means, variances and covariances of the parameters over
 /// all scenarios. They are equal weights plus the smallest change (least squares). A mean over the
 /// subset is then exact for quadratic functions of the parameters.
-fn part_weights(part: &[usize], scenarios: &Scenarios) -> Vec<f64> {
+fn subset_weights(subset: &[usize], scenarios: &Scenarios) -> Vec<f64> {
     /// Relative tolerance of singular values: parameters may be constant or linearly dependent.
     const ROUNDING: f64 = 1e-9;
     let n = scenarios.parameters.len();
@@ -77,25 +77,25 @@ fn part_weights(part: &[usize], scenarios: &Scenarios) -> Vec<f64> {
     for (point, weight) in scenarios.points.iter().zip(&scenarios.weights) {
         wanted += monomials(point) * *weight;
     }
-    let columns: Vec<_> = part
+    let columns: Vec<_> = subset
         .iter()
         .map(|k| monomials(&scenarios.points[*k]))
         .collect();
-    let of_part = DMatrix::from_columns(&columns);
-    let equal = DVector::from_element(part.len(), 1.0 / part.len() as f64);
-    let missing = wanted - &of_part * &equal;
-    let decomposed = of_part.svd(true, true);
+    let of_subset = DMatrix::from_columns(&columns);
+    let equal = DVector::from_element(subset.len(), 1.0 / subset.len() as f64);
+    let missing = wanted - &of_subset * &equal;
+    let decomposed = of_subset.svd(true, true);
     let least = ROUNDING * decomposed.singular_values.max();
     // equal weights if there is no solution
     let change = decomposed
         .solve(&missing, least)
-        .unwrap_or_else(|_| DVector::zeros(part.len()));
+        .unwrap_or_else(|_| DVector::zeros(subset.len()));
     (equal + change).iter().copied().collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::part_of;
+    use super::subset_of;
     use crate::parameters::Setup;
     use crate::study::swings::golfer::Swings;
     use crate::study::swings::scenarios::{Rule, Scenarios};
@@ -121,10 +121,10 @@ mod tests {
 
     /// Means of quadratic functions over the subset equal the means over all scenarios.
     #[test]
-    fn exact_means_of_quadratic_functions_over_a_part() {
+    fn exact_means_of_quadratic_functions_over_a_subset() {
         let all = scenarios(500);
-        let (part, represents) = part_of(&all);
-        assert_eq!(part, (0..128).collect::<Vec<_>>());
+        let (subset, multiplicities) = subset_of(&all);
+        assert_eq!(subset, (0..128).collect::<Vec<_>>());
         let speed = |k: usize| all.points[k][0] - 47.0;
         let functions: [&dyn Fn(usize) -> f64; 4] = [
             &|_| 1.0,
@@ -134,9 +134,9 @@ mod tests {
         ];
         for f in functions {
             let exact = (0..500).map(f).sum::<f64>() / 500.0;
-            let found = part
+            let found = subset
                 .iter()
-                .zip(&represents)
+                .zip(&multiplicities)
                 .map(|(k, count)| count * f(*k))
                 .sum::<f64>()
                 / 500.0;
@@ -150,9 +150,9 @@ mod tests {
     #[test]
     fn few_scenarios_are_not_divided() {
         assert_eq!(
-            part_of(&scenarios(200)),
+            subset_of(&scenarios(200)),
             ((0..200).collect(), vec![1.0; 200])
         );
-        assert_eq!(part_of(&scenarios(10_000)).0.len(), 625);
+        assert_eq!(subset_of(&scenarios(10_000)).0.len(), 625);
     }
 }
