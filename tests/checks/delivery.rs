@@ -1,6 +1,6 @@
 //! The delivery behind a measured launch.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use longdrive::derivative::gradient;
 use longdrive::study::calibrate::Measurement;
@@ -363,6 +363,30 @@ fn shots_of_a_launch_monitor_have_deliveries_with_measured_club_values() {
         mean,
         1e-14,
         "mean",
+    );
+}
+
+/// No error of a launch monitor is known for the place of a strike: it stays as uncertain as it is
+/// unmeasured.
+#[test]
+fn the_assumed_error_of_a_stated_strike_is_printed() {
+    let launch = "ball_speed=160mph,launch_angle=12deg,spin=2500rpm";
+    let request = ["delivery", "--launch", launch, "--set", "strike.toe=5mm"];
+    let text = on_one_line(&longdrive(&request).out);
+    let list = text
+        .split("assumed errors of the given club values: ")
+        .nth(1);
+    assert!(
+        list.is_some_and(|list| list.starts_with("strike.toe ± 10.00 mm;")),
+        "{text}"
+    );
+    let (_, answer) = json(&request);
+    let known = answer["rows"][0]["known"].as_array().unwrap();
+    let toe = known.iter().find(|one| one["parameter"] == "strike.toe");
+    let source = toe.unwrap()["source"].as_str().unwrap();
+    assert!(
+        source.contains("no error of its measurement is known"),
+        "{source}"
     );
 }
 

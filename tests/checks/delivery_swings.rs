@@ -4,7 +4,10 @@
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::Random;
 use longdrive::parameters::Parameter;
+use longdrive::report::population_warnings;
+use longdrive::study::delivery::Population;
 use longdrive::study::swings::{Rule, Scenarios, Swings};
+use longdrive::units::System;
 use longdrive::{Drive, Outcome, Setup};
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -375,6 +378,26 @@ fn a_robots_swings_keep_less_of_the_prior_spread() {
             "# in the directions that the shots do not identify, the deviation of the swings"
         ),
         "{text}"
+    );
+}
+
+#[test]
+fn a_distribution_that_did_not_converge_has_a_warning() {
+    let mut population = Population {
+        shots: 10,
+        prior_factor: 1.0,
+        is_converged: true,
+        predicted: vec![],
+        spreads: vec![],
+        correlations: vec![],
+    };
+    assert!(population_warnings(&population, System::Us).is_empty());
+    population.is_converged = false;
+    let warnings = population_warnings(&population, System::Us);
+    let words = warnings[0].to_string();
+    assert!(
+        words.contains("still changed when the iterations ended"),
+        "{words}"
     );
 }
 

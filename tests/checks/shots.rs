@@ -423,7 +423,7 @@ fn messages_that_cannot_be_flown_give_the_reason() {
 #[test]
 fn the_advice_on_a_wrong_unit_of_messages_names_their_units() {
     let message = r#"{"BallData": {"Speed": 160, "VLA": 12, "HLA": 0, "TotalSpin": 2500, "SpinAxis": 0,
-        "CarryDistance": 239.6}}"#;
+        "CarryDistance": 246}}"#;
     let (shots, _, tally) = flown(io::Cursor::new(message.repeat(8)));
     let warnings: Vec<String> = tally
         .unit_warnings(&shots)

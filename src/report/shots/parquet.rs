@@ -53,7 +53,8 @@ pub struct ShotParquet {
 }
 
 impl ShotParquet {
-    /// The table of these shots with their predicted outcomes.
+    /// The table of these shots with their predicted outcomes. A parameter that only a later section
+    /// of the shots states has no column.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow the columns.

@@ -6,8 +6,9 @@ use crate::statistics::Moments;
 use crate::study::Optimum;
 use crate::study::problem::SearchProblem;
 use crate::study::uncertainty::Interval;
+use crate::study::uncertainty::bootstrap::{bootstrap_interval, resampled_rows};
 use rand_xoshiro::Xoshiro256PlusPlus;
-use rand_xoshiro::rand_core::{RngCore, SeedableRng};
+use rand_xoshiro::rand_core::SeedableRng;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::sync::Arc;
@@ -78,9 +79,9 @@ pub fn resampled(
     let varied = best.search.vary.iter().zip(&best.solution.x).enumerate();
     let design = varied.map(|(i, (vary, x))| {
         let resamples = found.iter().map(|round| round.x[i]).collect();
-        (vary.parameter, interval(*x, resamples))
+        (vary.parameter, bootstrap_interval(*x, resamples))
     });
-    let goal = interval(
+    let goal = bootstrap_interval(
         value,
         found.iter().filter_map(|round| round.value).collect(),
     );
@@ -95,7 +96,7 @@ pub fn resampled(
         goal,
         rounds: found.len(),
         swings_needed: mean.and_then(|mean| swings_needed(mean, &gains, points.len())),
-        gain: mean.map(|mean| interval(mean, gains)),
+        gain: mean.map(|mean| bootstrap_interval(mean, gains)),
     }))
 }
 
@@ -105,9 +106,8 @@ fn resample(n: usize, seed: u64, stream: u64) -> Vec<f64> {
         seed.wrapping_add(stream.wrapping_mul(0x9e37_79b9_7f4a_7c15)),
     );
     let mut weights = vec![0.0; n];
-    for _ in 0..n {
-        // the bias of the remainder is below n/2⁶⁴
-        weights[(random.next_u64() % n as u64) as usize] += 1.0 / n as f64;
+    for row in resampled_rows(&mut random, n) {
+        weights[row] += 1.0 / n as f64;
     }
     weights
 }
@@ -161,21 +161,4 @@ fn swings_needed(mean: f64, gains: &[f64], n: usize) -> Option<u64> {
     // the standard error decreases with the root of the number of swings
     let swings = (POWER * deviation / mean).powi(2) * n as f64;
     (mean > 0.0 && swings.is_finite()).then(|| swings.ceil() as u64)
-}
-
-/// The 95 % interval of an estimate: quantiles of the estimates from the resamples.
-fn interval(value: f64, mut resamples: Vec<f64>) -> Interval {
-    resamples.sort_by(f64::total_cmp);
-    let last = resamples.len().saturating_sub(1) as f64;
-    let at = |share: f64| {
-        resamples
-            .get((share * last).round() as usize)
-            .copied()
-            .unwrap_or(f64::NAN)
-    };
-    Interval {
-        value,
-        low: at(0.025),
-        high: at(0.975),
-    }
 }

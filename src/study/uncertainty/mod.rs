@@ -7,15 +7,17 @@
 //!                                   └─▶ exact gradients at the sample ──▶ bounds of total indices
 //! ```
 
+pub(super) mod bootstrap;
 mod delta;
 mod distribution;
 mod ellipse;
 mod model;
 
+pub use bootstrap::Interval;
 pub use delta::{DeltaMoments, delta_method};
 pub use distribution::{Distribution, Uncertain};
 pub use ellipse::{EllipseSource, LandingEllipse, LandingPoint, SampledEllipse};
-pub use model::{Indices, Interval, SaltelliDesign, SamplePlan, Statistics};
+pub use model::{Indices, SaltelliDesign, SamplePlan, Statistics};
 
 use crate::batch::{Batch, Block, CHUNK, Status, StatusCounts};
 use crate::derivative::{Order, Taylor, evaluate};

@@ -2,6 +2,7 @@
 //! confidence intervals.
 
 use super::Distribution;
+use super::bootstrap::{Interval, bootstrap_interval, quantile, resampled_rows};
 use crate::error::Result;
 use crate::statistics::{Moments, extent};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -20,31 +21,6 @@ pub struct SamplePlan {
 
 /// Number of bootstrap resamples for a confidence interval.
 const RESAMPLES: usize = 400;
-
-/// A number with its confidence interval: 95 % unless stated otherwise.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct Interval {
-    /// The estimate.
-    pub value: f64,
-    /// Lower end.
-    pub low: f64,
-    /// Upper end.
-    pub high: f64,
-}
-
-impl Interval {
-    /// Reports whether the interval contains a value.
-    pub fn contains(&self, value: f64) -> bool {
-        (self.low..=self.high).contains(&value)
-    }
-
-    /// The interval of the number times a positive factor.
-    pub(super) fn scaled(self, factor: f64) -> Self {
-        let [value, low, high] = [self.value, self.low, self.high].map(|end| factor * end);
-        Self { value, low, high }
-    }
-}
 
 /// Sobol' indices of a variable: shares of the output's variance (Sobol' 1993; Homma & Saltelli
 /// 1996). Sampling noise can make an estimate negative or larger than 1. A single variable has both
@@ -194,8 +170,7 @@ impl SaltelliDesign {
     ) -> Vec<Interval> {
         let resample = |stream: u64| {
             let mut random = self.random(stream);
-            let drawn: Vec<usize> = (0..rows).map(|_| index(&mut random, rows)).collect();
-            estimate(&drawn)
+            estimate(&resampled_rows(&mut random, rows))
         };
         let drawn: Vec<Vec<f64>> = (0..RESAMPLES as u64)
             .into_par_iter()
@@ -203,7 +178,7 @@ impl SaltelliDesign {
             .collect();
         let every: Vec<usize> = (0..rows).collect();
         let with_interval = |(i, value): (usize, f64)| {
-            interval(value, drawn.iter().map(|estimates| estimates[i]).collect())
+            bootstrap_interval(value, drawn.iter().map(|estimates| estimates[i]).collect())
         };
         estimate(&every)
             .into_iter()
@@ -315,11 +290,6 @@ fn shares(rows: &[Vec<f64>], drawn: &[usize], inputs: usize) -> Vec<[f64; 2]> {
         .collect()
 }
 
-fn index(random: &mut Xoshiro256PlusPlus, below: usize) -> usize {
-    // multiply-shift: uniform up to 2⁻⁶⁴
-    ((u128::from(random.next_u64()) * below as u128) >> 64) as usize
-}
-
 /// Relative tolerance: values that differ by less than this fraction of the largest value are equal
 /// up to rounding.
 const SAME: f64 = 64.0 * f64::EPSILON;
@@ -328,30 +298,4 @@ const SAME: f64 = 64.0 * f64::EPSILON;
 fn varies(values: &[f64]) -> bool {
     let [low, high] = extent(values.iter().copied());
     high - low > SAME * low.abs().max(high.abs())
-}
-
-/// Quantile of sorted values by linear interpolation.
-fn quantile(sorted: &[f64], p: f64) -> f64 {
-    let place = p * (sorted.len() - 1) as f64;
-    let (below, part) = (place.floor() as usize, place.fract());
-    let above = (below + 1).min(sorted.len() - 1);
-    sorted[below] + part * (sorted[above] - sorted[below])
-}
-
-/// 95 % interval of an estimate: quantiles of its resamples, extended to contain the estimate.
-fn interval(value: f64, mut drawn: Vec<f64>) -> Interval {
-    drawn.retain(|value| value.is_finite());
-    if drawn.is_empty() {
-        return Interval {
-            value,
-            low: value,
-            high: value,
-        };
-    }
-    drawn.sort_by(f64::total_cmp);
-    Interval {
-        value,
-        low: quantile(&drawn, 0.025).min(value),
-        high: quantile(&drawn, 0.975).max(value),
-    }
 }
