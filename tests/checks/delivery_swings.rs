@@ -328,12 +328,12 @@ fn sampled_speed_is_recovered_from_rows_of_which_half_state_it() {
     let prior = Setup::preset("tour-average").unwrap().swing.speed;
     let mean = prior - 3.0 * MPH;
     let truth = [("swing.speed", mean, 0.5 * MPH)];
-    let mut chance = Chance(Xoshiro256PlusPlus::seed_from_u64(7));
-    let text = shots_of(&truth, 40, &mut chance, |chance| vec![chance.normal()]);
+    let mut random = Random::seeded(7);
+    let text = shots_of(&truth, 40, &mut random, |random| vec![random.normal()]);
     let mut rows = text.lines();
     let mut table = format!("{},Club Speed [m/s]\n", rows.next().unwrap());
     for (k, row) in rows.enumerate() {
-        let speed = mean + MPH * chance.normal();
+        let speed = mean + MPH * random.normal();
         let cell = if k % 2 == 0 {
             speed.to_string()
         } else {
