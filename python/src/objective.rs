@@ -238,8 +238,8 @@ impl SwingArguments {
     }
 }
 
-/// An outcome as a function of some parameters, for ``scipy.optimize`` and the like: ``fun``,
-/// ``jac`` and ``hess`` of a point. Also for a goal over swings.
+/// An outcome, or a goal over swings, as a function of some parameters. Its methods ``fun``,
+/// ``jac`` and ``hess`` take a point, as ``scipy.optimize`` and similar optimizers expect.
 ///
 /// See :func:`longdrive.objective`, which makes one.
 #[pyclass(name = "Objective", module = "longdrive", frozen)]
@@ -261,8 +261,8 @@ const ORDERS: [Order; 3] = [Order::Value, Order::First, Order::Second];
 
 impl PyObjective {
     /// The derivatives at a point, up to `order`. Optimizers request value, gradient and Hessian of
-    /// a point one after the other: the orders requested at the last point are computed together
-    /// and cached.
+    /// a point one after the other. So, at a new point, all orders that were requested at the
+    /// previous point are computed at once and cached.
     fn at(&self, x: &Bound<'_, PyAny>, order: Order) -> Answer<Option<Taylor>> {
         let (py, x) = (x.py(), self.point(x)?);
         let mut to = order;

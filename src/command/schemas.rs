@@ -241,7 +241,8 @@ mod tests {
         assert_eq!(
             written.keys().cloned().collect::<Vec<_>>(),
             names,
-            "`LONGDRIVE_WRITE_SCHEMAS=1 cargo test --features full schemas` writes docs/schema"
+            "docs/schema is out of date; `LONGDRIVE_WRITE_SCHEMAS=1 cargo test --features full schemas` \
+             writes it again"
         );
         for (name, schema) in schemas {
             if name == "sweep" && !is_complete {

@@ -19,8 +19,8 @@ pub(super) struct Declaration {
     pub computed_from: ComputedFrom,
     /// Sign of the values of the outcome.
     pub sign: Sign,
-    /// Data on the measurement of the outcome by launch monitors; `None` for an outcome of the
-    /// head.
+    /// How launch monitors measure the outcome; `None` for an outcome that describes the design of
+    /// the club head, not the shot.
     pub instrument: Option<Instrument>,
 }
 

@@ -67,8 +67,8 @@ impl StepChoice {
     pub fn for_setup_until(self, setup: &Setup<f64>, stop: &AtomicBool) -> Result<Integration> {
         setup.validate()?;
         let mut found = self.for_ranges(setup, &[], &of_the_flight(), stop)?;
-        // drives with this defect have errors of at most `SAFETY` times the tolerance; a single
-        // drive may use the whole tolerance
+        // the defect was chosen for many drives, for errors of at most `SAFETY` times the tolerance;
+        // the error of a single drive may be as large as the tolerance
         found.largest_defect /= SAFETY;
         Ok(found)
     }

@@ -66,8 +66,8 @@ pub(super) fn convexify(
         });
     };
     let size = hessian.amax();
-    // if the Hessian is positive definite on the tangents, some finite multiple of the normals'
-    // outer products makes the sum positive definite (Debreu 1952)
+    // if the Hessian is positive definite on the tangents, a sufficiently large multiple of the
+    // outer products of the normals makes the sum positive definite (Debreu 1952)
     let mut raise = size;
     for _ in 0..MOST_RAISES {
         raised(convex, raise);

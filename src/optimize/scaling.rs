@@ -208,7 +208,7 @@ impl Scaling {
             };
             match multiplier {
                 _ if *multiplier == 0.0 => 0.0,
-                // at an optimum an infinite limit has the multiplier 0
+                // an infinite limit is never active: a multiplier other than 0 is an error
                 _ if limit.is_infinite() => f64::INFINITY,
                 // a violated constraint counts in `feasibility` only
                 _ => {

@@ -46,7 +46,7 @@ pub enum Status {
 }
 
 variant_names! {
-    /// Name in reports: `converged`.
+    /// Name in reports, for example `converged`.
     Status as "SearchStatus" {
         Converged = "converged",
         StalledAtKink = "stalled-at-kink",

@@ -277,7 +277,7 @@ pub static PRESETS: &[Preset] = &[
             entry(
                 "ball.radius",
                 "21.336 mm",
-                "MAE 494 report, flight; its impact rounds it to 21 mm",
+                "MAE 494 report, flight model; the report's impact model rounds the radius to 21 mm",
             ),
             entry("ball.inertia", "5.85e-6 kg m^2", REPORT),
             entry("impact.restitution", "0.7", REPORT),

@@ -1,7 +1,7 @@
 //! Results as text, JSON, CSV, Parquet, plots and pages; nothing here writes a file.
 //!
 //! A result is a struct that implements [`Report`]. The serialized struct is the body of the JSON,
-//! in SI and radians. The [`Document`] of the struct is for readers, in the units of a system.
+//! in SI and radians. Its [`Document`] shows the result to readers, in a chosen system of units.
 
 mod calibration;
 mod certificate;

@@ -211,7 +211,7 @@ impl ParametersReport {
             .map(|(group, texts)| vec![group.to_owned(), texts.join(", ")]);
         let mut table = DocumentTable::new(["group", "parameters and values"], rows).right([]);
         table.remark(
-            "the rest has the meaning, default and range of each parameter, and the other laws",
+            "not shown here: the meaning, default and range of each parameter, and the other laws",
         );
         table
     }

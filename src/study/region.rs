@@ -38,7 +38,7 @@ const FINE: usize = 97;
 /// region.
 const LOOKS: usize = 8;
 
-/// Smallest fraction of the grid's width that a resolved region fills.
+/// A region is resolved if it fills at least this fraction of the grid's width.
 const FILLED: f64 = 0.55;
 
 /// Rounding tolerance of an equation, relative to the objective.

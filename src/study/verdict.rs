@@ -192,7 +192,7 @@ impl Optimum {
                 self.goals.as_deref(),
             ),
             Status::Interrupted if self.solution.value.is_none() => {
-                "stopped before a design was found with which every swing flies".into()
+                "stopped before a design was found with which the ball flies in every swing".into()
             }
             Status::Converged if self.is_flat() => format!(
                 "{} depends on no varied parameter here: every design is equally good",

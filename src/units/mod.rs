@@ -377,7 +377,8 @@ impl Quantity {
         }
     }
 
-    /// The unit with this spelling, if it is a usual unit or a symbol of this quantity.
+    /// The unit with this spelling, if it is one of the usual units of this quantity, or another
+    /// symbol that is valid for it.
     pub(crate) fn known_unit(self, written: &str) -> Option<&'static str> {
         let symbols = SYMBOLS.iter().flat_map(|symbol| symbol.names).copied();
         let known = self
@@ -394,7 +395,7 @@ impl Quantity {
         read_unit(unit).filter(|unit| unit.dimension == self.dimension)
     }
 
-    /// An SI value as text in `unit`, in the spelling of input.
+    /// An SI value as text in `unit`, spelled as a user types it.
     ///
     /// ```
     /// use longdrive::units::Quantity;

@@ -521,7 +521,7 @@ fn implausible_units_are_warned_of() {
             warned(text(1.609_344, yards, 7.0)),
             "as if the speeds were in km/h and read in mph",
         ),
-        // a stated unit other than mph explains nothing
+        // no other unit of the ball speed would explain the carries: the warning names none
         (
             warned(text_with_head("Ball Speed [m/s]", 0.719_435, yards, 7.0)),
             "Ball Speed: the balls carry less far than such speeds give; check the unit in \

@@ -67,8 +67,8 @@ pub struct PredictedOutcome {
     pub of: Outcome,
     /// Mean and standard deviation of the measured launches.
     pub measured: MeanAndDeviation,
-    /// Mean and standard deviation of launches from the distribution, with the measurement errors
-    /// of the launch monitor.
+    /// Mean and standard deviation of launches that are computed from the distribution, with the
+    /// measurement errors of the launch monitor.
     pub recovered: MeanAndDeviation,
 }
 

@@ -265,8 +265,9 @@ impl Scenarios {
         }
     }
 
-    /// The scenarios, then copies of them in which parameters of `of` lie at the bounds of their
-    /// distributions, in all combinations. A parameter with an infinite bound keeps its values.
+    /// The scenarios, followed by copies in which the parameters of `of` have the values of the
+    /// bounds of their distributions, in all combinations of lower and upper bounds. A parameter
+    /// with an infinite bound keeps its values.
     pub(crate) fn with_bounds<'a>(&'a self, of: &[usize]) -> impl Iterator<Item = Vec<f64>> + 'a {
         let bounds = |k: &usize| Some((*k, self.bounds(*k)?));
         let (bounded, unbounded): (Vec<_>, Vec<_>) = of

@@ -49,7 +49,8 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// The drives with allowed values that do not land, as a fraction of all drives.
+    /// Number of drives that do not land although their values are allowed, as a fraction of all
+    /// drives.
     pub fn part_without_landing(&self) -> f64 {
         self.part_of(|status| !matches!(status, Status::Landed | Status::OutOfRange))
     }
