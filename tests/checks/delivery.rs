@@ -366,8 +366,8 @@ fn shots_of_a_launch_monitor_have_deliveries_with_measured_club_values() {
     );
 }
 
-/// No error of a launch monitor is known for the place of a strike: it stays as uncertain as it is
-/// unmeasured.
+/// No error of a launch monitor is known for the place of a strike: a stated place has the
+/// uncertainty of an unmeasured one.
 #[test]
 fn the_assumed_error_of_a_stated_strike_is_printed() {
     let launch = "ball_speed=160mph,launch_angle=12deg,spin=2500rpm";
@@ -385,7 +385,7 @@ fn the_assumed_error_of_a_stated_strike_is_printed() {
     let toe = known.iter().find(|one| one["parameter"] == "strike.toe");
     let source = toe.unwrap()["source"].as_str().unwrap();
     assert!(
-        source.contains("no error of its measurement is known"),
+        source.contains("the error of its measurement is not known"),
         "{source}"
     );
 }
