@@ -8,12 +8,8 @@ use num_dual::{Dual64, DualNum};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
-use rand_xoshiro::Xoshiro256PlusPlus;
-use rand_xoshiro::rand_core::{RngCore, SeedableRng};
-use rayon::prelude::*;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
-use std::fmt::Debug;
 use std::path::Path;
 
 /// A file of `tests/data`.
@@ -297,58 +293,18 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
     })
 }
 
-/// Results of a check of each input, in parallel. A check that panics fails the test with its
-/// message and its input: the message itself goes to the output of the test that started rayon's
-/// threads.
-#[track_caller]
-pub fn in_parallel<T: Debug + Sync, R: Send>(
-    inputs: &[T],
-    check: impl Fn(&T) -> R + Sync,
-) -> Vec<R> {
-    let checked = |input: &T| {
-        caught(|| check(input)).map_err(|message| format!("{message}\nof the input {input:?}"))
-    };
-    let results: Result<_, _> = inputs.par_iter().map(checked).collect();
-    results.unwrap_or_else(|failure| panic!("{failure}"))
-}
-
 /// The message of a panic.
 pub fn panic_of<T>(work: impl FnOnce() -> T) -> String {
     caught(work).err().expect("it panics")
 }
 
 /// The result of `work`, or the message with which it panics.
-fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).map_err(|panic| {
         let word = panic.downcast_ref::<&str>().map(ToString::to_string);
         word.or_else(|| panic.downcast_ref::<String>().cloned())
             .unwrap_or_default()
     })
-}
-
-/// Random numbers with a fixed seed.
-pub struct Random(Xoshiro256PlusPlus);
-
-impl Random {
-    pub fn seeded(seed: u64) -> Self {
-        Self(Xoshiro256PlusPlus::seed_from_u64(seed))
-    }
-
-    /// A uniform number.
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * (high - low)
-    }
-
-    /// A whole number below `count`.
-    pub fn below(&mut self, count: usize) -> usize {
-        (self.0.next_u64() % count as u64) as usize
-    }
-
-    /// A number of the standard normal distribution, by the transform of Box & Muller.
-    pub fn normal(&mut self) -> f64 {
-        let mut share = || ((self.0.next_u64() >> 11) as f64 + 0.5) / (1u64 << 53) as f64;
-        (-2.0 * share().ln()).sqrt() * (std::f64::consts::TAU * share()).cos()
-    }
 }
 
 /// The largest differences of value, gradient and Hessian between two neighbouring drives, relative

@@ -1,7 +1,8 @@
 //! Comparison of two drives, and the causes of their difference.
 
 use crate::command_line::{json, longdrive, number, on_one_line};
-use crate::common::{LARGE_STEPS, close, in_parallel, random_setups};
+use crate::common::{LARGE_STEPS, close, random_setups};
+use crate::parallel::in_parallel;
 use longdrive::parameters::Method;
 use longdrive::study::{Comparison, Difference, Shares};
 use longdrive::{Drive, Outcome, Setup};

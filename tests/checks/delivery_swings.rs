@@ -2,7 +2,7 @@
 //! swings.
 
 use crate::command_line::{json, longdrive, number, on_one_line};
-use crate::common::Random;
+use crate::random::Random;
 use longdrive::parameters::Parameter;
 use longdrive::report::population_warnings;
 use longdrive::study::delivery::Population;

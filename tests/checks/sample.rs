@@ -1,7 +1,8 @@
 //! The random sample of the ranges that each optimum is compared with.
 
 use crate::command_line::{json, longdrive, number};
-use crate::common::{LARGE_STEPS, Random, SET_RIGID};
+use crate::common::{LARGE_STEPS, SET_RIGID};
+use crate::random::Random;
 use longdrive::batch::Batch;
 use longdrive::optimize::{Observer, Status};
 use longdrive::parameters::PRESETS;

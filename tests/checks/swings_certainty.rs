@@ -1,7 +1,8 @@
 //! Goals over swings follow their definitions, with an error estimate that contains the truth.
 
 use crate::command_line::{json, number};
-use crate::common::{RIGID, Random, SET_RIGID};
+use crate::common::{RIGID, SET_RIGID};
+use crate::random::Random;
 use longdrive::batch::Batch;
 use longdrive::optimize::Observer;
 use longdrive::study::swings::{GoalError, Measure, Rule, Scenarios, Swings, analyse_over_swings};

@@ -1,7 +1,8 @@
 //! Theory of goals over many swings: their derivatives, and the convergence of the optimum over a
 //! sample to that over all swings.
 
-use crate::common::{Random, close};
+use crate::common::close;
+use crate::random::Random;
 use crate::swings::swings;
 use longdrive::optimize::{Observer, Options};
 use longdrive::study::swings::{Rule, Scenarios, Strokes, Swings};

@@ -1,7 +1,8 @@
 //! The tolerance of many drives: every length of every row, compared with flights in much shorter
 //! steps.
 
-use crate::common::{RIGID, in_parallel, random_setups};
+use crate::common::{RIGID, random_setups};
+use crate::parallel::in_parallel;
 use longdrive::batch::{Batch, Block, Points, Sequence, Status};
 use longdrive::derivative::{Taylor, hessian};
 use longdrive::integration::{StepChoice, accuracy};

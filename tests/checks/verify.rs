@@ -1,7 +1,8 @@
 //! Certificates of derivatives: correct ones pass, wrong ones fail, kinks are named.
 
 use crate::command_line::{WHOLE, on_one_line};
-use crate::common::{RIGID, close, in_large_steps, in_parallel, random_setups};
+use crate::common::{RIGID, close, in_large_steps, random_setups};
+use crate::parallel::in_parallel;
 use longdrive::derivative::check::{Verdict, check};
 use longdrive::derivative::{Taylor, gradient};
 use longdrive::impact::{Grip, strike};
