@@ -95,23 +95,7 @@ pub fn tornado_figure(
         .count()
         .min(MOST);
     let folded = ranked.split_off(seen);
-    let mut names: Vec<String> = ranked
-        .iter()
-        .map(|effect| shown::with_sigma(&effect.sigma, system))
-        .collect();
-    let together = folded
-        .iter()
-        .map(|effect| effect.first_order)
-        .fold(0.0, f64::hypot);
-    if !folded.is_empty() {
-        let of = effects.of;
-        let amount = if is_rounding(of, effects.value, together) {
-            "no effect".into()
-        } else {
-            format!("together ± {}", spread(of, together, system))
-        };
-        names.push(format!("{} more: {amount}", folded.len()));
-    }
+    let names = row_names(effects, &ranked, &folded, system);
     let title = match causes {
         Causes::All => format!("Effects of uncertainties on {}, {at}", quantity.label),
         _ => format!("Effects on {} of {}, {at}", quantity.label, causes.words()),
@@ -143,6 +127,33 @@ pub fn tornado_figure(
     .with(bars("parameter lower", Hue::Series(3), 0))
     .with(bars("parameter higher", Hue::Series(2), 1));
     Some(figure.noted(note(effects, causes, at, &ranked, &folded, system)))
+}
+
+/// The names of the rows: the ranked causes, and one row for all others together.
+fn row_names(
+    effects: &Effects,
+    ranked: &[study::SigmaEffect],
+    folded: &[study::SigmaEffect],
+    system: System,
+) -> Vec<String> {
+    let mut names: Vec<String> = ranked
+        .iter()
+        .map(|effect| shown::with_sigma(&effect.sigma, system))
+        .collect();
+    if folded.is_empty() {
+        return names;
+    }
+    let together = folded
+        .iter()
+        .map(|effect| effect.first_order)
+        .fold(0.0, f64::hypot);
+    let amount = if is_rounding(effects.of, effects.value, together) {
+        "no effect".into()
+    } else {
+        format!("together ± {}", spread(effects.of, together, system))
+    };
+    names.push(format!("{} more: {amount}", folded.len()));
+    names
 }
 
 fn note(

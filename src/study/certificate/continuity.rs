@@ -76,22 +76,10 @@ pub(super) fn continuity(
     let neighbours = |from: f64, sign: f64| {
         let offsets = (0..NEIGHBOURS).map(|k| sign * spacing * k as f64);
         // discard samples outside the allowed range
-        let offsets = offsets.filter(|offset| parameter.range.contains(from + offset));
         offsets
+            .filter(|offset| parameter.range.contains(from + offset))
             .take_while(|_| goes_on())
-            .map(|offset| {
-                let value = from + offset;
-                let taylors = evaluate(
-                    &setup.with_values(&[parameter], &[value])?,
-                    of,
-                    wrt,
-                    Order::Second,
-                )?;
-                Ok(taylors
-                    .iter()
-                    .map(|taylor| extrapolated_back(taylor, value - from))
-                    .collect())
-            })
+            .map(|offset| sample(setup, of, wrt, from, offset))
             .collect::<Result<Vec<Vec<Taylor>>>>()
     };
     let (before, after) = (neighbours(low, -1.0)?, neighbours(high, 1.0)?);
@@ -107,17 +95,12 @@ pub(super) fn continuity(
     let continuity = |(i, of): (usize, &Outcome)| {
         let size = size(*of, setup, &drive);
         let pairs = [0, 1, 2].map(|order| {
-            let entries = |side: &[Vec<Taylor>]| {
+            let [before, after] = [&before, &after].map(|side| {
                 side.iter()
                     .map(|taylors| entries(&taylors[i], &scales, order))
                     .collect::<Vec<_>>()
-            };
-            jump(
-                &entries(&before),
-                &entries(&after),
-                size,
-                LEAST_TOLERANCE[order],
-            )
+            });
+            jump(&before, &after, size, LEAST_TOLERANCE[order])
         });
         Continuity {
             of: *of,
@@ -130,6 +113,23 @@ pub(super) fn continuity(
         }
     };
     Ok(of.iter().enumerate().map(continuity).collect())
+}
+
+/// The outcomes at `from + offset` of the parameter `wrt[0]`, extrapolated back to `from`.
+fn sample(
+    setup: &Setup<f64>,
+    of: &[Outcome],
+    wrt: &[&'static Parameter],
+    from: f64,
+    offset: f64,
+) -> Result<Vec<Taylor>> {
+    let value = from + offset;
+    let at = setup.with_values(&wrt[..1], &[value])?;
+    let taylors = evaluate(&at, of, wrt, Order::Second)?;
+    Ok(taylors
+        .iter()
+        .map(|taylor| extrapolated_back(taylor, value - from))
+        .collect())
 }
 
 /// Extrapolates a Taylor expansion back by an offset of the first parameter: the value with the
