@@ -38,7 +38,7 @@ pub struct Args {
     )]
     pub at: Vec<String>,
 
-    /// Print the chart as CSV (SI units and radians).
+    /// Print the chart as CSV; each column head names its unit.
     #[arg(long, conflicts_with = "json")]
     pub csv: bool,
 }

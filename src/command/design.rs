@@ -53,10 +53,8 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Result<Answer> {
-    let OptimizeArgs {
-        optimum,
-        swings: swings_args,
-    } = &args.optimize;
+    let optimum = &args.optimize.optimum;
+    let swings_args = &args.optimize.swings;
     let request = optimum.setup_args.request()?;
     refuse_unnamed_preset(&request)?;
     let setup = request.setup()?;

@@ -76,8 +76,8 @@ pub struct Args {
     #[command(flatten)]
     pub goals: GoalArgs,
 
-    /// Write the points into this file: .csv for all of them (SI units and radians), .toml for the
-    /// setup at one of them, which --at chooses.
+    /// Write the points into this file: .csv for all of them (each column head names its unit),
+    /// .toml for the setup at one of them, which --at chooses.
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
 

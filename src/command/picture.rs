@@ -16,7 +16,8 @@ use std::path::{Path, PathBuf};
 /// Options of a picture.
 #[derive(clap::Args)]
 pub struct PictureArgs {
-    /// The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+    /// The file to write: .svg or .png for a picture, .csv for its data (each column head
+    /// names its unit).
     #[arg(long, short, value_name = "FILE")]
     pub output: PathBuf,
 

@@ -13,7 +13,7 @@ pub struct Args {
     #[arg(long)]
     pub json: bool,
 
-    /// Print every law on every drive as CSV (SI units and radians) to standard output.
+    /// Print every law on every drive as CSV to standard output; each column head names its unit.
     #[arg(long, conflicts_with = "json")]
     pub csv: bool,
 

@@ -824,8 +824,8 @@ def pareto(
         A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
         "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
     output : PathLike
-        Write the points into this file: .csv for all of them (SI units and radians), .toml for the
-        setup at one of them, which at chooses.
+        Write the points into this file: .csv for all of them (each column head names its unit),
+        .toml for the setup at one of them, which at chooses.
     at : Amount
         The point whose setup is written: "knee", or its number in the table [default: knee].
     overwrite : bool

@@ -62,7 +62,8 @@ def trajectory(
     own_step : bool
         Keep flight.method and flight.step of the setup.
     output : PathLike
-        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        The file to write: .svg or .png for a picture, .csv for its data (each column head names its
+        unit).
     overwrite : bool
         Replace files that exist.
     dark : bool
@@ -152,7 +153,8 @@ def contour(
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     output : PathLike
-        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        The file to write: .svg or .png for a picture, .csv for its data (each column head names its
+        unit).
     overwrite : bool
         Replace files that exist.
     dark : bool
@@ -242,7 +244,8 @@ def chart(
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     output : PathLike
-        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        The file to write: .svg or .png for a picture, .csv for its data (each column head names its
+        unit).
     overwrite : bool
         Replace files that exist.
     dark : bool
@@ -364,7 +367,8 @@ def pareto(
         A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
         "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
     output : PathLike
-        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        The file to write: .svg or .png for a picture, .csv for its data (each column head names its
+        unit).
     overwrite : bool
         Replace files that exist.
     dark : bool
@@ -437,7 +441,8 @@ def tornado(
     own_step : bool
         Keep flight.method and flight.step of the setup.
     output : PathLike
-        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        The file to write: .svg or .png for a picture, .csv for its data (each column head names its
+        unit).
     overwrite : bool
         Replace files that exist.
     dark : bool
@@ -527,7 +532,8 @@ def compare(
     launch_b : Given
         The launch conditions of drive b, as in launch.
     output : PathLike
-        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        The file to write: .svg or .png for a picture, .csv for its data (each column head names its
+        unit).
     overwrite : bool
         Replace files that exist.
     dark : bool
@@ -601,7 +607,8 @@ def vcurve(
     own_step : bool
         Keep flight.method and flight.step of the setup.
     output : PathLike
-        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        The file to write: .svg or .png for a picture, .csv for its data (each column head names its
+        unit).
     overwrite : bool
         Replace files that exist.
     dark : bool
@@ -674,7 +681,8 @@ def laws(
         spin_axis; e.g. ball_speed=167mph,launch_angle=10.9deg,backspin=2686rpm. They replace those
         of the setup file.
     output : PathLike
-        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        The file to write: .svg or .png for a picture, .csv for its data (each column head names its
+        unit).
     overwrite : bool
         Replace files that exist.
     dark : bool
@@ -774,7 +782,8 @@ def fairway(
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     output : PathLike
-        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        The file to write: .svg or .png for a picture, .csv for its data (each column head names its
+        unit).
     overwrite : bool
         Replace files that exist.
     dark : bool
@@ -849,7 +858,8 @@ def face(
     own_step : bool
         Keep flight.method and flight.step of the setup.
     output : PathLike
-        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        The file to write: .svg or .png for a picture, .csv for its data (each column head names its
+        unit).
     overwrite : bool
         Replace files that exist.
     dark : bool
@@ -942,7 +952,8 @@ def strike(
         A preset or setup file of another design to draw in place of the optimum, e.g. best.toml of
         "longdrive optimize -o".
     output : PathLike
-        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        The file to write: .svg or .png for a picture, .csv for its data (each column head names its
+        unit).
     overwrite : bool
         Replace files that exist.
     dark : bool
@@ -1031,7 +1042,8 @@ def launch(
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     output : PathLike
-        The file to write: .svg or .png for a picture, .csv for its data (SI units and radians).
+        The file to write: .svg or .png for a picture, .csv for its data (each column head names its
+        unit).
     overwrite : bool
         Replace files that exist.
     dark : bool
