@@ -5,6 +5,7 @@ use crate::command::names::sigmas;
 use crate::command::output::{Answer, command_line, note, stated_system, system, warn};
 use crate::command::ranges::varied;
 use crate::command::request::{CommandSetting, Request, Source};
+use crate::parameters::is_of_strike;
 use crate::report::{
     DeliveryReport, SetupOrigin, bound_warnings, delivery_toml, parameter_difference_text,
     parameter_text, population_warnings, recovered_csv, recovered_toml,
@@ -251,8 +252,8 @@ fn idle_settings_warning(args: &Args, club: &Request) -> Option<Message> {
     if args.output.is_some() || args.swings.is_some() {
         return None;
     }
-    let groups = ["aero.", "air.", "flight.", "gravity", "ground.", "wind."];
-    let is_idle = |name: &&str| groups.iter().any(|group| name.starts_with(group));
+    // the parameters of strike and ball determine the impact
+    let is_idle = |name: &&str| !is_of_strike(name) && !name.starts_with("ball.");
     let idle: Vec<&str> = club.stated().filter(is_idle).collect();
     (!idle.is_empty()).then(|| {
         let idle = idle.join(", ");

@@ -158,7 +158,7 @@ fn check(across: &Vary, up: &Vary, fineness: Fineness) -> Result<()> {
         return refuse(up, "a map needs two different parameters");
     }
     if fineness.nodes < 2 {
-        return refuse(across, "a map needs 2 nodes or more to each side");
+        return refuse(across, "a map needs 2 nodes or more along each side");
     }
     for vary in [across, up] {
         vary.check()?;
