@@ -8,8 +8,8 @@
 /// ```
 pub fn how_to_get(feature: &str) -> String {
     format!(
-        "this longdrive is built without the feature {feature}; build one with it: cargo install \
-         --path . --features {feature}"
+        "this longdrive is built without the feature {feature}; take .svg for a picture or .csv for \
+         a table, or build longdrive with the feature: cargo install --path . --features {feature}"
     )
 }
 

@@ -222,8 +222,9 @@ pub(super) const OF_POINTS: &str = "give each a name that is known, or take it o
 
 /// Advice for tables of shots to fly.
 pub(super) const OF_LAUNCHES: &str = "give the columns of the launch heads that are known, as in \
-                                      'Ball Speed [mph]', 'Launch Angle [deg]', 'Spin Rate [rpm]'; \
-                                      the heads are in one of the first lines";
+                                      'Ball Speed [mph]', 'Launch Angle [deg]', 'Spin Rate [rpm]', \
+                                      and take the others out; the heads are in one of the first \
+                                      lines";
 
 impl ColumnErrors {
     /// Collects the errors of columns, which are numbered from 0. A message about unknown names

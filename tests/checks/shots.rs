@@ -471,7 +471,7 @@ fn tables_without_a_launch_name_the_nearest_head() {
             "Foo,Bar,Baz\n1,2,3\n",
             "unknown columns 'Foo', 'Bar', 'Baz'; give the columns of the launch heads that are \
              known, as in 'Ball Speed [mph]', 'Launch \
-             Angle [deg]', 'Spin Rate [rpm]'",
+             Angle [deg]', 'Spin Rate [rpm]', and take the others out",
         ),
         (
             "Ballgeschwindigkeit;Abflugwinkel;Spinrate\n165;11,2;2600\n",
