@@ -295,8 +295,11 @@ pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
     };
     let parameter = parameter(&name).or_else(|| parameter(&format!("launch.{name}")));
     let is_angle = parameter.is_some_and(|parameter| parameter.quantity == Quantity::ANGLE);
-    // compare with a tolerance: the value in the error is rounded
-    let stated: Option<f64> = value.split(' ').next().and_then(|text| text.parse().ok());
+    // "1145.916 deg (20 rad)"; compare with a tolerance, because the value in the error is rounded
+    let si = value
+        .rsplit_once('(')
+        .and_then(|(_, si)| si.strip_suffix(" rad)"));
+    let stated: Option<f64> = si.and_then(|number| number.parse().ok());
     let is_bare = |number: &&f64| {
         stated.is_some_and(|stated| is_angle && (stated - **number).abs() <= 1e-5 * number.abs())
     };

@@ -54,18 +54,15 @@ impl Parameter {
         self.check(value).map_err(|error| match error {
             Error::OutOfRange {
                 name,
-                value,
+                value: shown,
                 range,
                 advice,
-            } => {
-                let advice = self.unit_suggestion(text).unwrap_or(advice);
-                Error::OutOfRange {
-                    name,
-                    value: self.with_given_text(value, text),
-                    range,
-                    advice,
-                }
-            }
+            } => Error::OutOfRange {
+                name,
+                value: self.show_with_text(value, text).unwrap_or(shown),
+                range,
+                advice: self.unit_suggestion(text).unwrap_or(advice),
+            },
             error => error,
         })?;
         Ok(Some(value))
@@ -126,38 +123,40 @@ impl Parameter {
         };
         Err(Error::OutOfRange {
             name: self.name.into(),
-            value: self.show_twice(value),
+            value: self.show_with_si(value),
             range,
             advice,
         })
     }
 
-    /// The value as text in SI, and in the display unit if it differs. A temperature is shown in
-    /// the display unit only.
-    fn show_twice(&self, value: f64) -> String {
+    /// The value in the display unit, which is the unit of the range, and in SI if that differs. A
+    /// temperature is shown in the display unit only.
+    fn show_with_si(&self, value: f64) -> String {
         let si = self.quantity.show(value, self.quantity.si);
-        if self.quantity == Quantity::TEMPERATURE && value.is_finite() {
-            return self.show(Some(value));
+        if !value.is_finite() || self.unit == self.quantity.si {
+            return si;
         }
-        let same = self.unit == self.quantity.si || !value.is_finite();
-        if same {
-            si
+        let shown = self.show(Some(value));
+        if self.quantity == Quantity::TEMPERATURE {
+            shown
         } else {
-            format!("{si} ({})", self.show(Some(value)))
+            format!("{shown} ({si})")
         }
     }
 
-    /// Appends the user's `text` to `shown`, the value as text, if the unit of `text` is neither
-    /// the SI unit nor the display unit.
-    fn with_given_text(&self, shown: String, text: &str) -> String {
-        let is_another =
-            |unit: &str| !unit.is_empty() && unit != self.quantity.si && unit != self.unit;
-        match self.quantity.split(text) {
-            Ok((number, unit)) if number.is_finite() && is_another(unit) => {
-                format!("{shown} ({text})")
-            }
-            _ => shown,
+    /// The value in the display unit, and the user's text if it has another unit; `None` if the
+    /// text has no unit.
+    fn show_with_text(&self, value: f64, text: &str) -> Option<String> {
+        let (number, unit) = self.quantity.split(text).ok()?;
+        if !number.is_finite() || unit.is_empty() {
+            return None;
         }
+        let shown = self.show(Some(value));
+        Some(if unit == self.unit {
+            shown
+        } else {
+            format!("{shown} ({text})")
+        })
     }
 
     /// The error for an unreadable text. If the text is a word, such as a direction of the wind,
