@@ -360,20 +360,32 @@ impl Error {
         }
     }
 
-    /// The error for a name that is not among `names`. It suggests the most similar of them.
+    /// The error for a name that is not among `names`. It suggests the most similar of them, or
+    /// lists the names of a group such as `wind`.
     pub fn unknown<'a>(
         what: &'static str,
         name: &str,
         names: impl IntoIterator<Item = &'a str>,
         advice: impl Into<String>,
     ) -> Self {
+        let names: Vec<&str> = names.into_iter().collect();
+        let is_member = |known: &&str| known.split_once('.').is_some_and(|(of, _)| of == name);
+        let members: Vec<&str> = names.iter().copied().filter(is_member).collect();
+        let advice = advice.into();
+        if !members.is_empty() {
+            return Self::Unknown {
+                what,
+                name: name.into(),
+                suggestion: None,
+                advice: format!("it is a group: {}; {advice}", members.join(", ")),
+            };
+        }
         let nearest = nearest(name, names).filter(|(likeness, _)| *likeness > 0.8);
-        let suggestion = nearest.map(|(_, known)| known.to_owned());
         Self::Unknown {
             what,
             name: name.into(),
-            suggestion,
-            advice: advice.into(),
+            suggestion: nearest.map(|(_, known)| known.to_owned()),
+            advice,
         }
     }
 
@@ -536,6 +548,11 @@ mod tests {
         let speeds = ["swing.speed", "wind.speed"];
         let message = Error::unknown("parameter", "speed", speeds, "list").to_string();
         assert!(message.contains("did you mean 'swing.speed'?"), "{message}");
+        let message = Error::unknown("parameter", "swing", speeds, "list").to_string();
+        assert!(
+            message.ends_with("it is a group: swing.speed; list"),
+            "{message}"
+        );
         for strange in ["xyzzy", "sw"] {
             let message = Error::unknown("parameter", strange, names, "list").to_string();
             assert!(!message.contains("did you mean"), "{message}");
