@@ -1,3 +1,4 @@
+use super::conditions;
 use super::document::{Document, DocumentTable, Line};
 use super::json::{self, ByName, JsonNumber, Settings, settings};
 use super::reply::{Ending, Report};
@@ -129,18 +130,21 @@ impl Report for DriveReport<'_> {
         let mut document = Document::default();
         document.add(outcomes("launch", OutcomeGroup::Launch, drive, system));
         document.list(bodies(drive, system));
-        let air = air(drive_setup).map(|air| Line::note(air.in_units(system)));
+        let air = conditions::air(drive_setup, system);
+        let wind = conditions::wind(drive_setup, system);
+        let wind = wind.as_deref().unwrap_or("no wind");
+        let conditions = Line::note(format!("air: {air}; {wind}"));
         match &drive.flight {
             Flight::Landed(landed) => {
                 document.add(outcomes("flight", OutcomeGroup::Flight, drive, system));
                 let run = on_the_run(landed.rest.as_ref()).in_units(system);
                 let beyond = extrapolated(drive_setup, drive, system).map(Line::note);
-                let notes = beyond.into_iter().chain([Line::note(run)]).chain(air);
+                let notes = beyond.into_iter().chain([Line::note(run), conditions]);
                 document.list(notes);
             }
             Flight::None(why) => {
                 let why = Line::flush(why.message().in_units(system));
-                document.list([why].into_iter().chain(air));
+                document.list([why, conditions]);
             }
         }
         document
@@ -270,20 +274,6 @@ pub(super) fn extrapolated(
         "{} of the carry is extrapolated, by the law of drag and lift",
         shown::spread(Outcome::Carry, carry.abs(), system)
     ))
-}
-
-/// The density of the air, computed from the weather of a setup; `None` if the setup has no
-/// weather.
-fn air(setup: &Setup<f64>) -> Option<Message> {
-    let density = AirState::of(&setup.air).density;
-    setup.air.has_weather().then(|| {
-        Message::from("air: the weather gives a density of ").quantity(
-            Quantity::DENSITY,
-            "kg/m^3",
-            density,
-            Digits::Significant(5),
-        )
-    })
 }
 
 /// Bounces and roll of a ball, with the uncertainty of their length.

@@ -7,6 +7,7 @@ mod calibration;
 mod certificate;
 mod chart;
 mod compare;
+mod conditions;
 mod csv_text;
 mod delivery;
 mod design;

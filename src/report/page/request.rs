@@ -4,6 +4,7 @@ use super::findings::Findings;
 use super::numbers::from_to;
 use crate::error::Result;
 use crate::parameters::{Parameter, Vary, is_of_strike};
+use crate::report::conditions;
 use crate::report::frame::{both, chosen};
 use crate::report::presets::{ChangedSetting, changes};
 use crate::report::shown;
@@ -28,7 +29,7 @@ pub(super) fn title(findings: &Findings, system: System) -> Result<String> {
         changed.len()
     };
     let drive = if findings.stated.launch.is_given() {
-        stated(findings, &launch(findings), system)
+        conditions::parameters(&findings.stated, &launch(findings), system)
     } else {
         findings.name.clone()
     };
@@ -85,7 +86,7 @@ fn changed(findings: &Findings, system: System) -> Result<Vec<ChangedSetting>> {
         .collect())
 }
 
-/// The summary of the request: golfer, club and strike (or the stated launch), the wind, the
+/// The summary of the request: golfer, club and strike (or the stated launch), air and wind, the
 /// objective with its varied parameters and constraints, and the differences from the preset.
 pub(super) fn request(findings: &Findings) -> Result<Markup> {
     const GOLFER: [&str; 4] = [
@@ -96,7 +97,8 @@ pub(super) fn request(findings: &Findings) -> Result<Markup> {
     ];
     const CLUB: [&str; 2] = ["club.loft", "club.mass"];
     const STRIKE: [&str; 2] = ["strike.high", "strike.toe"];
-    let values = |names: &[&str]| both(|system| stated(findings, names, system));
+    let setup = &findings.stated;
+    let values = |names: &[&str]| both(|system| conditions::parameters(setup, names, system));
     let launch = launch(findings);
     let [metric, us] = System::ALL.map(|system| changed(findings, system));
     let (metric, us) = (metric?, us?);
@@ -117,7 +119,8 @@ pub(super) fn request(findings: &Findings) -> Result<Markup> {
             } @else {
                 dt { "Launch" } dd { (values(&launch)) }
             }
-            dt { "Wind" } dd { (both(|system| wind(findings, system))) }
+            dt { "Air" } dd { (both(|system| conditions::air(setup, system))) }
+            dt { "Wind" } dd { (both(|system| conditions::wind(setup, system).unwrap_or("none".into()))) }
             @if let Some(search) = search { (wanted(search)) }
             @if launch.is_empty() {
                 dt { "Preset" } dd {
@@ -158,48 +161,5 @@ fn wanted(search: &Search) -> Markup {
         @if !search.subject_to.is_empty() {
             dt { "Limits" } dd { (both(limits)) }
         }
-    }
-}
-
-/// Parameters with their values: "swing speed 115 mph, swing path 0 deg".
-fn stated(findings: &Findings, names: &[&str], system: System) -> String {
-    let one = |name: &&str| {
-        let row = findings.stated.variable(name).ok()?;
-        Some(format!(
-            "{} {}",
-            shown::words(row.name),
-            shown::with_digits(row, findings.stated.value(row)?, system, shown::IN_SUMMARY)
-        ))
-    };
-    names.iter().filter_map(one).collect::<Vec<_>>().join(", ")
-}
-
-/// The wind, without components that are 0 or that another parameter replaces.
-fn wind(findings: &Findings, system: System) -> String {
-    const WIND: [&str; 5] = [
-        "wind.downrange",
-        "wind.right",
-        "wind.up",
-        "wind.speed",
-        "wind.from",
-    ];
-    let blows = |name: &str| {
-        let value = |row| findings.stated.value(row).is_some_and(|value| value != 0.0);
-        let row = findings.stated.parameter(name);
-        row.is_ok_and(|row| findings.stated.why_replaced(row).is_none() && value(row))
-    };
-    // 0° is a valid direction, so the speed decides whether the page names the direction
-    let is_given = |name: &&str| {
-        blows(if *name == "wind.from" {
-            "wind.speed"
-        } else {
-            name
-        })
-    };
-    let names: Vec<&str> = WIND.into_iter().filter(is_given).collect();
-    if names.is_empty() {
-        "none".into()
-    } else {
-        stated(findings, &names, system)
     }
 }

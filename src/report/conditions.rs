@@ -1,0 +1,62 @@
+//! The conditions of a drive as text: its air and its wind.
+
+use super::shown;
+use crate::atmosphere::AirState;
+use crate::parameters::Setup;
+use crate::units::{Digits, Message, Quantity, System};
+
+/// Parameters with their values: "swing speed 115 mph, swing path 0 deg".
+pub(super) fn parameters(setup: &Setup<f64>, names: &[&str], system: System) -> String {
+    let one = |name: &&str| {
+        let row = setup.variable(name).ok()?;
+        Some(format!(
+            "{} {}",
+            shown::words(row.name),
+            shown::with_digits(row, setup.value(row)?, system, shown::IN_SUMMARY)
+        ))
+    };
+    names.iter().filter_map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// The density of the air, as stated or computed from the weather.
+pub(super) fn air(setup: &Setup<f64>, system: System) -> String {
+    let density = AirState::of(&setup.air).density;
+    if density == 0.0 {
+        return "none".into();
+    }
+    let source = if setup.air.has_weather() {
+        ", from the weather"
+    } else {
+        ""
+    };
+    Message::from("density ")
+        .quantity(Quantity::DENSITY, "kg/m^3", density, Digits::Significant(5))
+        .words(source)
+        .in_units(system)
+}
+
+/// The wind, without components that are 0 or that another parameter replaces; `None` without wind.
+pub(super) fn wind(setup: &Setup<f64>, system: System) -> Option<String> {
+    const WIND: [&str; 5] = [
+        "wind.downrange",
+        "wind.right",
+        "wind.up",
+        "wind.speed",
+        "wind.from",
+    ];
+    let blows = |name: &str| {
+        let value = |row| setup.value(row).is_some_and(|value| value != 0.0);
+        let row = setup.parameter(name);
+        row.is_ok_and(|row| setup.why_replaced(row).is_none() && value(row))
+    };
+    // 0° is a valid direction, so the speed decides whether the text names the direction
+    let is_given = |name: &&str| {
+        blows(if *name == "wind.from" {
+            "wind.speed"
+        } else {
+            name
+        })
+    };
+    let names: Vec<&str> = WIND.into_iter().filter(is_given).collect();
+    (!names.is_empty()).then(|| parameters(setup, &names, system))
+}
