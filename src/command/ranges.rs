@@ -130,11 +130,13 @@ impl DefaultRanges {
                 .into(),
             [name] => format!(
                 "nothing is left to vary: {name} is stated, and so not varied; to vary it, give a \
-                 range, for example `vary club.loft=4deg..20deg`"
+                 range, for example `vary club.loft=4deg..20deg`; `simulate()` flies the drive as \
+                 stated"
             ),
             _ => format!(
                 "nothing is left to vary: {} are stated, and so not varied; to vary them, give a \
-                 range, for example `vary club.loft=4deg..20deg`",
+                 range, for example `vary club.loft=4deg..20deg`; `simulate()` flies the drive as \
+                 stated",
                 names.join(" and ")
             ),
         })
@@ -147,7 +149,7 @@ impl DefaultRanges {
     pub fn vary(self) -> Result<Vec<Vary>> {
         match self.reason() {
             None => Ok(self.vary),
-            Some(reason) => Err(Error::unreadable("`vary`", reason)),
+            Some(reason) => Err(Error::unreadable("the search", reason)),
         }
     }
 }

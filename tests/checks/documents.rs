@@ -56,6 +56,23 @@ fn the_answer_in_the_readme_is_the_programs() {
     );
 }
 
+#[test]
+fn the_best_lofts_of_two_presets_in_the_readme_are_the_programs() {
+    let readme = document("README.md");
+    let swing = ["--speed", "95mph", "--attack=-2deg"];
+    for (preset, says) in [
+        ("amateur-average", "its best loft is "),
+        ("tour-average", "that of `tour-average` "),
+    ] {
+        let (_, after) = readme.split_once(says).unwrap();
+        let (status, found) = json(&[&["optimize", preset], &swing[..]].concat());
+        assert_eq!(status, 0, "{preset}");
+        let loft = number(&found["setup"]["club.loft"]).to_degrees();
+        let stated = first_number(after);
+        assert!((loft - stated).abs() <= 0.05, "{preset}: {loft}, {stated}");
+    }
+}
+
 /// The lines below a command of docs/tutorial.md are lines of its output. The cells of the table of
 /// a sweep are compared to 12 characters, because their last digits depend on the processor.
 #[test]

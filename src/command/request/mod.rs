@@ -289,7 +289,8 @@ impl Request {
         let advice = if varies_loft && self.source.is_average() {
             format!(
                 "the loft is for the shaft and strike of {}: for the same launch other golfers \
-                 need a loft some degrees higher or lower; `delivery()` starts from your own launch",
+                 need a loft some degrees higher or lower; `delivery()` starts from your own \
+                 launch, `presets()` lists other golfers",
                 self.source.name()
             )
         } else {
