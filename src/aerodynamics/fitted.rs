@@ -9,9 +9,9 @@ use serde::{Serialize, Serializer};
 pub struct FittedRange {
     /// The name of the variable.
     pub variable: &'static str,
-    /// The quantity.
+    /// Kind of quantity of the variable.
     pub quantity: Quantity,
-    /// The unit for texts.
+    /// Unit in which texts print the variable; empty for a pure number.
     pub unit: &'static str,
     /// The range, SI; `None` if it is unknown.
     pub range: Option<[f64; 2]>,
@@ -76,7 +76,7 @@ fn unless_empty<S: Serializer>(text: &str, serializer: S) -> Result<S::Ok, S::Er
 }
 
 impl Fitted {
-    /// No known range: a law without data, or with data that its source does not describe.
+    /// All ranges unknown: the law has no data, or its source does not describe them.
     pub const UNKNOWN: Self = Self {
         spin_ratio: None,
         spin: None,
@@ -132,8 +132,8 @@ impl Fitted {
             })
     }
 
-    /// The word for the law beyond the exceeded ends (below, above) of its ranges: "extrapolated",
-    /// "held", or "extrapolated or held".
+    /// How the law continues beyond the ends (below, above) of its ranges that are true in
+    /// `exceeded_ends`: "extrapolated", "held", or "extrapolated or held".
     pub(crate) fn continuation(&self, exceeded_ends: [[bool; 2]; 4]) -> &'static str {
         let exceeded = exceeded_ends
             .as_flattened()
@@ -153,7 +153,7 @@ impl Fitted {
     }
 
     /// For each range, true for the ends (below, above) that a flight exceeds. `flown` has the
-    /// least and the greatest value of each variable.
+    /// least and the greatest value of each variable in the flight.
     pub(crate) fn exceeded_ends(&self, flown: [[f64; 2]; 4]) -> [[bool; 2]; 4] {
         let ranges = self
             .ranges()

@@ -1,12 +1,13 @@
-//! Laws of splines through a grid, from a publication or a user's own table.
+//! Laws that interpolate C_D and C_L in a grid by splines. The grid is published, or a user's own
+//! table.
 
 use super::{Coefficients, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
 use crate::parameters::{AxisVariable, CoefficientGrid, LawTableAxis};
 
-/// C_D and C_L of a grid, times their factors. Beyond the edges of the grid, speed and spin are
-/// clamped. Below the least spin of the grid, the lift is the lift at the edge times 1 − (1 −
-/// ω/ω_least)³.
+/// C_D and C_L of a grid, multiplied by `factors`. Beyond the edges of the grid, speed and spin are
+/// clamped. Below the limit ω₁ of spin or spin ratio in `full_lift`, the lift is multiplied by 1 −
+/// (1 − ω/ω₁)³, so that it is 0 without spin.
 #[inline(always)]
 pub(super) fn grid_coefficients<T: Numbers>(
     grid: &'static CoefficientGrid,
@@ -27,7 +28,7 @@ fn grid_coefficients_inlined<T: Numbers>(
     let speed = coordinate(&grid.speed, &stream);
     let spin = coordinate(&grid.spin, &stream);
     let c = speed.gather(spin, inlined!(|speed, spin| grid.surface.cell(speed, spin)));
-    // coordinates in the cell, then Horner's scheme in w and u
+    // u and w: speed and spin within the cell, for a bicubic polynomial by Horner's scheme
     let (u, w) = ((speed - c[0]) * c[1], (spin - c[2]) * c[3]);
     let (mut drag, mut lift) = (T::zero(), T::zero());
     let mut power = 4;
@@ -51,7 +52,6 @@ fn grid_coefficients_inlined<T: Numbers>(
     }
 }
 
-/// Value of `variable` in `stream`.
 #[inline(always)]
 fn value<T: Numbers>(variable: AxisVariable, stream: &Stream<T>) -> T {
     match variable {

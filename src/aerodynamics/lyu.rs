@@ -15,9 +15,9 @@ const BETWEEN: f64 = 0.875;
 const WIDTH: f64 = 0.06;
 
 /// With r = Re/10⁵ and σ = (1 + tanh((r − 0.875)/0.06))/2: C_D = (1 − σ)(cd_low0 + cd_low1 r +
-/// cd_low2 r²) + σ (cd_high0 + cd_high1 r + cd_high2 r²), C_L = cl1 s + cl2 s². Lyu, Kensrud, Smith &
-/// Tosaya (2018), in still air: drag of one ball for 5.1e4 < Re < 2e5, independent of the spin; lift
-/// of 13 balls for 0.045 < s < 0.32.
+/// cd_low2 r²) + σ (cd_high0 + cd_high1 r + cd_high2 r²), C_L = cl1 s + cl2 s². Lyu, Kensrud, Smith
+/// & Tosaya (2018) shot balls through still air. The drag is that of one ball for 5.1e4 < Re < 2e5,
+/// independent of the spin. The lift is the mean of 13 balls for 0.045 < s < 0.32.
 impl<T: Numbers> AerodynamicLaw<T> for Lyu<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {

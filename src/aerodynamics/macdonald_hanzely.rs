@@ -4,7 +4,7 @@ use crate::number::{Numbers, inlined};
 use crate::parameters::MacdonaldHanzely;
 
 /// Spin ratio below which a cubic replaces the lift coefficient, because the law gives lift without
-/// spin. No drive has a smaller spin ratio.
+/// spin. Usual drives have larger spin ratios.
 const SMOOTH_BELOW: f64 = 0.02;
 
 /// C_D = cd_speed/v, C_L = cl_speed/v: forces proportional to the speed, independent of the spin

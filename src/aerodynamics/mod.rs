@@ -26,14 +26,14 @@ use crate::number::Numbers;
 use crate::parameters::{Law, with_law};
 use serde::Serialize;
 
-/// Flow of the air past the ball. A law computes from it the variables that it needs.
+/// Flow of the air past the ball, from which a law computes its variables.
 #[derive(Clone, Copy, Debug)]
 pub struct Stream<T> {
     /// Spin |ω|, rad/s.
     pub spin: T,
     /// Airspeed |v|, m/s.
     pub speed: T,
-    /// |v|², m²/s². Laws compute 1/|v| from it, so that they need not wait for |v|.
+    /// |v|², m²/s². Laws compute 1/|v| from |v|², so that they need not wait for |v|.
     pub(crate) square: T,
     /// Radius of the ball R, m.
     pub radius: T,
@@ -111,7 +111,7 @@ pub struct LawProperties {
     /// The ranges that the law was fitted to.
     pub fitted: Fitted,
     /// Number of continuous derivatives of C_D and C_L where pieces of the law join; `None` for a
-    /// law without joins. A step across a join limits the order of the integration.
+    /// law without joins. A join within a step limits the order of the integration.
     pub continuous_derivatives: Option<u32>,
     /// True if C_D has a slope in |ω| at zero spin, so that outcomes have a corner there.
     pub has_corner_at_zero_spin: bool,
@@ -187,8 +187,6 @@ mod tests {
         }
     }
 
-    /// Drag is positive, and lift rises with the spin from 0, in the range of Winfield & Tan's
-    /// flights.
     #[test]
     fn recovered_law_has_positive_drag_and_lift_that_rises_with_spin() {
         let law = Law::named("winfield-tan").unwrap();
@@ -212,8 +210,6 @@ mod tests {
         }
     }
 
-    /// C_L and its first two derivatives by the spin ratio are equal on both sides of the join of
-    /// the cubic.
     #[test]
     fn exact_c2_join_where_a_law_is_smoothed_and_no_lift_without_spin() {
         for (name, join) in [("smits-smith", 0.001), ("ferguson", 0.02)] {

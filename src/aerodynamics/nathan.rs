@@ -3,14 +3,14 @@ use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stre
 use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
 use crate::parameters::Nathan;
 
-/// Values of Re/10⁵ between which the drag coefficient without spin falls from cd_low to cd_high.
+/// Interval of Re/10⁵ in which the drag coefficient without spin falls from cd_low to cd_high.
 const FALLS: [f64; 2] = [0.5, 1.0];
 /// Width of the rounded corners at both ends of `FALLS`, in Re/10⁵.
 const ROUNDED: f64 = 0.05;
 
 /// With r = Re/10⁵, C_D = cd_s s + c, where c is cd_low for r < 0.5, cd_high for r > 1, and linear
-/// between. The corners of c are rounded over 0.05 in r. C_L = cl_amp s^cl_exp. Nathan's calculator
-/// of golf trajectories, fitted to the averages of seven clubs.
+/// between. The corners of c are rounded over 0.05 in r. C_L = cl_amp s^cl_exp. The law is that of
+/// Nathan's golf trajectory calculator, fitted to the averages of seven clubs.
 impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {

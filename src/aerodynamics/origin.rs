@@ -2,9 +2,9 @@
 
 use crate::number::{Numbers, inlined};
 
-/// Cubic that replaces C_L near zero spin, where the formula of a law has a lift above 0 or an
-/// infinite slope. For s < s₀, C_L = a u + b u² + c u³ with u = s/s₀ has the value, slope and
-/// curvature of the formula at s₀. C_L vanishes with the spin, and is C² throughout.
+/// Cubic that replaces C_L for spin ratios s < s₀, if the formula of a law has lift or an infinite
+/// slope at zero spin: C_L = a u + b u² + c u³ with u = s/s₀. At s₀ it has the value, slope and
+/// curvature of the formula, so C_L is C². At zero spin C_L is 0.
 struct CubicOrigin<T> {
     /// s₀: spin ratio at which the cubic joins the formula.
     join: f64,
@@ -29,8 +29,7 @@ impl<T: Numbers> CubicOrigin<T> {
     }
 }
 
-/// Spin ratio below which a power law, whose slope is infinite at 0, is replaced by a
-/// [`CubicOrigin`].
+/// s₀ of the [`CubicOrigin`] of a power law, whose slope is infinite at zero spin.
 const SMOOTH_BELOW: f64 = 0.001;
 
 /// C_L = factor s^exponent, replaced by a [`CubicOrigin`] for s < 0.001.

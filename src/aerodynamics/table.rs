@@ -3,7 +3,8 @@ use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stre
 use crate::number::Numbers;
 use crate::parameters::{AxisVariable, Table};
 
-/// C_D = cd_factor D, C_L = cl_factor L: splines through a user's own table, `aero.table`.
+/// C_D = cd_factor D, C_L = cl_factor L, with the splines D and L through a user's own table,
+/// `aero.table`.
 impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {

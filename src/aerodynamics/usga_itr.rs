@@ -11,15 +11,15 @@ const SMOOTH_BELOW: f64 = 0.042;
 const LARGEST: f64 = 0.3;
 /// Width of the upper clamp of the spin ratio.
 const HELD_OVER: f64 = 0.1;
-/// Start of the lower clamp of r = Re/10⁵: the term in 1/r² makes the lift negative at lower r. In
-/// the slowest measured shots r was 0.8.
+/// Start of the lower clamp of r = Re/10⁵. At lower r the term in 1/r² would make the lift
+/// negative. The slowest measured shots have r = 0.8.
 const SMALLEST: f64 = 0.6;
 /// Width of the lower clamp of Re/10⁵.
 const HELD_UNDER: f64 = 0.2;
 
-/// With r = Re/10⁵: C_D = cd0 + cd1 s + cd2 s² + cd_re r, C_L = cl0 + cl1 s + cl2 s² + cl_re/r²:
-/// the form that the USGA fits to shots of a ball in its Indoor Test Range (US patent 6186002, the
-/// test ball).
+/// With r = Re/10⁵: C_D = cd0 + cd1 s + cd2 s² + cd_re r, C_L = cl0 + cl1 s + cl2 s² + cl_re/r².
+/// The USGA fits this form to the shots of a ball in its Indoor Test Range. The coefficients are
+/// for the test ball of US patent 6186002.
 impl<T: Numbers> AerodynamicLaw<T> for UsgaItr<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {

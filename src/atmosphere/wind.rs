@@ -1,10 +1,10 @@
 use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Ground, Wind};
 
-/// ℓ, m: height below which the logarithmic profile is smoothed towards the ground. A step of 0.01
-/// s resolves this height: carry is accurate to some micrometres (docs/limitations.md). Without
-/// smoothing, the wind would vary over the roughness length, some millimetres, and carry would be
-/// accurate to some millimetres only.
+/// ℓ, m: height below which the logarithmic profile is smoothed towards the ground. With a step of
+/// 0.01 s, carry is accurate to some micrometres (docs/limitations.md). Without smoothing, the wind
+/// would change within the roughness length, some millimetres, and carry would be accurate only to
+/// some millimetres.
 const SMOOTHING_HEIGHT: f64 = 0.5;
 
 /// Velocity of the air over the ground, uniform or a function of height (docs/model.md, eq. 15).
@@ -22,7 +22,7 @@ struct Profile<T> {
     ln_roughness: T,
     /// Height of the ground, m.
     ground: T,
-    /// 1/L(z_ref): the wind at the reference height is then the stated wind.
+    /// 1/L(z_ref), which makes the wind at the reference height z_ref equal to the stated wind.
     scale: T,
 }
 

@@ -17,7 +17,7 @@ const SPEED_OVER: [f64; 2] = [1.0, 4.0];
 /// Width of both clamps of the spin beyond the grid, rpm.
 const SPIN_OVER: f64 = 100.0;
 
-/// Measured speeds, m/s. The last column of the grid, 88.1 m/s, is not measured: it repeats the drag
+/// Measured speeds, m/s. The last column of the grid, 88.1 m/s, is not measured: its drag is that
 /// of the column before.
 const MEASURED: [f64; 2] = [13.7, 80.2];
 
