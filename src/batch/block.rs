@@ -88,8 +88,8 @@ impl StatusCounts {
         }
     }
 
-    /// True if any drive has one of the outcomes `of`, or if there are no drives. Outcomes of the
-    /// launch also exist for balls that do not land.
+    /// True if at least one drive has at least one of the outcomes `of`, or if there are no drives.
+    /// Outcomes of the launch also exist for balls that do not land.
     pub fn has_any(&self, of: &[Outcome]) -> bool {
         let is_of_the_launch = of
             .iter()
@@ -139,7 +139,7 @@ impl Display for StatusCounts {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
     pub(super) first_row: u64,
-    /// Points, row by row.
+    /// Values of the swept parameters, SI, row by row.
     pub(super) points: Vec<f64>,
     pub(super) parameters: usize,
     pub(super) status: Vec<Status>,
@@ -195,20 +195,21 @@ impl Block {
             .map(|(_, defect)| *defect)
     }
 
-    /// Outcome by column number, SI.
+    /// Value of an outcome, SI; `None` if the drive does not have the outcome. `outcome` is its
+    /// index in the batch.
     pub fn outcome(&self, row: usize, outcome: usize) -> Option<f64> {
         Some(self.outcomes[outcome][row]).filter(|value| value.is_finite())
     }
 
-    /// Derivatives of a row, SI: all outcomes by all parameters, sorted by outcome, then by
-    /// parameter.
+    /// Derivatives of a row, SI, of all outcomes by all parameters of differentiation: sorted by
+    /// outcome, then by parameter. `None` for a missing derivative.
     pub fn derivatives(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
         self.derivatives
             .iter()
             .map(move |column| Some(column[row]).filter(|value| value.is_finite()))
     }
 
-    /// Outcomes of a row, SI.
+    /// Outcomes of a row, SI, in the order of the batch; `None` for a missing outcome.
     pub fn outcomes(&self, row: usize) -> impl Iterator<Item = Option<f64>> {
         (0..self.outcomes.len()).map(move |outcome| self.outcome(row, outcome))
     }

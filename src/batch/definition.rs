@@ -26,7 +26,7 @@ impl Batch {
     /// # Errors
     /// The errors of [`Setup::validate`], of [`Setup::column`] for `parameters`, and of
     /// [`Setup::variable`] for `wrt`; [`Error::Nothing`] if `of` or `parameters` is empty;
-    /// [`Error::OtherLaw`] if a coefficient belongs to another law, even if the setup's law has a
+    /// [`Error::OtherLaw`] for a coefficient of another law, even if the setup's law has a
     /// coefficient of the same name; [`Error::SearchRange`] if `parameters` repeats a parameter,
     /// and [`Error::Together`] if `wrt` repeats a parameter.
     pub fn new(
@@ -113,7 +113,7 @@ impl Batch {
         Ok(batch)
     }
 
-    /// Copy of the batch with points of other parameters.
+    /// Copy of the batch that sweeps these parameters instead of its own.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).

@@ -11,12 +11,12 @@ use crate::number::MOST_PER_LANE;
 use crate::parameters::{Parameter, Setup};
 use std::sync::atomic::AtomicBool;
 
-/// Largest number of parameters of differentiation for lane batches. With more, a single drive fills
-/// the four lanes of AVX2, the widest level of a single drive.
+/// Largest number of parameters of differentiation for lane batches. With more parameters, the
+/// directions of one drive fill the four lanes of AVX2, the widest level of a single drive.
 const MOST_IN_LANES: usize = 4 * MOST_PER_LANE;
 
 impl Batch {
-    /// Computes the drives of `points`, given row by row.
+    /// Computes the drives of `points`: the values of the swept parameters, SI, row by row.
     ///
     /// # Panics
     /// If the last point is incomplete.
@@ -25,8 +25,8 @@ impl Batch {
             .unwrap_or_else(|| unreachable!("the flag is never set"))
     }
 
-    /// Like [`evaluate`](Self::evaluate); `None` if a flight was interrupted because `stop` became
-    /// true.
+    /// Like [`evaluate`](Self::evaluate). Returns `None` if `stop` became true and interrupted a
+    /// flight.
     ///
     /// # Panics
     /// If the last point is incomplete.
@@ -75,9 +75,9 @@ impl Batch {
     }
 
     /// Computes the drives of a block in lane batches, and returns the rows that need scalar
-    /// evaluation. These are all rows in two cases: if the inertia tensor is swept, because the
-    /// tensor must be checked in each row; or if there are so many parameters of differentiation
-    /// that a single drive fills the lanes.
+    /// evaluation. All rows need it if the inertia tensor is swept, because the tensor must be
+    /// checked in each row. All rows also need it if there are more than [`MOST_IN_LANES`]
+    /// parameters of differentiation.
     fn evaluate_in_lanes(&self, block: &mut Block, stop: &AtomicBool) -> Vec<usize> {
         if self.wrt.len() > MOST_IN_LANES
             || self
@@ -110,8 +110,8 @@ impl Batch {
     /// accepted.
     ///
     /// # Errors
-    /// [`Error::Stopped`] if `stop` became true; the error of a drive without an impact or with a
-    /// diverged flight, whose status is then already in the block.
+    /// [`Error::Stopped`] if `stop` became true; the errors of a drive without an impact or with a
+    /// diverged flight. The status of the drive is in the block also after an error.
     fn evaluate_scalar(
         &self,
         mut setup: Setup<f64>,
@@ -145,8 +145,8 @@ impl Batch {
         Ok(())
     }
 
-    /// Computes the derivatives of all outcomes in one evaluation. If this evaluation fails,
-    /// computes each derivative separately.
+    /// Computes the derivatives of all outcomes in one evaluation. If this fails, computes each
+    /// derivative by itself; a derivative that fails is missing.
     ///
     /// # Errors
     /// [`Error::Stopped`] if `stop` became true.

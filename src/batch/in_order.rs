@@ -75,7 +75,6 @@ pub(crate) fn in_order<T: Send, R: Send>(
     })
 }
 
-/// The error for threads that the system does not start.
 fn not_started(error: ThreadPoolBuildError) -> Error {
     let reason = format!("the threads cannot be started ({error}); take fewer");
     Error::unreadable("`threads`", reason)

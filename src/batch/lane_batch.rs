@@ -22,9 +22,9 @@ pub(super) struct LaneBatch<'a> {
     pub wrt: &'a [&'static Parameter],
     /// Index of the first of `wrt` among all parameters of differentiation.
     pub first: usize,
-    /// Interrupt flag; once true, flights of many steps end early.
+    /// Interrupt flag: once true, flights of thousands of steps end early.
     pub stop: &'a AtomicBool,
-    /// Rows whose ball flies. The launches of all rows are computed first to find them.
+    /// Rows whose ball flies, found from the launches of all rows before any flight is computed.
     pub flying: Vec<FlyingRow>,
     /// Rows that need scalar evaluation.
     pub scalar_rows: Vec<usize>,
@@ -37,7 +37,7 @@ impl Task for LaneBatch<'_> {
     #[inline(always)]
     fn run<V: Lanes<Lane = f64>>(&mut self) -> Vec<usize> {
         self.partition::<V>();
-        // group flights of similar length: a group takes as long as its longest flight
+        // sort by length of flight: the lanes of a group take as long as its longest flight
         self.flying.sort_unstable_by(|a, b| {
             a.upward_speed
                 .total_cmp(&b.upward_speed)
@@ -69,8 +69,7 @@ impl OverNumbers for LaneBatch<'_> {
         let has_run = any(|outcome| outcome.needs_run());
         let has_head = any(|outcome| outcome.group() == OutcomeGroup::Head);
         let fitted = batch.setup.law.properties().fitted;
-        // parameters that are not swept are equal in all rows; the swept parameters are set for
-        // each group
+        // the parameters that are not swept are set once, the swept parameters for each group
         let mut setup = batch.setup.constant::<J>();
         self.seed_parameters(&mut setup);
         let directions: Vec<Option<usize>> = batch
@@ -121,9 +120,9 @@ impl OverNumbers for LaneBatch<'_> {
 }
 
 impl LaneBatch<'_> {
-    /// Partitions the rows into rows whose ball flies, with the upward speed at launch, and rows
-    /// that need scalar evaluation. Sets the status of a row whose ball is launched into the
-    /// ground; if an outcome of the launch is requested, the row needs scalar evaluation instead.
+    /// Partitions the rows in range by their launches. Rows whose ball flies go to `flying`, rows
+    /// without a valid impact to `scalar_rows`. A row whose ball is launched into the ground gets
+    /// its status here, or goes to `scalar_rows` if an outcome of the launch is requested.
     #[inline(always)]
     fn partition<V: Lanes<Lane = f64>>(&mut self) {
         let batch = self.batch;
@@ -204,7 +203,7 @@ impl LaneBatch<'_> {
         );
     }
 
-    /// Writes an outcome and its derivatives.
+    /// Writes an outcome and its derivatives; `None` leaves both missing.
     fn write<L: Derivatives>(&mut self, row: usize, outcome: usize, found: Option<L>) {
         let Some(number) = found else { return };
         self.block.outcomes[outcome][row] = number.re();
@@ -226,7 +225,6 @@ struct FlownLanes<'a, J: Lanes> {
 }
 
 impl<J: Lanes<Lane: Derivatives>> FlownLanes<'_, J> {
-    /// Quantities from which the outcomes of a lane are computed.
     #[inline(always)]
     fn outcome_inputs(&self, lane: usize) -> OutcomeInputs<'_, J, impl Fn(J) -> J::Lane + Copy> {
         OutcomeInputs {
@@ -238,7 +236,6 @@ impl<J: Lanes<Lane: Derivatives>> FlownLanes<'_, J> {
         }
     }
 
-    /// Validity limits that a lane exceeds.
     #[inline(always)]
     fn exceeded_limits(&self, lane: usize, fitted: &Fitted, has_run: bool) -> ExceededLimits {
         let value = inlined!(|number: J| number.lane(lane).re());
@@ -263,7 +260,7 @@ impl<J: Lanes<Lane: Derivatives>> FlownLanes<'_, J> {
     }
 }
 
-/// Seeds all lanes in `direction`; `None` leaves all derivatives 0.
+/// Sets the derivative in `direction` to 1 in all lanes; with `None` all derivatives are 0.
 #[inline(always)]
 fn seeded_in<J: Lanes>(values: J, direction: Option<usize>) -> J {
     let changes_in = inlined!(|k: usize| if direction == Some(k) {

@@ -5,9 +5,9 @@
 //!   points ──chunks──▶ drives, side by side ──in order──▶ sink
 //! ```
 //!
-//! Points are read in chunks of [`CHUNK`] rows, a bounded number of chunks is in flight at a time,
-//! and results are delivered in the order of the points: memory use is independent of the batch
-//! size, and the output is independent of the number of threads.
+//! Points are read in chunks of [`CHUNK`] rows. The number of chunks computed at a time is bounded,
+//! so memory use is independent of the size of the batch. Results are delivered in the order of the
+//! points, so the output is independent of the number of threads.
 //!
 //! ```
 //! use longdrive::batch::{GridAxis, Grid, Run, simulate_batch};

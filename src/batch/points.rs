@@ -3,26 +3,26 @@ use crate::parameters::{Parameter, Vary};
 use crate::repeated::first_repeated;
 use crate::units::Message;
 
-/// Source of a batch's points: rows of parameter values in a reproducible order.
+/// Source of the points of a batch: rows of parameter values, in the same order each time.
 pub trait Points {
     /// Parameters of each row.
     fn parameters(&self) -> &[&'static Parameter];
 
-    /// Ranges of the values. Impossible values are ignored; a parameter whose values are all
-    /// impossible is omitted.
+    /// Range of the values of each parameter. Values that are missing or outside the range of the
+    /// parameter are ignored; a parameter without other values is omitted.
     fn ranges(&self) -> Vec<Vary>;
 
     /// Number of rows.
     fn rows(&self) -> u64;
 
-    /// Moves to a row, from which [`read`](Self::read) continues.
+    /// Moves to `row`, the first row that [`read`](Self::read) then appends.
     ///
     /// # Errors
     /// The errors of the rows before `row`, if this source must read them to reach `row`.
     fn seek(&mut self, row: u64) -> Result<()>;
 
-    /// Appends up to `most` rows to `values`, SI, with a value for each parameter. Returns the
-    /// number of rows, which is 0 only at the end. The caller checks the number of values.
+    /// Appends up to `most` rows to `values`, each with a value for each parameter, SI. Returns the
+    /// number of appended rows: 0 only at the end. The caller checks the number of values.
     ///
     /// # Errors
     /// [`Error::Table`] if the input cannot be read.

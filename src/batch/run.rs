@@ -21,16 +21,16 @@ pub struct Run<'a> {
     /// Number of threads; by default 0: one per processor, or one for a single chunk. At most 256,
     /// and at most the number of chunks.
     pub threads: usize,
-    /// Interrupt flag: once true, no further chunk begins, and the run ends with the chunks in
-    /// flight. Flights of thousands of steps are interrupted too.
+    /// Interrupt flag: once true, no further chunk begins, and the run ends after the chunks that
+    /// have begun. Flights of thousands of steps are interrupted too.
     pub stop: Option<&'a AtomicBool>,
 }
 
 impl Batch {
     /// Computes the drives of all points. The thread that computed a block also calls `work` on the
-    /// block. `sink` receives the results in the order of the points. Returns the number of the row
-    /// after the last delivered row, or `run.first_row` if no row was delivered. Without an
-    /// interruption this is `run.end_row`, but at most the number of points.
+    /// block. `sink` receives the results of `work` in the order of the points. Returns the number
+    /// of the row after the last delivered row, or `run.first_row` if no row was delivered. Without
+    /// an interruption, this is the smaller of `run.end_row` and the number of points.
     ///
     /// # Errors
     /// [`Error::Together`] if `points` does not have the swept parameters in their order, or if
@@ -90,7 +90,6 @@ impl Batch {
         Ok(done)
     }
 
-    /// Checks that the points have the swept parameters, in their order.
     fn check_parameters(&self, of_points: &[&'static Parameter]) -> Result<()> {
         if of_points == self.parameters() {
             return Ok(());
@@ -109,7 +108,6 @@ impl Batch {
         Err(Error::Together { given, reason })
     }
 
-    /// Checks the numbers of rows and values of a chunk.
     fn check_chunk(&self, rows: usize, most: usize, values: usize) -> Result<()> {
         let parameters = self.parameters().len();
         if rows <= most && Some(values) == rows.checked_mul(parameters) {
@@ -127,10 +125,10 @@ impl Batch {
     }
 }
 
-/// Outcomes of the drives at all points, passed to `sink` in order, in blocks of at most [`CHUNK`]
-/// rows. Returns the number of the row after the last delivered row, or `run.first_row` if no row
-/// was delivered. The setup determines method and step of the integration;
-/// [`accuracy`](crate::integration::accuracy()) finds both for a tolerance.
+/// Computes outcomes of the drives at all points, and passes them to `sink` in order, in blocks of
+/// at most [`CHUNK`] rows. Returns the number of the row after the last delivered row, or
+/// `run.first_row` if no row was delivered. The setup determines method and step of the
+/// integration; [`accuracy`](crate::integration::accuracy()) finds both for a tolerance.
 ///
 /// # Errors
 /// Errors of [`Batch::new`] and [`Batch::run`]. A drive without a flight is not an error; its

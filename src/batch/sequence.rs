@@ -3,8 +3,8 @@ use crate::error::{Error, Result};
 use crate::optimize::sobol;
 use crate::parameters::{Parameter, Vary};
 
-/// Scrambled Sobol sequence over ranges of some parameters (Owen 1995; Burley 2020): evenly spread
-/// for any number of points. The scrambling changes after every 65,536 points.
+/// Scrambled Sobol sequence over ranges of some parameters (Owen 1995; Burley 2020). Any number of
+/// its first points are evenly spread. The scrambling changes after every 65,536 points.
 #[derive(Clone, Debug)]
 pub struct Sequence {
     over: Vec<Vary>,
