@@ -10,8 +10,8 @@ use crate::error::Result;
 use crate::number::{Level, MOST_PER_LANE};
 use crate::parameters::Parameter;
 
-/// Division of the parameters, for the chain rule, into parameters that affect the launch and
-/// parameters that affect the flight at fixed launch.
+/// Parameters that affect the launch, and parameters that affect the flight at fixed launch; the
+/// ball's parameters are in both lists.
 #[derive(Clone, Debug)]
 pub(super) struct ParameterSplit {
     /// Indices of the parameters of the launch: club, strike and ball, or a given launch.
@@ -21,8 +21,8 @@ pub(super) struct ParameterSplit {
 }
 
 impl ParameterSplit {
-    /// Divides the parameters. Parameters of the run are included only if an outcome depends on the
-    /// run (`runs`).
+    /// Divides the parameters `wrt`. Parameters that affect only the run are omitted unless `runs`
+    /// is true: an outcome depends on the run.
     pub fn of(wrt: &[&'static Parameter], runs: bool) -> Self {
         let indices = |holds: &dyn Fn(&Parameter) -> bool| {
             (0..wrt.len()).filter(|&index| holds(wrt[index])).collect()
@@ -37,9 +37,9 @@ impl ParameterSplit {
         }
     }
 
-    /// True if the chain rule needs fewer passes of the flight than direct differentiation, or
-    /// passes with fewer directions per lane. For gradients it is also true if the parameters need
-    /// more than one pass.
+    /// True if the chain rule is cheaper than direct differentiation. For Hessians: if the flight
+    /// has fewer variables than there are parameters. For gradients: if the parameters need more
+    /// than one pass, or if the variables of the flight need a pass with fewer directions per lane.
     pub fn is_cheaper(&self, parameters: usize, to_second: bool, level: Level) -> bool {
         let most_variables = COMPONENTS + self.of_flight.len();
         if to_second {
@@ -143,8 +143,8 @@ fn flight_variables(
         .collect()
 }
 
-/// Chain rule: adds the derivatives by the parameters to `taylor`. They follow from the derivatives
-/// by the variables of the flight (`by_variables`) and from the derivatives of the launch.
+/// Chain rule: adds to `taylor` the derivatives by the parameters, computed from the derivatives by
+/// the variables of the flight (`by_variables`) and the derivatives of the `launch`.
 fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[usize], launch: &[Taylor]) {
     let parameters = taylor.gradient.len();
     let component = |variable: usize| {
@@ -157,7 +157,7 @@ fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[usize], launch
             .zip(terms)
             .for_each(|(sum, term)| *sum += factor * term);
     };
-    // adds factor · d variable/d parameters
+    // adds `factor` times the derivative of `variable` by each parameter
     let add_change = |sums: &mut [f64], factor: f64, variable: usize| match component(variable) {
         Some(component) => add(sums, factor, &component.gradient),
         None => sums[variable] += factor,

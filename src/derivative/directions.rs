@@ -4,7 +4,8 @@ use crate::number::{Lanes, Level, MOST_PER_LANE, Mask, inlined};
 /// directions.
 #[derive(Clone, Copy)]
 pub(super) struct Directions<'a> {
-    /// Indices in order. Each lane takes as many variables as its number type has directions.
+    /// Indices of the variables. Each lane takes the next of them, as many as its number type has
+    /// directions.
     pub variables: &'a [usize],
     /// True if the directions are pairs, one pair per lane, for a mixed second derivative.
     pub are_pairs: bool,
@@ -20,8 +21,8 @@ pub(super) enum Entries {
     Last,
 }
 
-/// Variables of the requested entries in the lower triangle of a Hessian: two variables for each
-/// entry, in the order of the entries.
+/// Pairs of variables of the requested entries in the lower triangle of a Hessian: two elements of
+/// the result for each entry.
 pub(super) fn pairs(variables: &[usize], entries: Entries) -> Vec<usize> {
     let row = |i: usize| {
         variables[..=i]
@@ -63,9 +64,9 @@ impl Directions<'_> {
         self.variables.len().div_ceil(per_lane).max(1)
     }
 
-    /// Calls `put` with each variable and a number of type `J`: its value, with the derivative 1 in
-    /// the lanes and directions of the variable. A variable of several pairs is passed several
-    /// times.
+    /// Calls `put` with each variable and its seeded number: the variable's value, with the
+    /// derivative 1 in the variable's lanes and directions. A variable of several pairs is passed
+    /// several times.
     #[inline(always)]
     pub fn seeded<J: Lanes>(
         &self,

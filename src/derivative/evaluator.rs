@@ -19,8 +19,8 @@ pub enum Order {
     Second,
 }
 
-/// Evaluates outcomes and their derivatives by parameters of one setup, at changing values of these
-/// parameters. Arguments are checked once, at construction.
+/// Evaluates outcomes of one setup, and their derivatives by some parameters, at any values of
+/// these parameters. Setup, outcomes and parameters are checked once, at construction.
 ///
 /// ```
 /// use longdrive::derivative::{Evaluator, Order};
@@ -104,12 +104,12 @@ impl Evaluator {
         }
     }
 
-    /// Limits the second derivatives to these entries of the Hessians.
+    /// Computes only these entries of the Hessians; the others are 0.
     pub(super) fn with_entries(self, entries: Entries) -> Self {
         Self { entries, ..self }
     }
 
-    /// Limits evaluation to this instruction level.
+    /// Sets the instruction level; a level above AVX2 becomes AVX2.
     pub(crate) fn at_level(self, level: Level) -> Self {
         Self {
             level: level.of_one_drive(),
@@ -181,8 +181,8 @@ impl Evaluator {
         self.unchecked(self.setup, &values, self.order, stop, progress)
     }
 
-    /// Evaluates without a check of the parameters. The step is halved until the defect of the
-    /// integration is accepted.
+    /// Evaluates without checking the values of the parameters. The step is halved until the defect
+    /// of the integration is accepted.
     fn unchecked(
         &self,
         mut setup: Setup<f64>,

@@ -24,9 +24,9 @@ pub(super) struct EvaluationPoint<'a> {
     pub wrt: &'a [&'static Parameter],
     /// Values of the parameters.
     pub x: &'a [f64],
-    /// Number of parameters to differentiate by: all of `wrt`, or 0 if only values are computed.
+    /// Number of parameters of differentiation: all of `wrt`, or 0 if only values are computed.
     pub columns: usize,
-    /// Computed entries of the Hessians; `None` without second derivatives.
+    /// Entries of the Hessians to compute; `None` without second derivatives.
     pub entries: Option<Entries>,
     /// True if an outcome belongs to the flight.
     pub flies: bool,
@@ -92,7 +92,8 @@ impl EvaluationPoint<'_> {
         Ok(())
     }
 
-    /// Error of a pass without a valid impact.
+    /// The error of [`strike`] for an impact that is not valid in the lanes. If `strike` finds the
+    /// impact valid, rounding decided: the strike is on the limit.
     fn impact_error(&self) -> Error {
         strike(self.setup)
             .err()
@@ -223,7 +224,6 @@ impl Pass<'_> {
         }
     }
 
-    /// Writes the derivatives of the outcomes of this stage.
     #[inline(always)]
     fn put_outcomes<J: Lanes<Lane: Derivatives>>(
         &mut self,
@@ -257,7 +257,6 @@ impl Pass<'_> {
         }
     }
 
-    /// Seeds the variables of this pass in the setup and in the components of the launch.
     #[inline(always)]
     fn seed<J: Lanes>(
         &self,

@@ -30,7 +30,8 @@ pub(super) struct DifferenceQuotient {
     pub rounding: f64,
 }
 
-/// Highest order of the remaining error term; it limits the number of differences combined.
+/// An extrapolation combines at most as many differences as reduce its error to O(h⁸): four central
+/// or eight one-sided differences.
 const MOST_POWER: u8 = 8;
 
 /// Derivative from differences.
@@ -42,9 +43,10 @@ pub struct DerivativeEstimate {
     pub uncertainty: f64,
 }
 
-/// The best estimate over all sequences of consecutive differences, from small steps to large
-/// steps. The search ends when an estimate is as accurate as `enough`, or when two estimates differ
-/// by more than twice the sum of their uncertainties.
+/// The extrapolation of consecutive differences with the smallest uncertainty. The search goes from
+/// small steps to large steps. It ends when the uncertainty is at most `enough`, or when an
+/// estimate differs from the best one by more than twice the sum of both uncertainties. `None` if
+/// no two consecutive differences exist.
 pub(super) fn estimate(
     differences: &[Option<DifferenceQuotient>],
     side: Side,
@@ -76,8 +78,8 @@ pub(super) fn estimate(
     best
 }
 
-/// Extrapolates `differences` to step 0. The estimate of the truncation error is the change of the
-/// result if one difference is omitted.
+/// Extrapolates `differences` to step 0. The truncation error is estimated by the larger change of
+/// the result if the first or the last difference is omitted.
 fn extrapolated(differences: &[DifferenceQuotient], side: Side) -> DerivativeEstimate {
     let all = at_zero(differences, side);
     let but_one = [&differences[1..], &differences[..differences.len() - 1]];
@@ -91,8 +93,8 @@ fn extrapolated(differences: &[DifferenceQuotient], side: Side) -> DerivativeEst
     }
 }
 
-/// Value at 0 of Lagrange's polynomial in hᵖ through the differences, and the propagated rounding
-/// error.
+/// Value at h = 0 of Lagrange's polynomial in hᵖ through the differences. The uncertainty is the
+/// propagated rounding error.
 fn at_zero(differences: &[DifferenceQuotient], side: Side) -> DerivativeEstimate {
     let power = |step: f64| step.powi(side.power().into());
     let mut found = DerivativeEstimate {

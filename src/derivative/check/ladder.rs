@@ -8,13 +8,13 @@ pub const STEPS: std::ops::RangeInclusive<i32> = 2..=26;
 /// rounding.
 pub const FEW_STEPS: [i32; 12] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 19, 20, 21];
 
-/// Smallest step used in an extrapolation, relative to the scale. Smaller features of a function (a
-/// kink rounded off within a millionth) are not resolved.
+/// Smallest step used in an extrapolation, relative to the scale. Features of a function within a
+/// smaller interval, such as a rounded kink, are not resolved.
 pub(super) const LEAST_STEP: f64 = 1e-6;
 
-/// Smallest assumed size of a function, relative to the terms from which it is computed. For a
-/// smaller size, the largest tolerance of [`Demand::FIRST`](super::Demand::FIRST) would be below
-/// rounding.
+/// Smallest assumed size of a function, relative to the terms from which the function is computed.
+/// With a smaller size, the largest tolerance of [`Demand::FIRST`](super::Demand::FIRST) would be
+/// below the rounding error.
 const LEAST_LEFT: f64 = 1e-5;
 
 /// Range of steps, relative to the scale, at which second differences are pure rounding.
@@ -41,8 +41,8 @@ pub struct Ladder {
     pub centre: f64,
     /// Assumed size of f: |f(x)| or more.
     pub size: f64,
-    /// Size of the terms from which f is computed, which determines its rounding error: at least
-    /// [`size`](Self::size).
+    /// Size of the terms from which f is computed, at least [`size`](Self::size). It determines the
+    /// rounding error of f.
     pub rounded: f64,
     /// Samples, the largest step first.
     pub rungs: Vec<Rung>,
@@ -97,9 +97,9 @@ impl Ladder {
         .with_rounding_size(size)
     }
 
-    /// Raises the size that determines the rounding to at least `size`, for a function that is a
-    /// small difference of numbers of this size (for example spins that cancel). The assumed size
-    /// of the function becomes at least 1e-5 `size`.
+    /// Raises the size that determines the rounding to at least `size`: the size of numbers whose
+    /// small difference is the function (for example spins that cancel). The assumed size of the
+    /// function becomes at least 1e-5 `size`.
     #[must_use]
     pub fn with_rounding_size(self, size: f64) -> Self {
         Self {
@@ -145,8 +145,9 @@ impl Ladder {
         }
     }
 
-    /// Derivative on a side, extrapolated to step 0. Small steps are preferred if they reach the
-    /// uncertainty `enough`. `None` if there are too few values.
+    /// Derivative from the differences on `side`, extrapolated to step 0. Larger steps are used
+    /// only if small steps do not reach the uncertainty `enough`. `None` if there are too few
+    /// values.
     pub fn slope(&self, side: Side, enough: f64) -> Option<DerivativeEstimate> {
         let is_wide = |rung: &&Rung| rung.step >= 0.999 * LEAST_STEP * self.scale;
         let rounding = self.rounding();
@@ -156,8 +157,8 @@ impl Ladder {
                 .into_iter()
                 .flatten()
                 .fold(0.0_f64, |most, value| most.max(value.abs()));
-            // both differences have the rounding of two values: the central difference divides it
-            // by two steps, a one-sided difference by one step
+            // the rounding error of two values, divided by 2h in a central difference, by h in a
+            // one-sided difference
             let share = if side == Side::Both { 1.0 } else { 2.0 };
             Some(DifferenceQuotient {
                 step: rung.step,

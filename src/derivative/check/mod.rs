@@ -1,11 +1,11 @@
 //! Verification of exact derivatives by finite differences, for any function.
 //!
-//! The values at x ± h, with h from 1e-1 to 1e-13 of the variable's scale, give three checks:
+//! Three checks use the values at x ± h, with h from 1e-1 to 1e-13 of the variable's scale:
 //!
-//! - the **V-curve** of central differences: their error falls as h² with smaller steps, until
-//!   rounding over h dominates;
-//! - the **verdict**: comparison with differences extrapolated to step 0, with their error estimate
-//!   as tolerance;
+//! - the **V-curve** of central differences: with smaller steps their error falls as h², until the
+//!   rounding error, which rises as 1/h, dominates;
+//! - the **verdict**: the derivative is compared with differences extrapolated to step 0; the
+//!   tolerance is a multiple of their error estimate;
 //! - **Taylor remainders**: with exact gradient and Hessian they fall as h, h², h³.
 //!
 //! ```

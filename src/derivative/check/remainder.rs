@@ -4,7 +4,7 @@ use super::{Ladder, Rung};
 /// Smallest ratio of a usable remainder to the rounding of the function.
 const ABOVE_ROUNDING: f64 = 100.0;
 
-/// A fit uses this number of the smallest usable steps, which span two decades.
+/// Number of steps in a fit: the smallest usable steps, over two decades.
 const FITTED: usize = 5;
 
 /// Orders of the Taylor remainders |f(x+h) − f|, |f(x+h) − f − h f′| and |f(x+h) − f − h f′ − ½ h²
@@ -18,8 +18,8 @@ pub fn taylor_slopes(ladder: &Ladder, first: f64, second: f64) -> [Option<f64>; 
     ]
 }
 
-/// Order of the remainder of a polynomial over the smallest steps at which it exceeds rounding: the
-/// steeper of both sides.
+/// Order of the remainder f(x + h) − f(x) − `polynomial`(h), fitted over the smallest steps at
+/// which the remainder exceeds rounding; the higher order of the two sides.
 fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
     let (size, rounding) = (ladder.scale, ladder.rounding());
     let to_a_side = |sign: f64| {
@@ -44,7 +44,7 @@ fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
         points.reverse();
         (points.len() == FITTED).then(|| line_slope(&points))
     };
-    // the steeper side: terms of the remainder that cancel on one side add on the other side
+    // the higher order: terms of the remainder that cancel on one side add on the other side
     [1.0, -1.0]
         .into_iter()
         .filter_map(to_a_side)

@@ -34,8 +34,8 @@ impl Verdict {
 /// are rough: a few of ten thousand correct derivatives deviate by more than four estimates.
 pub const TOLERANCE_FACTOR: f64 = 5.0;
 
-/// Threshold for negligible derivatives: such a derivative changes the function by less than this
-/// fraction of its size if the variable changes by its whole scale.
+/// A derivative is negligible if a change of the variable by its scale changes the function by less
+/// than this fraction of the function's size.
 pub const NEGLIGIBLE: f64 = 1e-2;
 
 /// Required accuracy of differences.
@@ -45,8 +45,8 @@ pub struct Demand {
     /// is larger. Jumps of higher derivatives, for example where the number of steps of a flight
     /// changes, disturb differences by more than the error estimate.
     pub least_tolerance: f64,
-    /// Largest tolerance with which a derivative can pass, relative to the same size; `None` if
-    /// there is no limit.
+    /// Largest tolerance with which a derivative can pass, relative to the derivative or to
+    /// [`Ladder::negligible_size`], whichever is larger; `None` for no limit.
     pub largest_tolerance: Option<f64>,
 }
 
@@ -177,7 +177,7 @@ impl Ladder {
                 .largest_tolerance
                 .is_none_or(|largest| tolerance <= largest * size)
         };
-        // one-sided differences apply where the derivative itself has a kink
+        // one-sided differences resolve a derivative that has a kink at this point
         let estimates = [Side::Both, Side::Above, Side::Below]
             .map(|side| self.slope(side, least / TOLERANCE_FACTOR));
         let estimates = || estimates.iter().flatten().copied();
@@ -205,8 +205,8 @@ impl Ladder {
     }
 
     /// Like [`judge`](Self::judge), for a function with a known kink at this point. At the end of
-    /// the variable's range only one of the two one-sided derivatives can be computed. The exact
-    /// derivative may then differ from it, so the verdict is `Corner` in place of `Fail`.
+    /// the variable's range, only one of the two one-sided derivatives can be computed, and the
+    /// exact derivative need not equal it. The verdict is then `Corner` instead of `Fail`.
     pub fn judge_on_a_corner(&self, exact: f64, demand: Demand) -> Check {
         let check = self.judge(exact, demand);
         let sides =
