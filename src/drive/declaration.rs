@@ -24,8 +24,8 @@ pub(super) struct Declaration {
     pub instrument: Option<Instrument>,
 }
 
-/// Part of a drive that the formula of an outcome reads. If the formula reads several parts, this
-/// is the part that is computed last. It determines the order of convergence of the outcome.
+/// Part of a drive that the formula of an outcome reads: the part that is computed last, if the
+/// formula reads several. It determines the order of convergence of the outcome.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ComputedFrom {
     /// The launch.
@@ -34,8 +34,8 @@ pub(crate) enum ComputedFrom {
     Landing,
     /// Velocity at landing.
     LandingVelocity,
-    /// Height of the apex. The height is a maximum: an error of the time of the apex does not
-    /// change the height to first order.
+    /// Height of the apex. An error of the apex time does not change the height to first order,
+    /// because the height is a maximum.
     ApexHeight,
     /// Time of the apex, or its position along the ground.
     ApexTime,
@@ -89,13 +89,13 @@ pub(crate) enum Sign {
 pub struct Instrument {
     /// Standard uncertainty of the outcome, with unit: `0.3 deg`.
     pub sigma: &'static str,
-    /// Source, or "assumed" with the reasoning if no source was found. Braces enclose lengths and
-    /// speeds, which are printed in the user's units.
+    /// Source, or "assumed: …" with the reasoning if no source was found. Lengths and speeds in
+    /// braces are printed in the user's units.
     pub(super) source: &'static str,
-    /// Plausible values of a drive, in the display unit of the outcome. A measured value outside of
-    /// them is treated as an error in the table, such as a wrong unit. `None` if any value is
-    /// accepted. The lower end is excluded where launch monitors export 0 for a value that was not
-    /// measured.
+    /// Plausible values of a drive, in the display unit of the outcome; `None` if any value is
+    /// accepted. A measured value outside this range counts as an error in the table, such as a
+    /// wrong unit. The lower end is excluded where launch monitors export 0 for a value that they
+    /// did not measure.
     pub(crate) plausible: Option<Range>,
     /// Column heads of exports, in lower case, without punctuation.
     pub(crate) column_heads: &'static [&'static str],
@@ -116,7 +116,7 @@ impl Instrument {
     }
 }
 
-/// Parses a length or a speed.
+/// Quantity, unit and SI value of a length or a speed as text; `None` for other texts.
 fn quantity(text: &str) -> Option<(Quantity, &'static str, f64)> {
     let kinds = [(Quantity::LENGTH, "yd"), (Quantity::SPEED, "mph")];
     kinds

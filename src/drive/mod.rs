@@ -43,10 +43,10 @@ pub struct Drive<T> {
 }
 
 impl<T: Number> Drive<T> {
-    /// Computes the drive of a setup: values over `f64`, exact derivatives over dual numbers.
-    /// Parameters are not checked against their ranges here ([`Setup::validate`] does this), except
-    /// the step: with an invalid step a flight might never end. The setup determines method and
-    /// step of the integration; [`StepChoice`](crate::integration::StepChoice) chooses them for an error
+    /// Computes the drive of a setup: values over `f64`, exact derivatives over dual numbers. Only
+    /// the step is checked here, because with an invalid step a flight might never end;
+    /// [`Setup::validate`] checks all parameters. The setup determines method and step of the
+    /// integration; [`StepChoice`](crate::integration::StepChoice) chooses them for an error
     /// tolerance.
     ///
     /// ```
@@ -110,7 +110,7 @@ impl<T: Number> Drive<T> {
 }
 
 /// Calls `compute`. After [`Error::Diverged`], halves the step in `setup` and calls `compute`
-/// again, at most [`MAX_HALVINGS`] times. An infinite `largest_defect` keeps the step.
+/// again, at most [`MAX_HALVINGS`] times. If `largest_defect` is infinite, the step is kept.
 ///
 /// # Errors
 /// The errors of `compute`.
@@ -135,8 +135,8 @@ pub(crate) fn with_accepted_step<R>(
     }
 }
 
-/// Checks the defect of a flight; `step`, s, is only for the message. `value` extracts the value of
-/// a number.
+/// Checks the defect of a flight. `value` extracts the value of a number. `step`, s, is only for
+/// the message.
 ///
 /// # Errors
 /// [`Error::Diverged`] for a defect larger than `largest_defect`, m.
@@ -157,7 +157,7 @@ pub(crate) fn check_defect<T: Copy>(
     Ok(())
 }
 
-/// Spins below this, rad/s, count as zero spin, where |ω| has a corner. The limit is some hundreds
+/// Spin, rad/s, below which a launch counts as being at the corner of |ω|, zero spin: some hundreds
 /// of times the rounding error of |ω|.
 const SPIN_CORNER: f64 = 1e-3;
 
@@ -199,8 +199,8 @@ impl Drive<f64> {
         self.launch.total_spin() < SPIN_CORNER
     }
 
-    /// Corners of the model at this drive, where the one-sided derivatives differ: zero spin, and
-    /// the limit between sticking and slipping.
+    /// A text for each corner of the model at this drive. At a corner the one-sided derivatives
+    /// differ. The corners are zero spin, and the limit between sticking and slipping.
     pub fn corners(&self, setup: &Setup<f64>) -> Vec<String> {
         let mut corners = Vec::new();
         let spin = self.launch.total_spin();

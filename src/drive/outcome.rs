@@ -63,8 +63,7 @@ impl Outcome {
         self.declaration().sign
     }
 
-    /// Data on the measurement of the outcome by launch monitors; `None` for an outcome of the
-    /// head.
+    /// How launch monitors measure the outcome; `None` for an outcome of the head.
     pub fn instrument(self) -> Option<&'static Instrument> {
         self.declaration().instrument.as_ref()
     }
@@ -97,7 +96,7 @@ impl Outcome {
         self.computed_from().group()
     }
 
-    /// Outcomes of the launch, of the flight, or of the head.
+    /// All outcomes of a group.
     pub fn in_group(group: OutcomeGroup) -> impl Iterator<Item = Self> + Clone {
         Self::EVERY
             .iter()
@@ -118,13 +117,13 @@ impl Outcome {
         self.computed_from() == ComputedFrom::Rest
     }
 
-    /// True for a distance to the right of the target line. Such a distance depends on launch
-    /// direction and spin axis.
+    /// True for a distance to the right of the target line, which depends on launch direction and
+    /// spin axis.
     pub(crate) fn is_lateral(self) -> bool {
         self.sign() == Sign::Right && self.group() == OutcomeGroup::Flight
     }
 
-    /// Reason for a value that is not finite.
+    /// Reason why a value of this outcome is not finite, for a message.
     pub(crate) fn why_undefined(self) -> &'static str {
         if self.needs_run() {
             return "the ball does not come to rest: the landing area is too steep (ground.slope, \
@@ -223,7 +222,7 @@ impl Outcome {
         }
     }
 
-    /// The change from one value to another. A direction changes by less than half a turn.
+    /// The change `to` − `from` of the outcome. The change of a direction is at most half a turn.
     pub fn change(self, from: f64, to: f64) -> f64 {
         self.unwrap_angle(to, from) - from
     }
@@ -281,7 +280,7 @@ mod tests {
     use crate::parameters::Setup;
     use crate::units::System;
 
-    /// Outcomes whose value is missing after `without` has removed a part of the drive.
+    /// Outcomes that have no value after `without` has removed a part of a drive.
     fn lost(without: impl Fn(&mut Drive<f64>, &mut Landed<f64>)) -> Vec<Outcome> {
         let mut drive = Drive::new(&Setup::default()).unwrap();
         let mut landed = *drive.landed().unwrap();

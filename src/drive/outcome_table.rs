@@ -1,4 +1,4 @@
-//! The table of outcomes: every outcome is declared here, with its formula and the facts about it.
+//! The table of outcomes: the formula and the declaration of every outcome.
 
 use super::declaration::{ComputedFrom, Declaration, Instrument, Sign};
 use crate::flight::Landed;
@@ -17,8 +17,8 @@ pub(crate) struct OutcomeInputs<'a, T, Read> {
     pub landed: Option<&'a Landed<T>>,
     /// The head, if there is a club and if an outcome of the head is requested.
     pub head: Option<&'a Head<T>>,
-    /// Converts a number, for example to its value in one lane. An outcome converts only the parts
-    /// of the drive (launch, landing, head) that its formula reads.
+    /// Converts a number, for example to its value in one lane. It is applied only to the parts of
+    /// the drive (launch, landing, head) that the formula of an outcome reads.
     pub read: Read,
 }
 
@@ -44,10 +44,9 @@ impl<T: Numbers, U, Read: Fn(T) -> U + Copy> OutcomeInputs<'_, T, Read> {
     }
 }
 
-/// Uncertainty of ball speed: two radar units agree to about ±0.5 %
-/// (golflaunchlab.com/guides/golf-launch-monitor-accuracy, read in a stored copy; the guide names
-/// no test), 0.8 mph of 165 mph. Neither a maker's data sheet nor the numbers of Leach, Forrester,
-/// Mears & Roberts (Measurement 112, 2017, 125–136) could be read.
+/// Uncertainty of ball speed, from golflaunchlab.com/guides/golf-launch-monitor-accuracy (read in a
+/// stored copy). Two better sources could not be read: a maker's data sheet, and the numbers of
+/// Leach, Forrester, Mears & Roberts (Measurement 112, 2017, 125–136).
 const AGREE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide that names \
                      no test): {0.8 mph} of {165 mph}, rounded up";
 /// Uncertainty of launch angles: no source was found.
@@ -57,7 +56,7 @@ const OF_SPIN: &str = "assumed: 4 % of a driver's 2500 rpm";
 /// Uncertainty of distances: the difference between launch monitors for the same launch.
 const APART: &str = "for the same launch, launch monitors predict carries within about {3 yd} of each other (docs/sources.md)";
 /// Uncertainty of totals: the differences between two monitors on the same shots (Bliss & Langdown
-/// 2026). Their ground models differ.
+/// 2026). The ground models of the monitors differ.
 const RUNS: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one standard \
                     deviation): {8 yd} each, docs/sources.md";
 /// Uncertainty of apex height and descent angle: published averages are rounded to whole yards and

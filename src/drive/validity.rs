@@ -10,12 +10,12 @@ use crate::parameters::{Law, Setup};
 use crate::units::{Digits, Message, Quantity, YARD, counted_of};
 use std::sync::atomic::AtomicBool;
 
-/// Smallest change of the carry, m, that causes a warning: 0.3 yd. The change is the effect of a
-/// variable outside the range of the law, or of the temperature of the ball.
+/// Smallest change of the carry, m, that causes a warning: 0.3 yd. It applies to the effect of a
+/// variable outside the range of the law, and to the effect of the ball's temperature.
 pub(super) const LEAST_WARNED_CHANGE: f64 = 0.3 * YARD;
 
-/// Smallest share of the flight time outside the range of a law that causes a warning. It applies
-/// to a variable that the law itself clamps to the range.
+/// Smallest share of the flight time outside the range of a law that causes a warning, for a
+/// variable that the law itself clamps to the range.
 pub(super) const LEAST_WARNED_SHARE: f64 = 0.01;
 
 /// Width and height of the largest conforming head, m: 5 in from heel to toe, 2.8 in from sole to
@@ -41,9 +41,9 @@ pub(crate) fn any_face() -> String {
     )
 }
 
-/// Angle between the path of a landing ball and the ground, rad. `None` if bounces at such an angle
-/// were measured, or if the ball does not bounce or does not come to rest. `slopes` are the slopes
-/// of the ground downrange and to the right, rad.
+/// Angle between the path of a landing ball and the ground, rad, if it is below
+/// [`FLATTEST_MEASURED`]. `None` for a steeper landing, and for a ball that does not bounce or does
+/// not come to rest. `slopes` are the slopes of the ground downrange and to the right, rad.
 pub(crate) fn flat_landing_angle<T: Number>(slopes: [f64; 2], landed: &Landed<T>) -> Option<f64> {
     landed
         .rest
@@ -68,8 +68,8 @@ pub(super) fn with_flat_landing_warning(before: Message) -> Message {
         )
 }
 
-/// A field for each validity limit of the model: true if a drive exceeds the limit, or the share of
-/// drives, from 0 to 1, that exceed it.
+/// A field for each validity limit of the model. Over `bool`: true if a drive exceeds the limit.
+/// Over `f64`: the share of drives, from 0 to 1, that exceed the limit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExceededLimits<T = bool> {
     /// Spin ratio, spin, Reynolds number or airspeed outside the ranges that the law was fitted to.
@@ -81,7 +81,7 @@ pub struct ExceededLimits<T = bool> {
     pub flat: T,
 }
 
-/// Part of a drive in which the ranges of the law are checked.
+/// Part of a drive in which the variables of the law are compared with its fitted ranges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CheckScope {
     /// The launch only: cheap enough for every drive of a batch.
@@ -104,7 +104,7 @@ impl Drive<f64> {
     }
 
     /// Like [`exceeded_limits`](Self::exceeded_limits). Once `stop` is true, the check of the
-    /// flight ends, and the limits of the law count as kept.
+    /// flight ends, and the ranges of the law count as not exceeded.
     fn exceeded_limits_until(
         &self,
         setup: &Setup<f64>,
@@ -255,7 +255,6 @@ impl ExceededLimits<Option<String>> {
     }
 }
 
-/// Warning about drives outside the ranges of the law.
 fn law_range_warning(subject: &str, law: &Law<f64>, scope: CheckScope) -> Message {
     let fitted = law.properties().fitted;
     let how = fitted.continuation(fitted.exceeded_ends([[f64::NEG_INFINITY, f64::INFINITY]; 4]));
@@ -276,9 +275,9 @@ fn law_range_warning(subject: &str, law: &Law<f64>, scope: CheckScope) -> Messag
         .words(format!("; {}), where it is {how}{rest}", fitted.to))
 }
 
-/// The part of the flights that is outside of the ranges, for [`law_range_warning`]; `how` is
-/// [`Fitted::continuation`](crate::aerodynamics::Fitted::continuation). The criteria are those of
-/// [`Drive::extrapolated`].
+/// The criteria of [`Drive::extrapolated`] for a flight outside of the ranges, as words for
+/// [`law_range_warning`]. `how` is
+/// [`Fitted::continuation`](crate::aerodynamics::Fitted::continuation).
 fn share_outside(how: &str) -> Message {
     let time = format!(
         "at least {:.0} % of the flight time",

@@ -19,13 +19,13 @@ pub(super) struct Extrapolated {
     /// Index of the variable in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
     variable: usize,
     flown: FlownRange,
-    /// Change of the carry, m, by holding the variable within the range. `None` if the law itself
-    /// holds the variable, or if the ball does not land in one of the two flights.
+    /// Change of the carry, m, if the variable is held within the range. `None` if the law itself
+    /// holds the variable, or if the ball does not land with or without holding.
     change: Option<f64>,
 }
 
-/// Published changes of a driver's carry by the temperature of air and ball, m per 10 °F: 1.3 to
-/// 2 yd (docs/limitations.md).
+/// Published range of the change of a driver's carry, m per 10 °F of air and ball: 1.3 to 2 yd
+/// (docs/limitations.md).
 const PUBLISHED_PER_TEN_DEGREES: [f64; 2] = [1.3 * YARD, 2.0 * YARD];
 
 /// 10 °F, K.
@@ -34,7 +34,7 @@ const TEN_DEGREES: f64 = 10.0 / 1.8;
 /// Temperature of the balls whose restitution was measured, K: 25 °C.
 const BALL_TEMPERATURE: f64 = 298.15;
 
-/// Largest shift of the landing, m, from a halving of the step that causes no warning.
+/// Shift of the landing by half the step, m, above which the step is too long: it causes a warning.
 const LARGEST_SHIFT: f64 = 1e-3;
 
 /// The fitted range of a quantity of the law, and its range in the flight.
@@ -71,9 +71,9 @@ impl Drive<f64> {
     /// - a strike outside the largest face that the Rules of Golf allow;
     /// - a flight outside the ranges of the law;
     /// - a step so long that the landing depends on it;
-    /// - a temperature that would also change the ball.
+    /// - a temperature at which the real ball has another restitution.
     ///
-    /// The flight is computed again, so a search requests the warnings for its result only.
+    /// The warnings need further flights, so a search requests them for its result only.
     pub fn warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
         self.warnings_about(setup, &[])
     }
@@ -121,7 +121,6 @@ impl Drive<f64> {
         ))
     }
 
-    /// Warning about a step so long that half the step shifts the landing.
     fn long_step_warning(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Message> {
         let landed = self.landed().ok()?;
         let mut finer = *setup;
@@ -141,7 +140,7 @@ impl Drive<f64> {
         })
     }
 
-    /// The landing of this drive's launch in another setup; `None` without a landing.
+    /// The landing of this drive's launch, flown with `setup`; `None` without a landing.
     fn landed_with(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Landed<f64>> {
         setup.flight.check_steps().ok()?;
         match Inputs::new(setup, &self.launch, false).fly(Some(stop), None) {
@@ -150,8 +149,8 @@ impl Drive<f64> {
         }
     }
 
-    /// Warning about a stated temperature: it changes the air only, and the ball keeps its
-    /// restitution at 25 °C.
+    /// Warning that a stated temperature changes the air only: the ball keeps its restitution at 25
+    /// °C.
     fn ball_temperature_warning(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Message> {
         let temperature = setup.air.temperature?;
         let [least, most] = PUBLISHED_PER_TEN_DEGREES;
@@ -182,7 +181,6 @@ impl Drive<f64> {
         Some(yards(message, most).words(" by published rules for air and ball together"))
     }
 
-    /// Warning about a strike outside the face of any conforming head.
     fn off_face_warning(&self, setup: &Setup<f64>) -> Option<String> {
         self.impact.as_ref()?;
         let show = |value: f64| Quantity::LENGTH.show(value, "mm");
@@ -198,8 +196,8 @@ impl Drive<f64> {
         })
     }
 
-    /// The largest change of the carry, m, if a variable outside the range of the law is held at
-    /// the end of that range; `None` if no variable changes the carry by more than 0.3 yd.
+    /// The largest change of the carry, m, if one of the variables outside the ranges of the law is
+    /// held at the end of its range; `None` if no variable changes the carry by more than 0.3 yd.
     pub fn extrapolated_carry(&self, setup: &Setup<f64>) -> Option<f64> {
         let changes = self
             .extrapolated(setup, &AtomicBool::new(false))
@@ -209,9 +207,9 @@ impl Drive<f64> {
             .max_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
 
-    /// The variables outside the ranges of the law that change the carry by more than 0.3 yd. For a
-    /// variable that the law itself holds, the share of the flight time outside the range counts
-    /// instead ([`LEAST_WARNED_SHARE`]).
+    /// The variables outside the ranges of the law that change the carry by more than 0.3 yd. A
+    /// variable that the law itself holds is included by its share of the flight time outside the
+    /// range ([`LEAST_WARNED_SHARE`]).
     pub(super) fn extrapolated(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<Extrapolated> {
         let fitted = setup.law.properties().fitted;
         let ranges = fitted.ranges().map(|fitted| fitted.range);
