@@ -1,5 +1,5 @@
-//! The effect of a law outside the range that it was fitted to: the flight with one variable of the
-//! law held at the ends of its range.
+//! The effect of a law outside the ranges that it was fitted to, found from the flight with one
+//! variable of the law held within its range.
 
 use super::inputs::Inputs;
 use super::motion::StepNode;
@@ -9,11 +9,9 @@ use crate::launch::Launch;
 use crate::parameters::{Law, Setup};
 use std::sync::atomic::AtomicBool;
 
-/// Index of the spin ratio in [`Stream::variables`].
+/// Indices in [`Stream::variables`].
 const SPIN_RATIO: usize = 0;
-/// Index of the spin.
 const SPIN: usize = 1;
-/// Index of the Reynolds number.
 const REYNOLDS: usize = 2;
 
 /// A law with one variable held within a range.
@@ -72,8 +70,8 @@ pub(crate) fn stays_within(
     let holds = |node: &StepNode<f64>| {
         let speed = node.rate.speed;
         let stream = Stream::new(node.spin, speed, inputs.radius, inputs.reynolds_per_speed);
-        // with the acceleration a, v″ ≤ a²/v for the airspeed v: within half a step h from its
-        // minimum, v rises by at most (h a)²/(8 v); the margin is twice this
+        // the airspeed v has v″ ≤ a²/v with the acceleration a: within half a step h from a
+        // minimum, v rises by at most (h a)²/(8 v); the margin is twice this, relative to v
         let margin = (h * node.rate.acceleration.norm() / speed).powi(2) * 0.25;
         let is_within = |(value, range): (f64, Option<[f64; 2]>)| {
             range.is_none_or(|[low, high]| {
@@ -90,9 +88,9 @@ pub(crate) fn stays_within(
     stays && flight.is_ok()
 }
 
-/// The flow `stream` with `variable` moved to the nearer end of the range. Spin ratio and spin move
-/// together, at constant airspeed and Reynolds number. The Reynolds number moves alone. The
-/// airspeed moves at constant spin ratio and Reynolds number.
+/// The flow `stream` with `variable` clamped to the range. Airspeed and Reynolds number are
+/// constant if spin or spin ratio is clamped. All other variables are constant if the Reynolds
+/// number is clamped. Spin ratio and Reynolds number are constant if the airspeed is clamped.
 fn hold(stream: Stream<f64>, variable: usize, [low, high]: [f64; 2]) -> Stream<f64> {
     let mut held = stream;
     match variable {
@@ -101,7 +99,7 @@ fn hold(stream: Stream<f64>, variable: usize, [low, high]: [f64; 2]) -> Stream<f
         }
         SPIN => held.spin = stream.spin.clamp(low, high),
         REYNOLDS => held.reynolds_per_speed = stream.reynolds().clamp(low, high) / stream.speed,
-        // the airspeed, at constant spin ratio and Reynolds number
+        // the airspeed
         _ => {
             let speed = stream.speed.clamp(low, high);
             held = Stream::new(

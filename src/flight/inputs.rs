@@ -6,8 +6,8 @@ use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Law, Method, Setup};
 use std::f64::consts::PI;
 
-/// Everything a flight depends on (docs/model.md, eqs. 12–15). The impact enters only through the
-/// launch velocity, the spin and its axis. `L` is the law of drag and lift.
+/// Everything that a flight depends on (docs/model.md, eqs. 12–15). Of the impact, only the
+/// velocity, the spin and the spin axis at launch matter. `L` is the law of drag and lift.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Inputs<T, L = Law<T>> {
     /// Velocity at launch, m/s.
@@ -31,7 +31,7 @@ pub(crate) struct Inputs<T, L = Law<T>> {
     pub damping: Option<T>,
     /// Velocity of the air.
     pub wind: WindField<T>,
-    /// Height of the landing area, m.
+    /// Height of the landing area above the tee, m.
     pub ground: T,
     /// Law of drag and lift.
     pub law: L,
@@ -46,8 +46,8 @@ pub(crate) struct Inputs<T, L = Law<T>> {
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// The inputs of a flight from this launch in the air of a setup. They contain the turf if
-    /// `has_run` is true.
+    /// The inputs of a flight from this launch; all others are from the setup. The turf is included
+    /// if `has_run` is true.
     #[inline(always)]
     pub fn new(setup: &Setup<T>, launch: &Launch<T>, has_run: bool) -> Self {
         T::not_inlined(inlined!(|| {

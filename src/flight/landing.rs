@@ -11,9 +11,9 @@ use crate::aerodynamics::AerodynamicLaw;
 use crate::ground::LandingState;
 use crate::number::{Mask, Numbers, Vector, inlined};
 
-/// Additional weight of the last step's defect (eq. 16a): the path is interpolated within the last
-/// step, and the error of the interpolation is 30 to 110 times the error of a step with an equal
-/// defect.
+/// Additional weight of the last step's defect (eq. 16a). The path is interpolated within this
+/// step, and the error of the interpolation is 30 to 110 times the error of a whole step with an
+/// equal defect.
 const INTERPOLATION_WEIGHT: f64 = 100.0;
 
 /// State of the lanes between two steps.
@@ -32,8 +32,8 @@ struct StepEvents<M> {
     has_apex: M,
     /// Lanes that may land.
     may_land: M,
-    /// True if the position of the apex is requested, or if it decides whether the ball clears the
-    /// ground.
+    /// True if the position of the apex must be found: it is requested, or it decides whether the
+    /// ball clears the ground.
     needs_apex: bool,
     /// True if the time limit is in the step.
     has_time_limit: bool,
@@ -120,8 +120,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         result
     }
 
-    /// Ends the flights whose forces the step does not resolve, and adds the step's defect
-    /// (eq. 16a) to the defects of the other flights. Returns the lanes in flight.
+    /// Ends the flights whose forces the step does not resolve. Adds the defect of the step (eq.
+    /// 16a) to the other flights' defects. Returns the lanes still in flight.
     #[inline(always)]
     fn check_step(
         &self,
@@ -142,7 +142,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         flying
     }
 
-    /// Events that the step up to time `end` may contain, found from the two nodes of the step.
+    /// Events that a step may contain, from its two nodes. `end` is the time at the end of the
+    /// step, s.
     #[inline(always)]
     fn step_events(
         &self,
@@ -216,9 +217,10 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
             apex.height = top.x.select(apex.height, is_higher);
             apex.time = (s * h + result.time).select(apex.time, is_higher);
             apex.downrange = top.z.select(apex.downrange, is_higher);
-            // D_A = 400 d |v_A|/(h a_A), eq. 16a, with the defect d of the step. An error of the
-            // path proportional to s⁴ (1 − s)⁴ has a derivative by s of up to 4 times its maximum.
-            // This derivative shifts the apex.
+            // D_A = 400 d |v_A|/(h a_A), eq. 16a: d is the defect of the step, v_A the velocity and
+            // a_A the downward acceleration at the apex. An error of the path proportional to s⁴ (1
+            // − s)⁴ has a derivative by s of up to 4 times its maximum; this derivative shifts the
+            // apex.
             if result.landed.defect.is_some() {
                 let per_defect = path.velocity(s).norm() * (4.0 * INTERPOLATION_WEIGHT * h)
                     / -path.up.second_derivative(s);
@@ -256,7 +258,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         landed.lateral = x.y.select(landed.lateral, lands);
         landed.flight_time = time.select(landed.flight_time, lands);
         landed.velocity = v.select(landed.velocity, lands);
-        // D = (sum + 100 d) |v_L|/|v_L,up| + D_A, eq. 16a
+        // D = (sum + 100 d) |v_L|/|v_L,up| + D_A, eq. 16a, with the defect d of the last step
         if let Some(sum) = &mut landed.defect {
             let per_sine = (v.norm() / -v.x).without_derivatives();
             let defect = step.defect(h).without_derivatives();

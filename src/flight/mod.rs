@@ -37,7 +37,8 @@ pub fn fly<T: Number>(setup: &Setup<T>, launch: &Launch<T>) -> Result<Flight<T>>
 }
 
 impl<T: Number> Inputs<T> {
-    /// Flies one ball; interrupted once `stop` is true. The observer receives each step.
+    /// Computes the flight of one ball; interrupted once `stop` is true. The observer receives each
+    /// step.
     ///
     /// # Errors
     /// [`Error::Diverged`](crate::Error::Diverged) if drag and lift change the airspeed too much

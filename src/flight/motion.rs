@@ -7,8 +7,8 @@ use super::inputs::Inputs;
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::number::{Numbers, Vector, inlined};
 
-/// Smallest airspeed, m/s: eq. 14 adds its square to |v_r|², so that the derivatives of |v_r| are
-/// finite at zero airspeed.
+/// Smallest airspeed, m/s. Its square is added to |v_r|² (eq. 14), so that |v_r| has finite
+/// derivatives at zero airspeed.
 const LEAST_SPEED: f64 = 1e-6;
 /// Half the interval of the central difference for the jerk, s. Truncation error:
 /// 6.7e-9 s² d³a/dt³; rounding error: about 5e-12 m/s³.
@@ -49,8 +49,8 @@ pub(crate) struct StepNode<T> {
 }
 
 impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
-    /// Acceleration (eq. 12) and airspeed at velocity `v_r` through the air and spin |ω|. Inlined
-    /// into the loop over the stages: a drive takes 2 to 10 % less time.
+    /// Acceleration (eq. 12) and airspeed, for the velocity `v_r` through the air and the spin |ω|.
+    /// Inlining into the loop over the stages saves 2 to 10 % of the time of a drive.
     #[inline(always)]
     pub(super) fn rate(&self, v_r: Vector<T>, spin: T) -> Rate<T> {
         // |v_r|² + (1e-6 m/s)² and |v_r|, eq. 14
@@ -106,10 +106,10 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         node
     }
 
-    /// Derivative of the rate in time, d²v/dt² and d|v_r|/dt: the central difference of the
-    /// equation of motion along the path. It is a smooth function of the node only, so the
-    /// interpolants of neighbouring steps join C³. A derivative by dual numbers would double the
-    /// code size of a flight.
+    /// Time derivative of the rate, d²v/dt² and d|v_r|/dt, as a central difference of the equation
+    /// of motion along the path. The difference depends smoothly on the node, and on nothing else,
+    /// so the interpolants of neighbouring steps join C³. Dual numbers would double the code size
+    /// of a flight.
     #[inline(always)]
     pub(super) fn rate_per_time(&self, node: &StepNode<T>) -> Rate<T> {
         let Rate {
@@ -141,8 +141,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     }
 
     /// |ω| within a step at s = (t − t₀)/h (eq. 13). Without damping the value is exact. With
-    /// damping it is that of the Hermite polynomial of degree 5 through the spin and its first two
-    /// derivatives at both ends; neighbouring polynomials join C².
+    /// damping, it is a Hermite polynomial of degree 5 through the spin and its first two
+    /// derivatives at both ends of the step; the polynomials of neighbouring steps join C².
     #[inline(always)]
     pub(super) fn spin_within(&self, [from, to]: [&StepNode<T>; 2], s: T) -> T {
         let Some(damping) = self.damping else {
@@ -155,8 +155,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
             *end = self.spin_and_derivatives(node, damping);
         }
         let [[p0, m0, c0], [p1, m1, c1]] = ends;
-        // differences at s = 1 between the end of the step and the parabola p0 + m0 s + c0 s²/2
-        // from its start: value, first and second derivative
+        // at s = 1: value, first and second derivative of the spin minus those of the parabola p0 +
+        // m0 s + c0 s²/2
         let x = p1 - p0 - m0 - c0 * 0.5;
         let v = m1 - m0 - c0;
         let a = c1 - c0;

@@ -169,8 +169,7 @@ pub(crate) struct RequestedOutputs<'s> {
     pub stop: Option<&'s AtomicBool>,
 }
 
-/// Number of steps between two checks of the interrupt flag; this number of steps takes about a
-/// millisecond.
+/// Number of steps between two checks of the interrupt flag: about a millisecond.
 const STOP_INTERVAL: usize = 4096;
 
 impl RequestedOutputs<'_> {
@@ -197,7 +196,8 @@ pub(crate) struct FlightResult<T: Numbers> {
     pub is_aloft: T::Mask,
     /// True if the interrupt flag stopped the flights.
     pub is_stopped: bool,
-    /// Height of an apex that is not above the ground, or of a ball at the time limit, m.
+    /// In lanes without a landing: height of an apex that is not above the ground, or of the ball
+    /// at the time limit, m.
     pub height: T,
     /// Spin at landing, rad/s, if the run is requested.
     pub spin: T,
@@ -311,7 +311,7 @@ impl DivergedFlight {
     /// Largest step that resolves the flight of any golf ball, s; the default is 10 ms.
     const LARGEST_SAFE_STEP: f64 = 0.05;
 
-    /// Advice: shorten a long step; otherwise check unusual conditions; otherwise check the law.
+    /// Advice for the likeliest cause: a long step, else unusual conditions, else the law.
     fn advice(&self, law: &str) -> String {
         if self.step > Self::LARGEST_SAFE_STEP {
             return "the step is long; reduce flight.step (the default is 10 ms)".into();

@@ -20,10 +20,9 @@ const FACTORS: [[f64; 8]; 3] = [
 ];
 
 impl<T: Numbers> Septic<T> {
-    /// Builds the polynomial from the position, velocity, acceleration and jerk at both ends of a
-    /// step; `coordinate` selects the coordinate. Position and velocity at the end enter as their
-    /// increments over the step, because differences of the two positions or velocities would lose
-    /// digits by cancellation.
+    /// Builds the polynomial of the coordinate that `coordinate` selects. Position and velocity at
+    /// the end of the step enter as increments over the step: differences of the positions or
+    /// velocities at both ends would lose digits by cancellation.
     #[inline(always)]
     fn new(
         step: &Step<'_, T>,
@@ -37,8 +36,8 @@ impl<T: Numbers> Septic<T> {
             coordinate(&step.to.rate.acceleration) * h2,
         ];
         let [j0, j1] = [coordinate(&jerks[0]) * h3, coordinate(&jerks[1]) * h3];
-        // differences at s = 1 between the end of the step and the cubic continued from its start:
-        // position and its first three derivatives
+        // at s = 1: position and its first three derivatives by s, minus those of the cubic through
+        // the start of the step
         let (half, sixth) = (a0 * 0.5, j0 * (1.0 / 6.0));
         let x = coordinate(&step.position_increment) - half - sixth;
         let v = coordinate(&step.velocity_increment) * h - a0 - j0 * 0.5;
@@ -90,7 +89,7 @@ impl<T: Numbers> Septic<T> {
     }
 
     /// The s at which the coordinate falls to `level`, in `lanes`. The coordinate must be above
-    /// `level` at `from`, and not above it at the end of the step.
+    /// `level` at s = `from`, and at or below `level` at the end of the step.
     #[inline(always)]
     pub fn find_crossing(&self, level: T, from: T, lanes: T::Mask) -> T {
         falling_root(
@@ -100,8 +99,8 @@ impl<T: Numbers> Septic<T> {
         )
     }
 
-    /// The s of the maximum, in `lanes`. The coordinate must rise at the start of the step, and
-    /// must not rise at its end.
+    /// The s of the maximum of the coordinate, in `lanes`. The coordinate must rise at the start of
+    /// the step, and not at the end.
     #[inline(always)]
     pub fn find_maximum(&self, lanes: T::Mask) -> T {
         falling_root(
@@ -113,10 +112,10 @@ impl<T: Numbers> Septic<T> {
 }
 
 /// Root in [low, 1] of a function that is positive at `low` and not positive at 1; `f` returns its
-/// value and derivative. Safeguarded Newton iteration (bisection outside of the bracket), in values
-/// only until it converges. Two more Newton steps carry derivatives: the first makes first
-/// derivatives exact, the second also second derivatives (implicit function theorem). A root that
-/// does not converge has no derivatives.
+/// value and derivative. The Newton iteration is in values only until it converges; a step out of
+/// the bracket is replaced by a bisection. Two more Newton steps carry derivatives: the first makes
+/// first derivatives exact, the second also second derivatives (implicit function theorem). If the
+/// iteration does not converge, the root has no derivatives.
 #[inline(always)]
 fn falling_root<T: Numbers>(low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> T {
     // bisection alone needs 53 steps

@@ -45,8 +45,8 @@ pub(super) const MOST_STAGES: usize = 12;
 /// sums of accelerations. The weights of the positions follow from the weights of the velocities.
 #[derive(Debug)]
 pub(super) struct Tableau {
-    /// Largest relative change of the airspeed by drag and lift within a step. Larger changes are
-    /// not resolved by the stages, and much larger changes make the method unstable.
+    /// Largest relative change of the airspeed by drag and lift within a step. The stages do not
+    /// resolve larger changes; much larger changes make the method unstable.
     pub largest_relative_change: f64,
     /// Number of stages. The end of the step is an additional stage with the weights bⱼ.
     pub stages: usize,
@@ -108,8 +108,8 @@ impl Tableau {
 mod tests {
     use super::{DP8, RK4};
 
-    /// Order conditions Σ bᵢ cᵢᵏ⁻¹ = 1/k and Σ bᵢ aᵢⱼ cⱼᵏ⁻² = 1/(k (k − 1)) of order p, for k ≤ p
-    /// (Hairer, Nørsett & Wanner 1993).
+    /// Order conditions of a method of order p: Σ bᵢ cᵢᵏ⁻¹ = 1/k and Σ bᵢ aᵢⱼ cⱼᵏ⁻² = 1/(k (k − 1))
+    /// for k ≤ p (Hairer, Nørsett & Wanner 1993).
     #[test]
     fn exact_quadrature_conditions_of_each_order() {
         for (order, tableau) in [(4, &RK4), (8, &DP8)] {

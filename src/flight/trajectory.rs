@@ -14,14 +14,13 @@ const LARGEST_INTERVAL: f64 = 0.05;
 /// Path of a flight and of the run after it.
 #[derive(Clone, Debug)]
 pub struct Trajectory {
-    /// Points at launch, after each step, and within long steps at least every 0.05 s. If the ball
-    /// lands, the last point is the landing.
+    /// The launch, the end of each step, and points within long steps, so that two points are at
+    /// most 0.05 s apart. If the ball lands, the last point is the landing.
     pub points: Vec<TrajectoryPoint>,
     /// Result of the flight.
     pub flight: Flight<f64>,
-    /// Path from the landing through the bounces to rest, m, relative to the landing point, along
-    /// the axes of the ground frame. After the last bounce it is a straight line. Empty if the ball
-    /// embeds or does not land.
+    /// Points of the path from the landing to rest, m, relative to the landing point, in the ground
+    /// frame: the hops, then a straight line. Empty if the ball embeds or does not land.
     pub run: Vec<Vector<f64>>,
 }
 
