@@ -14,8 +14,8 @@ pub(super) struct Motion<T> {
 }
 
 impl<T: Numbers> Motion<T> {
-    /// Slip: velocity of the contact point along a surface. `along` is the velocity of the ball's
-    /// centre along the surface.
+    /// Slip, m/s: velocity of the ball's contact point along a surface with the unit `normal`.
+    /// `along` is the velocity of the ball's centre along the surface.
     #[inline(always)]
     pub fn slip(&self, along: Vector<T>, normal: Vector<T>, radius: T) -> Vector<T> {
         along - self.spin.cross(normal) * radius
@@ -26,13 +26,13 @@ impl<T: Numbers> Motion<T> {
 const SPEED: f64 = 18.6;
 /// Angle of incidence of the impact whose crater has the tilt θ_g, rad.
 const INCIDENCE: f64 = 44.4 / 180.0 * PI;
-/// Start and width of the smooth clamp (H in eq. 19) of the tilt divided by the angle of incidence.
-/// The clamped ratio is at most 1: there the ball meets the crater head-on. Above 1, Penner's
-/// φ − θ_c would be negative.
+/// Start and width of the smooth clamp (H in eq. 19) of θ_c/φ, the tilt of the crater over the
+/// angle of incidence. The clamped ratio is at most 1. At 1 the ball meets the crater head-on;
+/// above 1 Penner's φ − θ_c would be negative.
 const TILT_CLAMP: [f64; 2] = [0.7, 0.6];
 /// Angle to the ground, rad, below which the ball digs less than in Penner's formula (S in eq. 19).
-/// Penner's tilt is largest for a ball that moves along the ground, but such a ball does not dig at
-/// all. The angle was chosen by the runs of TrackMan's 60 drives (docs/sources.md).
+/// Penner's tilt is largest for a ball that moves along the ground, which in fact does not dig. The
+/// angle is fitted to the runs of TrackMan's 60 drives (docs/sources.md).
 const FLAT: f64 = 70.0 / 180.0 * PI;
 /// Coefficients, s/m and s²/m², of e/e_g = 1 + e₁ u + e₂ u² (eq. 20): Penner (2002), p. 933.
 const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];
@@ -40,16 +40,16 @@ const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];
 const CLAMP_SPEED: f64 = 18.0;
 /// Width of the smooth clamp of u, m/s: the clamped u ends at the minimum of e, 20.8 m/s.
 const CLAMP_WIDTH: f64 = 2.0 * (-RESTITUTION[0] / (2.0 * RESTITUTION[1]) - CLAMP_SPEED);
-/// Value of x in eq. 21 at which the transition from sticking to slipping starts.
+/// Start of the transition from sticking to slipping in x (eq. 21), the ratio of needed to
+/// available friction.
 const STICKS: f64 = 0.8;
 /// Width in x of the transition from sticking to slipping.
 const SLIPS_OVER: f64 = 0.4;
-/// Margin, (m/s)², in the comparison of squared impulses per mass. With this margin, a contact
-/// without slip counts as sticking even if there is no friction: its friction would have no
-/// direction.
+/// Margin, (m/s)², in the comparison of squared impulses per mass. A contact without slip then
+/// sticks even without friction: the friction of a slipping contact would have no direction there.
 const NO_SLIP: f64 = 1e-24;
-/// Smallest squared speed along the ground, (m/s)². It keeps the direction and the derivatives
-/// finite for a ball that falls vertically.
+/// Added to the squared speed along the ground, (m/s)², to keep direction and derivatives finite
+/// for a ball that falls vertically.
 const LEAST_SPEED_SQUARED: f64 = 1e-12;
 
 impl<T: Numbers> Turf<T> {
@@ -99,8 +99,8 @@ impl<T: Numbers> Turf<T> {
         ground * cos - along * (per_level * sin)
     }
 
-    /// q: fraction of the sticking impulse that friction supplies, with Coulomb's limit `limit`,
-    /// m/s (eq. 21).
+    /// q (eq. 21): fraction of the sticking impulse that friction supplies. `limit` is Coulomb's
+    /// limit of the impulse per mass, m/s.
     #[inline(always)]
     fn grip(&self, slip: Vector<T>, limit: T) -> T {
         let k = self.sticking_factor();
@@ -135,7 +135,7 @@ mod tests {
     const RADIUS: f64 = 0.021335;
     const UP: Vector<f64> = Vector::new(1.0, 0.0, 0.0);
 
-    /// A ball that lands at an angle of incidence from the vertical, with backspin.
+    /// A landing ball; `incidence` is its angle from the vertical.
     fn ball(speed: f64, incidence: f64, backspin: f64) -> Motion<f64> {
         let velocity = Vector::new(-speed * incidence.cos(), 0.0, speed * incidence.sin());
         Motion {
@@ -205,9 +205,8 @@ mod tests {
         }
     }
 
-    /// The crater faces the ball at most head-on: its tilt never exceeds the angle of incidence.
-    /// From 54 m/s on, Penner's tilt exceeds this angle: a surface that the ball does not meet
-    /// would throw the ball back.
+    /// The tilt of the crater never exceeds the angle of incidence. Without the clamp it would from
+    /// 54 m/s on: the ball would bounce off a surface that faces away from it.
     #[test]
     fn no_ball_meets_the_crater_from_behind() {
         let turf = Turf::new(&Setup::default());
@@ -241,7 +240,6 @@ mod tests {
         }
     }
 
-    /// The impulse of friction is C² at both ends of the transition from sticking to slipping.
     #[test]
     fn exact_friction_is_c2_between_sticking_and_slipping() {
         let setup = Setup::default();

@@ -55,11 +55,12 @@ pub(crate) struct LandingState<T> {
     pub force_per_mass: T,
 }
 
-/// Speed away from the ground, m/s, below which the ball stays on the ground. Between this speed
-/// and twice this speed, a smooth step reduces the hop (eq. 22). Penner ends the bounces at a
-/// height of 5 mm, which corresponds to 0.31 m/s.
+/// Speed away from the ground, m/s, up to which the ball stays on the ground. From this speed to
+/// twice this speed, a smooth step reduces the hop (eq. 22). Penner ends the bounces at a height of
+/// 5 mm, which a ball reaches with 0.31 m/s.
 const LEAST_HOP_SPEED: f64 = 0.2;
-/// Smallest speed along the ground, m/s. It keeps the speed's derivatives finite at rest.
+/// Speed, m/s, whose square is added to the squared speed along the ground, so that this speed has
+/// finite derivatives at rest.
 const LEAST_SPEED: f64 = 1e-6;
 /// C_D of a ball with little spin, for the hops.
 const HOP_DRAG: f64 = 0.25;
@@ -87,8 +88,8 @@ impl<T: Numbers> Turf<T> {
         )))
     }
 
-    /// Computes bounces and roll-out. `observe` receives each hop with its start; the first start
-    /// is the landing.
+    /// Computes bounces and roll-out. `observe` receives the start of each hop, relative to the
+    /// landing, m, and the hop.
     #[inline(always)]
     fn run(
         &self,
@@ -134,7 +135,7 @@ impl<T: Numbers> Turf<T> {
         let (normal, pull, k) = (plane.normal, plane.pull, self.sticking_factor());
         let velocity = ball.velocity - normal * normal.dot(ball.velocity);
         let slip = ball.slip(velocity, normal, radius);
-        // friction decelerates the slip s by μ_g g n_x/k, and gravity accelerates it by G: the slip
+        // friction decelerates the slip s by μ_g g n_x/k, and gravity accelerates the slip by G: it
         // ends like the motion of a sliding body
         let sliding = Sliding {
             deceleration: self.friction * plane.press / k,
@@ -156,8 +157,8 @@ impl<T: Numbers> Turf<T> {
     }
 }
 
-/// Angle between the `velocity` of a landing ball and ground with `slope` and `side_slope`, rad;
-/// negative if the ball moves away from the ground.
+/// Angle between the `velocity` of a landing ball and the ground, rad; negative if the ball moves
+/// away from the ground. `slope` and `side_slope`, rad, are those of the ground.
 pub(crate) fn angle_of_impact([slope, side_slope]: [f64; 2], velocity: Vector<f64>) -> f64 {
     let LandingPlane { normal, .. } = LandingPlane::new(slope, side_slope, 1.0);
     (-normal.dot(velocity) / velocity.norm()).asin()
@@ -195,8 +196,8 @@ impl<T: Numbers> LandingPlane<T> {
         }
     }
 
-    /// Hop of a ball that leaves the plane (eq. 22). With drag along the plane, dv/dt = −`drag` v²
-    /// with `drag` in 1/m, and v(t) = v/(1 + `drag` v t).
+    /// Hop after a bounce with the `velocity`, m/s (eq. 22). The speed along the plane falls by
+    /// dv/dt = −`drag` v², with `drag` in 1/m: v(t) = v/(1 + `drag` v t).
     #[inline(always)]
     fn hop(&self, velocity: Vector<T>, drag: T) -> Hop<T> {
         let w = self.normal.dot(velocity);
@@ -256,8 +257,8 @@ impl<T: Numbers> Hop<T> {
 }
 
 impl Turf<f64> {
-    /// Path from the landing to rest: the hops, then a straight line. Empty if the ball embeds. If
-    /// the ball does not come to rest, the path contains the hops only.
+    /// Path from the landing to rest, m, relative to the landing: the hops, then a straight line.
+    /// Empty if the ball embeds. Without the line if the ball does not come to rest.
     pub fn path(&self, ball: &LandingState<f64>) -> Vec<Vector<f64>> {
         let Some(restitution) = self.restitution else {
             return vec![];
@@ -287,8 +288,7 @@ mod tests {
     use super::{HOP_DRAG, LandingPlane};
     use crate::number::Vector;
 
-    /// Compares a hop with an integration of the drag along the ground in small steps, at usual air
-    /// density.
+    /// The drag along the ground is integrated in small steps, at usual air density.
     #[test]
     fn independent_hop_by_integration_in_small_steps_within_a_hundredth() {
         let (g, drag) = (9.81, 0.0184 * HOP_DRAG);

@@ -10,11 +10,12 @@ pub(super) struct Sliding<T> {
     pub pull: Vector<T>,
 }
 
-/// η, m/s: √(v·v + η²) − η replaces |v|, because it is smooth at rest.
+/// η, m/s: √(v·v + η²) − η replaces |v|, which has a corner at rest.
 const SMOOTHING_SPEED: f64 = 1e-4;
 
 impl<T: Numbers> Sliding<T> {
-    /// Time T and displacement D to rest (eq. 23). NaN if |G| ≥ a: the body does not stop.
+    /// Time T, s, and displacement D, m, until the body rests (eq. 23). NaN if |G| ≥ a, because the
+    /// body does not stop.
     ///
     /// T follows from d(a|v| + v·G)/dt = −(a² − |G|²). D follows in the same way from quadratic
     /// functions of |v| and v·G.

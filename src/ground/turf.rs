@@ -3,7 +3,7 @@
 use crate::number::Numbers;
 use crate::parameters::Setup;
 
-/// Properties of the ground, and the inertia of the ball on it.
+/// Properties of the ground, and the moment of inertia of the ball.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turf<T> {
     /// e_g: restitution of a slow impact; `None` if the ball embeds.
