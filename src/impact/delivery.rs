@@ -12,7 +12,7 @@ pub struct Delivery<T> {
     pub axes: [Vector<T>; 3],
 }
 
-/// V₁: head speed at which bend and droop of the shaft are stated, 100 mph, m/s.
+/// V₁, m/s: head speed for which bend and droop of the shaft are stated, 100 mph.
 const REFERENCE_SPEED: f64 = 44.704;
 
 /// Deflection of the shaft at impact, rad: forward bend and droop (docs/model.md, eqs. 2a, 2b).
@@ -39,8 +39,8 @@ impl<T: Numbers> ShaftDeflection<T> {
 }
 
 impl<T: Numbers> Delivery<T> {
-    /// Delivery of a swing (docs/model.md, eqs. 1–2b): the head is turned toe down by the droop,
-    /// pitched by a = ε − σ and the bend, then yawed by ψ.
+    /// Delivery of a swing (docs/model.md, eqs. 1–2b). The head is turned toe down by the shaft
+    /// droop, pitched up by attack angle − shaft lean + shaft bend, then yawed by the face angle.
     #[inline(always)]
     pub fn new(swing: &Swing<T>) -> Self {
         let (sin_attack, cos_attack) = swing.attack_angle.sin_cos();

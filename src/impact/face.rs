@@ -14,7 +14,7 @@ pub struct FacePoint<T> {
 
 impl<T: Numbers> FacePoint<T> {
     /// Impact point on the ellipsoid of the face (docs/model.md, eqs. 3–5; Winfield & Tan eqs.
-    /// 11–12), in a form that stays exact for infinite radii.
+    /// 11–12). The formulas are exact also for infinite radii.
     ///
     /// # Errors
     /// [`Error::OffFace`] if the strike is beyond the ellipsoid.
@@ -84,10 +84,10 @@ const TOLERANCE: f64 = 1e-13;
 const MOST_STEPS: usize = 200;
 
 impl Strike<f64> {
-    /// Strike on the sweet spot, where the face normal passes through the centre of mass, by
-    /// fixed-point iteration. Each step goes from the centre of mass along the normal of the
-    /// previous impact point, up to the depth of that point. `None` if the face is so curved that
-    /// there is no sweet spot near the centre of mass.
+    /// Strike on the sweet spot: the face normal there passes through the centre of mass. Each step
+    /// of a fixed-point iteration goes from the centre of mass along the normal of the previous
+    /// impact point, up to the depth of that point. `None` if the iteration leaves the face or does
+    /// not converge: the face is too curved.
     pub fn on_sweet_spot(club: &Club<f64>) -> Option<Self> {
         let head = Head::new(club);
         let Some([cg_high, cg_toe]) = head.cg_offset else {

@@ -9,15 +9,14 @@ pub enum Grip {
     Unlimited,
     /// The ball sticks and uses the fraction |J_t|/(μ J_n) of the available friction.
     Sticks(f64),
-    /// The ball slips. Sticking would need the fraction |J_t|/(μ J_n) > 1 of the available
-    /// friction.
+    /// The ball slips. To stick, it would need |J_t|/(μ J_n) > 1 times the available friction.
     Slips(f64),
 }
 
 /// Impulse under the limit of friction.
 pub(super) struct LimitedImpulse<T: Numbers> {
     pub impulse: Vector<T>,
-    /// |J_t|² of the sticking contact, N² s².
+    /// |J_t|² that a sticking contact needs, N² s².
     needed_squared: T,
     /// Largest tangential impulse μ J_n, N s.
     limit: T,
@@ -27,9 +26,10 @@ pub(super) struct LimitedImpulse<T: Numbers> {
     separating: T,
 }
 
-/// Impulse under Coulomb friction (docs/model.md, eq. 11). If the sticking impulse is outside of
-/// the friction cone, J = j (n + μ t̂) with t̂ the direction of the sticking J_t. At the limit of
-/// friction the impulse is continuous, but its derivative is not.
+/// Impulse under Coulomb friction (docs/model.md, eq. 11). It is the `sticking` impulse J within
+/// the friction cone. Outside of the cone it is j (n + μ t̂), where t̂ is the direction of the
+/// tangential part J_t of the sticking impulse. At the limit of friction the impulse is continuous,
+/// but its derivative is not.
 #[inline(always)]
 pub(super) fn limited<T: Numbers>(
     collision: &Collision<T>,

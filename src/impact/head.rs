@@ -70,16 +70,16 @@ impl<T: Numbers> Head<T> {
         }
     }
 
-    /// Face centre relative to the centre of mass, in the head frame, at this loft. If the position
-    /// of the centre of mass is not given, the face centre is the sweet spot.
+    /// Face centre relative to the centre of mass, m, in the head frame. Without
+    /// [`cg_offset`](Self::cg_offset), the face centre is the sweet spot.
     #[inline(always)]
     pub(super) fn face_centre(&self, loft: T) -> Vector<T> {
         let [high, toe] = self.cg_offset.unwrap_or_else(|| [T::zero(); 2]);
         pitched(loft.sin_cos(), Vector::new(-high, -toe, self.depth))
     }
 
-    /// Leading principal minors of S = ½ tr I − I, the second moments of the mass. Each minor is
-    /// divided by the power of tr S that gives it the dimension of a moment of inertia. They are at
+    /// Leading principal minors of S = ½ tr I − I, the matrix of the second moments of mass. The
+    /// minor of order k is divided by (tr S)^(k − 1), so that its unit is kg m². The minors are at
     /// least 0 for a rigid body; if all are positive, I is positive definite and satisfies the
     /// triangle inequality.
     pub fn minors(&self) -> [T; 3] {
@@ -105,7 +105,7 @@ impl<T: Numbers> Head<T> {
     }
 }
 
-/// Adds the inertia tensor of a point mass, m (r·r 1 − r rᵀ).
+/// Adds the inertia tensor m (r·r 1 − r rᵀ) of a point mass m at r.
 #[inline(always)]
 fn add_point_mass<T: Numbers>(inertia: &mut [[T; 3]; 3], mass: T, r: Vector<T>) {
     let square = r.dot(r);
@@ -119,8 +119,8 @@ fn add_point_mass<T: Numbers>(inertia: &mut [[T; 3]; 3], mass: T, r: Vector<T>) 
     }
 }
 
-/// Transforms a vector from the face frame (i′, j′, k′) to the head frame: pitched by the loft, given
-/// as sine and cosine.
+/// Transforms a vector from the face frame (i′, j′, k′) to the head frame, by a rotation through
+/// the loft. The first argument is sine and cosine of the loft.
 #[inline(always)]
 pub(super) fn pitched<T: Numbers>((sin, cos): (T, T), v: Vector<T>) -> Vector<T> {
     Vector::new(v.x * cos + v.z * sin, v.y, v.z * cos - v.x * sin)

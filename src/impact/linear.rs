@@ -13,7 +13,7 @@ pub(super) struct SymmetricFactors<T> {
 }
 
 impl<T: Numbers> SymmetricFactors<T> {
-    /// Factorizes the matrix with this lower triangle, row by row.
+    /// Factorizes the matrix whose lower triangle, row by row, is `lower`.
     #[inline(always)]
     pub fn new(lower: [T; 6]) -> Self {
         T::not_inlined(inlined!(|| Self::new_inlined(lower)))

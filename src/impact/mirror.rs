@@ -1,5 +1,5 @@
-//! Impact of a left-hander: the mirror image of a right-hander's impact with the same numbers, in the
-//! vertical plane of the target line.
+//! Impact of a left-hander: a right-hander's impact with the same parameters, mirrored in the
+//! vertical plane through the target line.
 
 use super::Impact;
 use crate::launch::Launch;
@@ -11,7 +11,8 @@ fn polar<T: Numbers>(v: Vector<T>) -> Vector<T> {
     Vector::new(v.x, -v.y, v.z)
 }
 
-/// Mirror image of an axial vector: its components in the mirror plane change sign.
+/// Mirror image of an axial vector, such as angular velocity: the components in the mirror plane
+/// change sign.
 #[inline(always)]
 fn axial<T: Numbers>(v: Vector<T>) -> Vector<T> {
     Vector::new(-v.x, v.y, -v.z)

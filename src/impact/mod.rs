@@ -1,8 +1,8 @@
 //! Impact of the club head and the ball (docs/model.md, eqs. 1–11): rigid bodies in three
 //! dimensions, an ellipsoidal face, after Winfield & Tan (1994) eqs. 1–20.
 //!
-//! The collision is solved in the head frame (X up, Y towards the toe, Z forward), in which the
-//! inertia tensor is given; the result is transformed to the ground frame.
+//! The collision is solved in the head frame (X up, Y towards the toe, Z forward), because the
+//! inertia tensor is given in it. The result is transformed to the ground frame.
 
 mod delivery;
 mod face;
@@ -92,7 +92,7 @@ pub(crate) struct LaunchState<T: Numbers> {
 }
 
 impl<T: Numbers> LaunchState<T> {
-    /// The launch that a setup gives, or else the launch after its impact.
+    /// The launch that the setup gives; without a given launch, the launch after the impact.
     #[inline(always)]
     pub fn new(setup: &Setup<T>) -> Self {
         T::not_inlined(inlined!(|| match Launch::given(setup) {
@@ -105,7 +105,7 @@ impl<T: Numbers> LaunchState<T> {
         }))
     }
 
-    /// Impact without branches, for one club in each lane.
+    /// The launch after an impact, computed without branches in all lanes.
     #[inline(always)]
     fn of_impact(setup: &Setup<T>) -> Self {
         let delivery = Delivery::new(&setup.swing);

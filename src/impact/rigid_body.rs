@@ -28,7 +28,7 @@ pub struct Collision<T> {
     pub contact: Vector<T>,
     /// n: unit normal of the face at the contact point, towards the ball.
     pub normal: Vector<T>,
-    /// Normal coefficient of restitution e.
+    /// Normal coefficient of restitution e at the closing speed.
     pub restitution: T,
     /// Tangential coefficient of restitution e_t.
     pub tangential_restitution: T,
@@ -36,8 +36,8 @@ pub struct Collision<T> {
     pub gear_scale: Option<T>,
 }
 
-/// v₁: closing speed at which a speed-dependent restitution is stated (docs/model.md, eq. 10a): 160
-/// ft/s, the speed of the USGA's test of clubs, m/s.
+/// v₁, m/s: closing speed at which the restitution is that of the setup, if it depends on the speed
+/// (docs/model.md, eq. 10a). It is 160 ft/s, the speed of the USGA's test of clubs.
 const REFERENCE_SPEED: f64 = 48.768;
 
 /// The bodies after the collision.
@@ -95,7 +95,7 @@ impl<T: Numbers> Collision<T> {
         collision
     }
 
-    /// Lanes in which the coefficient of restitution at the closing speed is between 0 and 1.
+    /// Lanes whose coefficient of restitution at the closing speed is between 0 and 1.
     #[inline(always)]
     pub(super) fn has_restitution(&self) -> T::Mask {
         !self.restitution.below(0.0) & !(-self.restitution).below(-1.0)
@@ -184,8 +184,8 @@ impl<T: Numbers> Collision<T> {
         columns
     }
 
-    /// w = K n − (n·K n) n (eq. 9a). A unit impulse along the face normal turns the head, and
-    /// decreases the velocity along the face by w. This causes the gear effect.
+    /// w = K n − (n·K n) n (eq. 9a). A unit impulse along the face normal turns the head, which
+    /// decreases the relative velocity along the face by w: the gear effect.
     #[inline(always)]
     fn gear_velocity(&self, [x, y, z]: &[Vector<T>; 3]) -> Vector<T> {
         let n = self.normal;
@@ -228,8 +228,8 @@ impl<T: Number> Collision<T> {
         Ok(collision)
     }
 
-    /// Motion of the bodies after the collision, from the 3 equations for the impulse
-    /// (docs/model.md, eqs. 8–10).
+    /// Motion of the bodies after a collision in which the ball sticks to the face, from the 3
+    /// equations for the impulse (docs/model.md, eqs. 8–10).
     ///
     /// # Errors
     /// [`Error::Jammed`] if the impulse would pull the bodies together.
@@ -247,7 +247,7 @@ impl<T: Number> Collision<T> {
         Ok(self.checked_system()?.columns)
     }
 
-    /// The contact system, checked.
+    /// The contact system, if its matrices are positive definite.
     ///
     /// # Errors
     /// [`Error::Jammed`] if one of its matrices is not positive definite.
@@ -268,7 +268,7 @@ impl<T: Number> Collision<T> {
         Ok(system)
     }
 
-    /// Checks that an impulse pushes the bodies apart.
+    /// The impulse, if it pushes the bodies apart.
     ///
     /// # Errors
     /// [`Error::Jammed`] if it pulls them together.
