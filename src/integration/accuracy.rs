@@ -13,12 +13,12 @@ pub struct Accuracy {
     pub method: Method,
     /// Step, s.
     pub step: f64,
-    /// Largest error found, m.
+    /// Largest error of a length in the compared drives, m.
     pub error: f64,
     /// Number of drives compared.
     pub drives: usize,
-    /// Largest defect of the integration (docs/model.md, eq. 16a) of the compared drives, m. The
-    /// tolerance is not verified for drives with a larger defect. See
+    /// Largest defect of the integration (docs/model.md, eq. 16a) of the compared drives, m. A
+    /// drive with a larger defect may exceed the tolerance: give this limit to
     /// [`Batch::with_largest_defect`].
     pub largest_defect: f64,
 }
@@ -33,7 +33,7 @@ impl Accuracy {
 /// Method for every tolerance: the method of highest order needs the fewest force evaluations.
 const METHOD: Method = Method::DormandPrince8;
 /// Largest error allowed for the compared drives, as a fraction of the tolerance. The margin is for
-/// all other drives in the ranges.
+/// the drives in the ranges that are not compared.
 pub(super) const SAFETY: f64 = 0.25;
 /// Longest trial step, s. Each further trial step is shorter by the factor 2^(−1/4).
 const LONGEST_STEP: f64 = 1.6;
@@ -45,26 +45,26 @@ const REFERENCE: f64 = 1.0 / 4.0;
 const SHORTEST_REFERENCE: f64 = 1e-3;
 /// Number of sampled points inside the ranges.
 const INTERIOR_POINTS: u64 = 64;
-/// Number of drives tested first. The other drives are not tested with a step that fails for one of
-/// these drives.
+/// Number of drives tested first. The other drives are tested only with a step that is accurate for
+/// these.
 const TESTED_FIRST: usize = 16;
-/// Number of parameters whose range ends are combined. In these drives, any further parameter has
-/// the value of the setup.
+/// Number of parameters whose range ends are combined, in up to 2⁴ drives. In these drives, the
+/// other parameters have the values of the setup.
 const CORNER_PARAMETERS: usize = 4;
-/// Number of steps tested per drive: the step itself and slightly shorter steps. The error depends
-/// on the position of the landing within the last step.
+/// Number of steps tested per drive: the step itself and slightly shorter steps, because the error
+/// depends on the position of the landing within the last step.
 const PHASES: u32 = 8;
-/// Difference of consecutive steps among these, as a fraction of the tested step: the shortest of
-/// the 8 steps is a quarter shorter than the tested step.
+/// Difference between two consecutive of these [`PHASES`] steps, as a fraction of the tested step.
+/// The shortest of the 8 steps is a quarter shorter than the tested step.
 const PHASE_DIFFERENCE: f64 = 0.035;
 /// Smallest value of [`Accuracy::largest_defect`], m. Smaller defects are rounding (for example in
 /// a flight almost without air).
 const ROUNDING: f64 = 1e-12;
 
-/// The longest step for which all lengths among the outcomes have errors below `tolerance` (m). The
-/// step is tested for the setup, and for drives at the ends of the ranges and inside them. The step
-/// is fixed in advance and independent of the drive, so outcomes stay smooth. Without a length
-/// among the outcomes, carry is tested.
+/// The longest trial step for which all lengths among the outcomes have errors below `tolerance`,
+/// m; without a length among the outcomes, carry is tested. The tested drives are the setup's own,
+/// and drives at the ends of the ranges and inside them. All drives have this one step, so outcomes
+/// stay smooth.
 ///
 /// ```
 /// use longdrive::{Outcome, Setup, integration::accuracy};
@@ -127,7 +127,7 @@ struct TestedDrives<'s> {
     /// The batch with the lengths as outcomes, and with the integration method [`METHOD`].
     batch: Batch,
     points: Vec<f64>,
-    /// Points not tested yet.
+    /// Points of the drives that are tested later.
     further: Vec<f64>,
     /// Step of the reference flights, s; `exact` has the results of these flights.
     reference: f64,
@@ -197,11 +197,11 @@ impl<'s> TestedDrives<'s> {
         flown(&self.batch.with_step(step)?, self.points.clone(), self.stop)
     }
 
-    /// Repeats the reference flights with a shorter step, if their own step is too long to test
-    /// `step`.
+    /// Repeats the reference flights with a shorter step, if the reference step is too long for a
+    /// test of `step`.
     fn refine(&mut self, step: f64) -> Result<()> {
         if self.reference > (REFERENCE * step).max(SHORTEST_REFERENCE) {
-            // the following steps use the finer reference too
+            // half as long as needed, so that the reference also serves the next trial steps
             self.reference = (0.5 * REFERENCE * step).max(SHORTEST_REFERENCE);
             self.exact = self.flown(self.reference)?;
         }
@@ -270,7 +270,8 @@ impl<'s> TestedDrives<'s> {
     /// The largest error of the lengths of a drive, m.
     ///
     /// # Errors
-    /// The fault, if an error exceeds `limit`, or if a length does not exist in both flights.
+    /// A text about the drive, if an error exceeds `limit`, or if a length does not exist in the
+    /// reference or in `flown`.
     fn largest_error(
         &self,
         flown: &Block,
@@ -323,7 +324,6 @@ fn flown(batch: &Batch, points: Vec<f64>, stop: &AtomicBool) -> Result<Block> {
         .ok_or(Error::Stopped)
 }
 
-/// The setup with this method and step.
 fn with_method_and_step(setup: &Setup<f64>, method: Method, step: f64) -> Setup<f64> {
     let mut setup = Setup { method, ..*setup };
     setup.flight.step = step;

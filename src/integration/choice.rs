@@ -33,10 +33,10 @@ pub struct Integration {
     /// The chosen method and step with their error; `None` if the setup keeps its own method and
     /// step.
     pub accuracy: Option<Accuracy>,
-    /// Largest accepted defect of a drive (docs/model.md, eq. 16a), m; infinite if the
-    /// setup's own step is kept. Drives with a larger defect are repeated with shorter steps.
+    /// Largest accepted defect of a drive (docs/model.md, eq. 16a), m. A drive with a larger defect
+    /// is repeated with shorter steps. Infinite if the setup's own step is kept.
     pub largest_defect: f64,
-    /// The warning if no step is within the default tolerance.
+    /// A warning if no step meets the default tolerance; otherwise `None`.
     pub warning: Option<Message>,
 }
 
@@ -67,16 +67,16 @@ impl StepChoice {
     pub fn for_setup_until(self, setup: &Setup<f64>, stop: &AtomicBool) -> Result<Integration> {
         setup.validate()?;
         let mut found = self.for_ranges(setup, &[], &of_the_flight(), stop)?;
-        // the defect was chosen for many drives, for errors of at most `SAFETY` times the tolerance;
-        // the error of a single drive may be as large as the tolerance
+        // `for_ranges` limits the defect for errors of at most `SAFETY` times the tolerance; a
+        // single drive may have an error as large as the tolerance
         found.largest_defect /= SAFETY;
         Ok(found)
     }
 
-    /// Method and step for outcomes as functions of parameters near the setup's own values. Each
-    /// parameter may change by half its value, and by at least 10°, 5 m/s or 1 cm; with more than
-    /// four parameters the allowed changes are smaller. Farther away, a drive is repeated with half
-    /// the step if its defect exceeds the [limit](Integration::largest_defect).
+    /// Method and step for outcomes as functions of the parameters `wrt` near the setup's own
+    /// values. Each parameter may change by half its value, and by at least 10°, 5 m/s or 1 cm;
+    /// with more than four parameters, by less. Farther from the setup, a drive is repeated with
+    /// half the step if its defect exceeds the [limit](Integration::largest_defect).
     ///
     /// ```
     /// use longdrive::derivative::Order;
@@ -138,7 +138,7 @@ impl StepChoice {
                 largest_defect: found.largest_defect,
                 warning: None,
             }),
-            // no drive lands: there is no carry whose error could limit the step
+            // no drive lands, so no error of a length can limit the step
             Err(Error::NoFlight { .. }) => Ok(Integration::own(setup, None)),
             Err(Error::Tolerance { reason, .. }) if self == Self::Micrometre => {
                 let warning = format!(
@@ -153,13 +153,12 @@ impl StepChoice {
         }
     }
 
-    /// True if method and step are those of the setup, so that no drives are computed to choose
-    /// them.
+    /// True if the setup keeps its own method and step; then no drives are computed to choose them.
     pub fn is_own(self, setup: &Setup<f64>) -> bool {
         self.tolerance(setup).is_none()
     }
 
-    /// The tolerance for which method and step are chosen, m; `None` if they are those of the setup.
+    /// The tolerance, m, for which method and step are chosen; `None` if the setup keeps its own.
     fn tolerance(self, setup: &Setup<f64>) -> Option<f64> {
         match self {
             Self::Within(tolerance) => Some(tolerance),
@@ -252,8 +251,8 @@ impl Integration {
 }
 
 /// Ranges around the setup's own values, within the ranges of the parameters. With more than four
-/// parameters the ranges are narrower: most random points would otherwise be far from the setup in
-/// several parameters.
+/// parameters the ranges are narrower, because most random points would otherwise be far from the
+/// setup in several parameters.
 pub(crate) fn neighbourhood(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Vec<Vary> {
     let part = (2.0 / (wrt.len() as f64).sqrt()).min(1.0);
     let around = |parameter: &&'static Parameter| {
@@ -276,7 +275,7 @@ pub(crate) fn neighbourhood(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> V
     wrt.iter().filter_map(around).collect()
 }
 
-/// All outcomes that do not depend on the run. The error caused by the step is unknown in the run.
+/// All outcomes that do not depend on the run. The error of the run caused by the step is unknown.
 pub(crate) fn of_the_flight() -> Vec<Outcome> {
     let all = Outcome::ALL.iter().copied();
     all.filter(|outcome| !outcome.needs_run()).collect()
