@@ -4,18 +4,18 @@
 //! type below is compiled once for each [`Level`](super::Level). On x86-64 these are five number
 //! types for the baseline level, five for AVX2, and the four number types of sweeps for AVX-512.
 //!
-//! Two more number types are used with the public generic functions: `f64`
-//! ([`Drive::new`](crate::Drive::new)), which the baseline level uses too, and `num_dual::Dual64`
-//! (`study::certificate`), for which impact and flight are compiled once more.
+//! The public generic functions are used with two number types: `f64`
+//! ([`Drive::new`](crate::Drive::new)), which is also a number type of the baseline level, and
+//! `num_dual::Dual64` (`study::certificate`), for which impact and flight are compiled once more.
 
 use super::{Derivatives, Jet, Lanes, Mixed};
 
-/// Largest number of directions in a lane. Single drives and sweeps share this limit, so that they
-/// share the compiled flight.
+/// Largest number of directions in a lane. Single drives and sweeps have the same limit, so that
+/// both use the same compiled code of a flight.
 pub(crate) const MOST_PER_LANE: usize = 3;
 
 /// Work that is compiled for each number type of [`over_directions`] or [`over_drives`]. `over` and
-/// everything that it calls on numbers must be inlined, as for [`Task`](super::Task).
+/// all functions of numbers that it calls must be inlined, as for [`Task`](super::Task).
 pub(crate) trait OverNumbers {
     /// Result of the work.
     type Output;

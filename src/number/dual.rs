@@ -4,7 +4,7 @@ use super::tanh::tanh;
 use super::{Number, Numbers};
 use num_dual::DualNum;
 
-/// Declares functions that num-dual has under the same name.
+/// Implements functions by num-dual's functions of the same name.
 macro_rules! num_dual_has {
     ($($function:ident)+) => {$(
         #[inline(always)]

@@ -1,8 +1,8 @@
 //! Dual numbers with a fixed number of directions, in plain arrays or vector registers.
 //!
-//! num-dual keeps vectors of derivatives in an `Option`. That saves work where most numbers are
+//! num-dual keeps vectors of derivatives in an `Option`. This saves work if most numbers are
 //! constant, but costs a branch and a copy in every operation: a flight takes two to three times as
-//! long. The tests compare these types with num-dual's.
+//! long. The tests compare the types of this file with num-dual's.
 
 use super::{Number, Numbers, inlined};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -36,7 +36,7 @@ macro_rules! each {
     }};
 }
 
-/// Array of K equal numbers; up to K = 3 without a loop.
+/// Array of K equal numbers, without a loop for K ≤ 3 (compile time).
 #[inline(always)]
 fn filled<B: Copy, const K: usize>(number: B) -> [B; K] {
     [number, number, number]
@@ -60,7 +60,8 @@ pub struct Jet<const K: usize, B = f64> {
 pub type Mixed<B = f64> = Jet<1, Jet<1, B>>;
 
 impl<const K: usize, B: Numbers> Jet<K, B> {
-    /// Independent variable of one direction, from 0 to K − 1.
+    /// Independent variable with the value `re`: its derivative is 1 in `direction` (from 0 to K −
+    /// 1), and 0 in the other directions.
     ///
     /// # Panics
     /// If there is no such direction.
@@ -308,8 +309,8 @@ impl<const K: usize, B: Number> Number for Jet<K, B> {
     }
 }
 
-/// Access to derivatives by direction. The directions of the outer jet come first, the directions
-/// of its inner jets follow.
+/// Access to derivatives by direction. In nested jets, the directions of the outer jet are counted
+/// first, then those of the inner jet.
 pub(crate) trait Derivatives: Number {
     /// First derivative in one direction.
     fn first(&self, direction: usize) -> f64;

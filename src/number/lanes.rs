@@ -1,7 +1,6 @@
 use super::{Jet, Number, Numbers, inlined};
 
-/// Numbers in lanes: one drive per lane, or one drive with different derivative directions per
-/// lane.
+/// Numbers in lanes. Each lane is a drive, or each lane has other directions of the same drive.
 pub(crate) trait Lanes: Numbers {
     /// Number of lanes.
     const WIDTH: usize;
@@ -12,14 +11,14 @@ pub(crate) trait Lanes: Numbers {
     fn lane(self, i: usize) -> Self::Lane;
     /// Lanes with the values `f(0)`, `f(1)`, … and zero derivatives.
     fn with_values(f: impl FnMut(usize) -> f64) -> Self;
-    /// Seeds derivatives: the derivative in direction d is 1 in the lanes of `changes_in(d)`, else
-    /// 0. The directions of the outer jet have numbers from `first` on; the directions of its inner
-    /// jets follow.
+    /// Seeds derivatives: the derivative in direction d is 1 in the lanes of `changes_in(d)`, and 0
+    /// in the other lanes. `first` is the index of the first direction of this jet; the directions
+    /// of its inner jets follow.
     fn seeded(self, changes_in: &impl Fn(usize) -> Self::Mask, first: usize) -> Self;
 }
 
-/// Function that extracts one lane. All code that reads outcomes from lanes uses this function: a
-/// closure for each use would have a type of its own, for which the code is compiled again.
+/// Function that extracts one lane. All code that reads outcomes from lanes uses it: each other
+/// closure would be a type of its own, for which the outcomes are compiled again.
 #[inline(always)]
 pub(crate) fn in_lane<J: Lanes>(lane: usize) -> impl Fn(J) -> J::Lane + Copy {
     inlined!(move |number: J| number.lane(lane))

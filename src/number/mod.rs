@@ -1,10 +1,10 @@
 //! Number types of the physics: the physics is written once, generic over the number.
 //!
-//! [`Numbers`] declares the operations that a drive needs; [`Number`] adds access to a single
-//! value. One implementation covers every [`num_dual::DualNum`] over `f64`: `f64` itself and
-//! num-dual's dual numbers. [`Jet`] (dual numbers with a fixed number of directions; nested for
-//! second derivatives) and the lanes (SIMD registers, with one drive or one direction per lane)
-//! have their own implementations.
+//! [`Numbers`] declares the operations that a drive needs; [`Number`] is for types with a single
+//! value, and adds access to it. One implementation covers every [`num_dual::DualNum`] over `f64`:
+//! `f64` itself and num-dual's dual numbers. [`Jet`] (dual numbers with a fixed number of
+//! directions; nested for second derivatives) and the lanes (SIMD registers, with one drive or one
+//! direction per lane) have their own implementations.
 //!
 //! # Inlining
 //!
@@ -18,11 +18,11 @@
 //!
 //! # Pipelines
 //!
-//! Polynomials are summed in pairs or as a tree (Estrin's scheme): the dependency chain is as long
-//! as the logarithm of the degree. [`Numbers::sqrt_recip`] computes 1/√x as √x · (1/x), because the
-//! quotient need not wait for the root. With AVX-512 a table and one iteration, 11 operations,
-//! replace root and quotient: these would occupy the divider for 18 + 16 cycles, three times as
-//! long as the iteration occupies a multiplier.
+//! The polynomials of eˣ and tanh are summed as a tree (Estrin's scheme): the dependency chain
+//! grows with the logarithm of the degree. [`Numbers::sqrt_recip`] computes 1/√x as √x · (1/x),
+//! because the quotient need not wait for the root. With AVX-512, an approximate 1/√x and one
+//! iteration (11 operations) replace root and quotient. Root and quotient would occupy the divider
+//! for 18 + 16 cycles, three times as long as the iteration occupies a multiplier.
 //!
 //! A flight is a chain of dependent operations: each stage needs the acceleration of the stage
 //! before. The equation of motion (`flight/motion.rs`, `flight/step.rs`) is ordered for latency:
@@ -31,12 +31,12 @@
 //!   before the accelerations of the stages are added. Lift is computed before drag, because the
 //!   coefficient of drag is ready later. The airspeed multiplies the sum of lift and drag, so that
 //!   a law that depends on the spin only does not wait for the airspeed.
-//! - The nodes at both ends of a step swap places by reference. A copy would load data that was
-//!   just stored in smaller pieces. The processor cannot forward such stores to the load: copies
-//!   take 16 to 24 % of a drive with rk4.
+//! - The nodes at both ends of a step are swapped by reference. A copy would load data that was
+//!   just stored in smaller pieces, and the processor cannot forward several stores to one load:
+//!   copies take 16 to 24 % of a drive with rk4.
 //! - Long functions that are called rarely, or at several places, are compiled once for each number
-//!   type ([`Numbers::not_inlined`]). Two evaluations of one function are written as a loop, so
-//!   that its code is inlined once.
+//!   type ([`Numbers::not_inlined`]). Two calls of one function are written as a loop, so that the
+//!   function is inlined once.
 
 mod compiled;
 mod dual;
@@ -65,9 +65,9 @@ pub use vector::Vector;
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A real number with optional derivatives, or several of them in lanes.
+/// A real number with optional derivatives, or several such numbers in lanes.
 ///
-/// Several lanes have no single value to branch on: a formula with cases compares with
+/// A formula with cases cannot branch, because the lanes may need different cases: it compares with
 /// [`below`](Numbers::below) and combines the cases with [`select_lazily`](Numbers::select_lazily).
 pub trait Numbers:
     Copy
@@ -106,13 +106,13 @@ pub trait Numbers:
     fn below(self, limit: f64) -> Self::Mask;
     /// Selects lanes: `self` where the mask is true, `other` elsewhere.
     fn select(self, other: Self, mask: Self::Mask) -> Self;
-    /// The value with zero derivatives. Computations that are not differentiated then cost no more
-    /// than with plain numbers.
+    /// The value with zero derivatives, for computations that are not differentiated: they then
+    /// cost no more than with plain numbers.
     fn without_derivatives(self) -> Self;
     /// True where the value is finite.
     fn is_finite(self) -> Self::Mask;
-    /// Gathers `N` constants of a table per lane: `place` returns the constants at the values of
-    /// (`self`, `other`). The result has zero derivatives.
+    /// Gathers `N` constants from a table in each lane: `place` returns the constants for the
+    /// values of `self` and `other` in a lane. The result has zero derivatives.
     fn gather<const N: usize>(
         self,
         other: Self,
@@ -157,9 +157,9 @@ pub trait Numbers:
         }
     }
 
-    /// Runs `work` in a function that is not inlined and is compiled for the instruction set of this
-    /// number type. `work` is `FnMut`, because a `FnOnce` would be called through a shim that is
-    /// not compiled for this instruction set.
+    /// Runs `work` in a function that is not inlined and is compiled for the instruction set of
+    /// this number type. `work` is `FnMut`: a `FnOnce` would be called through a shim that is not
+    /// compiled for this instruction set.
     #[inline(always)]
     fn not_inlined<R>(work: impl FnMut() -> R) -> R {
         inlined::plain::not_inlined(work)
@@ -210,8 +210,8 @@ pub trait Numbers:
             return power();
         }
         let is_nonzero = self.below(0.0) | (-self).below(0.0);
-        // at 0: the factor 2 · `f64::MAX` keeps the value 0, but makes the first nonzero derivative
-        // infinite
+        // at 0: the power has the value 0, and the factor 2 · `f64::MAX` makes its first nonzero
+        // derivative infinite
         Self::select_lazily(
             is_nonzero,
             power,
@@ -242,9 +242,9 @@ pub trait Number: Numbers<Mask = bool> {
     /// Value without derivatives.
     fn re(self) -> f64;
 
-    /// Angle of the point (x, y), with `self` as y. Derivatives are exact in every direction, also
-    /// along the axes: the point is first rotated onto the positive x-axis. Undefined at the
-    /// origin.
+    /// Angle of the point (x, y), with y = `self`; undefined at the origin. Derivatives are exact
+    /// at all other points, also on the axes, because the point is first rotated onto the positive
+    /// x-axis.
     #[inline]
     fn atan2(self, x: Self) -> Self {
         let angle = self.re().atan2(x.re());

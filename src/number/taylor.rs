@@ -1,5 +1,5 @@
-/// Value of a function with its exact first and second derivatives, in the order of the requested
-/// variables.
+/// Value of a function and its exact first and second derivatives by the requested variables, in
+/// their order.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Taylor {
     /// Value.
@@ -11,7 +11,7 @@ pub struct Taylor {
 }
 
 impl Taylor {
-    /// Zero, with `columns` first derivatives and `rows` rows of the Hessian.
+    /// Zero, with `columns` first derivatives and `rows` rows of the Hessian (0 rows: no Hessian).
     pub(crate) fn zero(columns: usize, rows: usize) -> Self {
         Self {
             value: 0.0,
@@ -26,8 +26,8 @@ impl Taylor {
         self.value.is_finite() && derivatives.all(|d| d.is_finite())
     }
 
-    /// Checks that there are `count` first derivatives, and `count` rows of second derivatives if
-    /// there are any.
+    /// Checks that there are `count` first derivatives, and `count` × `count` second derivatives or
+    /// none. `of_what` names the variables in the message.
     ///
     /// # Panics
     /// If the numbers differ; the message names both numbers.
@@ -92,7 +92,7 @@ impl Taylor {
         all.unwrap_or_default()
     }
 
-    /// Chain rule: g(f) from g, g′ and g″ at f.
+    /// Chain rule: g(f) with its derivatives, from g, g′ and g″ at f.
     pub(crate) fn chained(&self, [value, slope, bend]: [f64; 3]) -> Self {
         let d = &self.gradient;
         let row = |(i, row): (usize, &Vec<f64>)| {

@@ -79,7 +79,7 @@ impl<T: Numbers> Vector<T> {
         )
     }
 
-    /// Euclidean norm; not differentiable at 0.
+    /// Euclidean norm; its derivatives are not finite at 0.
     #[inline(always)]
     pub fn norm(self) -> T {
         self.dot(self).sqrt()

@@ -16,7 +16,8 @@ use super::inlined;
 /// operating system are identical to the last bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// Baseline instructions of the architecture. WebAssembly has this level or `Simd128`, not both.
+    /// Baseline instructions of the architecture. A WebAssembly module has this level, or `Simd128`
+    /// if it is compiled with SIMD.
     Baseline,
     /// NEON (every aarch64 processor): two numbers in a register.
     Neon,
@@ -29,7 +30,7 @@ pub enum Level {
     Avx512,
 }
 
-/// Work that is compiled for each level. `run`, and everything that it calls on numbers, must be
+/// Work that is compiled for each level. `run`, and all functions of numbers that it calls, must be
 /// inlined; see [Inlining](crate::number).
 pub(crate) trait Task {
     /// Result.
@@ -89,15 +90,13 @@ impl Level {
     }
 
     /// The level for a single drive: at most AVX2. The directions of a single drive seldom fill the
-    /// lanes of AVX-512, and a copy of this code for AVX-512 would take a fifth of the compile
-    /// time.
+    /// lanes of AVX-512, and the code for AVX-512 would take a fifth of the compile time.
     pub(crate) fn of_one_drive(self) -> Self {
         self.min(Self::Avx2)
     }
 
-    /// Runs a task of one drive at the lowest of three levels: this level, the widest level of this
-    /// processor, and AVX2. Levels are ordered like the variants. `Batch::with_level` refuses a
-    /// level that this processor does not have.
+    /// Runs a task of one drive at this level, but not above AVX2 and not above the widest level of
+    /// this processor. Levels are ordered like the variants.
     #[inline]
     #[cfg_attr(
         target_arch = "x86_64",

@@ -3,10 +3,12 @@
 
 use crate::number::{Numbers, inlined};
 
-/// 1.5·2⁵²: adding it rounds a number to an integer in the low bits of the mantissa.
+/// 1.5·2⁵². The sum of this number and x has x, rounded to an integer, in the low bits of its
+/// mantissa.
 pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
-/// Leading digits of ln 2: integer multiples are exact (Cody & Waite 1980).
+/// Leading digits of ln 2, few enough that the product with k in [`reduced`] is exact (Cody & Waite
+/// 1980).
 const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
 /// Remaining digits of ln 2.
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
@@ -27,7 +29,7 @@ pub(super) const TAYLOR: [f64; 18] = {
     inverse
 };
 
-/// Operations of the exponential besides arithmetic.
+/// Operations that the exponential needs in addition to those of [`Numbers`].
 pub(super) trait Powers: Numbers {
     /// 2ᵏ for an integer k given as k + [`ROUNDER`], −1022 ≤ k ≤ 1023.
     fn two_to(rounded: Self) -> Self;

@@ -1,11 +1,11 @@
 //! Vector registers as lanes: the only code with processor instructions.
 //!
-//! Only [`Level`](super::Level) can name a register type, and does so only where the processor has
-//! the instructions: they are detected when the program runs (AVX2, AVX-512), are part of the
+//! Only [`Level`](super::Level) names a register type, and only if the processor has its
+//! instructions: they are detected when the program runs (AVX2, AVX-512), are part of the
 //! architecture (NEON), or are required by the build (WebAssembly). All other code is generic over
-//! the lane type of a [`Task`](super::Task). Every `unsafe` here relies on this choice.
+//! the lane type of a [`Task`](super::Task). Every `unsafe` in this module relies on this.
 #![allow(unsafe_code)]
-// an operation may be unsafe on one architecture only
+// some intrinsics are unsafe on one architecture and safe on another
 #![allow(unused_unsafe)]
 
 mod bits;
@@ -57,7 +57,7 @@ mod tests {
         worst
     }
 
-    /// Largest errors of the functions that registers compute without libm.
+    /// Largest errors, in ulp, of the functions that registers compute without libm.
     struct RegisterFunctions;
 
     impl Task for RegisterFunctions {

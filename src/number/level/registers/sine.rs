@@ -1,8 +1,8 @@
 use super::exponential::{Powers, TAYLOR};
 use crate::number::{Mask, inlined};
 
-/// Largest x² at which Taylor's polynomials of degrees 17 and 16 are exact to rounding. The limit
-/// of 46° for x covers the angles of clubs and launches.
+/// Largest x² at which Taylor's polynomials of degrees 17 (sine) and 16 (cosine) are exact to
+/// rounding. It is x = 46°; the usual angles of drivers and launches are smaller.
 const MOST_SQUARED: f64 = 0.64;
 
 /// sin x and cos x: by polynomials if all lanes are within 46°, else by `large`.
@@ -12,7 +12,7 @@ pub(super) fn sin_cos<V: Powers>(x: V, large: impl Fn(V) -> (V, V)) -> (V, V) {
     if !y.below(MOST_SQUARED).all() {
         return large(x);
     }
-    // Horner's scheme for Σ (−y)ᵏ/(2k + first)!, from k = 1 on, divided by −y
+    // Horner's scheme for the sum of (−y)ᵏ⁻¹/(2k + first)! over k from 1 to 8
     let series = inlined!(|first: usize| {
         let mut sum = V::constant(TAYLOR[first + 16]);
         let mut k = 8;
