@@ -36,7 +36,8 @@ pub(crate) fn persist(
         return file.persist(at);
     }
     match file.persist_noclobber(at) {
-        // some file systems have no rename that refuses to replace a file: check before the rename
+        // some file systems cannot rename without replacing an existing file: check before the
+        // rename
         Err(failed) if failed.error.kind() != io::ErrorKind::AlreadyExists && !at.exists() => {
             failed.path.persist(at)
         }
@@ -44,7 +45,7 @@ pub(crate) fn persist(
     }
 }
 
-/// The folder of a file.
+/// The folder of a file; `.` for a name without a folder.
 pub(crate) fn folder_of(path: &Path) -> &Path {
     path.parent()
         .filter(|folder| !folder.as_os_str().is_empty())

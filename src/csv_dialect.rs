@@ -1,8 +1,8 @@
 //! The separator of the cells of a CSV table.
 
-/// The separator of the cells, and the text of the table. If the first line states the separator,
-/// as in `sep=;`, the text of the table begins after this line. Otherwise the separator is the most
-/// frequent of tab, semicolon and comma in the line of column heads.
+/// The separator of the cells, and the text of the table. A first line such as `sep=;` states the
+/// separator; the text of the table then begins after this line. Otherwise the separator is the
+/// most frequent of tab, semicolon and comma in the line of column heads.
 pub(crate) fn detect_separator(text: &str) -> (u8, &str) {
     let text = text.trim_start_matches('\u{feff}');
     if let Some(rest) = text.strip_prefix("sep=") {

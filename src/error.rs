@@ -122,8 +122,8 @@ pub enum Error {
         /// The reason, and advice.
         reason: String,
     },
-    /// An operation without its parameters or outcomes, such as a search without parameters to
-    /// vary.
+    /// An operation that needs at least one parameter or outcome, but has none, such as a search
+    /// without parameters to vary.
     #[error("nothing to {doing}: name at least one {what}")]
     Nothing {
         /// The operation: "vary", "differentiate by".
@@ -335,7 +335,8 @@ pub enum Error {
         /// The reason, and advice.
         reason: String,
     },
-    /// A valid calibration with rows whose drives have no result, such as a ball that does not fly.
+    /// A valid calibration that fails because the drives of some rows have no result: a ball does
+    /// not fly, for example.
     #[error("calibration: {reason}")]
     NoFit {
         /// The status of the rows, or `no-answer` if their statuses differ.
@@ -419,15 +420,15 @@ impl Error {
         }
     }
 
-    /// True if the input is valid, but has no result, such as a drive that does not fly, a flight
-    /// that diverges, or an outcome that is not defined for the drive.
+    /// True if the input is valid but has no result: a ball that does not fly, for example, a
+    /// flight that diverges, or an outcome that is not defined for the drive.
     pub fn has_valid_input(&self) -> bool {
         self.status() != "error"
     }
 
-    /// Status in JSON: `no-flight`, `aloft`, `diverged`, `interrupted`, `undefined`, the status of a search
-    /// (`infeasible`, …), `no-answer` for rows of a calibration with different statuses, or `error`
-    /// for invalid input.
+    /// Status in JSON: `no-flight`, `aloft`, `diverged`, `interrupted`, `undefined`, the status of
+    /// a search (`infeasible`, …), `no-answer` for rows of a calibration with different statuses,
+    /// or `error` for invalid input.
     pub fn status(&self) -> &'static str {
         match self {
             Self::Diverged { .. } => "diverged",
@@ -442,7 +443,6 @@ impl Error {
     }
 }
 
-/// Message for a face that does not approach the ball.
 fn no_strike(approach: f64) -> Message {
     Message::from(
         "the club does not strike the ball: the contact point approaches the ball along the face \
@@ -456,7 +456,7 @@ fn no_strike(approach: f64) -> Message {
     )
 }
 
-/// The name of `names` that is most similar to a given name, and their similarity, 0 to 1.
+/// The most similar of `names` to a given `name`, with its similarity, 0 to 1.
 pub(crate) fn nearest<'a>(
     name: &str,
     names: impl IntoIterator<Item = &'a str>,
@@ -469,7 +469,7 @@ pub(crate) fn nearest<'a>(
         .iter()
         .map(|(similarity, _)| *similarity)
         .max_by(f64::total_cmp)?;
-    // of equally similar names, prefer the name that looks most similar: o is taken as 0, l as 1
+    // of equally similar names, prefer the name that looks most similar: 0 looks like o, 1 like l
     let glyphs = |text: &str| text.replace('0', "o").replace('1', "l");
     let by_glyphs = |known: &str| similarity(&glyphs(name), &glyphs(known));
     // if two names also look equally similar, take the first: swing.speed before wind.speed
@@ -480,11 +480,11 @@ pub(crate) fn nearest<'a>(
         .max_by(|a, b| by_glyphs(a.1).total_cmp(&by_glyphs(b.1)))
 }
 
-/// Jaro–Winkler similarity of two names, 0 to 1. The last point of a name separates its group from
-/// its last part: "club.weight_1" and "toe". If both names have equally many points, the result is
-/// the similarity of the groups times the similarity of the last parts, so that a long group does
-/// not outweigh the last part. A name without a group ("loft") is also compared with the last part
-/// of `known`. Names that differ only in case have similarity 1.
+/// Jaro–Winkler similarity of two names, 0 to 1; it is 1 for names that differ only in case. The
+/// last point of a name separates its group from its last part: "club.weight_1" and "toe". For
+/// names with equally many points, the similarity of the groups is multiplied by the similarity of
+/// the last parts, so that a long group does not outweigh the last part. A name without a group
+/// ("loft") is also compared with the last part of `known`.
 fn similarity(given: &str, known: &str) -> f64 {
     if given.eq_ignore_ascii_case(known) {
         return 1.0;

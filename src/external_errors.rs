@@ -1,7 +1,6 @@
 //! Messages for errors of the operating system and of the libraries that read files: the cause, and
 //! advice.
 
-/// Message for an error of the CSV reader.
 fn csv_error_text(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::UnequalLengths {
@@ -134,7 +133,8 @@ pub(crate) fn write_error_text(error: &std::io::Error) -> String {
 }
 
 /// Message for an error in a row of a CSV table. `text` is the whole table, read again to find an
-/// unclosed quote: the reader takes the rows after it for a part of the quoted cell.
+/// unclosed quote, because the CSV reader counts the rows after such a quote as part of the quoted
+/// cell.
 pub(crate) fn csv_row_error_text(error: &csv::Error, text: impl std::io::BufRead) -> String {
     let is_odd = |line: &Vec<u8>| line.iter().filter(|byte| **byte == b'"').count() % 2 == 1;
     let mut lines = text.split(b'\n').map_while(Result::ok);

@@ -1,5 +1,5 @@
 /// Hash of a sequence of numbers: FNV-1a, 64 bits, of their little-endian bytes. Not cryptographic.
-/// Independent of machine and compiler, because the journal of a sweep stores it.
+/// The hash does not depend on machine and compiler, because the journal of a sweep stores it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fingerprint(pub u64);
 

@@ -1,7 +1,7 @@
 //! Input files: on disk, or in memory.
 //!
 //! Every reader of tables, setups and swings opens its file here. A host program without a disk, or
-//! with tables of its own, gives files in memory to a command: [`with_memory_files`].
+//! with tables of its own, runs a command with files in memory: [`with_memory_files`].
 
 use crate::thread_stack::with_innermost;
 use std::cell::RefCell;
@@ -19,7 +19,8 @@ thread_local! {
     static MEMORY: RefCell<Vec<MemoryFiles>> = const { RefCell::new(vec![]) };
 }
 
-/// Runs `work` on this thread with `files` in memory.
+/// Runs `work` on this thread; `work` can open `files` as if they were on disk. They replace the
+/// files in memory of an outer call.
 pub fn with_memory_files<T>(files: MemoryFiles, work: impl FnOnce() -> T) -> T {
     with_innermost(&MEMORY, files, work)
 }

@@ -1,4 +1,4 @@
-//! Numbers, and values by name, in the JSON of a result.
+//! Numbers, ranges, and objects of named values in the JSON of a result.
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};

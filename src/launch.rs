@@ -3,7 +3,7 @@
 use crate::number::{Number, Numbers, Vector};
 use crate::parameters::Setup;
 
-/// η, rad/s: smaller spins count as zero. In the air |ω| is √(ω·ω + η²), which has derivatives at
+/// η, rad/s: a smaller spin counts as zero. In flight |ω| is √(ω·ω + η²), which has derivatives at
 /// zero spin (docs/model.md, eq. 14).
 pub const LEAST_SPIN: f64 = 1e-6;
 
@@ -31,10 +31,9 @@ impl<T> Launch<T> {
 }
 
 impl<T: Numbers> Launch<T> {
-    /// The launch with these launch conditions, SI. The inverse functions are
-    /// [`ball_speed`](Self::ball_speed), [`launch_angle`](Self::launch_angle),
-    /// [`launch_direction`](Self::launch_direction), [`backspin`](Self::backspin) and
-    /// [`sidespin`](Self::sidespin).
+    /// The launch with these launch conditions, SI. The functions [`ball_speed`](Self::ball_speed),
+    /// [`launch_angle`](Self::launch_angle), [`launch_direction`](Self::launch_direction),
+    /// [`backspin`](Self::backspin) and [`sidespin`](Self::sidespin) return them.
     ///
     /// ```
     /// use longdrive::launch::Launch;
@@ -113,8 +112,8 @@ impl<T: Number> Launch<T> {
         (self.spin.y * v.z - self.spin.z * v.y) / self.horizontal_speed()
     }
 
-    /// Spin about the axis that is perpendicular to the velocity and in the vertical plane of the
-    /// velocity, rad/s; + curves right.
+    /// Spin about the axis perpendicular to the velocity in the vertical plane of the velocity,
+    /// rad/s; + curves right.
     pub fn sidespin(&self) -> T {
         let (v, horizontal) = (self.velocity, self.horizontal_speed());
         let along = (self.spin.y * v.y + self.spin.z * v.z) / horizontal;

@@ -1,4 +1,4 @@
-//! Repeated items in a list of the user.
+//! Repeated items in a list.
 
 /// Finds the first item that equals an earlier item. Returns the indices of the earlier item and of
 /// the found item; `None` if no item is repeated.

@@ -1,4 +1,4 @@
-//! A stack of the values of nested calls on a thread.
+//! A stack for each thread, with one value for each nested call.
 
 use std::cell::RefCell;
 use std::thread::LocalKey;
