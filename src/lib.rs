@@ -7,12 +7,12 @@
 //!   subject to low ≤ x ≤ high    limits of club and golfer
 //! ```
 //!
-//! where carry is the distance to the landing point of a ball that a rigid clubhead has struck
-//! ([`impact`]) and that flies through air with drag, lift and spin decay ([`flight`]). Both are
-//! written once, generic over a [`Number`](number::Number): `f64` gives values, dual numbers give
-//! exact gradients and Hessians ([`derivative`]), which the optimizer ([`optimize`]) and every
-//! study ([`study`]) use. Without default features the library has the modules up to
-//! [`integration`]; the features `studies` and `reports` add the others.
+//! where carry is the distance to the landing point of the ball. A rigid clubhead strikes the ball
+//! ([`impact`]), and the ball flies through air with drag, lift and spin decay ([`flight`]). Impact
+//! and flight are written once, generic over a [`Number`](number::Number): `f64` gives values, dual
+//! numbers give exact gradients and Hessians ([`derivative`]). The optimizer ([`optimize`]) and
+//! every study ([`study`]) use these derivatives. Without default features the library has the
+//! modules up to [`integration`]; the features `studies` and `reports` add the others.
 //!
 //! ```
 //! use longdrive::{Outcome, Setup, derivative};

@@ -6,8 +6,8 @@ use crate::parameters::Ferguson;
 /// Spin ratios of the measured shots. Below this range a cubic replaces the lift coefficient,
 /// because the formula gives lift without spin.
 const MEASURED: [f64; 2] = [0.02, 0.75];
-/// Width of the upper clamp of the spin ratio. Without it the lift would be negative above s =
-/// 1.09, and the drag above s = 1.25.
+/// Width of the upper clamp of the spin ratio. Without the clamp, the lift would be negative above
+/// s = 1.09, and the drag above s = 1.25.
 const HELD_OVER: f64 = 0.2;
 
 /// C_D = cd0 + cd1 s + cd2 s², C_L = cl0 + cl1 s + cl2 s²: Ferguson, McNally & McPhee (2022),

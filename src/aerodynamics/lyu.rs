@@ -4,12 +4,12 @@ use crate::parameters::Lyu;
 
 /// Spin ratios of the measurements.
 const MEASURED: [f64; 2] = [0.045, 0.32];
-/// Width of the upper clamp of the spin ratio. Without it the lift would be negative above s =
-/// 0.61.
+/// Width of the upper clamp of the spin ratio. Without the clamp, the lift would be negative above
+/// s = 0.61.
 const HELD_OVER: f64 = 0.04;
 
-/// Centre, in Re/10⁵, of the transition between the two parabolas of the drag. Both are valid for
-/// 0.75 < Re/10⁵ < 1 and differ there by at most 0.02.
+/// Centre, in Re/10⁵, of the transition between the two parabolas of the drag. For 0.75 < Re/10⁵ <
+/// 1 both parabolas are valid, and differ by at most 0.02.
 const BETWEEN: f64 = 0.875;
 /// Width of the transition in Re/10⁵: a quarter of the interval in which both parabolas are valid.
 const WIDTH: f64 = 0.06;

@@ -135,8 +135,8 @@ pub trait AerodynamicLaw<T: Numbers> {
 impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        // a law that is not inlined returns its `Coefficients` in memory; copying the fields keeps
-        // the coefficients of the inlined laws out of memory
+        // a law that is not inlined returns its `Coefficients` in memory; with the fields copied,
+        // the coefficients of the inlined laws stay in registers
         let (drag, lift) = with_law!(self, |law| {
             let found = law.coefficients(stream);
             (found.drag, found.lift)

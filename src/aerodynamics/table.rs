@@ -38,8 +38,8 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
                 held: [[true; 2]; 4],
             },
             continuous_derivatives: Some(2),
-            // C_D is constant below the least spin of a table, so it has a corner only if the
-            // least spin is 0
+            // C_D is constant below the least spin of a table, so C_D has a slope at zero spin only
+            // if the least spin is 0
             has_corner_at_zero_spin: self.table.grid.full_lift.is_none(),
         }
     }

@@ -3,8 +3,8 @@ use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stre
 use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
 use crate::parameters::UsgaItr;
 
-/// Lowest spin ratio of the measured shots. Below it a cubic replaces the lift coefficient, because
-/// the formula gives lift without spin.
+/// Lowest spin ratio of the measured shots. Below this spin ratio a cubic replaces the lift
+/// coefficient, because the formula gives lift without spin.
 const SMOOTH_BELOW: f64 = 0.042;
 /// Start of the upper clamp of the spin ratio. The clamp bounds the term in s² of the drag. The
 /// formula is valid for s < 0.3.

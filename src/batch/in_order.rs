@@ -6,7 +6,8 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::mpsc;
 
-/// Maximum number of chunks in flight per thread: enough that threads need not wait for `sink`.
+/// Maximum number of chunks per thread that are begun but not yet passed to `sink`: enough that
+/// threads need not wait for `sink`.
 const CHUNKS_PER_THREAD: u64 = 4;
 
 /// Maximum number of threads. More threads need longer to start than they save.
@@ -16,9 +17,10 @@ const MOST_THREADS: usize = 256;
 pub(crate) const HAS_THREADS: bool =
     cfg!(any(not(target_family = "wasm"), target_feature = "atomics"));
 
-/// Processes each chunk from `next` in parallel and passes the results to `sink` in order. The
-/// number of chunks in flight is bounded. `threads` is the number of threads, at most 256; 0 means
-/// one per processor. Without threads (WebAssembly) the chunks are processed one by one.
+/// Calls `work` on each chunk from `next` in parallel, and `sink` on the results in the order of
+/// the chunks. The number of chunks that are begun but not yet passed to `sink` is bounded.
+/// `threads` is the number of threads, at most 256; 0 means one per processor. Without threads
+/// (WebAssembly) the chunks are processed one by one.
 ///
 /// # Errors
 /// Errors of `next` and `sink`. If `next` fails, the earlier results are delivered first.
