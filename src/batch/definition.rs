@@ -133,8 +133,8 @@ impl Batch {
         let most = Level::here();
         if !level.is_here() {
             let reason = format!(
-                "this processor does not have them; its widest instruction set is {most}. Use \
-                 `instructions` {most} on every machine, or a machine with {level}"
+                "this processor does not have them; its widest instruction set is {most}. Give \
+                 `instructions` {most} on all machines of the sweep, or use machines with {level}"
             );
             return Err(Error::Together {
                 given: format!("the instructions {level}"),

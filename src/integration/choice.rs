@@ -143,7 +143,7 @@ impl StepChoice {
             Err(Error::Tolerance { reason, .. }) if self == Self::Micrometre => {
                 let warning = format!(
                     "flown with flight.method = {} and flight.step = {} s of the setup, since no \
-                     step is within 1 um: {reason}",
+                     step has errors of at most 1 um: {reason}",
                     setup.method.name(),
                     setup.flight.step
                 );
