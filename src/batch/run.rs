@@ -18,8 +18,8 @@ pub struct Run<'a> {
     pub first_row: u64,
     /// The row after the last row to compute. With `None`, the default, all rows are computed.
     pub end_row: Option<u64>,
-    /// Number of threads; by default 0: one per processor, or one for a single chunk. At most 256,
-    /// and at most the number of chunks.
+    /// Number of threads, at most 256 and at most the number of chunks. 0, the default, means one
+    /// per processor, or one for a single chunk.
     pub threads: usize,
     /// Interrupt flag: once true, no further chunk begins, and the run ends after the chunks that
     /// have begun. Flights of thousands of steps are interrupted too.

@@ -121,8 +121,8 @@ pub struct Check {
     #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub error: f64,
     /// The largest allowed difference, SI.
-    // [`TOLERANCE_FACTOR`] times the error estimate of the differences, at least
-    // [`Demand::least_tolerance`]
+    // [`TOLERANCE_FACTOR`] times the error estimate of the differences, but at least
+    // [`Demand::least_tolerance`] plus [`OWN_ROUNDING`]
     #[serde(serialize_with = "crate::json::number")]
     #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub tolerance: f64,
