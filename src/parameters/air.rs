@@ -78,8 +78,8 @@ pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Alternat
         .collect()
 }
 
-/// True if both setups describe the quantity of this parameter (air or wind, see [`Alternatives`])
-/// by the same parameters with the same values. False if the parameter describes neither.
+/// True if the parameter describes the air or the wind (see [`Alternatives`]), and both setups
+/// describe that quantity by the same parameters with the same values.
 pub(crate) fn is_given_alike([a, b]: [&Setup<f64>; 2], parameter: &Parameter) -> bool {
     let Some(alternatives) = ALTERNATIVES.iter().find(|one| one.has(parameter)) else {
         return false;
@@ -104,7 +104,8 @@ fn replacing(name: &str) -> Option<&'static Alternatives> {
     ALTERNATIVES.iter().find(|one| one.replaced.contains(&name))
 }
 
-/// True if this text resets a replaceable parameter to its default: `air.density = "none"`.
+/// True if this text resets a parameter to its default: `none` for a parameter that others may
+/// replace, such as `air.density`.
 pub(crate) fn is_reset(name: &str, text: &str) -> bool {
     is_unset(text) && replacing(name).is_some()
 }
@@ -130,8 +131,8 @@ pub(super) fn replacement_advice(name: &str) -> String {
 /// set. `names` are in the order in which they were given.
 ///
 /// # Errors
-/// [`Error::Together`] for such a parameter, with advice how to unset the parameter that was given
-/// first.
+/// [`Error::Together`] for a replaced parameter. The advice says how to unset the parameter that
+/// was given first.
 pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> Result<()> {
     for Alternatives {
         by: by_all,
@@ -232,8 +233,8 @@ impl Setup<f64> {
             .collect()
     }
 
-    /// Warning about an altitude without a temperature: the default of 25 °C is warmer than the
-    /// standard atmosphere at that altitude, so that the density is lower.
+    /// Warning about an altitude without a temperature. The default of 25 °C is warmer than the
+    /// standard atmosphere at that altitude, so that the computed density is lower.
     fn altitude_warning(&self) -> Option<Message> {
         let altitude = self.air.altitude?;
         if self.air.temperature.is_some() || altitude <= 0.0 {
@@ -266,11 +267,11 @@ impl Setup<f64> {
         ))
     }
 
-    /// Refuses weather or wind that the set parameters and `names` together give twice or
-    /// incompletely.
+    /// Checks that weather and wind are complete and given only once. A parameter counts as given
+    /// if it is set or among `names`.
     ///
     /// # Errors
-    /// [`Error::Together`] for such weather or wind.
+    /// [`Error::Together`] for weather or wind that is incomplete or given twice.
     pub(crate) fn check_air(&self, names: &[&str]) -> Result<()> {
         let (air, wind) = (&self.air, &self.wind);
         let has = |name: &str, value: Option<f64>| value.is_some() || names.contains(&name);
@@ -308,9 +309,9 @@ impl Setup<f64> {
     }
 
     /// Warning about a roughness or a reference height without effect, and about a reference height
-    /// that is not above the roughness length. It applies to a single drive, so
-    /// [`warnings`](Self::warnings) does not contain it: in a batch whose wind or roughness varies,
-    /// roughness and reference height have an effect.
+    /// that is not above the roughness length. [`warnings`](Self::warnings) does not contain this
+    /// warning, because it holds for a single drive only: if a batch varies the wind or the
+    /// roughness, both settings have an effect.
     pub fn wind_profile_warning(&self) -> Option<Message> {
         let wind = &self.wind;
         let stated = self.parameter("wind.reference_height").ok()?;

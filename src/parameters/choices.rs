@@ -38,7 +38,7 @@ impl Golfer {
     }
 }
 
-/// Point of the head whose velocity `swing.speed`, `swing.attack_angle` and `swing.path` give. The
+/// Point of the head to which `swing.speed`, `swing.attack_angle` and `swing.path` refer. The
 /// points of a rotating head have different velocities (docs/model.md, eq. 1a).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum SpeedOf {

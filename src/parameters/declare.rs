@@ -96,8 +96,8 @@ pub struct Parameter {
     pub doc: &'static str,
     /// Required, optional or a setting.
     pub kind: Kind,
-    /// Value, SI, equivalent to leaving the parameter unset (`or 0.0` in the table); `None` if the
-    /// table declares none.
+    /// SI value with the effect of an unset parameter (`or 0.0` in the table); `None` if the table
+    /// declares no such value.
     pub unset: Option<f64>,
     /// Aerodynamic law of a coefficient; `None` for other parameters.
     pub law: Option<&'static str>,
@@ -118,7 +118,7 @@ impl Parameter {
         message.quantity(self.quantity, self.unit, value, Digits::Significant(5))
     }
 
-    /// A value as text, in the display unit.
+    /// A value as text, in the display unit; [`UNSET`] for `None`.
     pub fn show(&self, value: Option<f64>) -> String {
         value.map_or_else(
             || UNSET.into(),
@@ -152,14 +152,14 @@ impl Hash for Parameter {
     }
 }
 
-/// The name.
+/// Writes the name.
 impl fmt::Display for Parameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name)
     }
 }
 
-/// The name.
+/// Writes the name.
 impl Serialize for Parameter {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name)
@@ -350,12 +350,13 @@ macro_rules! parameter_groups {
             pub method: Method,
             /// The hand of the golfer (`golfer`).
             pub golfer: Golfer,
-            /// The point of the head whose motion the swing states (`swing.speed_of`).
+            /// The point of the head to which speed, attack angle and path of the swing refer
+            /// (`swing.speed_of`).
             pub speed_of: SpeedOf,
             /// True if `flight.method` or `flight.step` was stated, by [`set`](Setup::set), a
             /// preset or a file. Otherwise [`StepChoice`](crate::integration::StepChoice) may
-            /// choose both, and setup files do not contain them. Set it to true if you assign one
-            /// of the two fields.
+            /// choose both, and a setup file written from this setup contains neither. Set this to
+            /// true if you assign `method` or `flight.step` directly.
             pub states_step: bool,
         }
 

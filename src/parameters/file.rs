@@ -30,7 +30,6 @@ struct Item<'a> {
 }
 
 impl Item<'_> {
-    /// True if the item resets a replaceable parameter (`none`).
     fn is_reset(&self) -> bool {
         self.value
             .as_str()
@@ -122,7 +121,6 @@ impl SetupFile {
         Self::from_items(setup, &items, text, file)
     }
 
-    /// The contents of a file with these items.
     fn from_items(setup: Setup<f64>, items: &[Item<'_>], text: &str, file: &str) -> Result<Self> {
         let preset = items
             .iter()
@@ -325,7 +323,7 @@ pub(crate) fn in_file(text: &str, file: &str, at: usize, source: Error) -> Error
     }
 }
 
-/// Line and column of a byte offset, from 1.
+/// Line and column of a byte offset, both counted from 1.
 pub(crate) fn place_in(text: &str, at: usize) -> (usize, usize) {
     let before = text.get(..at).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
@@ -385,7 +383,6 @@ mod tests {
         assert_eq!(setup.law.name(), "linear");
     }
 
-    /// Checks that the error message for each text has this start and contains these words.
     fn assert_refused(texts: &[(&str, &str, &str)]) {
         for (text, start, says) in texts {
             let message = Setup::from_toml(text, "f").unwrap_err().to_string();

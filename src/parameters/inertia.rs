@@ -6,7 +6,8 @@ use crate::error::{Error, Result};
 use nalgebra::Matrix3;
 
 impl Parameter {
-    /// True for an entry of the inertia tensor. All entries are checked together.
+    /// True for an entry of the inertia tensor. A check of its range is not enough: the tensor must
+    /// be positive definite.
     pub(crate) fn is_of_inertia(&self) -> bool {
         self.name.starts_with("club.inertia")
     }
@@ -26,7 +27,7 @@ impl<T: Copy> Club<T> {
 }
 
 impl Club<f64> {
-    /// The principal moments, smallest first.
+    /// The principal moments of inertia, kg m², smallest first.
     fn principal_moments(&self) -> [f64; 3] {
         let mut moments: [f64; 3] = Matrix3::from(self.inertia()).symmetric_eigenvalues().into();
         moments.sort_by(f64::total_cmp);

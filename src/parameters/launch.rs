@@ -7,8 +7,8 @@ use crate::error::{Error, Result};
 /// Prefix of the names of launch conditions.
 const GROUP: &str = "launch.";
 
-/// True for the name of a parameter or choice of golfer, swing, strike, club or impact. It has no
-/// effect if the launch is given.
+/// True for a name of the groups swing, strike, club and impact, and for `golfer`. These settings
+/// have no effect if the launch is given.
 pub fn is_of_strike(name: &str) -> bool {
     let groups = ["swing.", "strike.", "club.", "impact."];
     name == GOLFER || groups.iter().any(|group| name.starts_with(group))
@@ -114,8 +114,8 @@ impl Setup<f64> {
             .collect()
     }
 
-    /// The launch condition of this name, which has no prefix: `ball_speed`. `None` if there is
-    /// none.
+    /// The launch condition with this name without prefix, such as `ball_speed`; `None` if there is
+    /// no such condition.
     pub fn launch_condition(&self, name: &str) -> Option<&'static super::Parameter> {
         self.parameter(&format!("{GROUP}{name}")).ok()
     }

@@ -360,8 +360,8 @@ impl Setup<f64> {
         self.apply_text(setting.name, setting.text, setting.is_bare)
     }
 
-    /// Changes the aerodynamic law to the law `name` with its published coefficients. If this is
-    /// the current law, its coefficients are kept.
+    /// Changes the aerodynamic law to the law `name` with its published coefficients. If `name` is
+    /// already the law of this setup, its coefficients are kept.
     ///
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no law has this name, and [`Error::Together`]
@@ -395,8 +395,8 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Changes the law to a user's own table in a CSV file. The factors of a table that is already
-    /// set are kept.
+    /// Changes the law to a user's own table in a CSV file. If the law is a table already, its
+    /// factors (`aero.cd_factor`, `aero.cl_factor`) are kept.
     ///
     /// # Errors
     /// The errors of [`LawTable::open`].
@@ -409,8 +409,8 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Sets a parameter to an SI value. `None` unsets an optional parameter, and resets a parameter
-    /// that other parameters replace to its default.
+    /// Sets a parameter to an SI value. `None` unsets an optional parameter. If other parameters
+    /// replace this parameter, `None` resets it to its default.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if the value is outside the range, [`Error::NotANumber`] if it is NaN,
@@ -490,8 +490,8 @@ impl Setup<f64> {
         self.check_air(&[])
     }
 
-    /// Like [`validate`](Self::validate), without the checks of launch, weather and wind, which the
-    /// columns of a table may complete.
+    /// Like [`validate`](Self::validate), without the checks of launch, weather and wind: the
+    /// columns of a table may complete these three.
     ///
     /// # Errors
     /// The errors of [`validate`](Self::validate).

@@ -28,7 +28,7 @@ impl<T> FlightConditions<T> {
     }
 }
 
-/// The error for a step or time limit with too many steps.
+/// The error for a step or a time limit outside of its range, and for too many steps.
 #[cold]
 fn refusal(step: f64, limit: f64) -> Error {
     let row = |name: &str| {

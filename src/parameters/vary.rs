@@ -114,8 +114,9 @@ impl Vary {
         }
     }
 
-    /// Checks a range that was not made by [`new`](Self::new). The range may exceed the allowed
-    /// values of the parameter. At a value that is not allowed there is no drive.
+    /// Checks that the ends are numbers and in order, for a range that was not made by
+    /// [`new`](Self::new). The range may exceed the allowed values of the parameter; there is no
+    /// drive at a value that is not allowed.
     ///
     /// # Errors
     /// [`Error::NotANumber`] if an end is NaN, and [`Error::SearchRange`] if the range is reversed.

@@ -9,8 +9,8 @@ use super::surface::{Cell, Surface, steps, stored_cells};
 /// Usual drives have larger spin ratios: 0.08 at 72 m/s and 2500 rpm.
 const FULL_LIFT: f64 = 0.02;
 
-/// Smallest distance of two lines of the grid, relative to the largest value. Closer lines are
-/// refused: they are different roundings of one line.
+/// Smallest allowed distance between two lines of the grid, relative to the largest value. Closer
+/// lines are refused: they are different roundings of one line.
 const LEAST_DISTANCE: f64 = 1e-9;
 
 /// Width of the smooth clamp beyond the ends of an axis, as a fraction of the outermost interval.
@@ -21,7 +21,7 @@ const CLAMP_WIDTH: f64 = 0.5;
 /// most 1 + [`CLAMP_WIDTH`]/2 = 1.25: 1.25⁶ = 3.8.
 const LARGEST_POWER: f64 = 4.0;
 
-/// The grid of `nodes`.
+/// Checks the nodes, and makes the grid with its splines.
 pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, LawTableFault> {
     let rows = &nodes.rows;
     if rows.len() < 2 {
@@ -64,7 +64,7 @@ pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, LawTableFault> 
     let counts = [speeds.len(), spins.len()];
     let cells = stored_cells(&speeds, &spins, [&drag, &lift]);
     check_between_nodes(&cells, counts, nodes)?;
-    // a refused table leaks no memory
+    // leaked only after all checks, so that a refused table leaks no memory
     let surface = Surface::new(speeds.leak(), spins.leak(), cells.leak());
     Ok(CoefficientGrid {
         speed,
@@ -98,7 +98,7 @@ fn lines(
     Ok(lines)
 }
 
-/// The nodes of a full grid, row by row: a node at each crossing of the lines.
+/// Sorts the nodes row by row, and checks that each crossing of the lines has exactly one node.
 fn full_grid<'a>(
     nodes: &'a GridNodes,
     speeds: &[f64],
@@ -198,10 +198,10 @@ fn check_between_nodes(
     Ok(())
 }
 
-/// Coordinates of the samples along one direction of a cell: from 0 to 1 within the cell, and one
-/// sample beyond each end of the grid at which the cell lies. `at` is the index of the cell's first
-/// line among `count` lines. `zero` is the coordinate of zero speed or spin, the smallest possible
-/// coordinate.
+/// Coordinates of the samples along one direction of a cell: from 0 to 1, and one sample in the
+/// clamp beside the first and beside the last cell of the grid. `at` is the index of the cell's
+/// first line among `count` lines. `zero` is the coordinate of zero speed or spin; no sample is
+/// below `zero`.
 fn samples(at: usize, count: usize, zero: f64) -> impl Iterator<Item = f64> {
     const INTERVALS: usize = 8;
     let below = if at == 0 && count > 1 {
@@ -220,7 +220,6 @@ fn samples(at: usize, count: usize, zero: f64) -> impl Iterator<Item = f64> {
         .chain(above)
 }
 
-/// The fault of a negative drag at [u, w] in a cell.
 fn negative_drag(cell: &Cell, [u, w]: [f64; 2], drag: f64, nodes: &GridNodes) -> LawTableFault {
     let coordinate = |corner: f64, per: f64, part: f64| {
         if per > 0.0 {

@@ -61,8 +61,8 @@ pub struct LawTableAxis {
 pub(crate) struct CoefficientGrid {
     pub speed: Option<LawTableAxis>,
     pub spin: Option<LawTableAxis>,
-    /// Spin ratio or spin, and the reciprocal of a limit of this variable, SI: below the limit the
-    /// lift falls to 0 with the variable. `None` if the grid begins at zero spin.
+    /// Below a limit of this variable (spin ratio or spin), the lift falls smoothly to 0. The
+    /// number is the reciprocal of the limit, SI. `None` if the grid begins at zero spin.
     pub full_lift: Option<(AxisVariable, f64)>,
     pub surface: Surface,
 }

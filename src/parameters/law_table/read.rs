@@ -63,7 +63,6 @@ pub(super) struct GridNodes {
     pub rows: Vec<GridNode>,
 }
 
-/// Content of a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum LawColumnContent {
     Axis(AxisVariable),
@@ -71,7 +70,6 @@ enum LawColumnContent {
     Lift,
 }
 
-/// A column of the table.
 struct LawColumn {
     /// Column head as written in the file.
     head: String,
@@ -128,7 +126,6 @@ pub(super) fn nodes(text: &str) -> Result<GridNodes, LawTableFault> {
     Ok(GridNodes { speed, spin, rows })
 }
 
-/// Parses a row.
 fn node(
     record: &StringRecord,
     columns: &[LawColumn],
@@ -159,7 +156,6 @@ fn node(
     Ok(node)
 }
 
-/// Parses the column heads.
 fn columns(heads: &StringRecord) -> Result<Vec<LawColumn>, LawTableFault> {
     let mut columns: Vec<LawColumn> = vec![];
     for (at, head) in heads.iter().enumerate() {

@@ -5,8 +5,8 @@
 /// are the coordinates in the cell along x and y, from 0 to 1.
 pub(crate) type Cell = [f64; 36];
 
-/// Two surfaces over one grid, through two numbers at each node. They live until the program ends,
-/// and their evaluation allocates no memory.
+/// Two surfaces over one grid, such as drag and lift, with two numbers at each node. The numbers
+/// are static: an evaluation allocates no memory.
 #[derive(Debug)]
 pub(crate) struct Surface {
     x: Knots,
@@ -128,7 +128,7 @@ fn step(knots: &[f64], i: usize) -> (f64, f64) {
 /// table.
 fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells: &mut [Cell]) {
     let columns = x.len();
-    // slopes by x, by y, and by both
+    // derivatives by x, by y, and by both; then working memory
     let [by_x, by_y, by_xy, diagonal] = work;
     for (which, table) in tables.into_iter().enumerate() {
         for row in 0..y.len() {
@@ -250,7 +250,6 @@ mod tests {
         }
     }
 
-    /// The surface 1 + 2 x + 3 y + 4 x y over unevenly spaced lines, and over a single line.
     #[test]
     fn exact_surface_of_a_plane_and_along_a_single_line() {
         let plane = |x: f64, y: f64| 1.0 + 2.0 * x + 3.0 * y + 4.0 * x * y;
