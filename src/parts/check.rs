@@ -250,14 +250,14 @@ fn valid_parts(
     valid
 }
 
-/// The definition of the sweep that most files belong to. Only files that agree with `wanted`
-/// count. If no file agrees, the definition is `wanted` with the number of parts, the instruction
-/// set and the C library of the first file. `None` without files.
+/// The definition of the sweep that most files belong to, among the files that agree with `wanted`.
+/// If no file agrees, the definition is `wanted` with the number of parts, the instruction set and
+/// the C library of the first file. `None` without files.
 fn definition_of_most(
     found: &[(String, Footer)],
     wanted: Option<&SweepDefinition>,
 ) -> Option<SweepDefinition> {
-    // the files determine the number of parts, the instructions and the functions
+    // `wanted` with the fields that it leaves to the files
     let wanted_as = |of: &SweepDefinition| {
         wanted.map(|wanted| SweepDefinition {
             parts: of.parts,
@@ -279,12 +279,11 @@ fn definition_of_most(
         .values()
         .filter(|(_, of)| like_wanted(of))
         .max_by_key(|(count, _)| *count);
-    // no file agrees with `wanted`: the first file determines what the files determine
     let of_none = || wanted_as(&found.first()?.1.definition);
     most.map(|(_, of)| (*of).clone()).or_else(of_none)
 }
 
-/// The fault of a file that is a part of some sweep; `None` for a valid part.
+/// The fault of a file with a readable footer; `None` for a valid part of the sweep `definition`.
 fn fault(definition: &SweepDefinition, hash: &str, footer: &Footer) -> Option<(FaultKind, String)> {
     if footer.part.question != hash {
         let theirs = &footer.definition;

@@ -154,7 +154,6 @@ impl FileHashes {
     }
 }
 
-/// Adds the bytes of a source to a hash.
 fn add(hash: &mut Sha256, source: impl Read) -> io::Result<()> {
     let mut source = BufReader::with_capacity(1 << 20, source);
     loop {
@@ -173,8 +172,8 @@ fn note<T: for<'de> Deserialize<'de>>(notes: &[KeyValue], key: &str) -> Option<T
     serde_json::from_str(note.value.as_deref()?).ok()
 }
 
-/// Size of a file, and number of bytes before its footer. The last eight bytes of the file begin
-/// with the length of the footer (four bytes).
+/// Size of a file, and number of bytes before its footer. A Parquet file ends with the length of
+/// the footer (four bytes) and the magic number (four bytes).
 fn lengths(file: &mut File) -> io::Result<(u64, u64)> {
     let mut tail = [0; 4];
     let bytes = file.seek(SeekFrom::End(0))?;

@@ -25,7 +25,7 @@
 //! let dataset = Dataset::new(batch, &points, 2, vec![], vec![]).unwrap();
 //! let folder = tempfile::tempdir().unwrap();
 //!
-//! // the second part first: it has two of the three blocks of 3000 rows
+//! // the second part first: the 3000 rows are three blocks, and it has two of them
 //! let run = Run::default();
 //! let mut write =
 //!     |part| dataset.write(&mut points, part, folder.path(), &run, false, |_| ()).unwrap();

@@ -43,7 +43,7 @@ pub fn rows_of(part: u64, parts: u64, rows: u64) -> Result<Range<u64>> {
             ),
         );
     }
-    // 128 bits for the product of two numbers of 64 bits
+    // the product of two 64-bit numbers needs 128 bits
     let begin = |part: u64| {
         (u128::from(part) * u128::from(blocks) / u128::from(parts)) as u64 * CHUNK as u64
     };

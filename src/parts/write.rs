@@ -71,9 +71,10 @@ impl Dataset {
         rows_of(part, self.definition.parts, self.definition.rows)
     }
 
-    /// Computes and writes a part into an existing folder, unless the part exists. The file is
-    /// synced to the disk before it is renamed. `run` gives the threads and the stop flag;
-    /// `progress` receives the number of computed rows.
+    /// Computes a part and writes it into an existing folder. If the folder has the complete part
+    /// already and `overwrite` is false, nothing is computed. The file is synced to the disk before
+    /// it is renamed. `run` gives the threads and the stop flag; `progress` receives the number of
+    /// computed rows.
     ///
     /// # Errors
     /// [`Error::Results`] if the folder has a part of another sweep, if another file has the name
@@ -200,8 +201,8 @@ impl Dataset {
         file.write(&bytes).map_err(unwritten)
     }
 
-    /// The manifest of the existing file at `path`. The error is the reason why the file is not the
-    /// complete part `part` of this sweep.
+    /// The manifest of the existing file at `path`, or the reason why the file is not the complete
+    /// part `part` of this sweep.
     fn found(&self, part: u64, path: &Path) -> Result<Manifest, String> {
         let advice = "take another folder, or give `overwrite` to replace the file";
         let footer = Footer::read(path).map_err(|reason| format!("{reason}; {advice}"))?;
@@ -255,7 +256,7 @@ impl Dataset {
     }
 }
 
-/// A file that does not have its final name yet.
+/// A part that is being written to a temporary file.
 struct Unfinished {
     file: tempfile::NamedTempFile,
     /// Hash of the bytes written so far.

@@ -32,8 +32,8 @@ pub struct Histogram {
 }
 
 impl Histogram {
-    /// Reads an empty histogram: `OUTCOME=LOW..HIGH:COUNT`, for example `carry=200m..300m:64`. The
-    /// default count of bins is 64. A lower edge without unit takes the unit of the upper edge.
+    /// Reads `OUTCOME=LOW..HIGH:COUNT`, for example `carry=200m..300m:64`, as an empty histogram.
+    /// The default COUNT is 64 bins. A lower edge without unit takes the unit of the upper edge.
     ///
     /// ```
     /// use longdrive::statistics::Histogram;
@@ -115,8 +115,8 @@ impl Histogram {
         }
     }
 
-    /// Bin of a value within the range: edge(i) ≤ value < edge(i + 1); the upper edge belongs to
-    /// the last bin.
+    /// Bin i of a value within the range: edge(i) ≤ value < edge(i + 1). The upper edge of the
+    /// range belongs to the last bin.
     fn bin(&self, value: f64) -> usize {
         let ([low, high], last) = (self.range, self.counts.len() - 1);
         let mut at = (((value - low) / (high - low) * self.counts.len() as f64) as usize).min(last);

@@ -4,14 +4,14 @@ use serde::{Deserialize, Serialize};
 /// Count, mean, variance and range of the values of a column. Moments of different rows can be
 /// merged.
 ///
-/// The sum of squared deviations from the mean, M₂, of the rows a and b together is
+/// M₂ is the sum of squared deviations from the mean. For the rows a and b together it is
 ///
 /// ```text
 ///   M₂ = M₂ₐ + M₂ᵦ + δ² nₐ nᵦ/n      δ = mean_b − mean_a
 ///   (Chan, Golub & LeVeque 1983, The American Statistician 37, eq. 2.1)
 /// ```
 ///
-/// This formula loses no digits if the deviation is small relative to the mean.
+/// This formula loses no digits if the standard deviation is small relative to the mean.
 ///
 /// ```
 /// use longdrive::statistics::Moments;

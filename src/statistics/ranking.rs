@@ -39,7 +39,8 @@ pub struct Ranking {
 }
 
 impl Ranking {
-    /// Reads an empty ranking: `OUTCOME:N`, for example `carry:10`; the default of N is 10.
+    /// Reads `OUTCOME:N`, for example `carry:10`, as an empty ranking of N rows. The default of N
+    /// is 10.
     ///
     /// # Errors
     /// [`Error::Unreadable`] if N is invalid, and [`Error::Unknown`] if the outcome is unknown.

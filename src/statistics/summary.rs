@@ -35,8 +35,8 @@ pub struct Summary {
     pub best: Vec<Ranking>,
 }
 
-/// Refuses histograms and rankings that already have values: the summary of each block starts as a
-/// copy of them, so that these values would count once for each block.
+/// Refuses histograms and rankings that already have values. The summary of each block starts as a
+/// copy of them, so their values would count once for each block.
 fn refuse_filled(histograms: &[Histogram], best: &[Ranking]) -> Result<()> {
     let has_values = |histogram: &&Histogram| {
         let outside = [histogram.below, histogram.above];
