@@ -2,7 +2,7 @@ use super::Quantity;
 use super::expression::read_unit;
 use super::symbols::Dimension;
 
-/// A number that was given with any unit: its SI value and its dimension.
+/// A number with a unit of any quantity: its SI value and its dimension.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Amount {
     pub value: f64,
@@ -35,7 +35,7 @@ impl Amount {
         })
     }
 
-    /// The product of this number and one SI unit of the quantity `by`.
+    /// This number times one SI unit of the quantity `by`.
     pub fn times(self, by: Quantity) -> Self {
         Self {
             dimension: self.dimension.times(by.dimension, 1),

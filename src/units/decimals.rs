@@ -3,7 +3,7 @@
 use super::spelling::{leading_number, with_unit};
 use super::{Digits, Quantity, significant};
 
-/// Significant digits for a unit without decimals in the table of quantities.
+/// Significant digits of a number in a unit for which `quantities!` states no decimals.
 const DIGITS: usize = 5;
 
 /// Absolute value, in the displayed unit, below which a number is a rounding error.
@@ -53,7 +53,7 @@ impl Quantity {
         with_unit(&self.number_text(value, unit, Digits::Difference), unit)
     }
 
-    /// The number of a value in a unit, without the unit.
+    /// The text of a value in `unit`, without the unit.
     pub(super) fn number_text(self, value: f64, unit: &str, digits: Digits) -> String {
         let number = match digits {
             Digits::Difference => value / self.size_of(unit).unwrap_or(1.0),
@@ -75,8 +75,8 @@ impl Quantity {
         }
     }
 
-    /// The decimals of a number in a unit; `None` for a large number, and for a unit without
-    /// decimals in the table of quantities.
+    /// Number of decimals of a number in `unit`. `None` for a number with significant digits
+    /// instead: a large number, or a unit for which `quantities!` states no decimals.
     fn decimals_of(self, number: f64, unit: &str) -> Option<usize> {
         let (_, decimals) = self.decimals.iter().find(|(known, _)| *known == unit)?;
         (number.abs() < LARGE).then_some(*decimals)

@@ -1,7 +1,7 @@
 use super::{Quantity, System};
 
-/// A quantity with its display unit. Texts in the units of a [`System`] use the unit that
-/// [`System::unit`] gives for this unit.
+/// A quantity with its display unit. A text in the units of a [`System`] converts this unit by
+/// [`System::unit`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DisplayUnit {
     /// Physical quantity.
@@ -11,7 +11,7 @@ pub struct DisplayUnit {
 }
 
 impl DisplayUnit {
-    /// Size of the unit, SI.
+    /// SI size of the unit.
     pub fn size(self) -> f64 {
         self.quantity.size_of(self.unit).unwrap_or(1.0)
     }
@@ -21,7 +21,7 @@ impl DisplayUnit {
         self.quantity.show(value, self.unit)
     }
 
-    /// Size of the unit of a system, SI.
+    /// SI size of the unit that `system` uses in place of this unit ([`System::unit`]).
     pub fn size_in(self, system: System) -> f64 {
         let unit = system.unit(self.unit);
         self.quantity.size_of(unit).unwrap_or(1.0)

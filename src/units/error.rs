@@ -27,7 +27,8 @@ pub enum UnitError {
         text: String,
         /// The unit in the string.
         unit: String,
-        /// The unit that was probably meant; may be empty.
+        /// Words that follow the unit: the unit that was probably meant, or the advice to write a
+        /// decimal point. May be empty.
         hint: String,
         /// The required quantity.
         wanted: &'static str,
@@ -56,7 +57,6 @@ pub enum UnitError {
     },
 }
 
-/// A valid text.
 fn example(unit: &str) -> String {
     if unit.is_empty() {
         "0.5".into()

@@ -2,7 +2,7 @@
 
 use super::symbols::{Dimension, symbol};
 
-/// A unit: size, dimension and zero. The SI size is a fraction: decimal units (g, cm², %) have
+/// A unit: size, dimension and zero. The SI size is a fraction. Decimal units (g, cm², %) have
 /// whole denominators, so that 5679 g cm² is 5679/10⁷ kg m² to the last bit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Unit {
@@ -20,7 +20,8 @@ impl Unit {
         self.zero.map_or(above, |zero| zero + above)
     }
 
-    /// The number in this unit, from the zero of its scale: 298.15 K is 25 degC.
+    /// An SI value as a number in this unit, from the zero of the unit's scale: 298.15 K is 25
+    /// degC.
     pub fn number(&self, value: f64) -> f64 {
         (value - self.zero.unwrap_or(0.0)) / self.difference(1.0)
     }

@@ -53,8 +53,8 @@ impl Message {
         self
     }
 
-    /// Appends a quantity with its SI value. The text shows the quantity in `unit`, or in the unit
-    /// that [`System::unit`] gives for `unit` in a system.
+    /// Appends a quantity with its SI value. `Display` shows the value in `unit`;
+    /// [`in_units`](Self::in_units) converts `unit` by [`System::unit`].
     #[must_use]
     pub fn quantity(
         mut self,

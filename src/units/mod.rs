@@ -56,7 +56,6 @@ pub struct Quantity {
     metric_and_us: &'static [(&'static str, &'static str)],
 }
 
-/// Declares the quantities.
 macro_rules! quantities {
     ($($(#[doc = $doc:literal])* $id:ident { $($field:ident: $fact:expr,)+ })*) => {
         impl Quantity {
@@ -255,7 +254,7 @@ quantities! {
         si: "",
         dimension: Dimension([0, 0, 0, 0, 0]),
         usual: "no unit, or %",
-        // a ratio of two measured numbers, such as the smash factor
+        // two decimals, for ratios of measured numbers such as the smash factor
         decimals: &[("", 2)],
         metric_and_us: &[],
     }
@@ -330,7 +329,7 @@ impl Quantity {
         }
     }
 
-    /// The text of a quantity. If `text` has no unit, it gets the unit of `other`: the low end of
+    /// `text` with its unit, or with the unit of `other` if `text` has none: the low end of
     /// `4..20deg` is 4 deg.
     ///
     /// # Errors
@@ -345,7 +344,8 @@ impl Quantity {
         })
     }
 
-    /// SI size of `unit`, without the zero of a scale; `None` for a unit of another quantity.
+    /// SI size of `unit`; for a temperature scale, the size of a degree. `None` for a unit of
+    /// another quantity.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -356,8 +356,8 @@ impl Quantity {
         self.unit_named(unit).map(|unit| unit.difference(1.0))
     }
 
-    /// An SI value as a number in `unit`, from the zero of its scale. For a difference, divide by
-    /// [`size_of`](Self::size_of) instead.
+    /// An SI value as a number in `unit`; a temperature counts from the zero of its scale. For a
+    /// difference, divide by [`size_of`](Self::size_of) instead.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -377,8 +377,8 @@ impl Quantity {
         }
     }
 
-    /// The unit with this spelling, if it is one of the usual units of this quantity, or another
-    /// symbol that is valid for it.
+    /// The unit with this spelling: a usual unit, or another unit symbol, of this quantity. `None`
+    /// for other spellings.
     pub(crate) fn known_unit(self, written: &str) -> Option<&'static str> {
         let symbols = SYMBOLS.iter().flat_map(|symbol| symbol.names).copied();
         let known = self
@@ -389,8 +389,7 @@ impl Quantity {
         self.size_of(known).map(|_| known)
     }
 
-    /// The unit of this name; `None` for a unit of another quantity. A caller that converts many
-    /// numbers parses the name only once.
+    /// The unit of this name, parsed once for many numbers; `None` for a unit of another quantity.
     pub(crate) fn unit_named(self, unit: &str) -> Option<Unit> {
         read_unit(unit).filter(|unit| unit.dimension == self.dimension)
     }
@@ -430,7 +429,7 @@ impl Quantity {
     }
 
     /// Hint for an unknown unit: the known unit in the right case or with the missing `deg`, or the
-    /// advice to write a decimal point instead of a comma. Empty if none of them applies.
+    /// advice to write a decimal point instead of a comma. Empty without a hint.
     fn hint(self, unit: &str) -> String {
         if unit
             .strip_prefix(',')

@@ -46,12 +46,12 @@ pub(super) struct Symbol {
 /// All unit symbols.
 pub(super) static SYMBOLS: LazyLock<Vec<Symbol>> = LazyLock::new(symbols);
 
-/// Minimum length of a name that may be in capitals. Shorter names differ by case: "Mm" and "mm",
-/// "MG" and "mg".
+/// Minimum length of a name whose case does not matter. Shorter names may differ by case alone:
+/// "Mm" and "mm", "MG" and "mg".
 const LEAST_LETTERS: usize = 3;
 
-/// The unit symbol with this name. A name of at least three letters may be in capitals ("MPH",
-/// "Yards").
+/// The unit symbol with this name. The case of a name of at least three letters does not matter:
+/// "MPH", "Yards".
 pub(super) fn symbol(name: &str) -> Option<&'static Symbol> {
     let exact = SYMBOLS.iter().find(|known| known.names.contains(&name));
     let is_word = name.len() >= LEAST_LETTERS;
@@ -59,7 +59,7 @@ pub(super) fn symbol(name: &str) -> Option<&'static Symbol> {
     exact.or_else(|| SYMBOLS.iter().filter(|_| is_word).find(is_meant))
 }
 
-/// The sizes are definitions, exact to the last bit: SI brochure, 9th edition; the yard and the
+/// The unit symbols. Their sizes are exact definitions: SI brochure, 9th edition; the yard and the
 /// pound of 1959, from which inch, foot, mile and ounce follow; mercury of 13 595.1 kg/m³ at
 /// standard gravity.
 fn symbols() -> Vec<Symbol> {
@@ -140,9 +140,9 @@ mod tests {
     use super::{SYMBOLS, symbol};
     use std::f64::consts::TAU;
 
-    /// Exact by definition.
+    /// Relative tolerance of a size that is exact by definition.
     const EXACT: f64 = f64::EPSILON;
-    /// Relative rounding error of seven digits.
+    /// Relative tolerance of a size that is printed with seven digits.
     const SEVEN_DIGITS: f64 = 5e-7;
 
     /// NIST Special Publication 811 (Thompson & Taylor 2008), tables 5 to 7 and appendix B.8. Sizes

@@ -80,7 +80,7 @@ impl From<Option<System>> for TableUnits {
 }
 
 impl TableUnits {
-    /// The unit of a column; `unit` is the unit of the quantity in texts.
+    /// The unit of a column. `unit` is the display unit of its quantity.
     pub fn unit(self, quantity: Quantity, unit: &'static str) -> &'static str {
         match self {
             Self::Si => quantity.si,
