@@ -34,7 +34,7 @@ impl DecimalMark {
         }
     }
 
-    /// The mark of a number that contains commas or points, but not both.
+    /// The mark of a number that contains either commas or points; `None` for both and for neither.
     fn only_in(number: &str) -> Option<Self> {
         Self::ALL
             .into_iter()
@@ -42,7 +42,7 @@ impl DecimalMark {
     }
 
     /// Detects the mark of a table from `columns` of some rows; `None` if both marks or no mark
-    /// occur.
+    /// occur. Marks that may separate thousands do not count.
     pub fn detect(
         separator: u8,
         columns: impl Iterator<Item = usize> + Clone,
@@ -91,8 +91,8 @@ impl DecimalMark {
 pub(crate) struct DecimalMarkCheck {
     /// The first cell with a comma, and the first cell with a point.
     first: [Option<MarkedCell>; 2],
-    /// The first cell with a comma that may separate thousands, and the first cell with such a
-    /// point.
+    /// The first cell with a comma that may separate thousands, and the first cell with a point
+    /// that may.
     first_ambiguous: [Option<MarkedCell>; 2],
 }
 

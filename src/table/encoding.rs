@@ -6,8 +6,8 @@ use std::io::{self, Read};
 /// Byte-order mark of UTF-8.
 const MARK: [u8; 3] = [0xef, 0xbb, 0xbf];
 
-/// A line feed in UTF-16 whose two bytes are swapped: it appears if a byte is missing before it.
-/// Unicode does not assign this character.
+/// A line feed in UTF-16 with swapped bytes. Unicode does not assign this character: it appears if
+/// a byte before the line feed is missing.
 const SWAPPED_LINE_END: char = '\u{a00}';
 
 /// Bytes read at a time.
@@ -22,8 +22,8 @@ pub(crate) enum Encoding {
 }
 
 impl Encoding {
-    /// Detects the encoding from the first bytes: Windows-1252 if they are invalid UTF-8; an
-    /// incomplete last character is valid.
+    /// Detects the encoding from the first bytes: Windows-1252 if they are not valid UTF-8. The
+    /// last character may be incomplete.
     pub fn of(beginning: &[u8]) -> Self {
         match std::str::from_utf8(beginning) {
             Err(error) if error.error_len().is_some() && !beginning.contains(&0) => {
@@ -73,7 +73,8 @@ fn of_windows_1252(bytes: &[u8]) -> String {
 /// A source decoded to UTF-8, without byte-order marks.
 pub(crate) struct Decoded<R> {
     source: R,
-    /// Combines two bytes to a code unit of UTF-16, in its byte order.
+    /// Combines two bytes to a code unit of UTF-16, in the byte order of the source. `None` for a
+    /// source that is not in UTF-16.
     code_unit: Option<fn([u8; 2]) -> u16>,
     /// Bytes of an incomplete character.
     raw: Vec<u8>,
@@ -88,15 +89,15 @@ pub(crate) struct Decoded<R> {
 /// Errors of the source, and [`io::ErrorKind::Other`] if the text is invalid UTF-16. Later reads
 /// can return the same errors.
 pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
-    // the first 7 bytes: room for two byte-order marks and one more byte
+    // the first 7 bytes: at most two byte-order marks, and one more byte
     let mut raw = vec![];
     (&mut source)
         .take(2 * MARK.len() as u64 + 1)
         .read_to_end(&mut raw)?;
     let mut decoded = Decoded {
         source,
-        // UTF-16 without a mark: every other byte of ASCII text is 0, which UTF-8 text never
-        // contains
+        // UTF-16 without a byte-order mark: every other byte of ASCII text is 0; UTF-8 text
+        // contains no 0
         code_unit: match raw.get(..4).or(raw.get(..2)) {
             Some([0xff, 0xfe, ..] | [1..=0xff, 0, 1..=0xff, 0]) => Some(u16::from_le_bytes),
             Some([0xfe, 0xff, ..] | [0, 1..=0xff, 0, 1..=0xff]) => Some(u16::from_be_bytes),
@@ -236,7 +237,7 @@ mod tests {
         // an incomplete character at the end; an unpaired low and high surrogate
         let [cut, second, first]: [&[u8]; 3] =
             [b"b", &[0x1e, 0xdd, b'b', 0], &[0x34, 0xd8, b'b', 0]];
-        // "b", "c" and a line feed without the second byte of "b"; and one byte less at the end
+        // "b", "c" and a line feed, without the second byte of "b" and of the last character
         let missing = b"bc\0\n\0d".as_slice();
         for (bytes, words) in [
             (cut, "cut"),

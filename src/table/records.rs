@@ -13,7 +13,7 @@ const LONGEST: u64 = 1 << 20;
 /// of the first line.
 const MOST_LINES: usize = 32;
 
-/// Number of bytes after which no further line is read ahead.
+/// Reading ahead stops after this number of bytes.
 const MOST_AHEAD: usize = 1 << 16;
 
 /// A row of a table; or, in a stream of messages, a JSON object or other text.
@@ -48,7 +48,8 @@ pub(super) struct Lines {
     end: u8,
     /// Number of lines that have been read from the source.
     read: u64,
-    /// Lines that were read ahead or pushed back. An error is the last of them.
+    /// Lines that were read ahead or pushed back. If reading ahead failed, the last item is the
+    /// error.
     held: VecDeque<io::Result<(u64, String)>>,
 }
 
@@ -103,8 +104,8 @@ impl Lines {
         self.held.push_front(Ok(line));
     }
 
-    /// The next lines, which stay unread: at most `most`, and few more bytes than [`MOST_AHEAD`].
-    /// They end before an error of the source, which [`line`](Self::line) returns in its place.
+    /// The next lines, which [`line`](Self::line) returns again: `most` lines, or fewer if they
+    /// have [`MOST_AHEAD`] bytes. They end before an error of the source.
     pub fn ahead(&mut self, most: usize) -> impl Iterator<Item = &str> {
         let mut bytes: usize = self.held.iter().flatten().map(|line| line.1.len()).sum();
         while self.held.len() < most && bytes < MOST_AHEAD {

@@ -4,7 +4,7 @@ use super::records::Record;
 use super::refusal::Refusal;
 use crate::units::counted;
 
-/// Why a row of a table is not read.
+/// Reason why a row of a table is not read.
 pub(crate) enum RowFault<'a> {
     /// A statistic of other rows of an export, with the word that identifies it, such as `Average`.
     Summary(&'a str),
@@ -94,8 +94,8 @@ impl NonShotRows {
     }
 }
 
-/// The word that identifies a statistic of other rows, such as `Average`. Shots contain none of
-/// these words.
+/// The word that identifies a statistic of other rows, such as `Average`; `None` for a row that may
+/// hold a shot.
 fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     const WORDS: [&str; 17] = [
         "dev",

@@ -135,8 +135,8 @@ impl RowFilter {
         Err(format!("no row has {}{listed}", self.conditions()))
     }
 
-    /// A remark on the number of rows that satisfy the conditions, complete after the last row;
-    /// `None` without conditions.
+    /// A remark on the number of rows so far that satisfy the conditions; `None` without
+    /// conditions.
     pub(crate) fn remark(&self) -> Option<Message> {
         let (kept, rows) = (self.kept, self.rows);
         (!self.is_empty()).then(|| format!("{}: {kept} of {rows} rows", self.conditions()).into())
@@ -181,7 +181,8 @@ pub(crate) fn counted_values<'a>(
 /// Column heads of the column that names the club, in lower case without punctuation, best first.
 const OF_CLUB: [&str; 4] = ["club type", "club", "club name", "schlägerart"];
 
-/// Index of the column that names the club; `is_text` is true for a column without numbers.
+/// Index of the column that names the club; `None` if there is none. `is_text` is true for a column
+/// without numbers.
 pub(crate) fn club_column(heads: &[String], is_text: impl Fn(usize) -> bool) -> Option<usize> {
     OF_CLUB.iter().find_map(|known| {
         let named = |at: &usize| words(&heads[*at]) == *known && is_text(*at);

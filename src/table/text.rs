@@ -55,7 +55,7 @@ pub(crate) struct Text {
     pub name: SourceName,
     /// The first 64 KiB.
     pub beginning: String,
-    /// The whole text, in UTF-8 or Windows-1252.
+    /// The whole text with its beginning, in UTF-8 or Windows-1252.
     pub source: Box<dyn Read + Send>,
     encoding: Encoding,
     /// Selection of the rows of a table.
@@ -91,7 +91,7 @@ impl Text {
     /// such file.
     pub fn of_file(path: &Path) -> Result<Self> {
         let name = SourceName(path.display().to_string());
-        // a folder is an error of the reader: opening it succeeds
+        // a folder can be opened, but not read: `Self::open` returns the error
         let file = name.io(InputFile::open(path))?;
         Self::open(&name.0, file)
     }
@@ -103,7 +103,7 @@ pub(crate) enum TableEntry {
     Row(Record),
     /// A row that the filter excludes.
     Excluded,
-    /// The line of column heads with which the next section of the table begins.
+    /// A line of column heads. It begins the next section of the table.
     Head(Record),
 }
 
@@ -228,7 +228,8 @@ impl TextTable {
         Ok(head)
     }
 
-    /// The first rows of the section with this head, which stay unread.
+    /// The first rows of the section with this head, which [`next_entry`](Self::next_entry) returns
+    /// again.
     fn rows_ahead(&mut self, head: &TableHead) -> Vec<Vec<String>> {
         let separator = self.separator;
         let lines = self.lines.ahead(MOST_ROWS);

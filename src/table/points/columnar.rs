@@ -5,8 +5,8 @@ use crate::parameters::{Parameter, Setup};
 use crate::table::{SourceName, TableHead};
 use std::path::Path;
 
-/// A file of numeric columns in SI, named by parameters, read in pieces (row groups, record
-/// batches).
+/// A file of numeric columns in SI that is read in pieces (row groups, record batches). The columns
+/// have the names of parameters.
 pub(super) trait ColumnarFile: Sized {
     /// Opens the file; the error is a sentence.
     fn open(path: &Path) -> Result<Self, String>;
@@ -19,14 +19,14 @@ pub(super) trait ColumnarFile: Sized {
 
     fn rewind(&mut self);
 
-    /// Number of unread rows of the current piece; if there are none, the number of rows of the
-    /// next piece. 0 at the end.
+    /// Number of unread rows of the current piece. If there are none, moves to the next piece and
+    /// returns its number of rows; 0 at the end.
     fn left(&mut self) -> Result<usize, String>;
 
     /// The next `rows` values of a column; `rows` must not exceed [`left`](Self::left).
     fn values(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, String>;
 
-    /// Skips rows whose values were read.
+    /// Marks the next `rows` rows as read.
     fn pass(&mut self, rows: usize);
 }
 
@@ -124,7 +124,8 @@ impl<P: ColumnarFile> PointRows for ColumnarRows<P> {
     }
 }
 
-/// Checks a value: infinity only where the parameter allows it (a flat face); NaN means missing.
+/// A value of a row; NaN if it is missing. Refuses infinity, unless the parameter allows it (a flat
+/// face).
 fn sound(parameter: &Parameter, value: Option<f64>) -> Result<f64, String> {
     let Some(value) = value else {
         return Ok(f64::NAN);

@@ -20,8 +20,8 @@ pub(super) struct PointColumns {
 }
 
 impl PointColumns {
-    /// Selects the columns of parameters. If none of them is of swing, strike, club or impact, the
-    /// columns of launch conditions are selected too.
+    /// Selects the columns of parameters. If no column is a parameter of swing, strike, club or
+    /// impact, the columns of launch conditions are selected too.
     pub fn new(setup: &Setup<f64>, file: &SourceName, head: &TableHead) -> Result<Self> {
         let is_struck = head.has_strike();
         let parameter = |column: &Column| match column.content {

@@ -28,7 +28,6 @@ pub(super) struct CsvRows {
     marks: DecimalMarkCheck,
 }
 
-/// Columns of a section.
 struct CsvSection {
     /// Number of cells of a row.
     width: usize,

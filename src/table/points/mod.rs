@@ -60,12 +60,16 @@ pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points + Se
     }
 }
 
-/// The points of a sweep: the rows of a table; without a table, `sample` points of the sequence
-/// with this seed in the ranges `over`; without a sample, the grid of the axes `over`.
+/// The points of a sweep:
+///
+/// - the rows of `table`, if it is given
+/// - otherwise `sample` points of the sequence with this seed in the ranges `over`, if `sample` is
+///   given
+/// - otherwise the grid of the axes `over`
 ///
 /// # Errors
 /// The errors of [`open_table`], [`GridAxis::read`], [`Vary::read_column`], [`Grid::new`] and
-/// [`Sequence::new`], and [`Error::SearchRange`] for the range of a sample that has a count.
+/// [`Sequence::new`], and [`Error::SearchRange`] if `sample` is given and a range has a count.
 pub fn sweep_points(
     setup: &Setup<f64>,
     table: Option<&Path>,
@@ -89,7 +93,6 @@ pub fn sweep_points(
     })
 }
 
-/// The range of a parameter in a sample.
 fn sampled_range(setup: &Setup<f64>, text: &str) -> Result<Vary> {
     match text.rsplit_once(':') {
         Some((range, _)) => Err(Error::SearchRange {

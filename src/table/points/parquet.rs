@@ -16,12 +16,11 @@ pub(super) struct ParquetFile {
     /// Current row group, and the number of its rows that have been read.
     group: usize,
     passed: usize,
-    /// Open column readers of the group.
+    /// Open column readers of the group, by column.
     columns: BTreeMap<usize, ColumnReader>,
 }
 
 impl ParquetFile {
-    /// Next values of a column.
     fn next(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, ParquetError> {
         macro_rules! read {
             ($column:expr, $into:expr) => {{
@@ -183,7 +182,7 @@ fn open_checked(path: &Path) -> Result<InputFile, String> {
     Ok(file)
 }
 
-/// Name of an unsupported compression.
+/// Name of a compression that is not supported; `None` for a supported compression.
 fn not_read(compression: Compression) -> Option<&'static str> {
     match compression {
         Compression::UNCOMPRESSED | Compression::SNAPPY | Compression::ZSTD(_) => None,

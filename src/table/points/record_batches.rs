@@ -174,7 +174,7 @@ impl RecordBatches {
             let part =
                 part.ok_or("a record batch is damaged (a column is longer than the batch)")?;
             if let (true, Some(length)) = (is_compressed, part.first_chunk()) {
-                // −1 marks an uncompressed part
+                // the length −1 marks an uncompressed part
                 let length = usize::try_from(i64::from_le_bytes(*length)).unwrap_or(0);
                 let room = Vec::<u8>::new().try_reserve_exact(length);
                 room.map_err(|_| {
@@ -191,7 +191,7 @@ impl RecordBatches {
             .map_err(|error| arrow_error_text(&error))
     }
 
-    /// The message at an offset; `None` at the end marker.
+    /// The header of the message at an offset; `None` at the end marker.
     fn head(&mut self, at: u64) -> Result<Option<MessageHead>, String> {
         let cut_short = || {
             "it ends too early: it was cut short, or the program that wrote it did not close it"

@@ -5,14 +5,15 @@ use crate::fingerprint::Fingerprint;
 use crate::parameters::{Parameter, Vary};
 use crate::units::Message;
 
-/// Rows of a table in any format.
+/// The rows of a table of points, in any format.
 pub(super) trait PointRows {
     fn columns(&self) -> &PointColumns;
 
     /// Goes back to the first row.
     fn rewind(&mut self) -> Result<()>;
 
-    /// Reads values as [`Points::read`] does; a missing value is NaN.
+    /// Appends the values of at most `most` rows, as [`Points::read`] does, and returns the number
+    /// of rows. A missing value is NaN.
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
 
     /// Remarks on the columns and rows, complete after the last row.
@@ -89,7 +90,6 @@ impl<R: PointRows> TablePoints<R> {
     }
 }
 
-/// The invalid rows of a table.
 #[derive(Default)]
 struct InvalidRows {
     /// The first invalid rows, each with the reason.
