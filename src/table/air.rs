@@ -40,8 +40,8 @@ impl Column {
     }
 }
 
-/// Air density for TrackMan's weather text: `Normalized to no wind conditions at 1135 ft altitude,
-/// 77 °F and Premium ball`.
+/// Air density, kg/m³, from TrackMan's weather text: `Normalized to no wind conditions at 1135 ft
+/// altitude, 77 °F and Premium ball`. `None` without a valid altitude and temperature.
 pub(crate) fn density_in(words: &str) -> Option<f64> {
     let words: Vec<&str> = words
         .split([' ', ',', ';'])
@@ -80,12 +80,12 @@ pub(crate) fn air_of_rows(head: &str) -> String {
     format!("each shot flies in the air that the export states for its row: {head}")
 }
 
-/// Message for exports whose air the setup overrides.
+/// Message for an export that states the air of its rows, which the setup overrides.
 pub(super) fn air_as_given(head: &str) -> String {
     format!("the given air replaces the air that the export states for each row: {head}")
 }
 
-/// Ignores the columns in which an export states the air, because the setup gives it.
+/// Ignores the columns in which an export states the air, because the setup gives the air.
 pub(crate) fn ignore_stated_air(columns: &mut [Column]) {
     for column in columns.iter_mut().filter(|column| column.is_stated_air()) {
         (column.content, column.is_overridden_air) = (Content::Note, true);

@@ -42,7 +42,7 @@ pub(crate) struct Column {
     pub is_in_assumed_degrees: bool,
     /// True for a launch condition whose column head is its dotted name: `launch.ball_speed`.
     pub is_dotted_condition: bool,
-    /// True for an air column that the weather of the setup overrides.
+    /// True for an air column that the setup overrides.
     pub is_overridden_air: bool,
     /// Handedness of the golfer.
     golfer: Golfer,
@@ -90,8 +90,8 @@ impl Column {
     /// `stationary`, `note`, or a column head of a launch monitor. `below` is the unit in the line
     /// below the column heads.
     ///
-    /// Measured carry is the distance to the landing point, as launch monitors define it, not its
-    /// component along the target line.
+    /// A column `carry` is the horizontal distance to the landing point, as launch monitors define
+    /// carry, not the distance along the target line.
     pub fn read(
         setup: &Setup<f64>,
         head: &str,
@@ -149,7 +149,7 @@ impl Column {
         Ok(column.with_parsed_unit())
     }
 
-    /// A column of a table in SI.
+    /// Interprets the column name of a table in SI.
     #[cfg(any(feature = "arrow", feature = "parquet"))]
     pub fn in_si(setup: &Setup<f64>, name: &str) -> Result<Self> {
         let name = name.trim();
@@ -177,7 +177,7 @@ impl Column {
             })
     }
 
-    /// A column in SI.
+    /// A column with this content, in SI.
     pub fn of(content: Content, head: &str) -> Self {
         let is_dotted_condition =
             head.starts_with(LAUNCH) && matches!(content, Content::Outcome(_));
@@ -328,7 +328,7 @@ impl Column {
         }
     }
 
-    /// True if values of the quantity can have this side in place of a sign.
+    /// True if a cell of this column may state this side in place of a sign.
     fn has(&self, side: CellSide) -> bool {
         let of_parameter = |names: &[&str]| match self.content {
             Content::Input(parameter) => names.contains(&parameter.name),
@@ -367,7 +367,8 @@ impl Column {
             .unwrap_or_default()
     }
 
-    /// Parses a cell to SI with the golfer's sign convention; `None` for an empty cell and for NaN.
+    /// Parses a cell to SI with the golfer's sign convention. `None` for a missing value: an empty
+    /// cell, NaN, and in exports also `N/A` and numbers from 1e38 on.
     ///
     /// # Errors
     /// A message, if the cell is not a finite number.
@@ -392,10 +393,10 @@ impl Column {
         Ok(Some(if sign < 0.0 { -value } else { value }))
     }
 
-    /// The sign that converts a number to this program's convention. Launch monitors count path and
-    /// face angle as positive to the right for every golfer, also in cells with a side such as `R`;
-    /// this program counts a path from in to out and an open face as positive. In a turned column,
-    /// positive values are to the left.
+    /// The factor, 1 or −1, that converts a number to this program's convention. Launch monitors
+    /// count path and face angle as positive to the right for every golfer, also in cells with a
+    /// side such as `R`. This program counts a path from in to out and an open face as positive. In
+    /// a column with [`is_turned`](Self::is_turned), positive values are to the left.
     fn sign(&self, side: Option<CellSide>) -> f64 {
         if self.is_turned && side.is_none() {
             return -1.0;
@@ -414,7 +415,7 @@ impl Column {
         if is_of_other_hand { -1.0 } else { 1.0 }
     }
 
-    /// Converts a number to SI: with the unit of its cell, otherwise of its column.
+    /// Converts a number to SI, from the unit in its cell, otherwise from the unit of the column.
     fn converted(
         &self,
         cell: &str,
@@ -490,9 +491,9 @@ impl Column {
     }
 }
 
-/// Club path, whose sign depends on the golfer's handedness.
+/// Club path. Its sign depends on the golfer's handedness.
 const PATH: &str = "swing.path";
-/// Face angle, whose sign depends on the golfer's handedness.
+/// Face angle. Its sign depends on the golfer's handedness.
 const FACE: &str = "swing.face_angle";
 
 /// Smallest number that stands for a missing value. Launch monitors write, for example, the largest
@@ -518,7 +519,7 @@ fn is_missing(cell: &str) -> bool {
         .any(|word| cell.eq_ignore_ascii_case(word))
 }
 
-/// Measured carry is the distance to the landing point.
+/// The outcome that launch monitors measure: their carry is the distance to the landing point.
 fn measured(outcome: Outcome) -> Outcome {
     if outcome == Outcome::Carry {
         Outcome::CarryDistance

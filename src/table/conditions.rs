@@ -55,15 +55,15 @@ pub(crate) fn without_redundant_spins(values: StatedConditions) -> StatedConditi
     [speed, angle, direction, spin, backspin, sidespin, axis]
 }
 
-/// True for a row without a launch direction, or without a spin tilt (spin axis or sidespin). The
-/// lateral results of such a row cannot be compared.
+/// True for a row without a launch direction, or without a spin tilt (spin axis or sidespin). Its
+/// lateral results are assumptions, which must not be compared with measured ones.
 pub(crate) fn is_straight_by_assumption(values: &StatedConditions) -> bool {
     let [_, _, direction, _, _, sidespin, axis] = values;
     direction.is_none() || sidespin.is_none() && axis.is_none()
 }
 
-/// Message for contradictory or unusable spin values of a row; `back` and `side` are the backspin
-/// and sidespin used.
+/// Message about spin values of a row that contradict the spin that is flown, or cannot be used;
+/// `None` if there are none. `back` and `side` are the backspin and the sidespin that are flown.
 pub(crate) fn contradiction(
     values: StatedConditions,
     [back, side]: [f64; 2],
@@ -160,7 +160,7 @@ pub(crate) fn conditions(
     ])
 }
 
-/// Backspin and sidespin from the stated forms of the spin, which must not be redundant.
+/// Backspin and sidespin from spin values that [`without_redundant_spins`] kept.
 fn spin_components(
     [spin, backspin, sidespin, axis]: [Option<f64>; 4],
     has: impl Fn(Outcome) -> bool,

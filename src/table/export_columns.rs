@@ -18,9 +18,10 @@ const DEFAULT_UNITS: [(Quantity, &str); 4] = [
     (Quantity::TIME, "s"),
 ];
 
-/// Assumes the default unit for a column without a unit. An angle is in degrees already. If a cell
-/// of these rows has a unit, the column has the units of its cells. Returns the head with the
-/// assumed unit, for [`assumed_units_remark`].
+/// Assumes the default unit for a column whose head has no unit, unless a cell of `rows` has one:
+/// then each cell of the column states its unit. [`Column::read`] has assumed degrees for angles
+/// already. Returns the head with the assumed unit, for [`assumed_units_remark`]; `None` if no unit
+/// is assumed.
 pub(crate) fn assume_unit(at: usize, column: &mut Column, rows: &[Vec<String>]) -> Option<String> {
     if !column.lacks_unit() && !column.is_in_assumed_degrees() {
         return None;
@@ -62,7 +63,7 @@ pub(crate) enum ClubColumns {
     Read,
 }
 
-/// True if a column is of this outcome.
+/// True if a column holds this outcome.
 pub(crate) fn has_outcome(columns: &[Column], of: Outcome) -> bool {
     columns
         .iter()
@@ -118,7 +119,8 @@ pub(crate) fn near_known(columns: &[Column]) -> String {
     }
 }
 
-/// Message for exports whose air the setup overrides; `None` for other tables.
+/// Message for an export that states the air of its rows, which the setup overrides; `None` for
+/// other tables.
 pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
     columns
         .iter()

@@ -64,8 +64,8 @@ pub(crate) struct TableHead {
     pub format: TableFormat,
     /// Cells of the line of units; `None` without this line.
     pub units: Option<Vec<String>>,
-    /// The first rows of the section with a cell for each head. They show units, decimal mark and
-    /// signs. Empty for a table in SI.
+    /// The first rows of the section that have a cell for each head. Units, decimal mark and signs
+    /// of the columns are detected from them. Empty for a table in SI.
     pub rows: Vec<Vec<String>>,
     /// Remarks on ignored columns.
     pub remarks: Vec<Message>,
@@ -197,12 +197,12 @@ fn resolve_sweep_names(columns: &mut [Column]) {
     }
 }
 
-/// Message `what: a, b` about the columns `names`; `None` if there are none.
+/// The message `what: a, b` for the columns a and b in `names`; `None` without names.
 pub(crate) fn columns_remark<S: Borrow<str>>(what: &str, names: &[S]) -> Option<Message> {
     (!names.is_empty()).then(|| format!("{what}: {}", names.join(", ")).into())
 }
 
-/// A remark on the section whose column heads are in this line.
+/// `remark`, with the line in which the section begins.
 pub(crate) fn remark_from_line(line: u64, remark: &Message) -> Message {
     Message::from(format!("from line {line} on: ")).message(remark.clone())
 }

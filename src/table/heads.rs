@@ -59,13 +59,14 @@ pub(crate) fn rest_of_head(words: &str) -> Option<Outcome> {
     of_rest.find(|of| of.column_heads().contains(&words))
 }
 
-/// True for the head of a column that states the conditions for which the values of a row hold,
-/// such as normalized weather. `words` is the head in lower case without punctuation.
+/// True for the head of a column that states the conditions of the values in a row, such as the
+/// weather to which they are normalized. `words` is the head in lower case without punctuation.
 pub(crate) fn is_condition_head(words: &str) -> bool {
     ["condition", "conditions"].contains(&words)
 }
 
-/// Column heads of launch monitors that are not used. They are no misspelt heads of used columns.
+/// Column heads of launch monitors that are not used. They are listed so that they do not count as
+/// misspelt heads of used columns.
 pub(super) const NOT_USED: &[&str] = &[
     "ball type",
     "club brand",

@@ -132,7 +132,7 @@ pub(crate) fn split_unit(head: &str) -> (&str, Option<String>) {
     (head, None)
 }
 
-/// Recognizes TrackMan's `Carry (Sim)`, whose brackets hold no unit.
+/// Recognizes the `(Sim)` of TrackMan's `Carry (Sim)`, which is no unit.
 fn is_simulated(word: &str) -> bool {
     word.trim_end_matches([')', ']'])
         .trim()

@@ -6,7 +6,7 @@ use crate::units::Quantity;
 /// A number in a cell.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct CellNumber {
-    /// Magnitude, or signed value if the cell has no side.
+    /// Magnitude if the cell has a side, otherwise the signed value.
     pub number: f64,
     /// Unit after the number.
     pub unit: Option<String>,

@@ -55,8 +55,9 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
     ))
 }
 
-/// Plausible values of each outcome in SI, in the order of [`Outcome::ALL`]. An end that belongs to
-/// the range is moved outwards by a margin for the rounding of a unit conversion.
+/// Plausible range of each outcome in SI, in the order of [`Outcome::ALL`]; `None` for an outcome
+/// without such a range. An included end is moved outwards by a margin for the rounding of a unit
+/// conversion.
 static IN_SI: LazyLock<Vec<Option<[f64; 2]>>> = LazyLock::new(|| {
     let in_si = |of: &Outcome| {
         let plausible = of.plausible()?;
@@ -124,8 +125,8 @@ pub(crate) fn impossible(of: Outcome, value: f64) -> Option<String> {
     })
 }
 
-/// Message if a stated value of a launch is implausible, or a spin component computed from the
-/// stated values; `None` if all are plausible.
+/// Message about the first implausible value of a launch: a stated value, or a spin component
+/// computed from stated values. `None` if all are plausible.
 pub(crate) fn implausible_launch(
     values: &StatedConditions,
     name: impl Fn(Outcome) -> String,
