@@ -320,7 +320,6 @@ impl Preset {
         Self::index_of(name).map(|index| &PRESETS[index])
     }
 
-    /// Index of the preset of this name in [`PRESETS`].
     fn index_of(name: &str) -> Result<usize> {
         let index = PRESETS.iter().position(|preset| preset.name == name);
         index.ok_or_else(|| {

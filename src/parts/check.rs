@@ -177,7 +177,6 @@ pub fn check(folder: &Path, wanted: Option<&SweepDefinition>, contents: bool) ->
     Ok(checked)
 }
 
-/// Names of the files in a folder, sorted.
 fn file_names(folder: &Path) -> std::io::Result<Vec<String>> {
     let mut names = vec![];
     for entry in std::fs::read_dir(folder)? {

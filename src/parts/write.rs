@@ -139,7 +139,7 @@ impl Dataset {
         }))
     }
 
-    /// The description of a part whose rows have all been written to `file`.
+    /// The description of a part. All of its rows must have been written to `file`.
     fn part(&self, part: u64, first_row: u64, file: &mut Unfinished) -> Part {
         Part {
             part,
@@ -188,7 +188,6 @@ impl Dataset {
         Ok(true)
     }
 
-    /// Writes the buffered blocks as a row group.
     fn write_group(
         &self,
         file: &mut Unfinished,

@@ -24,7 +24,7 @@ pub(crate) enum Content {
     SigmaStationary,
     /// A remark, ignored.
     Note,
-    /// Output of this program (status, derivatives), ignored.
+    /// Output of this program (status, derivatives, predictions), ignored.
     Written,
 }
 
@@ -119,7 +119,7 @@ impl Column {
         let is_overridden_air = matches!(meaning, Some(Meaning::Input(AIR)) if is_given(AIR));
         let content = match (name.strip_prefix("sigma ").map(str::trim), meaning) {
             (None, Some(Meaning::Outcome(outcome))) => Content::Outcome(outcome),
-            // the setup's weather overrides the air of the rows
+            // a parameter that others of the setup replace, such as the density if weather is set
             (None, Some(Meaning::Input(parameter))) if is_given(parameter) => Content::Note,
             (None, Some(Meaning::Input(parameter))) => Content::Input(setup.column(parameter)?),
             (None, None)
@@ -286,7 +286,6 @@ impl Column {
         }
     }
 
-    /// Parses the unit.
     fn with_parsed_unit(self) -> Self {
         let size = self
             .unit
@@ -468,7 +467,6 @@ impl Column {
         }
     }
 
-    /// Message for an unreadable cell.
     fn is_not(&self, cell: &str, what: &str) -> String {
         if let Some((whole, decimals)) = cell
             .split_once(',')
@@ -549,7 +547,7 @@ fn is_head_of_launch_monitor(name: &str, format: TableFormat) -> bool {
     format.is_export && (is_written_otherwise || is_its_own)
 }
 
-/// Content of a column with a name of this program.
+/// Content of a column that has a name of this program, not the head of a launch monitor.
 fn named(setup: &Setup<f64>, name: &str) -> Result<Content> {
     let condition = |name: &str| {
         setup

@@ -38,8 +38,8 @@ pub(crate) type StatedConditions = [Option<f64>; CONDITIONS.len()];
 /// tan(axis), and tan 90° is infinite.
 const MOST_AXIS: f64 = std::f64::consts::FRAC_PI_2 - 1e-9;
 
-/// Largest relative difference of two spins that rounding explains. For example, rounding a spin
-/// axis to whole degrees gives a difference of 0.9 %.
+/// Two spins that differ by less than this fraction agree: the difference may be rounding. Rounding
+/// a spin axis to whole degrees gives 0.9 %.
 const ROUNDING: f64 = 0.02;
 
 /// Removes redundant spin values. Keeps the first of these combinations that is present: spin with

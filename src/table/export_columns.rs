@@ -205,7 +205,6 @@ pub(super) fn ignore_columns(
     remarks
 }
 
-/// Spin columns that other columns make redundant.
 fn redundant_spins(columns: &[Column]) -> &'static [Outcome] {
     let has = |of| has_outcome(columns, of);
     if has(Outcome::Spin) && (has(Outcome::SpinAxis) || !has(Outcome::Sidespin)) {
@@ -229,7 +228,6 @@ pub(crate) fn heads_of<'a>(
         .collect()
 }
 
-/// Remark on unknown columns, with similar known column heads.
 fn unknown_columns(columns: &[Column]) -> Option<Message> {
     // a condition column is known: it may state the air of the rows
     let is_condition = |column: &Column| is_condition_head(&words(&column.head));

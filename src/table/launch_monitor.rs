@@ -75,7 +75,7 @@ pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
         "Club" if is_speed => Some(Meaning::Input("swing.speed")),
         // a column `Time` without a unit contains the time of day
         "Time" if is_time => Some(Meaning::Outcome(Outcome::FlightTime)),
-        // without a unit g/L and lb/ft³ are ambiguous (a factor of 16)
+        // without a unit, the density may be in g/L or in lb/ft³ (a factor of 16)
         _ if is_density && ["air density", "luftdichte"].contains(&words(name).as_str()) => {
             Some(Meaning::Input("air.density"))
         }

@@ -16,7 +16,6 @@ const OF_CLUB: &[(&str, f64, f64, &str)] = &[
     ("swing.face_angle", -60.0, 60.0, "deg"),
 ];
 
-/// Physical quantity of a club range, from its unit.
 fn quantity_in(unit: &str) -> Quantity {
     if unit == "mph" {
         Quantity::SPEED
@@ -25,7 +24,6 @@ fn quantity_in(unit: &str) -> Quantity {
     }
 }
 
-/// Club ranges in SI.
 static OF_CLUB_IN_SI: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
     let range = |(_, low, high, unit): &(&str, f64, f64, &str)| {
         let size = quantity_in(unit).size_of(unit).unwrap_or(1.0);
@@ -40,7 +38,7 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
     let at = OF_CLUB.iter().position(|(known, ..)| *known == parameter)?;
     let [lowest, highest] = OF_CLUB_IN_SI[at];
     let (_, low, high, unit) = OF_CLUB[at];
-    // a club at rest cannot strike a ball
+    // 0 is within the range of the speed, but a club at rest strikes no ball
     let is_still = lowest == 0.0 && value == 0.0;
     if (lowest..=highest).contains(&value) && !is_still {
         return None;

@@ -39,7 +39,6 @@ impl SourceName {
         }
     }
 
-    /// The error of a table without column heads.
     fn empty(&self) -> Error {
         let reason = "it is empty; give a head with the names of columns, and rows below it";
         self.refused(String::new(), reason)
@@ -273,7 +272,6 @@ impl TextTable {
         self.name.io(self.lines.record(self.separator))
     }
 
-    /// The cells of a record.
     fn cells(&self, record: &Record) -> Vec<String> {
         let text = record.text.trim_start_matches('\u{feff}');
         cells(text, self.separator)
@@ -283,7 +281,6 @@ impl TextTable {
     }
 }
 
-/// Location of the column heads.
 struct HeadPlace {
     separator: u8,
     line: u64,
@@ -301,7 +298,7 @@ impl HeadPlace {
         let stated =
             (stated.1.len() != beginning.trim_start_matches('\u{feff}').len()).then_some(stated.0);
         let mut first = None;
-        // estimate the separator from the first line of each record
+        // without a stated separator (`sep=;`), the first line of each record determines it
         for _ in 0..MOST_RECORDS {
             let Ok(Some((line, text))) = lines.text_line() else {
                 break;

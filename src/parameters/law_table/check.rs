@@ -150,7 +150,6 @@ fn full_grid<'a>(
     Ok(sorted)
 }
 
-/// An axis with its ends and the widths of its clamps.
 fn axis(variable: AxisVariable, lines: &[f64]) -> LawTableAxis {
     let last = lines.len() - 1;
     // a single line gives a constant surface: the width has no effect

@@ -101,7 +101,6 @@ impl LawTable {
     }
 }
 
-/// Hash of axes and nodes.
 fn fingerprint<'a>(axes: impl Iterator<Item = &'a AxisVariable>, nodes: &[[f64; 4]]) -> u64 {
     let mut fingerprint = Fingerprint::new();
     for variable in axes {

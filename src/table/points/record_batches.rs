@@ -30,7 +30,6 @@ pub(super) struct RecordBatches {
     order: BatchOrder,
 }
 
-/// Order of the record batches.
 enum BatchOrder {
     /// A file lists the offsets of its record batches in the footer.
     Listed { starts: Vec<u64>, next: usize },
@@ -154,7 +153,6 @@ impl RecordBatches {
         self.read(&head).map(Some)
     }
 
-    /// The record batch with this header.
     fn read(&mut self, head: &MessageHead) -> Result<RecordBatch, String> {
         let message = head.message(MessageHeader::RecordBatch)?;
         let batch = message
