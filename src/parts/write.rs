@@ -248,7 +248,7 @@ impl Dataset {
                 file: other.display().to_string(),
                 reason: format!(
                     "it belongs to another sweep ({difference}), and a folder holds the parts of \
-                     one sweep; take another folder, or the same sweep"
+                     one sweep; take another folder, or compute that sweep"
                 ),
             }),
         }

@@ -69,7 +69,7 @@ impl SummarySpec {
     pub fn new(batch: &Batch, histograms: Vec<Histogram>, best: Vec<Ranking>) -> Result<Self> {
         let twice = |what: &str, of: &str| Error::Together {
             given: format!("{what} of {of}"),
-            reason: "it is asked for twice; keep one".into(),
+            reason: "it is requested twice; keep one".into(),
         };
         if let Some([_, again]) = first_repeated(&histograms, |a, b| a.of == b.of) {
             return Err(twice("the histogram", &histograms[again].of));

@@ -441,7 +441,7 @@ impl Column {
                 }
             }
             (None, ..) if self.has_units_in_cells => Err(format!(
-                "'{cell}' has no unit, as other cells of its column have; write it behind the \
+                "'{cell}' has no unit, but other cells of its column have one; write it behind the \
                  number, or into the head"
             )),
             (None, Some(size), ..) => Ok(size.value(number)),

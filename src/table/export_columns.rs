@@ -131,14 +131,14 @@ pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
 /// Remark on angles without a unit, which are read in degrees.
 pub(crate) fn in_degrees<'a>(columns: impl IntoIterator<Item = &'a Column>) -> Option<String> {
     let heads = heads_of(columns, Column::is_in_assumed_degrees);
-    let (is, angles) = if heads.len() == 1 {
-        ("is", "an angle")
+    let (is, have) = if heads.len() == 1 {
+        ("is", "the head has")
     } else {
-        ("are", "angles")
+        ("are", "the heads have")
     };
     (!heads.is_empty()).then(|| {
         format!(
-            "{} {is} read in degrees: {angles} without a unit, and launch monitors write degrees",
+            "{} {is} read in degrees: {have} no unit, and launch monitors write angles in degrees",
             heads.join(", ")
         )
     })

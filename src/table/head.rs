@@ -217,13 +217,13 @@ pub(crate) struct ColumnErrors {
 
 /// Advice for tables of points or swings.
 pub(super) const OF_POINTS: &str = "give each a name that is known, or take it out: a column is a \
-                                    parameter, with its unit as in 'swing.speed [mph]', or one \
-                                    that a sweep has written, which is not read";
+                                    parameter, with its unit as in 'swing.speed [mph]', or a \
+                                    result that a sweep has written, which is ignored";
 
 /// Advice for tables of shots to fly.
-pub(super) const OF_LAUNCHES: &str = "give the columns of the launch heads that are known, as in \
-                                      'Ball Speed [mph]', 'Launch Angle [deg]', 'Spin Rate [rpm]', \
-                                      and take the others out; the heads are in one of the first \
+pub(super) const OF_LAUNCHES: &str = "name the columns of the launch by known heads, as in 'Ball \
+                                      Speed [mph]', 'Launch Angle [deg]', 'Spin Rate [rpm]', and \
+                                      take the others out; the heads must be in one of the first \
                                       lines";
 
 impl ColumnErrors {

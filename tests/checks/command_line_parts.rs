@@ -831,7 +831,7 @@ fn a_sweep_that_cannot_be_divided_is_refused_with_advice() {
             "--highest",
             "carry:2",
         ],
-        "asked for twice",
+        "requested twice",
     );
     refused(&["--highest", "carry:3"], "add --part 1/1");
     refused(&["--part", "1/4", "--resume"], "--resume");

@@ -193,7 +193,7 @@ fn marks_measured_estimated_and_normalized_of_an_export_are_kept() {
         "Ball Speed in mph",
         "Carry Distance in yd",
         "Apex in ft",
-        "are read in degrees: angles without a unit",
+        "are read in degrees: the heads have no unit",
     ] {
         assert!(remarks.contains(says), "no '{says}' in {remarks}");
     }
@@ -469,9 +469,9 @@ fn tables_without_a_launch_name_the_nearest_head() {
         ),
         (
             "Foo,Bar,Baz\n1,2,3\n",
-            "unknown columns 'Foo', 'Bar', 'Baz'; give the columns of the launch heads that are \
-             known, as in 'Ball Speed [mph]', 'Launch \
-             Angle [deg]', 'Spin Rate [rpm]', and take the others out",
+            "unknown columns 'Foo', 'Bar', 'Baz'; name the columns of the launch by known heads, \
+             as in 'Ball Speed [mph]', 'Launch Angle [deg]', 'Spin Rate [rpm]', and take the others \
+             out",
         ),
         (
             "Ballgeschwindigkeit;Abflugwinkel;Spinrate\n165;11,2;2600\n",
