@@ -15,7 +15,7 @@ use crate::units::Message;
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// A column with values to read.
+/// A column with the values of an outcome.
 #[derive(Clone, Debug)]
 pub(super) struct MeasuredColumn {
     pub at: usize,
@@ -49,9 +49,9 @@ pub struct ShotColumns {
     pub(super) is_export: bool,
     /// The decimal mark of the table; `None` if the first rows do not show it.
     pub(super) decimal_mark: Option<DecimalMark>,
-    /// Columns that an earlier run of `fly` added.
+    /// Indices of the columns that an earlier run of `fly` added; empty without such columns.
     pub(crate) added: Range<usize>,
-    /// Air density of the setup, for rows that do not state the air, kg/m³.
+    /// Air density of the setup, kg/m³, for rows that do not state the air.
     pub(super) air: f64,
     pub(super) remarks: Vec<Message>,
 }
@@ -129,7 +129,6 @@ impl ShotColumns {
         Ok(found)
     }
 
-    /// Detects the decimal mark from the first rows.
     fn detect_decimal_mark(&mut self, rows: &[Vec<String>]) {
         let of_numbers = self.read.iter().map(|read| read.at);
         self.decimal_mark = DecimalMark::detect(self.separator, of_numbers, rows);
@@ -199,7 +198,8 @@ impl ShotColumns {
                     column: column.clone(),
                 });
             }
-            // parameters of the club do not affect the flight of a launch: read them as club data
+            // a flight from a launch does not depend on the club: read parameters of the club as
+            // club data
             Content::Note | Content::Input(_) => {
                 let below = read_units(self.units.as_deref(), at);
                 let format = TableFormat {
@@ -250,7 +250,6 @@ impl ShotColumns {
         ))
     }
 
-    /// Collects remarks on the columns.
     fn add_remarks(&mut self, columns: &[Column], assumed_units: Option<Message>) {
         let is_read = |at: usize| {
             self.read.iter().any(|read| read.at == at)
@@ -298,7 +297,6 @@ impl ShotColumns {
         self.remarks.extend(remarks);
     }
 
-    /// Remark on columns with the same meaning, of which only the first is used.
     fn given_twice(&self, columns: &[Column]) -> Option<Message> {
         let twice = self.read.iter().flat_map(|first| {
             let is_again = |(at, column): &(usize, &Column)| {
@@ -381,8 +379,9 @@ fn read_units(units: Option<&[String]>, at: usize) -> Option<&str> {
     (!unit.is_empty()).then_some(unit)
 }
 
-/// The column for a head of the ball's rest position; `None` for any other head. [`TableHead`] does
-/// not know these heads, because `calibrate` must ignore their columns: the ground is unknown.
+/// The column, if its head names a rest position of the ball; `None` for any other head.
+/// [`TableHead`] does not know these heads, because `calibrate` must ignore their columns: the
+/// ground is unknown.
 fn total(
     setup: &Setup<f64>,
     name: &str,

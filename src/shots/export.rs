@@ -38,9 +38,10 @@ impl ShotColumns {
         shot
     }
 
-    /// The refusal that an earlier run of `fly` wrote into the row, if it replaces the refusal
-    /// `now`: if `now` reports a missing value, or if all cells but the first are empty. `None`
-    /// without an earlier refusal, or if `now` names a faulty value that is still in the row.
+    /// The refusal that an earlier run of `fly` wrote into the row. It replaces `now`, the refusal
+    /// of this run, if `now` reports a missing value or if all cells but the first are empty.
+    /// `None` without an earlier refusal, or if the row still has the faulty value that `now`
+    /// reports.
     fn refused_before(&self, row: &[Cow<'_, str>], now: &Refusal) -> Option<Refusal> {
         let [_, flight, reason, _] = row.get(self.added.clone())?.first_chunk()?;
         // for a row without valid cells, `fly` writes the whole row into the first cell
@@ -149,7 +150,6 @@ impl ShotColumns {
     }
 }
 
-/// True if a condition text says that the values are normalized.
 fn says_normalized(text: &str) -> bool {
     let word = b"normali";
     text.as_bytes()

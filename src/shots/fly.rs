@@ -150,7 +150,7 @@ impl Flying {
         Ok(statistics)
     }
 
-    /// These flights, for rows that state the given parameters in addition to the launch.
+    /// A copy for rows that state `other_parameters` besides the launch.
     fn of_rows(&self, other_parameters: &[&'static Parameter]) -> Result<Self> {
         let launch = &self.batch.parameters()[..LAUNCH.len()];
         let batch = self

@@ -47,8 +47,9 @@ pub(crate) struct Interpretation {
 }
 
 impl Interpretation {
-    /// Interprets the columns of an export, and changes them accordingly. A table that is not an
-    /// export stays unchanged. With a `setup`, a column of weather is read as the air of each row.
+    /// Interprets the columns of an export: changes contents, units and signs of the columns in
+    /// `head`. A table that is not an export stays unchanged. With a `setup`, a column of weather
+    /// is read as the air of each row.
     pub fn of(setup: Option<&Setup<f64>>, head: &mut TableHead) -> Self {
         if !head.format.is_export {
             return Self::default();

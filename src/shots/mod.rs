@@ -5,8 +5,8 @@
 //!   file ──records──▶ shots ──in batches──▶ flown shots ──in order──▶ sink
 //! ```
 //!
-//! Rows are processed in the order of the file in chunks, so memory does not grow with their
-//! number. No row is dropped: a row that cannot be flown has a [`Refusal`].
+//! Rows are processed in chunks, in the order of the file, so that memory does not grow with the
+//! number of rows. No row is dropped: a row that cannot be flown has a [`Refusal`].
 //!
 //! ```
 //! use longdrive::shots::{Flying, Shots};

@@ -6,7 +6,6 @@ use std::collections::VecDeque;
 /// Maximum length of an object, bytes.
 const LONGEST: usize = 1 << 16;
 
-/// State of the scanner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ScannerState {
     Between,
@@ -21,10 +20,10 @@ enum ScannerState {
     TooLong,
 }
 
-/// Finds objects in bytes as they arrive. Truncated objects and other text are records too. Text
-/// outside of objects ends with its line, or before the next opening brace. A truncated object ends
-/// before a line that begins with a brace, or at a line end within a string. In this way later
-/// objects are found.
+/// Finds JSON objects in bytes as the bytes arrive. Truncated objects and text outside of objects
+/// are records too, so that each can be refused. Text outside of objects ends with its line, or
+/// before the next opening brace. A truncated object ends before a line that begins with a brace,
+/// or at a line end within a string. These rules let the scanner find the objects after the fault.
 #[derive(Clone, Debug)]
 pub struct Objects {
     state: ScannerState,
@@ -59,17 +58,18 @@ impl Objects {
         }
     }
 
-    /// The next complete object.
+    /// The next record: an object, a truncated object or text outside of objects. `None` if no
+    /// further record is complete.
     pub fn next_object(&mut self) -> Option<Record> {
         self.found.pop_front()
     }
 
-    /// True if an object is incomplete.
+    /// True if the bytes so far end within an object or within other text.
     pub fn is_under_way(&self) -> bool {
         self.state != ScannerState::Between
     }
 
-    /// Ends an incomplete object at the end of the input.
+    /// Makes a record of an unfinished object or text at the end of the input.
     pub fn finish(&mut self) {
         if self.is_under_way() {
             self.end(false);

@@ -139,7 +139,6 @@ fn broken(text: &str) -> String {
     }
 }
 
-/// Message of the JSON parser with the position.
 fn syntax_error(error: &serde_json::Error) -> String {
     let message = error.to_string();
     let what = message.split(" at line").next().unwrap_or_default();
@@ -195,7 +194,6 @@ fn fill(
     Ok(())
 }
 
-/// Fills in the values of `BallData`.
 fn fill_ball(
     shot: &mut Shot,
     message: &Map<String, Json>,
@@ -244,7 +242,7 @@ fn option(message: &Map<String, Json>, key: &str) -> Option<bool> {
 /// The ball data of a message.
 ///
 /// # Errors
-/// The refusal, if the message has no ball data, or if an earlier run of `fly` refused it.
+/// The refusal, if the message has no ball data, or if an earlier run of `fly` refused the message.
 fn ball_data(message: &Map<String, Json>) -> Result<&Map<String, Json>, Refusal> {
     let flight = |key: &str| message.get("Flight")?.get(key)?.as_str();
     if let (Some(REFUSED), Some(reason)) = (flight("Status"), flight("Reason")) {
@@ -292,7 +290,8 @@ fn club_data(club: &Map<String, Json>, speed_unit: &str, notes: &mut Vec<String>
     Club::measured(stated, heads, notes)
 }
 
-/// Removes spin values of 0 that mean "not sent": another form of the spin is not 0.
+/// Removes spin values of 0 if another form of the spin is not 0: such a 0 means that the value was
+/// not sent.
 fn remove_unsent(values: &mut Vec<StatedValue>) {
     let has = |of| {
         values

@@ -7,7 +7,7 @@ use crate::table::{CONDITIONS, Column, Refusal, StatedConditions, implausible_cl
 /// Flight status of a row that was not flown.
 pub(super) const REFUSED: &str = "refused";
 
-/// Origin of a value, if the export states it.
+/// Origin of a value, as the export states it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// Measured by the instrument.
@@ -28,7 +28,7 @@ variant_names! {
 }
 
 impl Origin {
-    /// Parses the origin in a cell, such as `Measured` or `Estimate`.
+    /// Parses the origin in a cell, such as `Measured` or `Estimate`; `None` for any other text.
     pub(super) fn read(cell: &str) -> Option<Self> {
         match cell.to_lowercase().as_str() {
             "measured" | "actual" => Some(Self::Measured),
@@ -39,7 +39,7 @@ impl Origin {
     }
 }
 
-/// A value of a row.
+/// A value that a row states for an outcome.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StatedValue {
     /// Outcome.
@@ -64,7 +64,7 @@ pub struct Club {
 }
 
 impl Club {
-    /// Names of the parameters, in the order of the values.
+    /// Names of the parameters of the club data, in the order of [`values`](Self::values).
     pub const NAMES: [&'static str; 4] = [
         "swing.speed",
         "swing.attack_angle",
@@ -73,9 +73,9 @@ impl Club {
     ];
 
     /// Club data from stated values and their column heads, in the order of [`NAMES`](Self::NAMES).
-    /// An unreadable or implausible value counts as not measured, with a note in `notes`. A club
-    /// speed of 0 counts as not measured. If all other stated values are 0 too, none of them counts
-    /// as measured.
+    /// An unreadable or implausible value counts as not measured, and `notes` receives the reason.
+    /// A club speed of 0 counts as not measured. If the other stated values are 0 too, no value
+    /// counts as measured.
     pub(super) fn measured(
         stated: [Result<Option<f64>, String>; 4],
         heads: [&str; 4],
@@ -103,7 +103,7 @@ impl Club {
         Self::of(values)
     }
 
-    /// Club data in the order of [`NAMES`](Self::NAMES).
+    /// Club data from values in the order of [`NAMES`](Self::NAMES).
     pub(super) fn of([speed, attack_angle, path, face_angle]: [Option<f64>; 4]) -> Self {
         Self {
             speed,
@@ -118,7 +118,8 @@ impl Club {
         values[0].is_some() && values.into_iter().flatten().all(|value| value == 0.0)
     }
 
-    /// Index of a parameter in [`NAMES`](Self::NAMES); `None` for any other parameter.
+    /// Index of a parameter in [`NAMES`](Self::NAMES); `None` for a parameter that is not club
+    /// data.
     pub(crate) fn place(parameter: &Parameter) -> Option<usize> {
         Self::NAMES.iter().position(|name| *name == parameter.name)
     }
@@ -129,7 +130,7 @@ impl Club {
     }
 }
 
-/// A row.
+/// A shot: a row of an export, or a message.
 #[derive(Clone, Debug)]
 pub struct Shot {
     /// Number of the first line of the row in the file, from 1.
@@ -142,10 +143,10 @@ pub struct Shot {
     pub club: Club,
     /// Name of the club, if a column has it.
     pub club_name: Option<String>,
-    /// Condition text of the export, verbatim.
+    /// Conditions for which the values hold, such as normalized weather, as the row states them;
+    /// `None` if it states none.
     pub condition: Option<String>,
-    /// True if the export states normalized values; `None` if it does not state whether they are
-    /// normalized.
+    /// `Some(true)` if the row states that its values are normalized; otherwise `None`.
     pub is_normalized: Option<bool>,
     /// Notes on assumed or unused values.
     pub notes: Vec<String>,
@@ -209,12 +210,13 @@ impl Shot {
         CONDITIONS.map(|of| self.value(of).map(|value| value.value))
     }
 
-    /// True if the launch direction is not stated; the flight takes 0.
+    /// True if the row states no launch direction. The flight then starts with the direction 0.
     pub fn is_direction_assumed(&self) -> bool {
         self.value(Outcome::LaunchDirection).is_none()
     }
 
-    /// True if the tilt of the spin (its axis or sidespin) is not stated; the flight takes 0.
+    /// True if the row states neither spin axis nor sidespin. The flight then starts with the spin
+    /// axis 0.
     pub fn is_axis_assumed(&self) -> bool {
         self.value(Outcome::SpinAxis).is_none() && self.value(Outcome::Sidespin).is_none()
     }
@@ -236,7 +238,7 @@ pub(super) const LAUNCH: [&str; 5] = [
     "launch.sidespin",
 ];
 
-/// A parameter of a table that is not part of the launch, with its column and the index of the
+/// A parameter that is not part of the launch, with its column in the table and the index of this
 /// column.
 #[derive(Clone, Debug)]
 pub(super) struct RowParameter {
@@ -245,7 +247,7 @@ pub(super) struct RowParameter {
     pub column: Column,
 }
 
-/// The value if it is in the parameter's range; `name` is its column head.
+/// The value if it is in the parameter's range; `name` is the column head for the message.
 ///
 /// # Errors
 /// The refusal, if the value is outside the range.

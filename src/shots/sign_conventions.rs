@@ -34,7 +34,7 @@ pub(super) fn turn_spins(
 
 /// The spins whose positive values are to the left, in exports of Garmin. Positive values of
 /// `Sidespin` are to the left if the table has no spin axis, or if sidespin and spin axis have
-/// opposite signs. If these signs agree and the balls curve to the other side, positive values of
+/// opposite signs. If the signs agree, but the balls curve to the opposite side, positive values of
 /// both are to the left.
 fn turned_spins(
     maker: Option<&str>,

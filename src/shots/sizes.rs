@@ -3,7 +3,7 @@
 use crate::units::Quantity;
 use std::sync::LazyLock;
 
-/// Units with their conversion factors.
+/// Units with their conversion factors to SI.
 static SIZES: LazyLock<Vec<(&str, f64)>> = LazyLock::new(|| {
     let of = |quantity: Quantity, units: [&'static str; 2]| {
         units.map(|unit| (unit, quantity.size_of(unit).unwrap_or(1.0)))

@@ -32,7 +32,7 @@ pub struct Shots {
     is_written: bool,
 }
 
-/// Unread rows.
+/// Source of the unread rows: a table, or JSON objects.
 pub(super) enum UnreadRows {
     Table(Box<TableRows>),
     Objects(Box<dyn Read + Send>, Objects, SourceName),
@@ -44,7 +44,7 @@ pub(super) struct TableRows {
     setup: Setup<f64>,
     /// Column heads of the current section.
     columns: Arc<ShotColumns>,
-    /// The parameters besides the launch of the first section.
+    /// The parameters that the first section states besides the launch.
     of_first: Vec<&'static Parameter>,
     /// True if a section other than the first began after the previous chunk.
     is_begun: bool,
@@ -77,7 +77,7 @@ impl Shots {
     /// # Errors
     /// The errors of [`read`](Self::read), and [`Error::Table`](crate::Error::Table) if the file
     /// cannot be opened, or if it is not a table and `filter` is not empty. If the filter selects
-    /// no row, an error follows the last row.
+    /// no row, reading fails after the last row.
     pub fn open(
         setup: &Setup<f64>,
         path: &Path,
@@ -131,7 +131,8 @@ impl Shots {
                 is_written,
             });
         }
-        // keep values as stated: positive to the right for every golfer
+        // do not convert path and face angle to a left-hander's signs: club data are positive to
+        // the right for every golfer
         let setup = Setup {
             golfer: Golfer::Right,
             ..*setup
@@ -199,7 +200,6 @@ impl Shots {
             .map_or(&[], |columns| &columns.remarks)
     }
 
-    /// The column of an outcome.
     fn column_of(&self, of: Outcome) -> Option<&Column> {
         self.columns.as_ref()?.column_of(of)
     }
@@ -231,8 +231,8 @@ impl Shots {
         }
     }
 
-    /// The parameters that each row states, without those of the launch. The rows of a later
-    /// section of a table may state more, which follow.
+    /// The parameters that each row states, without those of the launch. A later section of a table
+    /// may state further parameters, which follow these.
     pub fn other_parameters(&self) -> &[&'static Parameter] {
         &self.other_parameters
     }
@@ -323,8 +323,8 @@ impl UnreadRows {
 }
 
 impl Chunk {
-    /// Reads the shots of these rows, and returns them with the section of the rows. Each message
-    /// has values of `other_parameters`.
+    /// Reads the shots of these rows, and returns them with the section of the rows. A JSON line
+    /// that `fly` wrote must have values of exactly `other_parameters`.
     pub fn shots(self, other_parameters: &[&'static Parameter]) -> (Vec<Shot>, Option<Section>) {
         let Self { section, records } = self;
         let shot = |record: Record| match &section {

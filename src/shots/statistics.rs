@@ -52,22 +52,22 @@ impl Sums {
         self.absolute += other.absolute;
     }
 
-    /// Number of residuals.
+    /// Number of values.
     pub fn count(&self) -> u64 {
         self.moments.count
     }
 
-    /// Mean; `None` without residuals.
+    /// Mean, SI; `None` without values.
     pub fn bias(&self) -> Option<f64> {
         self.moments.mean()
     }
 
-    /// Mean absolute value; `None` without residuals.
+    /// Mean absolute value, SI; `None` without values.
     pub fn mean_absolute(&self) -> Option<f64> {
         (self.count() > 0).then(|| self.absolute / self.count() as f64)
     }
 
-    /// Standard deviation; `None` for fewer than two residuals.
+    /// Standard deviation, SI; `None` for fewer than two values.
     pub fn deviation(&self) -> Option<f64> {
         self.moments.deviation()
     }

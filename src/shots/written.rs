@@ -8,7 +8,8 @@ use crate::parameters::{Parameter, Setup};
 use crate::table::Refusal;
 use serde_json::{Map, Value as Json};
 
-/// The text before the original row, which is the last member of a line. It cannot occur elsewhere.
+/// The text in front of the original row, which is the last member of a line. It does not occur
+/// earlier in a line that `fly` wrote.
 const ROW: &str = ",\"row\":";
 
 /// Recognizes a JSON line written by `fly`.
@@ -31,7 +32,8 @@ pub(super) fn begins(beginning: &str) -> bool {
         .is_some_and(is_written)
 }
 
-/// The parameters outside of the launch in a text that `fly` wrote, from its first flown line.
+/// The parameters that a text written by `fly` states besides the launch, from its first flown
+/// line.
 pub(super) fn other_parameters(setup: &Setup<f64>, beginning: &str) -> Vec<&'static Parameter> {
     let mut objects = Objects::default();
     objects.push(beginning.as_bytes());
@@ -56,7 +58,7 @@ fn wrong(key: &str, found: impl std::fmt::Display) -> Refusal {
     Refusal::new(Refusal::JSON, reason)
 }
 
-/// Members of an object; empty if the object is missing.
+/// Members of the object stored under a key; empty if the key is missing.
 fn members<'a>(
     message: &'a Map<String, Json>,
     key: &str,
@@ -96,7 +98,6 @@ pub(super) fn fill(
     Ok(())
 }
 
-/// Reads values, club, condition and notes.
 fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refusal> {
     let origins = members(message, "origins")?;
     for (name, value) in members(message, "stated")? {
