@@ -26,8 +26,8 @@ pub struct Average {
 }
 
 impl Average {
-    /// The study for the lofts `lofts`, deg, compared with a printed best loft, deg. The best loft
-    /// is searched for in `range`, deg.
+    /// Computes the mean carry of each of `lofts`, deg, and searches for the best loft within
+    /// `range`, deg. The search starts at `printed_loft`, deg.
     pub(super) fn new(
         setup: &Setup<f64>,
         lofts: &[f64],

@@ -54,7 +54,7 @@ impl DeliveryCarry {
         })
     }
 
-    /// The delivery of the longest carry, as a search found it.
+    /// The delivery of the longest carry that a search found.
     pub(super) fn of(longest: &Optimum) -> Self {
         Self {
             loft: longest.setup.club.loft,

@@ -36,7 +36,8 @@ impl RecomputedOptimum {
         })
     }
 
-    /// Loss of carry at the printed optimum, m; the whole carry if the ball does not fly.
+    /// Loss of carry at the printed optimum, m. If the ball does not fly there, this is the whole
+    /// carry of the exact optimum.
     pub fn cost(&self) -> f64 {
         self.best.value().unwrap_or_default() - self.at_printed.unwrap_or_default()
     }

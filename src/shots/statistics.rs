@@ -165,7 +165,7 @@ pub struct ShotStatistics {
     pub normalized: u64,
     /// Number of rows with notes on assumed or unused values.
     pub noted: u64,
-    /// Landed drives outside the validity limits of the model.
+    /// Number of landed drives that exceed each validity limit of the model.
     pub exceeded: ExceededCount,
     /// Number of landed drives whose spin ratio at launch is too large for a driver.
     pub lofted: u64,

@@ -218,7 +218,8 @@ impl FlightAlone {
         })
     }
 
-    /// The best launch for a range of the ball speed, with the multipliers of the upper bounds.
+    /// The best launch with a ball speed within `speeds`, m/s, and the multipliers of the upper
+    /// bounds.
     fn best(&self, speeds: [f64; 2]) -> Result<(Launched, Vec<f64>)> {
         let domain = Domain::new(
             vec![speeds[0], ANGLES[0], 0.0],

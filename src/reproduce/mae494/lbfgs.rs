@@ -7,7 +7,6 @@ use std::cell::RefCell;
 /// Number of stored steps and gradients.
 const MEMORY: usize = 7;
 
-/// Maximum number of iterations.
 const ITERATIONS: u64 = 200;
 
 /// Minimizes with argmin's L-BFGS from `start`: returns the best point and the termination message.
@@ -53,7 +52,7 @@ fn flown<T>(found: Result<T, crate::Error>, without: T) -> Result<T, crate::Erro
 /// The problem in the unbounded variables u.
 struct Unbounded<'a, 'b> {
     objective: &'a CarryObjective<'b>,
-    /// The smallest value so far and its point.
+    /// The smallest value so far, with its x.
     best: &'a RefCell<(f64, Vec<f64>)>,
 }
 

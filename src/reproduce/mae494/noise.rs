@@ -209,7 +209,8 @@ fn loop_slopes(setup: &Setup<f64>, loft: f64, by: f64, step: f64) -> Result<[f64
 
 impl Sawtooth {
     /// Finds the jumps. A jump lies between two neighbouring points if the change of the loop's
-    /// carry differs from the change of the smooth carry by more than three times the latter.
+    /// carry and the change of the smooth carry differ by more than three times the change of the
+    /// smooth carry.
     fn of(zoom: &[Landings]) -> Self {
         let jump = |pair: &[Landings]| {
             let smooth = pair[1].smooth - pair[0].smooth;
@@ -232,8 +233,8 @@ impl Sawtooth {
     }
 }
 
-/// The derivative of carry by loft, d carry/dλ, and the derivative at fixed time, ∂z/∂λ = d
-/// carry/dλ − ż dt/dλ.
+/// The derivative of carry by the loft λ, d carry/dλ, and the derivative at fixed time, ∂z/∂λ = d
+/// carry/dλ − ż dt/dλ, with the flight time t and the downrange position z, both at landing.
 fn exact_slopes(setup: &Setup<f64>) -> Result<(f64, f64)> {
     let of = [
         Outcome::Carry,

@@ -45,7 +45,7 @@ pub enum SearchMethod {
     Exact,
 }
 
-/// The report's ranges of loft and attack angle.
+/// The report's ranges of loft and attack angle, rad.
 pub(super) fn domain() -> Result<Domain> {
     let Ranges { loft, attack_angle } = printed::RANGES;
     let ends = |end: usize| vec![loft[end].to_radians(), attack_angle[end].to_radians()];

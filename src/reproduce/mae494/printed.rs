@@ -1,5 +1,5 @@
-//! Values printed in the MAE 494 report, in its units. No other results are stored: a reproduction
-//! computes them.
+//! Values printed in the MAE 494 report, in its units. Only printed values are stored: a
+//! reproduction computes its own results.
 
 use crate::reproduce::delivery::Ranges;
 
@@ -37,7 +37,7 @@ pub const TABLE_2: [[f64; 3]; 9] = [
 /// longest distance of Table 1, m.
 pub const OPTIMUM: [f64; 3] = [17.68, 7.3, 248.48];
 
-/// Ranges of loft and swing elevation, the latter as in Table 1.
+/// Search ranges of loft and swing elevation, deg. Table 1 has this range of swing elevation.
 pub const RANGES: Ranges = Ranges {
     loft: [0.0, 20.0],
     attack_angle: [-10.0, 10.0],

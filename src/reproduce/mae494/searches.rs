@@ -34,10 +34,8 @@ pub struct End {
     pub message: String,
 }
 
-/// Number of starts.
 const STARTS: usize = 20;
 
-/// Combinations of the definition of the landing and the method.
 const KINDS: [(LandingDefinition, SearchMethod); 7] = [
     (LandingDefinition::Overshot, SearchMethod::LimitedMemory),
     (LandingDefinition::Interpolated, SearchMethod::LimitedMemory),
@@ -79,7 +77,6 @@ pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
     KINDS.into_iter().map(one).collect()
 }
 
-/// A search from one start.
 fn search(objective: &CarryObjective<'_>, start: DeliveryCarry) -> Result<End> {
     let x = [start.loft, start.attack_angle];
     let (x, message) = match objective.method {

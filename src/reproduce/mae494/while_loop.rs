@@ -166,10 +166,10 @@ pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
     fly_past_the_ground(setup, step)
 }
 
-/// Finite differences of the report's loop for the rows of a certificate about the carry, except
-/// derivatives by wind and by the height of the ground. Empty if the setup has something that the
-/// loop does not model: a stated launch, wind, spin damping, or a ground that is not level with the
-/// tee.
+/// Finite differences of the report's loop for the derivatives of carry in a certificate, except
+/// derivatives by wind and by the height of the ground: the loop models neither. Empty if the setup
+/// has something that the loop does not model: a stated launch, wind, spin damping, or a ground
+/// that is not level with the tee.
 pub fn while_loop(setup: &Setup<f64>, rows: &[DerivativeRow]) -> Vec<LoopRow> {
     if !is_modelled(setup) {
         return vec![];

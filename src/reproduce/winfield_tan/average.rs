@@ -6,7 +6,8 @@ use crate::reproduce::delivery::LoftCarry;
 use crate::units::YARD;
 use nalgebra::{DMatrix, DVector};
 
-/// Mean carry over attack angles of 0, 1 … 10° with its best loft, and the polynomial through it.
+/// Mean carry over attack angles of 0, 1 … 10° for several lofts, the polynomial through these
+/// means, and the best loft.
 #[derive(Clone, Debug)]
 pub struct InterpolatedAverage {
     /// Mean carries of the lofts 7, 8 … 12°.
@@ -76,7 +77,8 @@ impl InterpolatingPolynomial {
         })
     }
 
-    /// Value, first and second derivative by x, per degree, at a loft, rad, by Horner's scheme.
+    /// Carry, m, and its first and second derivative by x, m/° and m/°², at a loft, rad, by
+    /// Horner's scheme.
     fn at(&self, loft: f64) -> [f64; 3] {
         let x = (loft - self.middle).to_degrees();
         let further = |[v, d, dd]: [f64; 3], c: &f64| [v * x + c, d * x + v, dd * x + 2.0 * d];

@@ -22,7 +22,8 @@ const DECAY: &str = "aero.spin_decay";
 pub struct RefittedLaw {
     /// The law, fitted with the spin decay rate fixed at its value in the preset.
     pub law: Calibration,
-    /// Decay rate, 1/s, fitted together with the law. Its uncertainty is scaled by the residuals.
+    /// Decay rate, 1/s, fitted together with the law. Its standard uncertainty is multiplied by
+    /// √(χ²/degrees of freedom).
     pub decay: FittedNumber,
     /// Sum of squares of the best fit at each decay rate of `PROFILE`.
     pub profile: Vec<Decay>,
@@ -38,10 +39,10 @@ pub struct FittedNumber {
     pub standard_uncertainty: f64,
 }
 
-/// Best fit at a decay rate.
+/// Best fit of the law at a fixed spin decay rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Decay {
-    /// δ, 1/s.
+    /// Spin decay rate δ, 1/s.
     pub rate: f64,
     /// Sum of squared, weighted residuals.
     pub sum: f64,

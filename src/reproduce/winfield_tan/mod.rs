@@ -2,8 +2,8 @@
 //! distance of a golf drive", Computers & Structures 53(1), 19–25.
 //!
 //! The paper does not print its drag and lift curves. The coefficients of the law `winfield-tan`
-//! come from a calibration to the printed results, and are stored in the preset, which is used
-//! here.
+//! come from a calibration to the printed results. The preset `winfield-tan` stores them, and the
+//! reproduction uses this preset.
 
 mod average;
 mod fit;

@@ -1,5 +1,5 @@
-//! Values printed by Winfield & Tan (1994), in their units, with misprints corrected. No other
-//! results are stored: a reproduction computes them.
+//! Values printed by Winfield & Tan (1994), in their units, with misprints corrected. Only printed
+//! values are stored: a reproduction computes its own results.
 
 /// Single shot: carry, yd; flight time, s; apex, yd; time of apex, s.
 pub const SHOT: [f64; 4] = [197.31, 4.75, 14.18, 2.48];
