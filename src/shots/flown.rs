@@ -17,7 +17,7 @@ pub struct Flown {
     pub(super) block: Block,
     /// True if the predicted and measured roll-outs are compared.
     pub(super) compares_roll_out: bool,
-    /// The section of the table; `None` for messages of GSPro Open Connect.
+    /// The section of the table; `None` for JSON.
     pub section: Option<Section>,
 }
 

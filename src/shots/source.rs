@@ -23,7 +23,7 @@ const PIECE: usize = 1 << 16;
 
 /// Shots in a file.
 pub struct Shots {
-    /// The column heads of the table's first section; `None` for messages of GSPro Open Connect.
+    /// The column heads of the table's first section; `None` for JSON.
     columns: Option<Arc<ShotColumns>>,
     pub(super) rows: UnreadRows,
     /// The parameters that each row states, without those of the launch.
@@ -64,7 +64,7 @@ pub struct Section {
 
 /// A chunk of unread rows or messages.
 pub(super) struct Chunk {
-    /// The section of the table; `None` for messages of GSPro Open Connect.
+    /// The section of the table; `None` for JSON.
     pub section: Option<Section>,
     records: Vec<Record>,
 }
@@ -168,7 +168,7 @@ impl Shots {
         Ok(all)
     }
 
-    /// The column heads of the table's first section; `None` for messages of GSPro Open Connect.
+    /// The column heads of the table's first section; `None` for JSON.
     pub fn columns(&self) -> Option<&Arc<ShotColumns>> {
         self.columns.as_ref()
     }
