@@ -12,8 +12,8 @@ use serde::{Deserialize, Serialize};
 /// Largest distance from the iterate to a point on another side, in units of the variables' scale.
 /// Farther points are dropped.
 const NEARBY: f64 = 0.05;
-/// Distance from the iterate up to which the expansion of another side is accurate enough to rule
-/// out further progress.
+/// Largest distance from the iterate, in units of the variables' scale, at which the expansion of
+/// another side is accurate enough to show that no step reduces f.
 const CLOSE: f64 = 1e-4;
 
 /// Points on the other sides of kinks near the iterate: the nearest known point of each side.
@@ -66,9 +66,9 @@ impl Bundle {
     }
 
     /// Terms of the piecewise model, in scaled variables: the second-order expansion of each other
-    /// side, rewritten as an expansion about `at`. The value of a term at `at` is limited to f(at).
-    /// At a kink that stalls a search, f is the maximum of its sides, so a larger value is an error
-    /// of the expansion.
+    /// side, rewritten as an expansion about `at`. The value of a term at `at` is limited to f(at):
+    /// at a kink that stalls a search, f is the maximum of its sides, so a value above f(at) is an
+    /// error of the expansion.
     pub fn max_terms(
         &self,
         scaling: &Scaling,

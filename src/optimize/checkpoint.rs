@@ -1,5 +1,5 @@
 //! Checkpoint file of several searches: the results of the searches that have ended, and snapshots
-//! of the running searches.
+//! of the unfinished searches.
 
 use super::observer::Snapshot;
 use super::solution::Solution;
@@ -23,8 +23,8 @@ pub enum SavedSearch {
     Unfinished(Box<Snapshot>),
 }
 
-/// Checkpoint file of the searches of one problem. Each change writes all states to a temporary
-/// file, which then replaces the checkpoint: the checkpoint is complete at any time.
+/// Checkpoint file of the searches of one problem. Each save writes all states to a temporary file,
+/// which then replaces the checkpoint. The checkpoint is therefore complete at any time.
 #[derive(Debug)]
 pub struct Checkpoint {
     path: PathBuf,

@@ -23,7 +23,7 @@ pub(crate) struct AdaptiveStep {
 }
 
 impl AdaptiveStep {
-    /// Starts with the longest step of a range of this width.
+    /// Starts with the longest step for a range of this width.
     pub fn new(width: f64) -> Self {
         Self {
             width,
@@ -51,8 +51,8 @@ impl AdaptiveStep {
     }
 
     /// Accepts or rejects the result of the corrector: the corrected optimum and its distance from
-    /// the prediction. Returns `None` if the distance is too large or the corrector failed; the
-    /// step is then halved. After an interruption a failure does not halve the step.
+    /// the prediction. If the distance is too large or the corrector failed, halves the step and
+    /// returns `None`. A failure after an interruption does not halve the step.
     ///
     /// If the step is already the shortest, an optimum is accepted at any distance.
     ///
@@ -106,11 +106,11 @@ pub(crate) fn relative_distance(x: &[f64], predicted: &[f64], bounds: &Bounds) -
     parts.fold(0.0, f64::max)
 }
 
-/// Locates the change between two points by bisection: returns a point at which `is_as_before` is
-/// false, at most `tolerance` after a point at which it is true. `at` returns the location of a
-/// point, `guess` predicts the location of the change, and `next` computes the point at a location
-/// from an earlier point. If `next` fails, returns the earliest known point at which `is_as_before`
-/// is false.
+/// Locates a change between two points by bisection. Returns a point after the change, where
+/// `is_as_before` is false, at most `tolerance` after a point before the change. `at` returns the
+/// location of a point, `guess` predicts the location of the change, and `next` computes the point
+/// at a location from an earlier point. If `next` fails, returns the earliest known point after the
+/// change.
 pub(crate) fn locate_change<P>(
     [mut before, mut after]: [P; 2],
     tolerance: f64,

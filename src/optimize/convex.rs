@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 /// |eigenvalue| is raised to this size before the reflection.
 const FLOOR: f64 = 1e-8;
 /// The curvature added to the Hessian along the active normals grows by this factor from one
-/// attempt to the next. The first attempt adds the Hessian's size.
+/// attempt to the next. The first attempt adds the Hessian's size, which is its largest |entry|.
 const GROWTH: f64 = 4.0;
 /// Maximum number of attempts. More added curvature makes the matrix numerically singular.
 const MOST_RAISES: u32 = 15;
@@ -32,10 +32,11 @@ pub(super) struct Convexified {
 /// 2. if only directions along active normals make it indefinite: the Hessian plus curvature along
 ///    these normals (the term of the augmented Lagrangian; Nocedal & Wright 2006, §18.3). The sum
 ///    is exact on the tangents, which preserves Newton's rate of convergence;
-/// 3. this sum with its negative eigenvalues λ reflected to `reflection` |λ|, with |λ| raised to at
-///    least 1e-8 of the largest (Gill, Murray & Wright 1981, §4.4.2.1, with reflection in place of
-///    truncation). The added curvature separates the normals' eigenvalues from the tangents'
-///    eigenvalues. If `reflection` < 1, the Hessian is reflected on the tangents only.
+/// 3. otherwise: this sum with each negative eigenvalue λ replaced by `reflection` |λ|, where |λ|
+///    is at least 1e-8 of the largest |eigenvalue| (Gill, Murray & Wright 1981, §4.4.2.1, with
+///    reflection in place of truncation). The added curvature separates the normals' eigenvalues
+///    from the tangents' eigenvalues. If `reflection` < 1, only the Hessian on the tangents is
+///    reflected.
 ///
 /// A zero Hessian stays zero: the program is then linear. The result is written to `convex`.
 pub(super) fn convexify(
@@ -72,9 +73,9 @@ pub(super) fn convexify(
     for _ in 0..MOST_RAISES {
         raised(convex, raise);
         if is_positive_definite(convex) {
-            // the multipliers are not corrected: their error, the added curvature times the
-            // violation, vanishes at a solution, and with a correction problems 106 and 116 of Hock
-            // and Schittkowski end less accurately
+            // do not correct the multipliers: their error is the added curvature times the
+            // violation, which vanishes at a solution. With a correction, problems 106 and 116 of
+            // Hock and Schittkowski end less accurately
             return Convexified::default();
         }
         raise *= GROWTH;

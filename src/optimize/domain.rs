@@ -119,7 +119,7 @@ impl Domain {
         })
     }
 
-    /// Adds limits for the problem's constraint functions c₁ … cₘ.
+    /// Sets the limits of the problem's constraint functions c₁ … cₘ. Earlier limits are replaced.
     ///
     /// # Errors
     /// Errors of [`Bounds::new`].

@@ -1,6 +1,6 @@
 use super::quadratic_model::QuadraticModel;
 
-/// One iteration, as observers receive it.
+/// Data of one iteration, for observers.
 #[derive(Clone, Debug, Default)]
 pub struct Iteration {
     /// Iteration number; 0 is the start.

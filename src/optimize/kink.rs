@@ -90,8 +90,8 @@ fn is_kink(
     }
     let (distance, jump) = (above.x - below.x, above.slope - below.slope);
     let is_significant = jump.abs() * scaling.scale[i] > 1e-6 * scaling.size(at);
-    // on a bound, one of the two points lies on the rounded tip of the kink itself, whose curvature
-    // could explain any change
+    // on a bound, one of the two points lies on the rounded tip of the kink: its curvature could
+    // explain any change
     let is_unexplained = |side: &KinkSide| {
         !side.is_inside || (side.hessian[i][i] * distance - jump).abs() > 0.5 * jump.abs()
     };
@@ -103,9 +103,9 @@ fn is_kink(
         && is_unexplained(above)
 }
 
-/// True if a converged point may be a smoothed kink: by some variable, the curvature is so large
-/// that over a thousandth of the variable's scale the scaled derivative changes by more than the
-/// objective's size.
+/// True if a converged point may be a smoothed kink: the second derivative by a variable is so
+/// large that a change of this variable by 1/1000 of its scale changes the scaled derivative by
+/// more than the objective's size.
 pub(super) fn is_suspected(scaling: &Scaling, at: &EvaluatedPoint) -> bool {
     let hessian = &at.f.objective.hessian;
     let curvature = |i: usize| hessian[i][i].abs() * scaling.scale[i] * scaling.scale[i];

@@ -19,9 +19,9 @@ use std::rc::Rc;
 /// Minimises a function within a domain from a start, which is first projected on the bounds.
 ///
 /// # Errors
-/// [`Error::Optimizer`] if the domain, the start or an option is invalid, or if the problem returns
-/// derivatives or constraint functions in other numbers than the domain. A search that does not
-/// converge is not an error; the [`Status`] of its solution reports it.
+/// [`Error::Optimizer`] if the domain, the start or an option is invalid, or if the number of
+/// derivatives or of constraint functions does not fit the domain. A search that does not converge
+/// is not an error; the [`Status`] of its solution reports it.
 pub fn minimize(
     problem: &dyn Problem,
     domain: &Domain,
@@ -72,7 +72,7 @@ pub fn minimize_observed(
                     });
                 }
             };
-            // `save` is not called: a resumed search repeats this run after the end of the first
+            // do not save this second run: a resumed search repeats it after the end of the first
             let observer = Observer {
                 iteration: Box::new(continued),
                 interrupt,
@@ -144,9 +144,9 @@ fn run(
 }
 
 /// If the kink lies on a bound towards which the objective falls, fixes the variable on this bound
-/// and minimises over the other variables, with the iterations that `found` left. The one-sided
-/// derivative is the multiplier of the bound. Returns the point `found` if the kink does not lie on
-/// such a bound, or if the new search does not converge.
+/// and minimises over the other variables, with the remaining iterations. The one-sided derivative
+/// is the multiplier of the bound. Returns the point `found` if the kink does not lie on such a
+/// bound, or if the new search does not converge.
 fn fix_on_bound(
     problem: &dyn Problem,
     domain: &Domain,
@@ -201,7 +201,7 @@ fn fix_on_bound(
     })
 }
 
-/// The solver with the progress of a snapshot, from which it continues.
+/// A copy of the solver that continues from a snapshot.
 fn resumed(solver: &Sqp, snapshot: Snapshot) -> Sqp {
     let mut solver = Sqp {
         progress: snapshot.progress,
@@ -245,11 +245,10 @@ impl Checkpoint<Sqp, SqpState> for SnapshotIo {
     }
 }
 
-/// Passes argmin's iterations to the observer.
 struct IterationObserver(Box<dyn FnMut(&Iteration)>);
 
 impl IterationObserver {
-    /// Passes an iteration to the observer. An interrupted iteration has no numbers and is omitted.
+    /// Passes an iteration to the observer. An interrupted iteration has no result and is omitted.
     fn show(&mut self, state: &SqpState) {
         if let Some(iteration) = state.get_residuals() {
             (self.0)(iteration);

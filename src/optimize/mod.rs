@@ -7,9 +7,9 @@
 //!
 //! by sequential quadratic programming (SQP) with a trust region. Each iteration minimises the
 //! quadratic model of the Lagrangian within the bounds, the linearised constraints and a box-shaped
-//! trust region (`qp`). The step is accepted if the merit function falls by enough of the predicted
-//! reduction. The search ends where the KKT conditions hold ([`status`]). The SQP loop (`sqp`) is
-//! an argmin `Solver`, run by argmin's `Executor`.
+//! trust region (`qp`). The step is accepted if the merit function falls by a sufficient fraction
+//! of the predicted reduction. The search ends where the KKT conditions hold ([`status`]). The SQP
+//! loop (`sqp`) is an argmin `Solver`, run by argmin's `Executor`.
 //!
 //! A problem is any implementation of [`Problem`] with gradients and, optionally, Hessians. For
 //! [`Functions`] written over a generic number type, [`Exact`] computes exact derivatives.

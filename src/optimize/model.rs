@@ -48,8 +48,8 @@ impl LagrangianModel<'_> {
         self.trial_step_with_values(|j| self.point.f.constraints[j].value, solver, workspace)
     }
 
-    /// Second-order correction (Fletcher 1982): the step for the constraint values at the end of a
-    /// trial step, which include the constraints' curvature.
+    /// Second-order correction (Fletcher 1982): the step computed with the constraint values at the
+    /// end of a trial step. These values include the constraints' curvature.
     pub fn second_order_correction(
         &self,
         tried: &EvaluatedPoint,
@@ -192,8 +192,8 @@ impl LagrangianModel<'_> {
         (low, high)
     }
 
-    /// Step of least squared violation within the part [`NORMAL_PART`] of the trust region. If the
-    /// second-order model of the violation rises along this step (across a narrow valley, for
+    /// Step of least squared violation within the fraction [`NORMAL_PART`] of the trust region. If
+    /// the second-order model of the violation rises along this step (across a narrow valley, for
     /// example), adds the curvature of the constraints and computes the step again.
     fn least_violation(&self, program: &QuadraticProgram, solver: &mut QpSolver) -> QpStep {
         let (n, m) = (program.low.len(), program.rows.len());
@@ -218,8 +218,9 @@ impl LagrangianModel<'_> {
         step
     }
 
-    /// Positive semidefinite part of Σ vⱼ ∇²cⱼ, the curvature term of the Hessian of ½‖v‖², in
-    /// scaled variables. `None` if a constraint has no Hessian, or if the sum is zero.
+    /// Positive semidefinite part of Σ vⱼ ∇²cⱼ in scaled variables, with the violation vⱼ of
+    /// constraint j. This sum is the curvature term of the Hessian of ½‖v‖². `None` if the sum is
+    /// zero, or if a violated constraint has no Hessian.
     fn violation_curvature(&self) -> Option<DMatrix<f64>> {
         let Self { scaling, point, .. } = *self;
         let n = point.x.len();
@@ -303,8 +304,9 @@ impl LagrangianModel<'_> {
             .collect()
     }
 
-    /// Predicted reduction of f. If the piecewise model has a single term, the exact Hessian is
-    /// used, because the convexified Hessian has added curvature along the normals of constraints.
+    /// Predicted reduction of f. If the piecewise model has a single term, the Hessian before
+    /// convexification is used, because convexification adds curvature along the normals of
+    /// constraints.
     fn objective_reduction(&self, program: &QuadraticProgram, d: &DVector<f64>) -> f64 {
         if program.max_terms.len() > 1 {
             return -program.value(d);
@@ -335,7 +337,6 @@ impl LagrangianModel<'_> {
     }
 }
 
-/// Zero step.
 fn zero_step(variables: usize, rows: usize) -> QpStep {
     QpStep {
         d: DVector::zeros(variables),
@@ -346,8 +347,8 @@ fn zero_step(variables: usize, rows: usize) -> QpStep {
     }
 }
 
-/// Elastic program: minimises ½‖e‖² + ½ STEP_WEIGHT ‖d‖², with a variable eⱼ for the violation of
-/// each row and |dᵢ| at most `radius`.
+/// Elastic program: minimises ½‖e‖² + ½ STEP_WEIGHT ‖d‖² with |dᵢ| ≤ `radius`. The variable eⱼ is
+/// the violation of row j.
 fn elastic(program: &QuadraticProgram, radius: f64) -> QuadraticProgram {
     let (n, m) = (program.low.len(), program.rows.len());
     let wide = |j: usize| {

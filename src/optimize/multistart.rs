@@ -67,8 +67,8 @@ const SAME: f64 = 1e-6;
 /// spread over its scale on that side.
 ///
 /// # Errors
-/// [`Error::Optimizer`] if one scrambling of the sequence has too few points for `count`, if the
-/// sequence has too few dimensions for the variables, or if the domain or the start is invalid.
+/// [`Error::Optimizer`] if `count` or the number of variables exceeds the limit of the sequence, or
+/// if the domain or the start is invalid.
 pub fn starts(domain: &Domain, start: &[f64], count: usize) -> Result<Vec<Vec<f64>>> {
     domain.check(start)?;
     let (bounds, scale) = (&domain.variables, domain.variables.scale(start));
@@ -241,8 +241,9 @@ fn distinct_optima(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimu
     locals
 }
 
-/// Common unit for the violations of each constraint in all searches: its largest scaled derivative
-/// at the results (1 if this is 0 or unknown). The unit γ of a single search depends on its start.
+/// Unit of each constraint's violation, common to all searches: the largest scaled derivative of
+/// the constraint at the results, or 1 if this derivative is 0 or unknown. The scale γ of a single
+/// search is no common unit, because it depends on the start.
 fn constraint_units(domain: &Domain, locals: &[LocalMinimum]) -> Vec<f64> {
     let mut largest = vec![0.0_f64; domain.constraints.dimension()];
     for LocalMinimum { solution, .. } in locals {
@@ -257,7 +258,6 @@ fn constraint_units(domain: &Domain, locals: &[LocalMinimum]) -> Vec<f64> {
         .collect()
 }
 
-/// Sum of squared violations of a solution, in these units.
 fn squared_violation(solution: &Solution, units: &[f64]) -> f64 {
     solution
         .constraints

@@ -1,7 +1,7 @@
 //! Bounds that a constraint makes redundant. If the gradient of a constraint is almost parallel to
-//! the normal of an active bound, their small difference times huge multipliers can balance a
-//! gradient of f along the constraint: the KKT residual vanishes although f still falls along the
-//! constraint.
+//! the normal of an active bound, the products of both with huge multipliers almost cancel. Their
+//! sum can balance a gradient of f along the constraint. The KKT residual then vanishes, although f
+//! still falls along the constraint.
 
 use super::least_squares;
 use super::state::{Evaluate, SearchState};
@@ -27,8 +27,8 @@ pub(super) struct RedundantBound {
 }
 
 impl SearchState {
-    /// Finds the constraint with a huge multiplier and the active bound that balances the largest
-    /// part of it; `None` if no multiplier is huge.
+    /// Finds the bound of variable i and the constraint j with the largest scaled |λⱼ ∂cⱼ/∂xᵢ|.
+    /// `None` if no such product exceeds [`HUGE`] times the scaled gradient of f.
     pub fn redundant_bound(&self) -> Option<RedundantBound> {
         let slope = self.scaling.largest(&self.point.f.objective.gradient);
         let most = HUGE * slope.max(self.scaling.initial_size.min(1.0) * f64::EPSILON);
@@ -49,9 +49,8 @@ impl SearchState {
         })
     }
 
-    /// Steps down the gradient of f, without moving the variable on the bound, then back onto the
-    /// constraints. If the new point has a lower objective, restarts the search there and returns
-    /// true.
+    /// Steps along −∇f without moving the variable on the bound, then back onto the constraints. If
+    /// the objective at the new point is lower, restarts the search there and returns true.
     pub fn step_across_bound(
         &mut self,
         pair: &RedundantBound,

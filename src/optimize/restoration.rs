@@ -1,10 +1,10 @@
 //! Feasibility restoration from other points of the box.
 //!
-//! A search may end where no step of the linearised constraints, and no negative curvature, reduces
-//! the violation. The end may be a local minimum of the violation, or a point where gradient and
-//! curvature of the violation vanish together. Neither proves that the constraints are
-//! inconsistent. So the search ends as infeasible only after the violation has also been minimised
-//! from other points.
+//! A search may come to a point where neither a step of the quadratic program nor a direction of
+//! negative curvature reduces the violation. This point may be a local minimum of the violation, or
+//! a point where gradient and curvature of the violation vanish together. Neither proves that the
+//! constraints are inconsistent. Before the search ends as infeasible, the violation is therefore
+//! minimised from other points.
 
 use super::domain::Domain;
 use super::least_squares::{self, Rows};
@@ -103,8 +103,8 @@ impl SearchState {
         Ok(is_moved)
     }
 
-    /// Minimises ‖v‖₂ from a start. Returns the violation and the point; `None` if the functions
-    /// are undefined at the start.
+    /// Minimises the violation ‖v‖₂ of the constraints from a start. Returns the violation and the
+    /// point; `None` if the functions are undefined at the start.
     pub(super) fn minimize_violation(
         &mut self,
         start: Vec<f64>,

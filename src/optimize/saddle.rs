@@ -9,7 +9,7 @@ use super::state::{Evaluate, SearchState};
 use nalgebra::{DMatrix, DVector};
 
 /// Threshold for negative curvature, in units of the objective's size over the scale squared.
-/// Smaller negative curvature counts as rounding.
+/// Weaker negative curvature counts as rounding.
 const CURVATURE_ROUNDING: f64 = 1e-8;
 
 /// Maximum number of attempts of a search to leave a saddle point.
@@ -80,8 +80,8 @@ impl SearchState {
         Ok(false)
     }
 
-    /// Direction of most negative curvature, in scaled variables, with its curvature; `None` if
-    /// no curvature is negative.
+    /// Direction of most negative curvature, in scaled variables, with its curvature; `None` if no
+    /// curvature is negative, or if a function has no Hessian.
     fn negative_curvature(&self, reduced: ReducedFunction) -> Option<(DVector<f64>, f64)> {
         let Self {
             scaling,
@@ -116,7 +116,8 @@ impl SearchState {
     }
 }
 
-/// Hessian of ½‖v‖² in scaled variables; `None` if a violated constraint has no Hessian.
+/// Hessian of ½‖v‖² in scaled variables, with the constraint violations v; `None` if a violated
+/// constraint has no Hessian.
 fn violation_hessian(scaling: &Scaling, at: &EvaluatedPoint) -> Option<DMatrix<f64>> {
     let n = at.x.len();
     let mut sum = DMatrix::zeros(n, n);

@@ -43,11 +43,13 @@ pub(super) struct Scaling {
     /// Scale γⱼ of each constraint: the larger of its violation and its largest scaled derivative,
     /// at the start; 1 if both are 0.
     pub gamma: Vec<f64>,
-    /// Size φ₀ of the objective at the start.
+    /// Size φ₀ of the objective at the start: the larger of |f| and the largest scaled derivative
+    /// of f.
     pub initial_size: f64,
 }
 
-/// Relative residuals of the KKT conditions.
+/// Relative residuals of the KKT conditions. [`status`](super::status) defines the scales sᵢ, γⱼ
+/// and φ.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct KktResidual {
     /// Stationarity maxᵢ sᵢ |pᵢ|/φ, with p the gradient of the Lagrangian projected on the bounds.
@@ -78,8 +80,8 @@ pub(super) struct Outward {
     pub at: f64,
     /// Distance from 0, in units of the variable's scale.
     pub distance: f64,
-    /// Reduction of the Lagrangian, to first order and relative to φ, if the variable moves by as
-    /// much as its distance from 0, or to its bound if the bound is nearer.
+    /// First-order reduction of the Lagrangian, relative to φ, if the variable moves by its
+    /// distance from 0, or to its bound if the bound is nearer than this distance.
     pub rate: f64,
     /// True if the Lagrangian falls as the variable moves away from 0, and no bound lies ahead.
     pub is_open: bool,
@@ -156,7 +158,7 @@ impl Scaling {
     }
 
     /// The variable with the largest [rate](Outward::rate), given the gradient of the Lagrangian.
-    /// `None` at a stationary point.
+    /// `None` if all rates are 0, as at a stationary point.
     pub fn outward(&self, at: &EvaluatedPoint, gradient: &[f64]) -> Option<Outward> {
         let bounds = &self.domain.variables;
         let of = |variable: usize| {

@@ -24,9 +24,9 @@ pub struct OptimumResponse {
     pub multipliers: Vec<f64>,
     /// dc/dp of the constraint functions along the optimum.
     pub constraints: Vec<f64>,
-    /// Derivative by p of the Lagrangian's gradient along the optimum. For a variable at its lower
-    /// bound, this component is the derivative of the bound's multiplier; at its upper bound, minus
-    /// that derivative.
+    /// Derivative by p of the Lagrangian's gradient along the optimum. The component of a variable
+    /// at its lower bound is the derivative of the bound's multiplier; at its upper bound, it is
+    /// minus the derivative of that bound's multiplier.
     pub slopes: Vec<f64>,
 }
 
@@ -136,7 +136,6 @@ pub fn reduced_hessian(solution: &Solution, domain: &Domain) -> (DMatrix<f64>, D
     (basis, reduced)
 }
 
-/// Checks that domain and derivatives have the dimensions of the solution.
 fn check_shape(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<()> {
     let (n, m) = (solution.x.len(), solution.constraints.len());
     if !solution.fits(domain) {
@@ -207,7 +206,6 @@ struct KktSystem<'a> {
 }
 
 impl KktSystem<'_> {
-    /// Derivatives of the optimum by p.
     fn response(&self) -> Result<OptimumResponse> {
         let (n, at) = (self.solution.x.len(), self.at);
         let [x, multipliers] = self.solve()?;
@@ -321,7 +319,6 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>()
 }
 
-/// Solves a KKT system; fails if it is singular.
 fn solve_regular(system: SymmetricSystem) -> Result<DVector<f64>> {
     let is_singular = |matrix: &DMatrix<f64>| {
         let values = matrix.singular_values();

@@ -207,7 +207,6 @@ fn bound_multipliers(
     .collect()
 }
 
-/// Values, violations and multipliers of the constraints.
 fn constraint_values(search: &SearchState, limits: &Bounds) -> Vec<ConstraintValue> {
     let constraint_value = |(j, multiplier): (usize, &f64)| {
         let value = search.point.f.constraints[j].value;

@@ -38,7 +38,7 @@ pub(super) struct SearchProgress {
     pub state: Option<SearchState>,
     pub verdict: Option<SearchVerdict>,
     /// True if an interrupt ended the last iteration early. argmin counts this iteration; the
-    /// reported number of iterations does not.
+    /// reported number of iterations does not include it.
     pub is_interrupted_within: bool,
     /// Reason why f is undefined at the start; `None` if f is defined there.
     pub undefined_at_start: Option<String>,

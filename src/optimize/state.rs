@@ -99,7 +99,7 @@ pub(super) struct Counters {
     pub stalled: u32,
     /// Attempts to leave a saddle point along negative curvature.
     pub saddles: u32,
-    /// Feasibility restorations, also without success.
+    /// Feasibility restorations, successful or not.
     pub restorations: u32,
     /// Attempts to step across a redundant bound.
     pub redundant_bounds: u32,
@@ -154,9 +154,8 @@ impl SearchState {
                 .is_none_or(|active| active.has_dimensions(n, m))
     }
 
-    /// Trial step of the quadratic model. If the model predicts no reduction, drops the other side
-    /// of a kink with the most distant point, whose expansion may be inaccurate, and computes the
-    /// step again.
+    /// Trial step of the quadratic model. If the model predicts no reduction, drops the farthest
+    /// point of `kink_sides`, because its expansion may be inaccurate, and computes the step again.
     pub fn trial_step(&mut self) -> TrialStep {
         loop {
             let step = self.solve_model(None);

@@ -173,9 +173,9 @@ pub(super) fn gain_test(state: &mut SearchState) -> bool {
     state.predicted_reduction(&step) <= NOISE * state.merit_size()
 }
 
-/// Converged to rounding: no reduction is predicted, and the KKT residual relative to the initial
-/// size of the objective is below the tolerance. `size_ratio` is the initial size divided by the
-/// current size.
+/// Converged to rounding: a stalled search has converged if its KKT residual, relative to the
+/// initial size of the objective, is within the tolerance. `size_ratio` is the initial size divided
+/// by the current size.
 pub(super) fn rounding_test(
     residual: KktResidual,
     size_ratio: f64,
@@ -205,8 +205,8 @@ pub(super) fn is_diverging(outward: Option<&Outward>, tolerance: f64) -> bool {
 ///
 /// - A variable is 1e15 scales from 0, and doubling it would still reduce the objective by 1e-3 of
 ///   its size. A function bounded below cannot do this: its derivative falls faster than 1/x.
-/// - The objective still falls, and is below −1e60 times its initial size (−1e200 with constraints,
-///   which may still curve).
+/// - The objective still falls, and is below −1e60 times its initial size (−1e200 with constraints:
+///   a curved constraint may still stop the fall).
 pub(super) fn unbounded_test(
     outward: Option<&Outward>,
     state: &SearchState,

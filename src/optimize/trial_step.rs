@@ -96,8 +96,8 @@ impl Reduction {
         self.predicted <= most && self.actual.abs() <= most
     }
 
-    /// Compares with the rounding error of the functions added to both reductions, so that a step
-    /// within rounding is accepted.
+    /// True if the ratio of actual to predicted reduction is at least `ratio`. The rounding error
+    /// of the functions is added to both reductions, so that a step within rounding is accepted.
     fn ratio_is_at_least(&self, ratio: f64) -> bool {
         let noise = NOISE * self.size;
         self.actual + noise >= ratio * (self.predicted + noise)

@@ -18,7 +18,7 @@ const STEEPEST: f64 = 1e8;
 /// A compromise, with its derivatives along the front.
 #[derive(Clone)]
 pub(super) struct Compromise {
-    /// Position along the front, s = a − b.
+    /// Position along the front, s = a − b, with the scaled functions a and b of [`FrontPlane`].
     pub at: f64,
     /// Sum a + b.
     pub sum: f64,
@@ -35,8 +35,8 @@ impl Compromise {
     }
 }
 
-/// Plane of the two functions, each scaled to 0 at its own minimum and to 1 at the other function's
-/// minimum.
+/// Plane of the two functions a and b, each scaled to 0 at its own minimum and to 1 at the other
+/// function's minimum.
 pub(super) struct FrontPlane<'a> {
     pub context: &'a FrontContext<'a>,
     /// Minimum of each function.

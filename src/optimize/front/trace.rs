@@ -144,7 +144,8 @@ fn join_branches(mut path: Vec<Compromise>, mut back: Vec<Compromise>) -> Vec<Co
     joined
 }
 
-/// True if a + b of a compromise is larger than the linear interpolation of a branch.
+/// True if a + b of a compromise is larger than a + b of a branch at the same s, by linear
+/// interpolation.
 fn is_worse_than_branch(place: &Compromise, branch: &[Compromise]) -> bool {
     branch
         .windows(2)
@@ -194,8 +195,8 @@ fn trace(plane: &FrontPlane<'_>, from: Compromise, end: f64) -> TracedPath {
 }
 
 /// Locates the change of the active set between two compromises. Returns the points to add to the
-/// path: one point with the event. A backward trace adds this point twice, with the active sets on
-/// both sides of the event.
+/// path: the point of the change, with its event. In a backward trace this point comes twice, with
+/// the active set on either side.
 fn locate_event(
     plane: &FrontPlane<'_>,
     here: &Compromise,

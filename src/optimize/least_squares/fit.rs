@@ -22,10 +22,10 @@ const MOST_DAMPING: f64 = 1e20;
 /// Smallest damping. JᵀJ of the scaled columns is accurate to about 1e-16; with less damping,
 /// rounding would drive steps along directions in which the residuals do not change.
 const LEAST_DAMPING: f64 = 1e-12;
-/// If no step lowers the sum, and the undamped step is at most this fraction of the size of the
-/// point, the fit counts as converged (Moré 1978, MINPACK's `xtol`). The size of each variable is
-/// |x| or its distance from the start, whichever is larger. The gradient is no criterion near a sum
-/// of 0, where the residuals are rounding errors.
+/// Largest undamped step of a fit that counts as converged although no step lowers the sum,
+/// relative to the size of the point (Moré 1978, MINPACK's `xtol`). The size of each variable is
+/// the larger of |x| and its distance from the start. Near a sum of 0 the gradient is no criterion,
+/// because the residuals are rounding errors.
 const SHORTEST: f64 = 1e-8;
 
 /// Name, in messages, of the convergence measure, which is 0 at a stationary point.
@@ -209,7 +209,6 @@ pub fn fit_observed(
     })
 }
 
-/// Checks the arguments of a fit.
 fn check_input(domain: &Domain, start: &[f64], options: &FitOptions) -> Result<()> {
     domain.check(start)?;
     if domain.constraints.dimension() > 0 {
@@ -343,7 +342,8 @@ impl FitState {
         }
     }
 
-    /// Step that minimises the model with this damping; `None` if the step is too long.
+    /// Step that minimises the model with this damping; `None` if the step is too long or not
+    /// found.
     fn step(&mut self, bounds: &Bounds, damping: f64) -> Option<ModelStep> {
         self.at.step(bounds, &self.scale, damping, &mut self.solver)
     }

@@ -278,8 +278,8 @@ mod tests {
 
     #[test]
     fn exact_kkt_conditions_at_an_active_bound() {
-        // Misra1a with the bound b₁ ≤ 230 active: b₂ minimises a function of one variable, whose
-        // derivative vanishes there
+        // Misra1a with the bound b₁ ≤ 230 active: b₂ then minimises a function of one variable, and
+        // the derivative by b₂ is 0
         let found = fitted(&SETS[0], &[200.0, 6e-4], 0.0, 230.0);
         assert_eq!((found.status, found.x[0]), (FitStatus::Converged, 230.0));
         let slope = |k: usize| -> f64 {

@@ -5,7 +5,8 @@ use super::super::qp::{Activity, MaxTerm, QpSolver, QuadraticProgram};
 use super::{Loss, Rows};
 use nalgebra::{DMatrix, DVector};
 
-/// A point with its residuals, and gradient JᵀWr and curvature JᵀWJ of the Gauss–Newton model.
+/// A point with its residuals r, and the gradient JᵀWr and curvature JᵀWJ of the Gauss–Newton
+/// model. W is the diagonal matrix of the loss's weights.
 #[derive(Clone, Debug)]
 pub(super) struct GaussNewtonPoint {
     pub x: Vec<f64>,
@@ -101,9 +102,9 @@ impl GaussNewtonPoint {
         (0..self.x.len()).map(of).fold(0.0, f64::max)
     }
 
-    /// Minimises the model ½ dᵀ(JᵀWJ + μ D²) d + gᵀd within the bounds, with the damping μ and
-    /// D = diag(`scale`). Returns the trial point and the predicted reduction of the undamped
-    /// model; `None` if the step is too long.
+    /// Minimises the model ½ dᵀ(JᵀWJ + μ D²) d + gᵀd within the bounds, with the damping μ and the
+    /// diagonal matrix D of `scale`. Returns the trial point and the predicted reduction of the
+    /// undamped model; `None` if the step is too long, or if the quadratic program has no solution.
     pub fn step(
         &self,
         bounds: &Bounds,

@@ -16,8 +16,8 @@ pub(super) struct ClarabelResult {
     pub step: Option<QpStep>,
 }
 
-/// Clarabel solver for programs of one sparsity pattern. A program with the same pattern only
-/// updates its data.
+/// Clarabel solver for programs of one sparsity pattern. For the next program of this pattern only
+/// the solver's data are updated.
 #[derive(Default)]
 pub(super) struct InteriorPoint {
     solver: Option<DefaultSolver<f64>>,
@@ -37,8 +37,8 @@ impl fmt::Debug for InteriorPoint {
     }
 }
 
-/// Clarabel's tolerances. They equal the default KKT tolerance of a search: if polishing fails, the
-/// search uses Clarabel's own multipliers.
+/// Clarabel's tolerances. They equal the default KKT tolerance of a search, because the search uses
+/// Clarabel's own multipliers if polishing fails.
 const TOLERANCE: f64 = 1e-10;
 
 /// Constraint as a row a · x + s = limit of Clarabel's standard form, with s = 0 (equality) or s ≥
@@ -66,11 +66,12 @@ impl ConeRow {
     }
 }
 
-/// Program in Clarabel's standard form, scaled. The unit of steps is the largest bound; the unit of
-/// the objective is its change over such a step; the largest coefficient of each row is 1. This
-/// scaling replaces Clarabel's equilibration, because Clarabel's tolerances are absolute.
+/// Program in Clarabel's standard form, scaled. The unit of steps is the largest bound. The unit of
+/// the objective is its change over a step of this length. Each row is divided by its largest
+/// coefficient. This scaling replaces Clarabel's equilibration, because Clarabel's tolerances are
+/// absolute.
 struct StandardForm {
-    /// Number of variables. With several terms there is an epigraph variable t ≥ offsetₖ +
+    /// Number of variables. With several terms this includes the epigraph variable t ≥ offsetₖ +
     /// gradientₖ · d.
     size: usize,
     hessian: CscMatrix<f64>,

@@ -32,7 +32,7 @@ impl SymmetricSystem {
         Some(x)
     }
 
-    /// Equilibrates the system: multiplies its rows and columns by the returned lengths. `None` if
+    /// Equilibrates the system: multiplies its rows and columns by the returned factors. `None` if
     /// an entry is not finite.
     fn equilibrate(&mut self) -> Option<DVector<f64>> {
         let Self { matrix, right } = self;

@@ -159,7 +159,8 @@ impl QuadraticProgram {
         self.value(&step.d) <= at_zero + rounding
     }
 
-    /// Solves the program with the active bounds, rows and terms as equations:
+    /// Solves the program with the active bounds, rows and terms as equations, for the step d and
+    /// the multipliers αₖ of the terms and μⱼ of the rows:
     ///
     /// - B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ = 0 for the inactive variables
     /// - Σ αₖ = 1

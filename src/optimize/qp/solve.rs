@@ -66,7 +66,7 @@ impl QpSolver {
     }
 }
 
-/// True if Clarabel's own solution meets the rows within its tolerance.
+/// True if Clarabel's own solution violates no row by more than [`MOST_VIOLATION`].
 fn is_feasible(program: &QuadraticProgram, step: &QpStep) -> bool {
     program.violation(&step.d)
         <= MOST_VIOLATION * (program.largest_bound().min(1.0) + step.d.amax())
