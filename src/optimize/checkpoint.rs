@@ -76,7 +76,7 @@ impl Checkpoint {
         };
         if content.question != question {
             let reason = "it belongs to another question (setup, search or options differ); name \
-                          another file, or remove it to start again";
+                          another file, or remove this one to start again";
             return Err(refuse(reason.into()));
         }
         let checkpoint = Self {

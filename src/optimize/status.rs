@@ -258,8 +258,8 @@ pub(super) fn infeasible_test(
 /// Verdict of infeasibility, with the smallest violation found.
 pub(super) fn infeasible(violation: f64) -> SearchVerdict {
     let message = format!(
-        "no point was found that meets the constraints: their violation {violation:.3e} (relative) \
-         is the least found, from here and from other points of the box"
+        "no point was found that meets the constraints: the smallest violation found, from this \
+         point and from other points of the box, is {violation:.3e} (relative)"
     );
     SearchVerdict::new(Status::Infeasible, message)
 }
@@ -269,7 +269,8 @@ pub(super) fn radius_test(radius: f64, residual: f64) -> Option<SearchVerdict> {
     const LEAST: f64 = 1e-14;
     (radius <= LEAST).then(|| {
         let message = format!(
-            "trust region {radius:.1e} <= {LEAST:.0e} with a KKT residual of {residual:.1e}"
+            "the trust region has shrunk to {radius:.1e} <= {LEAST:.0e} with a KKT residual of \
+             {residual:.1e}"
         );
         SearchVerdict::new(Status::Stalled, message)
     })

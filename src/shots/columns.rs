@@ -281,8 +281,9 @@ impl ShotColumns {
         let in_degrees = in_degrees(columns.iter().chain(of_club)).filter(|_| self.is_export);
         let stated_air = self.stated_air().map(|air| air_of_rows(&air.column.head));
         let of_air = stated_air.or_else(|| given_air(columns));
-        let replaced = (!self.added.is_empty())
-            .then_some("the columns that an earlier 'fly' added (from Line on) are replaced");
+        let replaced = (!self.added.is_empty()).then_some(
+            "the columns that an earlier 'fly' added, beginning with Line, are replaced",
+        );
         let remarks = assumed_units
             .into_iter()
             .chain(in_degrees.map(Message::from))

@@ -275,8 +275,8 @@ impl TableRows {
         let mut columns = ShotColumns::read(&self.setup, head, &self.table, self.is_air_given)?;
         columns.align(&self.of_first).map_err(|missing| {
             let reason = format!(
-                "its column heads lack {missing}, which the first section has; give the \
-                                  sections the same columns, or separate files"
+                "its column heads lack {missing}, which the first section has; give all sections \
+                 the same columns, or put them in separate files"
             );
             self.table
                 .name

@@ -36,7 +36,7 @@ pub(super) fn search_by_lbfgs(objective: &CarryObjective, start: &[f64]) -> (Vec
     .run();
     let message = match ended {
         Ok(ended) => ended.state.termination_status.to_string(),
-        Err(error) => format!("gave up: {error}"),
+        Err(error) => format!("failed: {error}"),
     };
     (best.into_inner().1, message)
 }
