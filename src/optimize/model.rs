@@ -38,7 +38,7 @@ pub(super) struct Workspace {
 /// Weight of the term ½‖d‖² in the elastic program. The term makes the step of least violation
 /// unique and short.
 const STEP_WEIGHT: f64 = 1e-8;
-/// Slack for rounding added to relaxed inequality rows.
+/// Slack added to the limits of relaxed inequality rows, to cover rounding.
 const ROUNDING: f64 = 1e-12;
 
 impl LagrangianModel<'_> {

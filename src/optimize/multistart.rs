@@ -39,7 +39,7 @@ pub struct Observers {
     pub end: Option<Callback<Solution>>,
     /// Interrupt flag: once true, all searches end with their best points so far.
     pub interrupt: Arc<AtomicBool>,
-    /// Checkpoint that saves the searches, and from which they resume.
+    /// Checkpoint in which the searches are saved, and from which they resume.
     pub checkpoint: Option<Arc<Checkpoint>>,
 }
 

@@ -4,8 +4,8 @@ use crate::units::counted;
 /// Objective and constraint functions of an optimization problem. One method evaluates all
 /// functions with their derivatives.
 ///
-/// [`Exact`](super::Exact) implements this trait for [`Functions`](super::Functions) written over
-/// any number type. Hessians may be empty: the search then builds a quasi-Newton Hessian from
+/// [`Exact`](super::Exact) implements this trait for [`Functions`](super::Functions) written over a
+/// generic number type. Hessians may be empty: the search then builds a quasi-Newton Hessian from
 /// gradients, and needs more iterations.
 pub trait Problem {
     /// The functions and their derivatives at `x`.

@@ -4,7 +4,8 @@ use super::model::write_lagrangian_hessian;
 use super::state::SearchState;
 use nalgebra::DMatrix;
 
-/// Quadratic model of the Lagrangian at an iterate x, and the trial step that follows from it:
+/// Quadratic model of the Lagrangian at an iterate x, with the trial step of the next iteration.
+/// The model is
 ///
 /// ```text
 ///   m(d) = f + ∇f·d + ½ dᵀH d,   low ≤ x + d ≤ high

@@ -12,10 +12,10 @@ use argmin::core::Error;
 const HUGE: f64 = 1e6;
 /// Maximum number of attempts of a search to step across a redundant bound.
 const MOST_CROSSINGS: u32 = 10;
-/// First step along the constraint, in units of the scale. Each further step is a quarter of the
-/// previous step.
+/// Length of the first step along −∇f, in units of the variables' scale. Each further step is a
+/// quarter of the previous step.
 const FIRST_STEP: f64 = 0.25;
-/// Maximum number of steps along the constraint.
+/// Maximum number of steps along −∇f in one attempt.
 const STEPS: u32 = 8;
 
 /// An active bound and the constraint whose huge multiplier it balances.

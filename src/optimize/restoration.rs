@@ -33,8 +33,8 @@ const MOVE_BELOW: f64 = 1.0 - 1e-6;
 
 impl SearchState {
     /// Minimises the violation by least squares from several points of the box, and stops at the
-    /// first feasible result. If the best result has a smaller violation than the iterate, restarts
-    /// the search there and returns true.
+    /// first feasible result. If the best violation is below [`CONTINUE_BELOW`] times the violation
+    /// of the iterate, restarts the search there and returns true.
     pub fn restore(
         &mut self,
         options: &Options,

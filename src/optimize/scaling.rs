@@ -129,7 +129,7 @@ impl Scaling {
         slopes.map(move |(slope, scale)| slope * scale / self.gamma[j])
     }
 
-    /// Converts second derivatives by the variables to those by the scaled variables.
+    /// Converts second derivatives by the variables to second derivatives by the scaled variables.
     pub fn scale_hessian(&self, hessian: &mut DMatrix<f64>) {
         let columns = hessian.as_mut_slice().chunks_exact_mut(self.scale.len());
         for (column, own) in columns.zip(&self.scale) {

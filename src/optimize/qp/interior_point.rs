@@ -12,7 +12,7 @@ use std::fmt;
 pub(super) struct ClarabelResult {
     /// Active constraints, sorted by falling multiplier.
     pub active: Vec<ActiveConstraint>,
-    /// The approximate solution, if Clarabel reports one.
+    /// The approximate solution; `None` if Clarabel reports that it is not accurate.
     pub step: Option<QpStep>,
 }
 
