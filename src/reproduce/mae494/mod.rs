@@ -60,7 +60,7 @@ impl Mae494 {
     pub const UNITS: System = System::Metric;
 }
 
-/// Number of starts of the search for an optimum of a table: carry may have several maxima, and the
+/// Number of starts of each search. One start is not enough: carry may have several maxima, and the
 /// ball does not fly at some printed optima.
 const STARTS: usize = 8;
 

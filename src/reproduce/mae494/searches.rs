@@ -114,7 +114,7 @@ impl Searches {
             .count()
     }
 
-    /// Losses relative to the best carry, m, in ascending order.
+    /// Loss of carry of each search against the best carry, m, in ascending order.
     pub fn missed(&self, best: f64) -> Vec<f64> {
         let mut missed: Vec<f64> = self.ends.iter().map(|end| best - end.at.carry).collect();
         missed.sort_by(f64::total_cmp);

@@ -24,8 +24,8 @@ pub struct LoopLanding {
 }
 
 /// Integrates the flight in steps of `step` s until the height is negative, as in the listing. The
-/// velocity has explicit Euler steps, because within a step the listing's `ode45` integrates a
-/// constant acceleration. The position moves with the new velocity.
+/// velocity advances by explicit Euler steps, because the listing's `ode45` integrates a constant
+/// acceleration within a step. The position moves with the new velocity.
 ///
 /// # Errors
 /// The errors of [`strike`], and [`Error::NoFlight`] if the ball is still airborne at the time
