@@ -118,7 +118,8 @@ impl ShotColumns {
         shot
     }
 
-    /// Values of a row: the launch parameters, then the other parameters of the table.
+    /// Input of the flight of a row, SI: the launch parameters, then the other parameters of the
+    /// table.
     fn point(&self, stated: &StatedConditions, row: &[Cow<'_, str>]) -> Result<Vec<f64>, Refusal> {
         let mut point = launch(
             stated,
@@ -157,7 +158,7 @@ fn says_normalized(text: &str) -> bool {
         .any(|at| at.eq_ignore_ascii_case(word))
 }
 
-/// The launch parameters that stated conditions give, SI, in the order of
+/// The launch parameters that follow from stated conditions, SI, in the order of
 /// [`LAUNCH`](super::shot::LAUNCH). `name` returns the column head of a condition for messages;
 /// `has` is true for a condition that has a column.
 pub(super) fn launch(

@@ -7,8 +7,8 @@ use crate::table::{
     Column, Content, TableHead, assume_unit, density_in, is_condition_head, split_unit, words,
 };
 
-/// Makers with column heads (in lower case) that occur together only in their exports. Sources:
-/// docs/sources.md.
+/// Makers, each with column heads (in lower case) that occur together only in this maker's exports.
+/// Sources: docs/sources.md.
 const SIGNATURES: [(&str, &[&str]); 16] = [
     ("TrackMan", &["carry flat length"]),
     ("TrackMan", &["tmd no"]),

@@ -26,7 +26,8 @@ const BALL: [(&str, Outcome); 8] = [
     ("CarryDistance", Outcome::CarryDistance),
 ];
 
-/// Units of speeds and lengths of a message, from its `Units`.
+/// Units of the speeds and of the lengths of a message, as its `Units` states them; mph and yd
+/// without `Units`.
 fn units(message: &Map<String, Json>) -> Result<(&'static str, &'static str), Refusal> {
     match message.get("Units") {
         None | Some(Json::Null) => Ok(("mph", "yd")),

@@ -1,4 +1,4 @@
-//! Source of shots: an export, or messages of GSPro Open Connect.
+//! Source of shots: an export, messages of GSPro Open Connect, or JSON lines that `fly` wrote.
 
 use super::columns::ShotColumns;
 use super::objects::Objects;

@@ -73,14 +73,14 @@ impl Sums {
     }
 }
 
-/// A band of ball speed with the sums of each outcome.
+/// Residuals of the shots in a band of ball speed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Band {
     /// Lower limit, m/s; `None` for the first band.
     pub from: Option<f64>,
     /// Upper limit, m/s; `None` for the last band.
     pub to: Option<f64>,
-    /// The sums, in the order of the outcomes.
+    /// Sums of the residuals, in the order of the outcomes.
     pub sums: Vec<Sums>,
 }
 
@@ -173,8 +173,8 @@ pub struct ShotStatistics {
     unit_checks: UnitChecks,
 }
 
-/// True for a launch (ball speed, angle, direction, backspin and sidespin, SI) of a club with more
-/// loft than a driver: spin ratio rω/v above 0.12.
+/// True if the spin ratio rω/v of a launch (ball speed, angle, direction, backspin and sidespin,
+/// SI) is above 0.12: the club has more loft than a driver.
 fn is_lofted(launch: &[f64]) -> bool {
     const RADIUS: f64 = 0.021_335;
     const OF_DRIVES: f64 = 0.12;

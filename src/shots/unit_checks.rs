@@ -55,8 +55,8 @@ const SLOW: f64 = 22.0;
 pub(super) struct UnitChecks {
     /// Ratios predicted/measured of each outcome.
     ratios: Vec<Vec<f64>>,
-    /// Number of rows whose predicted and measured sides are clear, and number of those rows whose
-    /// sides are opposite.
+    /// Number of rows whose predicted and measured landings are both farther than [`STRAIGHT`] from
+    /// the target line, and number of those rows with landings on opposite sides.
     sides: [usize; 2],
     /// Ratios of measured carry to ball speed, s.
     carries: Vec<f64>,

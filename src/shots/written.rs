@@ -136,7 +136,8 @@ fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refus
     Ok(())
 }
 
-/// Values of a line: the launch parameters, then the other parameters of the table.
+/// Input of the flight of a line, SI: the launch parameters, then the other parameters of the
+/// table.
 fn point(
     shot: &Shot,
     message: &Map<String, Json>,
