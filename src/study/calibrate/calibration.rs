@@ -66,12 +66,13 @@ pub struct Starts {
     /// Number of starts.
     pub made: usize,
     /// Number of starts that reached the smallest sum of squares.
-    // within a relative 1e-6
+    // reached: the sum exceeds the smallest by at most a relative 1e-6
     #[serde(rename = "same")]
     pub at_best: usize,
     /// Number of starts that did not reach the smallest sum of squares, by status; `undefined` if
     /// the ball of a row does not fly at the starting point.
-    // empty if `Calibration::renewals` exceeds 1, because only the best search is then repeated
+    // from the second renewal of the curvatures on, only the best search is repeated, so this is
+    // empty
     #[serde(rename = "elsewhere", serialize_with = "by_name")]
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, usize>"))]
     pub others: Vec<(FitStatus, usize)>,
@@ -84,7 +85,7 @@ pub struct Calibration {
     pub setup: Setup<f64>,
     /// Result of the best search.
     pub fit: Fit,
-    /// Number of searches by their result.
+    /// Number of starts that reached the smallest sum of squares, and of those that did not.
     pub starts: Starts,
     /// Number of searches that were interrupted.
     pub stopped: usize,
@@ -94,7 +95,7 @@ pub struct Calibration {
     pub estimates: Vec<Estimate>,
     /// Covariance, degrees of freedom and χ².
     pub statistics: FitStatistics,
-    /// The residuals, row by row.
+    /// The residuals, in the order of the rows.
     pub residuals: Vec<FitResidual>,
     /// Number of times that the curvatures of carry in the stationary parameters were computed
     /// anew.

@@ -24,8 +24,8 @@ impl Calibration {
             .collect()
     }
 
-    /// Warning for a table with club and launch columns while no impact parameter is fitted: the
-    /// launch is then both computed and measured.
+    /// Warning that the rows of a table with launch and club columns are read as deliveries. `None`
+    /// if a parameter of swing, club, strike or impact is fitted.
     fn club_warning(&self, table: &ShotTable) -> Option<Message> {
         let [launch, club] = table.launch_beside_club.as_ref()?;
         let is_of_flight = self
@@ -43,7 +43,8 @@ impl Calibration {
         })
     }
 
-    /// Warning for residuals far larger than their uncertainties.
+    /// Warning for residuals far larger than their uncertainties. `None` if the status of the fit
+    /// already reports them, or if an uncertainty is unknown.
     fn misfit_warning(&self, table: &ShotTable) -> Option<Message> {
         let is_unreported = !matches!(
             self.fit.status,

@@ -265,7 +265,6 @@ fn starting_points(
     }
 }
 
-/// Error for a fit without a usable starting point.
 fn no_start(problem: &ShotResiduals<'_>, own: &[f64], observer: &FitObserver) -> Error {
     if observer.is_interrupted() {
         stopped("the fit began")
@@ -306,7 +305,8 @@ impl RepeatedSearches {
                 return Err(no_start(problem, own, observer));
             }
             let renewed = match problem.curvatures_at(&best.x) {
-                // after an interrupt the curvatures count as settled only if there are none
+                // without the new curvatures, the fit is settled only if no shot has a stationary
+                // parameter
                 Err(_) if observer.is_interrupted() => {
                     let is_settled = problem.shots.iter().all(|shot| shot.stationary.is_empty());
                     return Ok(Self {
@@ -339,19 +339,18 @@ impl RepeatedSearches {
         }
     }
 
-    /// Number of interrupted searches.
     fn stopped(&self) -> usize {
         let fits = self.fits.iter();
         fits.filter(|fit| fit.status == FitStatus::Interrupted)
             .count()
     }
 
-    /// True if the best search converged to a minimum, even if other searches were interrupted.
     fn is_minimum(&self) -> bool {
         self.is_settled && self.fits[0].status == FitStatus::Converged
     }
 
-    /// Number of completed searches by their result; `made` starts were requested.
+    /// Counts the completed searches that reached the smallest sum of squares, and the others by
+    /// status. `made` is the number of planned starts.
     fn by_end(&self, made: usize) -> Starts {
         let best = self.fits[0].cost;
         let is_same = |fit: &&Fit| (fit.cost - best).abs() <= 1e-6 * best.abs().max(1e-12);
@@ -375,10 +374,10 @@ impl RepeatedSearches {
     }
 }
 
-/// First words of the error of a fit without a usable starting point.
 const NO_START: &str = "no starting point was found from which every row can be computed";
 
-/// The error that lists the rows that cannot be computed at `at`.
+/// Error that lists the rows whose drives cannot be computed at the values `at` of the fitted
+/// parameters. Its message begins with `what`.
 fn missing(what: &str, problem: &ShotResiduals<'_>, at: &[f64]) -> Error {
     match problem.each(at) {
         Ok(each) => {
@@ -420,11 +419,11 @@ fn estimates(
     fitted.iter().enumerate().map(estimate).collect()
 }
 
-/// For each fitted parameter, whose value is in `x`: its position in its range, and the width of
-/// the range.
+/// Position of each fitted parameter in its range, and width of the range. `x` has the fitted
+/// values, `own` the values of the setup.
 fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<FitRange> {
-    /// Width of an unbounded range, as a multiple of the parameter's magnitude. A magnitude below
-    /// 0.001 counts as 0.001.
+    /// Width of an unbounded range, as a multiple of the parameter's magnitude: the larger of
+    /// |fitted value| and |value of the setup|, at least 0.001 (SI).
     const ENDLESS: f64 = 1e6;
     let bounds = &domain.variables;
     let range = |i: usize| {

@@ -15,10 +15,9 @@ use crate::table::{
 };
 use crate::units::{Digits, Message, Quantity};
 
-/// Upper limit of any outcome in its SI unit.
+/// Largest accepted magnitude of a measured value, in the SI unit of its outcome.
 const MOST: f64 = 1e9;
 
-/// Remark on a measured rest position.
 const NO_GROUND: &str =
     "the rest position is not compared, since the ground of the launch monitor is not known";
 
@@ -32,8 +31,8 @@ pub(super) struct Reading {
     pub is_launched: bool,
     /// True for an export of a launch monitor.
     pub is_export: bool,
-    /// Use of the club columns. They are read for deliveries, which are computed from the launch
-    /// without a flight.
+    /// [`Read`](ClubColumns::Read) for a table of launches whose deliveries are to be found. The
+    /// launch is then the measurement, and no ball flies.
     pub club: ClubColumns,
     /// Index of the column that names the club of each shot.
     pub club_name: Option<usize>,
@@ -191,7 +190,8 @@ impl Reading {
             "columns that a sweep computes are not read",
             &written,
         ));
-        // for a delivery the launch is a measurement; otherwise it is the input of the flight
+        // with a column of swing, club, strike or impact the rows are deliveries: their launch is a
+        // measurement, not the start of the flight
         let is_launched =
             has_whole_launch(&head.columns) && !head.has_strike() && club == ClubColumns::Ignored;
         setup
@@ -222,8 +222,8 @@ impl Reading {
         }
     }
 
-    /// The reason why no row of an export can fly: it has neither launches nor deliveries. `None`
-    /// if the rows fly.
+    /// Reason why no row of an export can fly: it has neither launches nor deliveries. `None` if
+    /// rows can fly, and for a table that needs no flight or is not an export.
     fn why_not_flown(&self) -> Option<String> {
         let is_flown = self.is_launched || self.columns.iter().any(Column::is_of_the_strike);
         if !self.is_export || self.club != ClubColumns::Ignored || is_flown {
@@ -237,8 +237,8 @@ impl Reading {
         ))
     }
 
-    /// Columns for messages and for lines written by `fly`. There is a column for every value that
-    /// at least one shot has.
+    /// Columns for shots from messages of Open Connect or from lines that `fly` wrote: one for each
+    /// value that at least one shot has.
     pub fn of_shots(
         setup: &Setup<f64>,
         shots: &[Shot],
@@ -311,7 +311,6 @@ impl Reading {
         self.columns.iter().map(of).collect()
     }
 
-    /// The column with a content, and its index.
     fn column(&self, content: Content) -> Option<(usize, &Column)> {
         let mut columns = self.columns.iter().enumerate();
         columns.find(|(_, column)| column.content == content)
@@ -339,8 +338,9 @@ impl Reading {
         })
     }
 
-    /// True for outcomes that the fit compares: for launches all outcomes except the launch
-    /// conditions, for deliveries only the launch conditions.
+    /// True for outcomes that count as measured values. In a table of launches whose deliveries are
+    /// to be found, these are the outcomes of the launch. In any other table they are all outcomes,
+    /// but not the launch conditions from which the balls fly.
     fn is_used(&self, outcome: Outcome) -> bool {
         match self.club {
             ClubColumns::Ignored => !(self.is_launched && CONDITIONS.contains(&outcome)),
@@ -365,7 +365,7 @@ impl Reading {
                         Err(why) => row.no_air = Some(why),
                     }
                 }
-                // a row of a table of deliveries may lack a parameter of the club
+                // a missing club value is no fault: its prior replaces it
                 Content::Input(parameter)
                     if self.club == ClubColumns::Read && column.is_of_the_strike() =>
                 {
@@ -413,7 +413,7 @@ impl Reading {
     ) -> Result<(), RowError> {
         let here = || Some(column.head.clone());
         let value = match self.cell(record, column.content) {
-            // an unusable measured value does not reject an export's row, as in `fly`
+            // as in `fly`, an export's row is kept if a measured value is unusable
             Err(wrong) if self.is_export => {
                 row.implausible
                     .push(format!("{}: {}", column.head, wrong.why));
@@ -459,7 +459,7 @@ impl Reading {
         Ok(())
     }
 
-    /// Adds the launch conditions of a row to its inputs.
+    /// Adds the launch of a row to its inputs and to `at_shot`, and notes contradictory spins.
     fn add_launch(
         &self,
         row: &mut ReadRow,
@@ -477,7 +477,7 @@ impl Reading {
         Ok(())
     }
 
-    /// True if the club was not measured.
+    /// True if the club values of the row are all 0, which means that the club was not measured.
     fn has_no_club(&self, record: Values<'_>) -> bool {
         let stated = ClubOfShot::NAMES.map(|name| {
             let parameter = self.setup.parameter(name).ok()?;
@@ -489,7 +489,7 @@ impl Reading {
     /// Value of a club column in a row.
     ///
     /// # Errors
-    /// The reason why the value is missing.
+    /// The reason why the row has no usable value.
     fn club_value(
         &self,
         column: &Column,
@@ -572,7 +572,7 @@ impl Reading {
         if !self.is_export {
             return Ok(());
         }
-        // if the table has all columns of a launch, a delivery needs a complete launch
+        // for a delivery an incomplete launch is a fault only if no column of a launch is missing
         let is_whole = self.club == ClubColumns::Read && has_whole_launch(&self.columns);
         match self.launch(*stated) {
             Err(wrong) if !wrong.is_incomplete || is_whole => Err(wrong),
@@ -580,7 +580,8 @@ impl Reading {
         }
     }
 
-    /// Message for an implausible measured value.
+    /// Reason why a measured value is outside the plausible range of its outcome; `None` if it is
+    /// inside.
     fn outside(&self, of: Outcome, value: f64) -> Option<String> {
         if self.is_measured_zero(of, value) {
             None
@@ -589,12 +590,13 @@ impl Reading {
         }
     }
 
-    /// True for a 0 that is a value, not a missing measurement: zero spin, except in exports.
+    /// True for a spin of 0 in a table that is not an export. In an export, 0 means that spin was
+    /// not measured.
     fn is_measured_zero(&self, of: Outcome, value: f64) -> bool {
         of == Outcome::Spin && value == 0.0 && !self.is_export
     }
 
-    /// Names and values of the launch parameters for the launch conditions of a row.
+    /// Launch parameters (name and SI value) that follow from the launch conditions of a row.
     fn launch(&self, stated: Launch) -> Result<[(&'static str, f64); 5], RowError> {
         let has = |of: Outcome| self.column(Content::Outcome(of)).is_some();
         conditions(stated, has).map_err(
@@ -679,8 +681,8 @@ impl Reading {
     }
 }
 
-/// Remark on an outcome without a column 'sigma': its standard uncertainty is the uncertainty of
-/// the instrument; if this is unknown, one unit serves as a weight.
+/// Remark on an outcome without a column 'sigma'. The uncertainty of the instrument replaces it; if
+/// that is unknown, each row is weighted as if its standard uncertainty were one unit.
 fn assumed_sigma(column: &Column, outcome: Outcome) -> Message {
     let (Some(instrument), Some(sigma)) = (outcome.instrument(), outcome.measurement_uncertainty())
     else {
@@ -727,7 +729,10 @@ fn without_totals(head: &mut TableHead) -> Option<Message> {
     remark
 }
 
-/// Position of the first faulty column, with the reason.
+/// Checks units, repeated columns, and columns of uncertainties.
+///
+/// # Errors
+/// Index of the first faulty column, and the reason.
 fn check_columns(head: &TableHead) -> Result<(), (usize, String)> {
     for (at, column) in head.columns.iter().enumerate() {
         column

@@ -13,9 +13,9 @@ struct Group {
     is_of_the_setup: bool,
 }
 
-/// Error for failed rows, given as row numbers with errors: [`Error::NoFit`] if all errors are
-/// results of the drives (such as a ball that does not fly), [`Error::Calibration`] if a row has
-/// bad input. The message begins with `what`.
+/// Error for failed rows, given as pairs of row number and error. [`Error::NoFit`] if every row has
+/// valid input and only its drive has no result (the ball does not fly, for example);
+/// [`Error::Calibration`] if a row has invalid input. The message begins with `what`.
 pub(super) fn failed_rows_error(what: &str, failed: &[(usize, Error)]) -> Error {
     let reason = format!("{what}: {}", refusal(failed));
     let Some((_, first)) = failed.first() else {
@@ -104,7 +104,7 @@ fn kind(reason: &str) -> String {
         .collect()
 }
 
-/// "row 3", "rows 1 to 4, 7".
+/// Row numbers as text: "row 3", "rows 1 to 4, 7".
 fn numbered(rows: &[usize]) -> String {
     let mut runs: Vec<(usize, usize)> = vec![];
     for row in rows {

@@ -31,7 +31,8 @@ fn too_far(measurement: &Measurement, computed: f64) -> Error {
     }
 }
 
-/// Reason of an error at values that a search tried, without the prefix of calibration errors.
+/// Text of an error at trial values of the fitted parameters. An [`Error::Calibration`] loses its
+/// prefix.
 fn reason(error: Error) -> String {
     match error {
         Error::Calibration { reason } => reason,
@@ -149,8 +150,7 @@ impl ShotResiduals<'_> {
     /// Residuals of each shot flown with a setup, or the error of the shot.
     fn by_shot(&self, moved: &Setup<f64>) -> Result<Vec<Result<Rows>>> {
         let all: Vec<_> = self.shots.iter().enumerate().collect();
-        // the curvatures are missing before the first fit; then only the success of each shot is
-        // used
+        // without curvatures (if `begin` failed) only the errors of the shots are used
         let of = |&(at, shot): &(usize, &MeasuredShot)| {
             self.of(
                 moved,

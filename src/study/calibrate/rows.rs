@@ -138,7 +138,7 @@ impl ShotRows {
             return;
         }
         let numbers = reading.numbers(shot, other_parameters);
-        // an error in one row of an export rejects only that row
+        // never an error: messages count as an export, whose faulty rows are left out
         let _ = self.add(reading, reading.shot(self.row, Values::Numbers(&numbers)));
     }
 
@@ -181,11 +181,11 @@ impl ShotRows {
         self.shots.push(row.shot);
     }
 
-    /// Skips a row with the fault `wrong`, and notes the fault for a message: an incomplete row of
-    /// any table, and every faulty row of an export.
+    /// Leaves a row out and notes its fault for a message, if the row is incomplete or belongs to
+    /// an export.
     ///
     /// # Errors
-    /// Any other fault of a row in a table that is not an export.
+    /// [`Error::Table`] for any other row.
     fn reject(&mut self, reading: &Reading, wrong: RowError) -> Result<()> {
         let row = self.row;
         let place = wrong
@@ -337,7 +337,7 @@ impl ShotRows {
 
     /// Error of a table without a usable shot.
     fn without_shots(self, left_out: &[String]) -> Error {
-        // the first incomplete row shows best which columns are missing, except in an export
+        // this error names the missing column; it is never set for an export
         if let Some(first) = self.first_incomplete {
             return first;
         }

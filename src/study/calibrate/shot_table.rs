@@ -10,9 +10,9 @@ use serde::Serialize;
 ///
 /// A column head is the name of a parameter (input), an outcome (measured), `sigma OUTCOME` (its
 /// standard uncertainty), `stationary` (parameters in which the row's carry is maximal, separated
-/// by spaces), `sigma stationary` or `note`, with its unit in brackets. The heads, units,
-/// separators and left and right marks of launch monitors' exports are also read. The carry of an
-/// export is the distance to the landing point,
+/// by spaces), `sigma stationary` or `note`, with its unit in brackets. Exports of launch monitors
+/// are also read, with their own heads, units, separators, and marks for left and right. The carry
+/// of an export is the distance to the landing point,
 /// [`Outcome::CarryDistance`](crate::Outcome::CarryDistance).
 ///
 /// Rows with `ball_speed`, `launch_angle` and `spin` or `backspin`, but no parameter of swing,
@@ -23,7 +23,7 @@ pub struct ShotTable {
     pub file: String,
     /// The shots.
     pub shots: Vec<MeasuredShot>,
-    /// True if the rows are launch conditions.
+    /// True if each row states launch conditions, from which its ball flies without an impact.
     pub is_launched: bool,
     /// Notes, such as outcomes without a sigma column.
     pub remarks: Vec<Message>,
@@ -33,7 +33,7 @@ pub struct ShotTable {
     /// Column heads of the launch and of the club, if the table has both. The rows are then
     /// deliveries.
     pub(super) launch_beside_club: Option<[String; 2]>,
-    /// Origin of the standard uncertainties: the table, instruments, or mere weights.
+    /// Origin of the least known standard uncertainty: the table, an instrument, or a mere weight.
     pub sigma_origin: SigmaOrigin,
 }
 
@@ -103,7 +103,7 @@ pub struct Measurement {
 pub struct Stationary {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// Standard uncertainty of the optimum's position, SI.
+    /// Standard uncertainty of the parameter value at which carry is maximal, SI.
     pub sigma: f64,
 }
 
@@ -114,8 +114,9 @@ impl MeasuredShot {
     }
 }
 
-/// The ranges of the shots' inputs, and of the parameters that are fitted within a finite range. A
-/// parameter fitted without a range is omitted, so that it keeps the setup's value.
+/// Ranges of the parameters that the rows state or that are fitted. A parameter of the rows spans
+/// its values in all rows. A fitted parameter has its range in `fit`; it is omitted, and so keeps
+/// the setup's value, if that range is unbounded or the whole allowed range.
 pub fn ranges(table: &ShotTable, fit: &[Vary]) -> Vec<Vary> {
     let mut ranges: Vec<Vary> = vec![];
     let mut widen = |parameter, value: f64| match ranges

@@ -5,11 +5,10 @@ use crate::optimize::least_squares::{Loss, Rows};
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal, StudentsT};
 
-/// Threshold for singular values, relative to the largest, of the Jacobian with columns of unit
-/// length. Smaller singular values count as 0, because rounding dominates them.
+/// Singular values of the Jacobian, with columns of unit length, count as 0 up to this fraction of
+/// the largest: rounding dominates them.
 const SINGULAR: f64 = 1e-8;
-/// Threshold for the components of a direction of unit length. Smaller components count as
-/// rounding.
+/// Components of a direction of unit length count as 0 up to this size: they are rounding.
 const PART: f64 = 1e-3;
 
 /// Origin of the standard uncertainties of the measured values. The order is from the best known to
@@ -52,10 +51,12 @@ pub struct FitStatistics {
     pub probability: Option<f64>,
     /// True if all residuals are rounding errors.
     pub is_exact: bool,
-    /// Factor applied to standard errors. If the table does not state every uncertainty, it is
-    /// √(χ²/ν) with ν degrees of freedom, unless ν = 0 or all residuals are rounding errors.
-    /// Otherwise it is 1 if all uncertainties are known, and `None` if one is unknown
-    /// ([`SigmaOrigin::Weights`]).
+    /// Factor applied to standard errors, for χ² with ν degrees of freedom:
+    ///
+    /// - 1 if the table states every uncertainty;
+    /// - else √(χ²/ν) if ν > 0 and some residuals exceed rounding;
+    /// - else 1 if the uncertainties of all instruments are known, and `None` if one is unknown
+    ///   ([`SigmaOrigin::Weights`]).
     pub scale: Option<f64>,
     /// True if the scale is √(χ²/ν).
     pub is_scaled: bool,
@@ -67,7 +68,7 @@ pub struct FitStatistics {
 /// it, or one standard error along it exceeds a parameter's range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undetermined {
-    /// Index and change (SI) of each parameter.
+    /// Index and change (SI) of each parameter in the combination.
     pub parts: Vec<(usize, f64)>,
     /// Standard error in multiples of these changes; `None` if the residuals do not change at all.
     pub standard_error: Option<f64>,
@@ -80,8 +81,8 @@ impl Undetermined {
     }
 }
 
-/// Singular value decomposition of the Jacobian's columns of some parameters, scaled to unit
-/// length.
+/// Singular value decomposition of the Jacobian columns of some parameters. Each column is first
+/// scaled to unit length.
 struct ScaledColumns {
     at: Vec<usize>,
     lengths: Vec<f64>,
@@ -147,9 +148,9 @@ impl ScaledColumns {
     /// Returns direction `k` if the data do not determine it, for one of three reasons:
     ///
     /// - its singular value is 0;
-    /// - one standard error along it exceeds the range of a parameter;
-    /// - a parameter's standard error exceeds the range, and the direction contributes most to this
-    ///   error.
+    /// - one standard error along it changes a parameter by more than the width of its range;
+    /// - the standard error of a parameter exceeds the width of its range, and this direction
+    ///   contributes most to the error.
     fn undetermined(
         &self,
         k: usize,
@@ -262,7 +263,7 @@ impl FitStatistics {
         })
     }
 
-    /// Reports whether no undetermined direction contains the parameter.
+    /// True if no undetermined direction changes the parameter with index `at`.
     pub fn determines(&self, at: usize) -> bool {
         !self
             .undetermined
@@ -366,9 +367,9 @@ mod tests {
         }
     }
 
-    /// A line through 0, 1, 2 with unit uncertainties: (JᵀJ)⁻¹ of the normal equations, by hand. A
-    /// third column proportional to the second is confounded with it, and affects neither the first
-    /// parameter nor χ².
+    /// A line fitted to values of unit uncertainty at t = 0, 1, 2; expected: (JᵀJ)⁻¹ of the normal
+    /// equations, by hand. A third column proportional to the second is confounded with it, and
+    /// affects neither the first parameter nor χ².
     #[test]
     fn exact_covariance_of_a_line_and_confounded_columns_named() {
         let jacobian: Vec<Vec<f64>> = [0.0, 1.0, 2.0].iter().map(|t| vec![1.0, *t]).collect();
@@ -441,7 +442,7 @@ mod tests {
         }
     }
 
-    /// Columns that differ by 1e-4 give a standard error of 1e4, which exceeds a narrow range.
+    /// Columns that differ by 1e-4 give a standard error of 1e4/√2, which exceeds a narrow range.
     #[test]
     fn standard_errors_beyond_the_range_are_no_answers() {
         let rows = Rows {

@@ -6,7 +6,7 @@ use super::statistics::{FitStatistics, SigmaOrigin, Undetermined};
 use crate::optimize::least_squares::{Fit, FitStatus, Loss};
 use crate::units::{counted, significant};
 
-/// Sets the status of the best of several searches, if another one was interrupted, or if the
+/// Changes the status of the best search (the first), if another search was interrupted, or if the
 /// curvatures of carry in the stationary parameters still change (`is_settled` is false).
 pub(super) fn set_status_of_searches(fits: &mut [Fit], is_settled: bool, is_interrupted: bool) {
     let all = fits.len();
@@ -46,11 +46,11 @@ pub(super) fn set_status_of_searches(fits: &mut [Fit], is_settled: bool, is_inte
 pub(super) const WARNED_MISFIT: f64 = 3.0;
 
 /// A fit has the status [`FitStatus::Misfit`] if the root mean square exceeds this number, twice
-/// that of the warning: too much for an uncertainty stated too small.
+/// [`WARNED_MISFIT`]. Uncertainties that are stated too small do not explain so much.
 const MISFIT: f64 = 6.0;
 
-/// Text on residuals whose root mean square exceeds `most` standard uncertainties; `None` up to
-/// `most`.
+/// Text for a fit whose residuals have a root mean square above `most` standard uncertainties;
+/// `None` for any other fit.
 pub(super) fn misfit_text(statistics: &FitStatistics, most: f64) -> Option<String> {
     let misfit = statistics.misfit().filter(|misfit| *misfit > most)?;
     Some(format!(
@@ -63,8 +63,8 @@ pub(super) fn misfit_text(statistics: &FitStatistics, most: f64) -> Option<Strin
     ))
 }
 
-/// Sets the status for undetermined parameters, a dominating row, or a model that does not describe
-/// the data.
+/// Changes the status of a converged or stalled fit if one residual dominates it, if parameters are
+/// undetermined, or if the model does not describe the data.
 pub(super) fn set_status_of_data(found: &mut Calibration, loss: Loss, origin: SigmaOrigin) {
     // a search also stalls if the data hardly depend on the parameters
     if !matches!(found.fit.status, FitStatus::Converged | FitStatus::Stalled) {
@@ -106,16 +106,16 @@ pub(super) fn set_status_of_data(found: &mut Calibration, loss: Loss, origin: Si
     }
 }
 
-/// The residual r that dominates the fit, if any. The derivative of its loss is w r with the weight
-/// w of the loss. It dominates if (w r)² exceeds 1e6 (1000 standard uncertainties), and exceeds 1e6
-/// times the sum of these squares over all other residuals. Huber's loss limits w r, so there a
-/// residual dominates only if rounding in the sum of losses hides the others.
+/// The largest residual r, if it dominates the fit; w is its weight in the loss, so that w r is the
+/// derivative of the loss. It dominates if (w r)² exceeds 1e6, and 1e6 times the sum of (w r)² over
+/// all other residuals. Huber's loss limits w r. There a residual dominates only if its loss is so
+/// large that rounding hides the losses of the others.
 fn dominating_residual(residuals: &[FitResidual], loss: Loss) -> Option<&FitResidual> {
-    /// Threshold for the sum of (w r)² over all residuals but the largest, as a fraction of the
-    /// largest (w r)².
+    /// Largest sum of (w r)² over the other residuals, as a fraction of (w r)² of the dominating
+    /// one.
     const PART: f64 = 1e-6;
-    /// Threshold for the sum of the losses of all other residuals, as a fraction of the largest
-    /// loss: below it, rounding hides the others.
+    /// Largest sum of the losses of the other residuals, as a fraction of the loss of the
+    /// dominating one: rounding hides them.
     const ROUNDING: f64 = 1e-15;
     let most = residuals
         .iter()
