@@ -13,8 +13,8 @@ use serde::Serialize;
 /// Tolerance of [`Agreement::difference`], relative to the derivative.
 const RELATIVE: f64 = 1e-9;
 
-/// Rounding tolerance, relative to the magnitude of the outcome's terms divided by the parameter's
-/// scale.
+/// Rounding tolerance of a derivative, as a multiple of the magnitude of the outcome's terms
+/// divided by the parameter's scale.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A derivative compared with the derivative from `num_dual::Dual64`.

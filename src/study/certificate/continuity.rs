@@ -75,7 +75,6 @@ pub(super) fn continuity(
     let spacing = SPACING * scale(setup, parameter);
     let neighbours = |from: f64, sign: f64| {
         let offsets = (0..NEIGHBOURS).map(|k| sign * spacing * k as f64);
-        // discard samples outside the allowed range
         offsets
             .filter(|offset| parameter.range.contains(from + offset))
             .take_while(|_| goes_on())
@@ -115,7 +114,7 @@ pub(super) fn continuity(
     Ok(of.iter().enumerate().map(continuity).collect())
 }
 
-/// The outcomes at `from + offset` of the parameter `wrt[0]`, extrapolated back to `from`.
+/// The outcomes with `wrt[0]` at `from + offset`, extrapolated back to `from`.
 fn sample(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -148,7 +147,8 @@ fn extrapolated_back(taylor: &Taylor, offset: f64) -> Taylor {
     }
 }
 
-/// Entries of the value, gradient or Hessian (by order) for scaled parameters.
+/// Entries of the value (order 0), the gradient (order 1) or the Hessian (order 2) by scaled
+/// parameters.
 fn entries(taylor: &Taylor, scales: &[f64], order: usize) -> Vec<f64> {
     match order {
         0 => vec![taylor.value],
@@ -170,8 +170,9 @@ fn entries(taylor: &Taylor, scales: &[f64], order: usize) -> Vec<f64> {
     }
 }
 
-/// Jump between the means of two sides and its tolerance from their scatter, both relative to the
-/// larger of the largest entry and `size`, the magnitude of the outcome's terms.
+/// Jump between the means of the two sides, and its tolerance, which follows from their scatter.
+/// Both are relative to the largest entry, or to `size` (the magnitude of the outcome's terms) if
+/// that is larger.
 fn jump(before: &[Vec<f64>], after: &[Vec<f64>], size: f64, least_tolerance: f64) -> (f64, f64) {
     let (mut jump, mut scatter, mut size) = (0.0_f64, 0.0_f64, size);
     for entry in 0..before[0].len() {

@@ -53,7 +53,7 @@ pub(super) struct Levels {
     pub count: usize,
     /// Flights per level, with logarithmically spaced numbers of steps.
     neighbours: u32,
-    /// Octaves that one level covers.
+    /// Range of the numbers of steps of a level, in octaves (factors of 2).
     octaves: f64,
 }
 
@@ -200,7 +200,6 @@ impl<'a> StepComparison<'a> {
         })
     }
 
-    /// Convergence of outcome `i`.
     fn convergence(&self, i: usize, of: Outcome) -> Convergence {
         let size = size(of, self.setup, self.drive);
         let errors_of =
@@ -253,9 +252,9 @@ impl<'a> StepComparison<'a> {
     }
 }
 
-/// Flight time at the reference step; `None` if the ball does not land. At the setup's own step,
-/// the error of the flight time may be as large as the steps compared here, so that one of these
-/// steps could end at the landing.
+/// Flight time at the reference step; `None` if the ball does not land. The flight time at the
+/// setup's own step may be wrong by as much as a compared step, so that one of these steps could
+/// end at the landing.
 fn fine_flight_time(setup: &Setup<f64>, about: f64) -> Option<f64> {
     let mut setup = *setup;
     setup.flight.step = about / f64::from(REFERENCE);
@@ -294,8 +293,9 @@ fn initial_spin_decay_rate(setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
     setup.aero.spin_decay + by_way * drive.launch.ball_speed()
 }
 
-/// Errors of the value, relative to the outcome's magnitude, and of each gradient entry, relative
-/// to the largest entry or to a tiny fraction of the outcome's magnitude.
+/// Relative errors of the value and of each gradient entry. Errors of the value are relative to
+/// `size`, the outcome's magnitude. Errors of the gradient (by scaled parameters) are relative to
+/// its largest entry, or to [`NEGLIGIBLE`] times `size` if that is larger.
 fn errors(found: &Taylor, reference: &Taylor, size: f64, scales: &[f64]) -> [Vec<f64>; 2] {
     let entries = reference
         .gradient

@@ -49,8 +49,8 @@ impl DetectionTest {
     }
 }
 
-/// The factors of the landing terms: the changes of the outcomes [`AT_LANDING`] per landing time,
-/// and the derivative of the landing time by each parameter.
+/// The two factors of a landing term: the derivatives of the outcomes [`AT_LANDING`] by the landing
+/// time, and the derivative of the landing time by each parameter.
 pub(super) struct LandingTerms {
     per_time: [f64; 3],
     times: Vec<(&'static Parameter, f64)>,

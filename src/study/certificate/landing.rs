@@ -22,7 +22,7 @@ use serde::Serialize;
 /// Outcomes whose derivative contains a landing term.
 pub(super) const AT_LANDING: [Outcome; 3] = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime];
 
-/// Changes of the outcomes [`AT_LANDING`] per landing time, for a velocity at landing.
+/// Derivatives of the outcomes [`AT_LANDING`] by the landing time, for a velocity at landing.
 pub(super) fn changes_per_time(velocity: Vector<f64>) -> [f64; 3] {
     [velocity.z, velocity.y, 1.0]
 }
@@ -108,7 +108,6 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
 /// change is rounding. It converges fast, because a changed step h shifts the landing only by a
 /// fraction of h^p.
 fn ending_with_a_step(setup: &Setup<f64>) -> Result<(Setup<f64>, Landed<f64>)> {
-    /// Maximum number of iterations.
     const TRIALS: usize = 16;
     let mut setup = *setup;
     let mut landed = *Drive::new(&setup)?.landed()?;

@@ -60,7 +60,8 @@ pub struct NotExamined {
 /// Results of all checks of a drive's derivatives.
 #[derive(Clone, Debug)]
 pub struct Certificate {
-    /// Each derivative of an outcome by a parameter, in descending order of severity.
+    /// Each derivative of an outcome by a parameter: failures first, then corners, then passes,
+    /// each in descending order of severity.
     pub rows: Vec<DerivativeRow>,
     /// Derivatives at the landing compared with differences at a fixed time; empty if no landing
     /// can be tested.
@@ -146,7 +147,6 @@ impl Certificate {
             .collect()
     }
 
-    /// Adds the checks of the flight.
     fn check_flight(
         &mut self,
         setup: &Setup<f64>,
@@ -260,7 +260,6 @@ pub fn certify(
     Ok(certificate)
 }
 
-/// The progress of a certificate.
 struct CertificateProgress<'a> {
     /// Receives the number of finished parameters and the number of all parameters; false stops the
     /// work.
@@ -288,7 +287,6 @@ impl CertificateProgress<'_> {
     }
 }
 
-/// Computes the rows of all parameters in parallel.
 fn rows_by_parameter(
     setup: &Setup<f64>,
     drive: &Drive<f64>,

@@ -13,11 +13,11 @@ use crate::derivative::check::line_slope;
 use crate::statistics::largest_magnitude;
 use nalgebra::{DMatrix, DVector};
 
-/// Minimum number of levels.
+/// Minimum number of levels to measure an order.
 pub(super) const MEASURED: usize = 3;
 
-/// Number of levels, the finest, to which the lower-order term is fitted. Coarser levels would need
-/// more terms.
+/// Number of levels to which the lower-order term is fitted: the finest ones. Coarser levels would
+/// need more terms.
 const FITTED: usize = 4;
 
 /// Largest share of the lower-order term in the error at the finest level that counts as
@@ -28,7 +28,7 @@ const SHARE: f64 = 0.25;
 /// standard error.
 const DEVIATIONS: f64 = 4.0;
 
-/// Signed errors at one step: of a value, or of each entry of a gradient.
+/// Signed errors at one step size: one of a value, or one for each entry of a gradient.
 #[derive(Clone, Debug)]
 pub(super) struct Errors {
     /// Level (group of neighbouring steps); 0 is the coarsest.
@@ -49,9 +49,10 @@ impl Errors {
 /// A measured order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct MeasuredOrder {
-    /// Slope of the errors at the finest levels above rounding.
+    /// Slope of log |error| against log step, over levels with errors above rounding.
     pub order: f64,
-    /// True if the slope is too low and a lower-order term explains it.
+    /// True if the order is lower than expected. [`measure`] also requires that a lower-order term
+    /// explains the low slope.
     pub falls_short: bool,
 }
 
@@ -99,7 +100,7 @@ pub(super) fn measure_largest(
 fn levels_above_rounding(samples: &[Errors], power: i32, floor: f64) -> Option<Vec<(f64, f64)>> {
     let count = samples.iter().map(|sample| sample.level).max()? + 1;
     let of_level = |level: usize| samples.iter().filter(move |sample| sample.level == level);
-    // the largest error of the level, scaled to its first step: single errors can vanish
+    // a single error may be 0 by chance, so take the largest of the level, scaled to its first step
     let level = |level: usize| {
         let first = of_level(level).next()?.step;
         let largest = of_level(level)
@@ -114,8 +115,9 @@ fn levels_above_rounding(samples: &[Errors], power: i32, floor: f64) -> Option<V
     (levels.len() >= MEASURED).then_some(levels)
 }
 
-/// Fits e/h^p = d/h + a + b h + c h² and tests d for each entry. A significant d must also explain
-/// the errors better than one more power of h, because the fit omits higher powers.
+/// Fits e/h^p = d/h + a + b h + c h² and tests d for each entry. A significant d counts only if a
+/// fit with h³ in place of 1/h leaves larger residuals: otherwise the omitted higher powers explain
+/// the errors.
 fn has_lower_term(samples: &[&Errors], power: i32) -> bool {
     let Some(last) = samples.last() else {
         return false;
@@ -236,7 +238,7 @@ mod tests {
 
     #[test]
     fn order_of_an_error_that_passes_through_zero() {
-        // h⁴ (1 − h/h₀) with a zero h₀ from far above the steps to far below
+        // h⁴ (1 − h/h₀) is 0 at h₀, which goes from below all steps to above them
         for k in 0..60 {
             let zero = 10.0_f64.powf(-3.0 + 0.05 * f64::from(k));
             assert!(!falls_short(|h| h.powi(4) * (1.0 - h / zero), 4), "{zero}");

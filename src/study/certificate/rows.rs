@@ -7,14 +7,14 @@ use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 
-/// Derivatives of an outcome by a parameter, compared with differences.
+/// Derivatives of an outcome by a parameter, checked by differences and by num-dual.
 #[derive(Clone, Debug)]
 pub struct DerivativeRow {
     /// The outcome.
     pub of: Outcome,
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// Samples of the outcome.
+    /// Samples of the outcome at several step sizes.
     pub ladder: Ladder,
     /// ∂/∂p compared with differences of values.
     pub first: Check,
@@ -52,7 +52,8 @@ impl DerivativeRow {
         self.second.as_ref().is_some_and(Check::failed)
     }
 
-    /// Error divided by tolerance: above 1 the derivative is wrong.
+    /// Largest ratio of an error to its tolerance, over the comparisons of the row: above 1 a
+    /// derivative is wrong.
     pub fn severity(&self) -> f64 {
         let ratio = |error: f64, tolerance: f64| {
             if error == 0.0 { 0.0 } else { error / tolerance }
@@ -159,8 +160,8 @@ impl<'a> Neighbours<'a> {
         })
     }
 
-    /// The result of `number` for each outcome, at the value `x` of the parameter. All NaN if the
-    /// drive lacks one of the outcomes; empty once `is_stopped` returns true.
+    /// Applies `number` to the Taylor expansion of each outcome at the parameter value `x`. All NaN
+    /// if the drive lacks one of the outcomes; empty once `is_stopped` returns true.
     fn sample(
         &self,
         evaluator: &Evaluator,

@@ -3,9 +3,8 @@ use crate::flight::Flight;
 use crate::parameters::{Parameter, Setup};
 use crate::units::{DisplayUnit, Quantity};
 
-/// Characteristic size of a parameter, which scales the steps of differences: the magnitude of the
-/// parameter's value. If the value is 0, or if the parameter may be negative: the larger of this
-/// magnitude and a typical value.
+/// Characteristic size of a parameter, SI, which scales the steps of differences: |value|, but at
+/// least a typical size if the value is 0 or the parameter may be negative.
 pub(super) fn scale(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
     let value = setup.value(parameter).unwrap_or_default().abs();
     let default = parameter
@@ -41,9 +40,14 @@ fn usual(parameter: &Parameter) -> f64 {
     units * DisplayUnit::from(parameter).size()
 }
 
-/// Magnitude of the terms that an outcome is computed from, SI; the outcome's rounding error is
-/// relative to this magnitude. It is the carry for a lateral distance, 1 for the angle of a
-/// direction, and the ball speed divided by the ball radius for the spin from an impact.
+/// Magnitude of the terms from which an outcome is computed, SI; its rounding error is relative to
+/// this magnitude. It is the outcome's absolute value, but at least:
+///
+/// - for a length, the distance to the landing point, and for a time, the flight time;
+/// - for a speed, the ball speed;
+/// - for an angular velocity, the spin, and after an impact also m R v/I with mass m, radius R,
+///   speed v and moment of inertia I of the ball;
+/// - for an angle or a number, 1.
 pub(super) fn size(of: Outcome, setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
     let launch = &drive.launch;
     let made_of = match (&drive.flight, of.quantity()) {

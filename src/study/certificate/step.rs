@@ -14,8 +14,8 @@ use serde::Serialize;
 /// has 1/4096 of the error.
 const SHORTER: f64 = 8.0;
 
-/// Lower bound of the divisor of a derivative's relative error. The divisor is the derivative times
-/// the parameter's scale, relative to the outcome's size.
+/// Errors of a derivative are relative to the derivative times the parameter's scale, or to this
+/// fraction of the outcome's size if that is larger.
 const LEAST: f64 = 1e-6;
 
 /// Relative derivative error that triggers a warning.

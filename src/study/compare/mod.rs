@@ -60,8 +60,8 @@ impl Difference {
 }
 
 impl Comparison {
-    /// Compares two drives. Both drives use the method of higher order and the shorter step of the
-    /// two setups.
+    /// Compares two drives. Both drives use the method of higher order, the shorter step and the
+    /// longer time limit of the two setups.
     ///
     /// ```
     /// use longdrive::{Outcome, Setup, study::Comparison};
@@ -105,7 +105,8 @@ impl Comparison {
         })
     }
 
-    /// True if the setups differ.
+    /// True if the setups differ in a parameter or choice that their drives use. Settings of the
+    /// computation do not count.
     pub fn differs(&self) -> bool {
         !self.path.causes().is_empty()
     }
@@ -142,8 +143,8 @@ impl Comparison {
             .collect()
     }
 
-    /// Divides the differences of the outcomes that both drives have: by parameter and, if the
-    /// launches have a separate path, by launch condition.
+    /// Prepares the split of the outcomes that both drives have: by parameter and, if the launches
+    /// have a separate path, by launch condition.
     fn splits(&self, of: &[Outcome]) -> (DifferenceSplit<'_>, Option<DifferenceSplit<'_>>) {
         let has = |of: &Outcome| self.drives.iter().all(|drive| of.value(drive).is_some());
         let of: Vec<Outcome> = of.iter().copied().filter(has).collect();

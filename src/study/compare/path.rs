@@ -44,7 +44,8 @@ impl Cause {
         !matches!(self, Self::Continuous(_))
     }
 
-    /// The name of this choice in a setup: of a law, a golfer, a point of the head, or a launch.
+    /// The choice in a setup, by name: the law (or the file of the user's table), the golfer, the
+    /// point of the head, or for the launch `given` or `struck by a club`.
     pub fn choice_in(self, setup: &Setup<f64>) -> &'static str {
         match self {
             Self::Golfer => setup.golfer.name(),
@@ -175,7 +176,7 @@ impl SetupPath {
         if differ_in_law {
             discrete.push(Cause::Law);
         }
-        // a given launch has no golfer
+        // a given launch has neither a golfer nor a point of the head
         if ends[0].golfer != ends[1].golfer && !are_given.contains(&true) {
             discrete.push(Cause::Golfer);
         }
@@ -190,8 +191,7 @@ impl SetupPath {
                 || (parameter.is_of_launch() && differ_in_launch)
                 || (parameter.law.is_some() && differ_in_law)
                 || otherwise.iter().any(|one| one.has(parameter));
-            // if other parameters replace a parameter in one setup, they also replace it in the
-            // other
+            // one setup suffices: what the setups give by different parameters is in `otherwise`
             let is_replaced = ends[0].why_replaced(parameter).is_some();
             if is_of_the_whole || is_replaced || parameter.kind == Kind::Setting {
                 continue;
@@ -226,7 +226,7 @@ impl SetupPath {
         }
     }
 
-    /// All differences.
+    /// All causes, the continuous ones first.
     pub fn causes(&self) -> Vec<Cause> {
         self.continuous
             .iter()
@@ -304,12 +304,12 @@ impl SetupPath {
     }
 }
 
-/// Copies a parameter's value from another setup; both values are valid.
+/// Copies a parameter's value from another setup. This cannot fail, because the value is valid
+/// there.
 fn take(setup: &mut Setup<f64>, from: &Setup<f64>, parameter: &Parameter) {
     let _ = setup.set_value(parameter, from.value(parameter));
 }
 
-/// Value of an outcome.
 pub(super) fn value(setup: &Setup<f64>, of: Outcome) -> Result<f64> {
     Ok(evaluate(setup, &[of], &[], Order::Value)?
         .first()

@@ -13,8 +13,8 @@ const RULE: [(f64, f64); 4] = [
 /// Relative error below which an integral counts as exact up to rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Number of bisections that suffice for a smooth function, or a function with a single kink, to be
-/// integrated to rounding. After them the tolerance is [`ENOUGH`].
+/// Number of bisections after which the tolerance rises from [`ROUNDING`] to [`ENOUGH`]. Fewer
+/// suffice to integrate a smooth function, or one with a single kink, to rounding.
 const USUAL: usize = 100;
 
 /// Relative tolerance for functions with hundreds of kinks. The derivatives of a piecewise C² law
@@ -29,7 +29,7 @@ pub(super) struct Integrals {
     /// The values.
     pub values: Vec<f64>,
     /// Error estimate, summed over the intervals. The estimate of an interval is the change of its
-    /// integral by its bisection, for the function whose integral changes most.
+    /// integral when it is bisected, for the function whose integral changes most.
     pub error: f64,
 }
 
@@ -104,7 +104,6 @@ pub(super) fn integrals(
     }
 }
 
-/// The integrals over all intervals.
 fn sum(parts: &[Subinterval]) -> Integrals {
     let mut values = vec![];
     for part in parts {

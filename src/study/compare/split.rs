@@ -29,7 +29,7 @@ struct PathSide {
 }
 
 impl<'a> DifferenceSplit<'a> {
-    /// Prepares the outcomes, which both ends must have.
+    /// Splits differences of the outcomes `of`, which the drives at both ends of the path have.
     pub fn new(path: &'a SetupPath, of: Vec<Outcome>) -> Self {
         Self {
             path,
