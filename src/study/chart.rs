@@ -22,7 +22,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Chart {
     /// The parameter and its range.
     pub along: Vary,
-    /// The optima, in order.
+    /// The optima, in ascending order of the parameter.
     pub points: Vec<ChartPoint>,
     /// Reason why the chart starts after the low end of the range, if it does.
     pub begun: Option<Message>,
@@ -114,7 +114,7 @@ impl Chart {
             ["optimum", "optima"],
             CheckScope::Flight,
         );
-        // in the order of the warnings; omit limits that no drive exceeds
+        // `warnings` has this order, and no warning for a limit that no optimum exceeds
         let is_exceeded: [fn(&ExceededLimits) -> bool; 3] = [
             |limits| limits.law,
             |limits| limits.face,
@@ -305,8 +305,8 @@ fn check(search: &Search, along: Vary, at: &[f64]) -> Result<()> {
     Ok(())
 }
 
-/// End of the next step: `to`, or 0 if `to` differs from 0 only by rounding; but at most the next
-/// value in `at`.
+/// End of the next step: `to`, or the next value of `at` if that is nearer. A `to` that differs
+/// from 0 only by rounding becomes 0.
 fn target(to: f64, from: f64, at: &[f64], width: f64) -> f64 {
     let to = if to.abs() < LOCATED * width { 0.0 } else { to };
     at.iter()
@@ -365,9 +365,9 @@ impl Follower<'_> {
         }
     }
 
-    /// Computes the first optimum: at the low end of the range, or at the first of a few trial
-    /// values that has an optimum; bisection then locates where the optima begin. Also returns why
-    /// there is no optimum at smaller values.
+    /// The first optimum of the chart, and the reason why it is not at the low end of the range
+    /// (`None` if it is). Without an optimum at the low end a few further values are tried;
+    /// bisection then locates where the optima begin.
     fn first(&self) -> Result<(ChartPoint, Option<Message>)> {
         let Vary {
             parameter,

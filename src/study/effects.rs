@@ -94,7 +94,7 @@ impl Effects {
     }
 }
 
-/// Threshold for the value of an outcome, in its display unit. Smaller values are 0 up to rounding.
+/// Values of an outcome, in its display unit, count as 0 up to this size.
 const LEAST_SIZE: f64 = 1e-9;
 
 /// Effects of all numeric parameters on the outcomes. `progress` receives two numbers: how many of
@@ -148,7 +148,7 @@ pub fn effects(
     Ok(effects.collect())
 }
 
-/// Effects of all parameters on an outcome, in descending order of magnitude.
+/// Effects of all parameters on an outcome, in descending order of [`rank`].
 fn ranked(
     setup: &Setup<f64>,
     of: Outcome,

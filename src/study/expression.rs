@@ -203,7 +203,8 @@ struct Term {
     unit: &'static str,
 }
 
-/// A limit, SI, with the unit in which it was given.
+/// A limit, SI. Only the limit of a relation has a unit: the one in which it was given, if that is
+/// a known unit.
 #[derive(Clone, Copy)]
 struct Limit {
     value: f64,

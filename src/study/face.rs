@@ -28,7 +28,7 @@ pub struct Face {
     /// Derivatives of [`Face::OUTCOMES`] by `strike.toe` at the sweet spot, or at the face centre
     /// if there is no sweet spot, SI. `None` if a derivative does not exist.
     pub by_toe: Option<[f64; 4]>,
-    /// Impact point of the longest carry among the grid nodes on the face, with that carry.
+    /// Impact point of the longest carry among the grid nodes on the face, with that carry, m.
     pub longest: ([f64; 2], f64),
     /// Points on the face, with the tilt of the spin axis relative to a strike on the sweet spot
     /// (on the face centre if there is no sweet spot), rad, + right.

@@ -122,8 +122,8 @@ pub struct Ellipse {
 const OF_SHORT_DRIVE: &str = "1 yd is more than a tenth of the carry of the best drive, so the \
                               loss that is allowed is 1 % of this carry";
 
-/// Carry of the best drive, SI, with a note; `None` unless the drive is short. A short drive has a
-/// carry below 10 yd, so its [`usual_loss`] is 1 % of the carry, not 1 yd.
+/// Carry of the best drive, SI, with a note. `None` if the drive is not short, or if the goal is no
+/// length. A drive is short if its carry is below 10 yd; its [`usual_loss`] is 1 % of the carry.
 pub fn short_drive(best: &Optimum) -> Option<(f64, &'static str)> {
     let carry = best
         .drive
@@ -174,7 +174,7 @@ pub fn windows(best: &Optimum, loss: f64) -> Result<Vec<Window>> {
     LossAround::new(best, loss)?.windows()
 }
 
-/// An optimum, with the losses of drives around it.
+/// Computes the losses of drives around an optimum.
 struct LossAround<'a> {
     domain: Domain,
     values: Evaluator,
@@ -342,7 +342,8 @@ impl<'a> LossAround<'a> {
         order.into_iter().map(one).collect()
     }
 
-    /// The loss at a point within ranges and constraints, if its drive flies.
+    /// The loss at a point. `None` if the point violates a range or constraint, or if its drive
+    /// does not fly.
     fn lost_within(&self, x: &[f64]) -> Option<f64> {
         let bounds = &self.domain.variables;
         let is_within = x
@@ -368,8 +369,8 @@ impl<'a> LossAround<'a> {
             .collect()
     }
 
-    /// The ellipse of `pair`, if the outcome becomes worse in every direction in the plane of the
-    /// pair.
+    /// The ellipse of `pair`. `None` if a direction in the plane of the pair does not make the
+    /// outcome worse, or on overflow.
     fn ellipse(&self, pair: [usize; 2]) -> Option<Ellipse> {
         let solution = &self.best.solution;
         let scale = self.domain.variables.scale(&solution.x);

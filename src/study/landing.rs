@@ -20,8 +20,8 @@ pub struct Landing {
     /// Landing ellipses for each of [`SHARES`], from exact derivatives; empty if nothing varies, or
     /// the scatter is too large.
     pub ellipses: Vec<LandingEllipse>,
-    /// True if the ellipses are omitted because the scatter is too large for the derivatives of the
-    /// drive: the standard deviation of the speed exceeds a third of the speed, or a half-axis of
+    /// True if the ellipses are omitted, because the outcomes are not linear over so large a
+    /// scatter: the standard deviation of the speed exceeds a third of the speed, or a half-axis of
     /// an ellipse is longer than the distance to the landing point.
     pub is_too_wide: bool,
 }

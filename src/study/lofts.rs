@@ -38,8 +38,9 @@ pub fn lofts(setup: &Setup<f64>, other: &Setup<f64>) -> Result<Option<Plane>> {
     Ok(Some(plane).filter(|_| flies))
 }
 
-/// A range of `count` values in equal steps, multiples of `least` degrees. The two `values` lie
-/// near its middle. Drives outside of the parameter's range have no outcomes.
+/// A range of `count` values in equal steps, around the two `values` (rad). The step is the
+/// smallest multiple of `least` degrees for which the range contains both. The range may exceed
+/// that of the parameter; drives there have no outcomes.
 fn steps(parameter: &'static Parameter, values: [f64; 2], count: usize, least: f64) -> Vary {
     let [low, high] = [f64::min, f64::max].map(|end| end(values[0], values[1]) / DEGREE);
     let steps = (count - 1) as f64;

@@ -46,15 +46,18 @@ fn differences(
 /// prior standard uncertainties.
 pub(super) struct SwingInformation {
     groups: Vec<ShotGroup>,
-    /// Mean of Λ over the shots, as if the impact were linear: with instrument errors only.
+    /// Mean of Λ over the shots, with instrument errors only: without the nonlinearity of the
+    /// impact.
     pub(super) information: DMatrix<f64>,
-    /// For each shot the index of each outcome and its difference at the mean swing, measured −
-    /// computed, SI.
+    /// For each shot and each of its outcomes: the index of the outcome, and measured − computed at
+    /// the mean swing, SI.
     pub(super) differences: Vec<Vec<(usize, f64)>>,
     count: f64,
 }
 
 impl SwingInformation {
+    /// Information in `shots` about their swings, linearized about the swing `mean`.
+    ///
     /// # Errors
     /// The errors of [`Evaluator::at`] if the mean swing, with the club of a shot, does not strike
     /// the ball.
@@ -150,9 +153,10 @@ impl SwingInformation {
         self.groups.iter().fold(DMatrix::zeros(n, n), weighted)
     }
 
-    /// Mean and covariance of the swings along the directions `along`, iterated from the covariance
-    /// `initial_covariance`. In the other directions the covariance stays `fixed_covariance` and the mean stays `fixed_mean`.
-    /// Means are relative to the mean swing of the linearization.
+    /// Maximum-likelihood mean and covariance of the swings along the directions `along`
+    /// (orthonormal columns), iterated from `initial_covariance`. In the other directions they stay
+    /// `fixed_mean` and `fixed_covariance`. Means are relative to the mean swing of the
+    /// linearization.
     pub(super) fn maximize_likelihood(
         &self,
         along: &DMatrix<f64>,

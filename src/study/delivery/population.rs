@@ -114,8 +114,8 @@ impl Population {
     ///
     /// Along unidentified directions the swings have their prior distribution. Because an impact is
     /// nonlinear, the predicted launches may then scatter more than the shots; if so, the prior
-    /// deviation along these directions is reduced. A value of an unknown that is stated with a
-    /// launch is a measurement of this swing; any other prior is not.
+    /// deviation along these directions is reduced. A club value that was measured with a launch
+    /// counts as a measurement of that swing. The priors of the other unknowns do not.
     ///
     /// # Errors
     /// [`Error::Delivery`] for fewer than [`LEAST_SHOTS`] shots, and if most swings of the
@@ -283,8 +283,8 @@ impl ConvergedDistribution {
             let of_mean = sampling[i] / count;
             // standard uncertainty of a sample variance (Wishart distribution)
             let of_variance = sampling[i] * (2.0 / (count - 1.0)).sqrt();
-            // along unidentified directions the prior mean may be wrong, and the swings may scatter
-            // less than the prior
+            // both uncertainties also have the prior variance along unidentified directions: there
+            // the prior mean may be wrong, and the swings may scatter less than the prior
             let by_deviation = (variance + of_variance).max(0.0).sqrt() - variance.max(0.0).sqrt();
             Recovered {
                 parameter: unknown.parameter,

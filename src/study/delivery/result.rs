@@ -71,7 +71,7 @@ pub struct Delivered {
     pub message: String,
     /// The posterior of each unknown.
     pub posteriors: Vec<Posterior>,
-    /// The unknowns whose prior is a measurement of this swing, stated with its launch.
+    /// Unknowns whose prior is the club value that was measured with this launch.
     pub measured: Vec<&'static Parameter>,
     /// The measured outcomes with their computed values.
     pub explained: Vec<Explained>,
@@ -102,7 +102,7 @@ impl Delivered {
 /// A direction is unidentified if the shot removes less than this fraction of the prior variance
 /// along the direction.
 const UNIDENTIFIED_BELOW: f64 = 0.5;
-/// Threshold for the components of a direction. Smaller components are omitted.
+/// Components of a direction of unit length below this size are omitted.
 const LEAST_COMPONENT: f64 = 0.1;
 
 /// A change of the delivery that the launch does not determine.

@@ -124,7 +124,7 @@ fn shot_delivery(
 }
 
 impl Spread {
-    /// One entry per unknown, over the shots with an explained launch.
+    /// One entry per unknown, over the shots with an explained launch; empty without such a shot.
     pub fn of(all: &[ShotDelivery]) -> Vec<Self> {
         let found: Vec<&Delivered> = all.iter().filter_map(ShotDelivery::explained).collect();
         let Some(first) = found.first() else {

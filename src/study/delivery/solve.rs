@@ -58,7 +58,7 @@ pub fn delivery(
             low < found.x[i] && found.x[i] < high
         })
         .collect();
-    // derivatives by parameters in units of the prior standard uncertainty
+    // derivatives of the residuals by parameters in units of their prior standard uncertainties
     let jacobian = DMatrix::from_fn(measured.len(), free.len(), |row, column| {
         found.rows.jacobian[row][free[column]] * unknowns[free[column]].sigma
     });
@@ -79,7 +79,7 @@ pub fn delivery(
     })
 }
 
-/// Refuses a search without measurements or unknowns, or with an outcome of the flight.
+/// Refuses a search without measurements or unknowns, or with an outcome that is not of the launch.
 fn check(measured: &[Measurement], unknowns: &[Unknown]) -> Result<()> {
     let refuse = |reason: String| Error::Delivery { reason };
     if measured.is_empty() || unknowns.is_empty() {

@@ -33,7 +33,7 @@ const EVENLY: &str = "assumed: spread evenly over its range";
 const CLUB: &str = "assumed: the error of a launch monitor's club values";
 const UNKNOWN_ERROR: &str = "assumed: the uncertainty of an unmeasured value, since the error of its measurement is not known";
 
-/// Default unknowns with their prior standard uncertainties.
+/// Default unknowns: name, prior standard uncertainty, and the source of the uncertainty.
 const DEFAULT_UNKNOWNS: [(&str, &str, &str); 7] = [
     ("swing.speed", "15 mph", GOLFERS),
     ("swing.attack_angle", "3 deg", GOLFERS),
@@ -61,9 +61,9 @@ impl Unknown {
         [Some(CLUB), Some(UNKNOWN_ERROR)].contains(&self.source)
     }
 
-    /// The unknown with a measured value as prior. If the user gave no uncertainty, it becomes that
-    /// of a launch monitor; where this is not known, it stays. The search range is widened to
-    /// include the range around the value.
+    /// The unknown with a measured value as prior. An uncertainty that the user gave stays. A
+    /// default uncertainty becomes that of a launch monitor, if this is known. The search range is
+    /// widened to include the range around the value.
     pub fn measured_as(self, value: f64) -> Self {
         let Self {
             parameter,
@@ -149,8 +149,8 @@ fn refuse(reason: String) -> Error {
     Error::Delivery { reason }
 }
 
-/// Prior standard uncertainty of a parameter with its source: the user's uncertainty, or the
-/// default.
+/// Prior standard uncertainty of a parameter with its source: the one that the user gave (source
+/// `None`), else the default one. `None` if there is neither.
 fn prior_sigma(
     parameter: &'static Parameter,
     sigmas: &[Sigma],

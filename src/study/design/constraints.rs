@@ -22,14 +22,14 @@ pub struct DesignConstraint {
     pub range: [f64; 2],
     /// Physical quantity of the value, with its display unit.
     pub unit: DisplayUnit,
-    /// Change of the limit for which the multiplier is stated, SI.
+    /// Change of the limit, SI. Reports state the effect of this change on the goal.
     pub step: f64,
 }
 
 /// How a constraint is enforced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Enforcement {
-    /// By a bound of the varied parameter with this index.
+    /// By a bound of the search on the varied parameter with this index.
     Bound(usize),
     /// By the constraint of the search with this index.
     Limit(usize),
@@ -66,8 +66,8 @@ impl DesignConstraint {
         let (value, price) = match self.enforcement {
             Enforcement::Bound(i) => {
                 let vary = best.search.vary[i];
-                // if a bound of the search is tighter than the rule, the multiplier belongs to that
-                // bound
+                // the multiplier of a bound of the search belongs to the rule only if both have the
+                // same value: a tighter bound is the user's
                 let [lower, upper] = [self.range[0] == vary.low, self.range[1] == vary.high];
                 let multiplier = |is: bool, of: &[f64]| {
                     if is {

@@ -53,8 +53,8 @@ pub fn golfer(setup: &Setup<f64>) -> Result<Swings> {
     Swings::distributed(inputs, &[Correlation::new(between, PATH_WITH_FACE)?])
 }
 
-/// Truncated normal distribution; `deviation` is its standard deviation after the truncation.
-/// Bisection finds the larger standard deviation before the truncation.
+/// Truncated normal distribution with the standard deviation `deviation`. The normal distribution
+/// before truncation has a larger one, which bisection finds.
 fn truncated_with_deviation(mean: f64, deviation: f64) -> Distribution {
     let of = |mean: f64, deviation: f64, wider: f64| {
         let [low, high] = [mean - WITHIN * deviation, mean + WITHIN * deviation];

@@ -60,8 +60,8 @@ fn before_and_after(
     Ok(goals.map(improvement).collect())
 }
 
-/// Values of goals over the swings at a setup's own design, SI. `None` if the ball does not fly in
-/// one of the swings, and once `stop` is true.
+/// Values of goals over the swings for the design of `setup`, SI. `None` if the ball does not fly
+/// in one of the swings, and once `stop` is true.
 fn values(
     setup: &Setup<f64>,
     goals: &[Goal],

@@ -26,7 +26,6 @@ pub fn usual_vary(setup: &Setup<f64>) -> Result<Vec<Vary>> {
     USUAL.iter().map(|text| Vary::read(setup, text)).collect()
 }
 
-/// Subject of messages on extreme swings.
 const REACHED: &str = "the swings reach";
 
 /// An optimization problem with the constraints of a design.
@@ -43,9 +42,9 @@ pub struct Design {
 }
 
 impl Design {
-    /// Adds the constraints of a design: the Rules of Golf unless disabled; a rigid body's
-    /// condition if the inertia varies; and the initial mass as upper limit if the mass varies
-    /// without a limit.
+    /// Adds the constraints of a design: the Rules of Golf unless disabled; the conditions of a
+    /// rigid body if the inertia varies; and the setup's mass of the head as upper limit, if the
+    /// mass varies and the user limits no mass.
     ///
     /// # Errors
     /// [`Error::Rule`] for a setup or a range that breaks a rule; [`Error::Unreadable`] for strikes
@@ -156,9 +155,13 @@ impl Design {
         });
     }
 
-    /// Checks a rule on the outcome `of` of the head: at the swings if they change the head,
-    /// otherwise at the setup. `None`, without a check, if the varied parameters change the head:
-    /// the search then needs a constraint.
+    /// Checks a rule on the outcome `of` of the head: at all swings if the swings change the head,
+    /// otherwise at the setup. Returns `None`, without a check, if the varied parameters change the
+    /// head: the search then needs a constraint.
+    ///
+    /// # Errors
+    /// [`Error::Rule`] for a broken rule; [`Error::Unreadable`] if both swings and varied
+    /// parameters change the head.
     fn of_head(
         &mut self,
         setup: &Setup<f64>,
@@ -371,7 +374,7 @@ impl Design {
         });
     }
 
-    /// Limits the mass to its initial value if the mass varies and the user gave no limit on a
+    /// Limits the mass of the head to its initial value if the mass varies and the user limits no
     /// mass.
     fn budget(&mut self, setup: &Setup<f64>) {
         let is_mass =

@@ -17,7 +17,7 @@ pub struct GolfRule {
     pub limit: &'static str,
     /// Tolerance of the test, if any.
     pub tolerance: Option<&'static str>,
-    /// Change of the limit for which the multiplier is stated.
+    /// Change of the limit, with unit. Reports state the effect of this change on the goal.
     pub step: &'static str,
     /// Source.
     pub source: &'static str,
@@ -32,7 +32,7 @@ pub enum LimitedQuantity {
     Parameter(&'static str),
     /// An outcome of the head.
     Outcome(Outcome),
-    /// A user's relation with this name, for a quantity without parameter.
+    /// A quantity that no parameter has. A user may compute it by a relation with this name.
     Relation(&'static str, Quantity),
 }
 
@@ -143,7 +143,7 @@ impl GolfRule {
         }
     }
 
-    /// Reports whether a value conforms.
+    /// True if a value conforms to the rule with its tolerance.
     pub fn allows(&self, value: f64) -> bool {
         // allow for the rounding of a unit conversion
         let rounding = 1e-12 * self.bound().abs();
@@ -154,7 +154,7 @@ impl GolfRule {
         }
     }
 
-    /// The value that is nearest to breaking the rule, or breaks it most.
+    /// The largest value for a maximum, the smallest for a minimum; `None` without values.
     pub(super) fn worst(&self, values: impl IntoIterator<Item = f64>) -> Option<f64> {
         let values = values.into_iter();
         values.reduce(if self.is_greatest { f64::max } else { f64::min })
