@@ -198,7 +198,7 @@ enum Scope<'a> {
 struct Term {
     weight: f64,
     measure: Measure,
-    /// Kind of quantity of the weight times the measure; `None` for a kind without a name.
+    /// Quantity of the weight times the measure; `None` if no known quantity has its unit.
     quantity: Option<Quantity>,
     unit: &'static str,
 }

@@ -10,7 +10,7 @@ use crate::units::{DEGREE, RPM};
 /// Carry as a function of launch angle and backspin at constant ball speed.
 #[derive(Clone, Debug)]
 pub struct Launches {
-    /// The setup of the first drive. It states the launch of this drive in place of the impact.
+    /// The setup of the first drive, with the launch of this drive given in place of its impact.
     pub setup: Setup<f64>,
     /// The ball speed, m/s.
     pub ball_speed: f64,

@@ -26,7 +26,7 @@ const NO_GROUND: &str =
 pub(super) struct Reading {
     pub setup: Setup<f64>,
     pub columns: Vec<Column>,
-    /// Collects remarks on the columns.
+    /// Remarks on the columns.
     pub remarks: Vec<Message>,
     pub is_launched: bool,
     /// True for an export of a launch monitor.
@@ -129,7 +129,7 @@ pub(super) struct RowError {
     /// Column head of the faulty cell; `None` for an error of the whole row.
     pub column: Option<String>,
     pub why: String,
-    /// True if only a required value is missing and all other values are valid.
+    /// True for a missing value that every row needs, false for an invalid value.
     pub is_incomplete: bool,
 }
 
