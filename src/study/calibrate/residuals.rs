@@ -21,8 +21,8 @@ fn too_far(measurement: &Measurement, computed: f64) -> Error {
     let outcome = measurement.outcome;
     Error::Calibration {
         reason: format!(
-            "{} was measured as {} and is computed as {}, and the difference in units of the \
-             standard uncertainty {} is too large to be squared; correct the value or its sigma",
+            "{} was measured as {} and is computed as {}: the difference is more than {TOO_FAR:e} \
+             times the standard uncertainty {}; correct the value or its sigma",
             outcome.name(),
             outcome.show(measurement.value),
             outcome.show(computed),
