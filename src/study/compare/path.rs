@@ -310,6 +310,7 @@ fn take(setup: &mut Setup<f64>, from: &Setup<f64>, parameter: &Parameter) {
     let _ = setup.set_value(parameter, from.value(parameter));
 }
 
+/// Value of outcome `of` for the drive of a setup, SI.
 pub(super) fn value(setup: &Setup<f64>, of: Outcome) -> Result<f64> {
     Ok(evaluate(setup, &[of], &[], Order::Value)?
         .first()
