@@ -44,12 +44,11 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
     found
 }
 
-/// A chart with the data that all its plots show: the optimum for the setup, and the quantity on
-/// the horizontal axis.
+/// A chart with the data that all its plots share.
 struct ChartDrawing<'a> {
     chart: &'a Chart,
     /// The value of the chart's parameter in the setup, with the optimum at this value. `None` if
-    /// the chart does not contain this value, or without an optimum.
+    /// the chart does not contain the value, or if there is no optimum.
     own: Option<(f64, &'a Optimum)>,
     system: System,
     along: NamedQuantity,
@@ -66,7 +65,6 @@ impl<'a> ChartDrawing<'a> {
         }
     }
 
-    /// The plot of the optimal value.
     fn value(&self, of: Outcome) -> Figure {
         let quantity = NamedQuantity::outcome(of);
         let title = format!("Best {} against {}", quantity.label, self.along.label);
@@ -115,9 +113,9 @@ impl<'a> ChartDrawing<'a> {
         }
     }
 
-    /// Adds the optima to a plot of `value`: a line, a mark of the optimum for the setup with its
-    /// value as text, and numbered marks of the points where a bound or constraint becomes active
-    /// or inactive. The note explains the numbers.
+    /// Adds the optima to a plot of `value`: a line, a labelled mark of the optimum for the setup,
+    /// and numbered marks where a bound or constraint becomes active or inactive. The note explains
+    /// the numbers.
     fn with_optima(
         &self,
         figure: Figure,

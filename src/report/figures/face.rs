@@ -75,9 +75,9 @@ pub(super) fn marks(face: &Face, hue: Hue) -> impl Iterator<Item = Layer> {
         .chain((!face.is_struck_sweetly()).then(|| mark("strike", hue, face.strike)))
 }
 
-/// Arrows for the tilts of the spin axis relative to the strike that [`reference()`] names. The
-/// tilt `largest` has the longest arrow. In the view from the front, right of the target line is on
-/// the left.
+/// Arrows for the tilts of the spin axis relative to the strike that [`reference()`] names. A tilt
+/// of size `largest` has the length `LONGEST_ARROW`. In the view from the front, right of the
+/// target line is on the left.
 pub(super) fn tilt_arrows(face: &Face, name: String, largest: f64) -> Layer {
     let arrow = |(at, tilt): &([f64; 2], f64)| {
         let [x, y] = seen(face, *at);

@@ -85,12 +85,12 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     figure.noted(notes.join(" "))
 }
 
-/// Ranges of the coordinates of `layers`, with margins. The first range, to the right, is symmetric
-/// about the target line and at least as wide as the fairway; the second range is downrange.
+/// Ranges of the coordinates of `layers`, with margins. The first range, right of the target line,
+/// is symmetric and at least as wide as the fairway. The second range is downrange.
 fn extents(layers: &[Layer]) -> [[f64; 2]; 2] {
     let points = || layers.iter().flat_map(Layer::points);
     let widest = points().map(|[x, _]| x.abs()).fold(0.5 * FAIRWAY, f64::max);
-    // a single point gets a margin too
+    // widens a range of at most 1 m, such as that of a single point
     let around = |[low, high]: [f64; 2]| {
         if high - low > 1.0 {
             [low, high]
@@ -136,7 +136,7 @@ fn drawn(mut figure: Figure, layers: &[Layer], system: System) -> Figure {
     figure
 }
 
-/// Arcs of equal distance from the tee at round distances, with their labels.
+/// Labelled arcs around the tee at round distances.
 fn arcs([x, y]: [[f64; 2]; 2], system: System) -> Vec<Layer> {
     let unit = system.unit("yd");
     let size = DisplayUnit::from(Outcome::Carry).size_in(system);
@@ -198,7 +198,7 @@ fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
         });
     }
     if let Some(rest) = landing.rest {
-        // only the first roll-out has a name in the legend
+        // the legend shows "run" once: it omits "run (…)" (see `legend::base_name`)
         layers.push(Layer::Line {
             name: if i == 0 {
                 "run".into()
@@ -224,7 +224,6 @@ fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
     layers
 }
 
-/// Points around an ellipse.
 fn outline(ellipse: &LandingEllipse) -> Vec<[f64; 2]> {
     let [long, short] = ellipse.half_axes;
     let centre = [ellipse.centre.lateral, ellipse.centre.carry];
@@ -235,7 +234,6 @@ fn outline(ellipse: &LandingEllipse) -> Vec<[f64; 2]> {
     (0..=AROUND).map(point).collect()
 }
 
-/// A description of a drive's landing.
 fn note_of(landing: &Landing, system: System) -> String {
     let [lateral, carry] = landing.at;
     let total = landing.rest.map_or(String::new(), |rest| {

@@ -35,8 +35,8 @@ const REYNOLDS: [f64; 2] = [4e4, 2.4e5];
 /// Number of segments of a curve.
 const STEPS: usize = 240;
 
-/// Tolerance for measured points, relative. A point is drawn if its Reynolds number (in a plot over
-/// the spin ratio) or spin ratio (over the Reynolds number) is this close to the plot's constant.
+/// Relative tolerance for measured points. A point is drawn if its value of the constant variable
+/// is this close to the constant, or is not stated.
 const NEAR: f64 = 0.1;
 
 /// A measured point. Spin ratio or Reynolds number is `None` if the source does not state it, for
@@ -52,11 +52,11 @@ struct MeasuredCoefficients {
 /// outside of the widened range are not drawn.
 const COEFFICIENTS: [f64; 2] = [0.0, 0.5];
 
-/// Laws of drag and lift as curves with measured points. The law of the setup has a colour, the
-/// others are grey. A curve is solid in the fitted range, and dashed elsewhere or if the range is
-/// unknown. A law that depends on the speed or the spin, and not only on Reynolds number and spin
-/// ratio, is drawn for the ball and the air of `setup`. `constant` is the value of the variable
-/// that is not on the axis: the Reynolds number or the spin ratio.
+/// Laws of drag and lift as curves with measured points. The law of the setup has a colour; the
+/// others are grey. A curve is solid in the fitted range. It is dashed elsewhere, and if the range
+/// is unknown. A law that also depends on the speed or the spin is drawn for the ball and the air
+/// of `setup`. `constant` is the value of the variable that is not on the axis: the Reynolds number
+/// or the spin ratio.
 pub fn laws_figure(
     laws: &[Law<f64>],
     setup: &Setup<f64>,
@@ -165,7 +165,6 @@ impl LawPlot {
         }
     }
 
-    /// A figure without layers.
     fn empty(&self) -> Figure {
         let (symbol, words) = match self.of {
             Coefficient::Drag => ("C_D", "Drag"),
@@ -214,8 +213,7 @@ impl LawPlot {
         layers
     }
 
-    /// The measured points of the law's source at which the variable that is not on the axis is
-    /// near its constant value.
+    /// The points of [`measured`] near the constant of the plot (see [`NEAR`]).
     fn measured_points(&self, law: &Law<f64>) -> Vec<[f64; 2]> {
         let [low, high] = self.range;
         let which = self.of as usize;
@@ -242,7 +240,7 @@ impl LawPlot {
         let (within, beyond) = (pieces(&points, true), pieces(&points, false));
         let [first, last] = self.range.map(|at| self.stream(at).variables());
         let range = std::array::from_fn(|variable| [first[variable], last[variable]]);
-        // a law without a solid line has its plain name in the legend
+        // without a solid line, the dashed line has the plain name of the law
         let suffix = if within.is_empty() {
             String::new()
         } else {
@@ -303,7 +301,8 @@ fn pieces(curve: &[([f64; 2], bool)], within: bool) -> Vec<[f64; 2]> {
     points
 }
 
-/// The published points to which a law was fitted.
+/// The published points to which a law was fitted, or the nodes of a user's table. Empty for a law
+/// whose points are not in `tests/data`.
 fn measured(
     law: &Law<f64>,
     fitted: &Fitted,
@@ -355,7 +354,6 @@ fn measured(
     }
 }
 
-/// The nodes of a user's table.
 fn tabulated(table: &LawTable, per_speed: f64, radius: f64) -> Vec<MeasuredCoefficients> {
     let has = |variable: AxisVariable| table.axes().any(|axis| axis.variable == variable);
     let node = |[speed, spin, drag, lift]: &[f64; 4]| {
@@ -383,7 +381,8 @@ fn tabulated(table: &LawTable, per_speed: f64, radius: f64) -> Vec<MeasuredCoeff
     table.nodes.iter().map(node).collect()
 }
 
-/// The rows of a table of numbers without its head. Cells after the fourth are ignored.
+/// The rows of a table of numbers without its head. Cells after the fourth are ignored; rows with
+/// an empty cell before are left out.
 fn rows(table: &str) -> impl Iterator<Item = [f64; 4]> + '_ {
     cells(table).filter_map(|[a, b, c, d]| Some([a?, b?, c?, d?]))
 }

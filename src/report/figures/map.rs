@@ -8,7 +8,7 @@ use crate::units::System;
 /// Length of the longest arrow, relative to the map's width.
 const LONGEST_ARROW: f64 = 0.1;
 
-/// Additions to a map of an outcome.
+/// The setup, constraints, optimum and region to show on a map of an outcome.
 #[derive(Clone, Copy, Debug)]
 pub struct OnMap<'a> {
     /// The drive as set up.
@@ -55,7 +55,7 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     figure.noted(note)
 }
 
-/// The name of the region of drives that lose little.
+/// The name of the region of little loss: "at most 1.00 yd lost".
 fn at_most_lost(map: &Map, region: &Region, system: System) -> String {
     format!(
         "at most {} lost",
@@ -98,7 +98,7 @@ fn marks(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> Vec<Layer> {
         .collect()
 }
 
-/// The sentences below the map with these layers.
+/// The sentences below the map; `layers` are the layers of the map.
 fn note(map: &Map, on: &OnMap<'_>, layers: &[Layer], system: System) -> String {
     let has = |name: &str| layers.iter().any(|layer| layer.named().0 == name);
     let mut notes = vec!["The edges of the map are the bounds.".to_owned()];
@@ -228,7 +228,8 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
             layers.push(hatched(field.above(constraint.high)));
         }
         layers.retain(|layer| !matches!(layer, Layer::Region { rings, .. } if rings.is_empty()));
-        // the picture shows the name on the line; only the data have the name of the region
+        // the picture names the line of the constraint; only the data file has the name of the
+        // region
     }
     let mut ends: Vec<f64> = [constraint.low, constraint.high]
         .into_iter()
@@ -288,7 +289,6 @@ fn region_layers(region: &Region, name: &str) -> Vec<Layer> {
     }]
 }
 
-/// A map as a field of a plot.
 fn field_of_map(map: &Map) -> Field {
     field(&map.plane, 0, NamedQuantity::outcome(map.of))
 }

@@ -76,7 +76,6 @@ fn slope(found: &Pareto, point: &ParetoPoint, system: System) -> Option<String> 
     Some(shown::ratio(first, second, point.slope?, system, 3))
 }
 
-/// The tangent at the knee.
 fn tangent(found: &Pareto, system: System) -> Option<Layer> {
     let knee = knee(found)?;
     let steepness = knee.slope?;
@@ -93,7 +92,7 @@ fn tangent(found: &Pareto, system: System) -> Option<Layer> {
     })
 }
 
-/// The slopes beside the ends and at the knee; the reason if there is no knee; the reason if the
+/// The slopes next to the ends and at the knee, then the reasons if there is no knee or if the
 /// front is not complete.
 fn note(found: &Pareto, system: System) -> String {
     let [first, second] = found

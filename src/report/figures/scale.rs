@@ -11,7 +11,7 @@ pub(super) enum Grows {
     Up,
 }
 
-/// A range with margins, as fractions of its size.
+/// A range with margins; `below` and `above` are fractions of its width.
 pub(super) fn with_margin([low, high]: [f64; 2], below: f64, above: f64) -> [f64; 2] {
     let size = high - low;
     [low - below * size, high + above * size]

@@ -68,7 +68,7 @@ fn view(face: &Face, of: Outcome, field: Field) -> Figure {
     figure
 }
 
-/// The values of an outcome over the face, seen from the front.
+/// The values of an outcome over the face, seen from the front, at every `THINNED`th node.
 fn over_face(face: &Face, of: usize, outcome: Outcome) -> Field {
     let whole = field(&face.plane, of, NamedQuantity::outcome(outcome));
     let is_turned = seen(face, [1.0, 0.0])[0] < 0.0;

@@ -24,7 +24,7 @@ pub enum Causes {
 }
 
 impl Causes {
-    /// The causes in a report, each in its own plot, because their scales differ.
+    /// The causes in a report. Each has its own plot, because the scales differ.
     pub const APART: [Self; 2] = [Self::Control, Self::Model];
 
     /// True if a parameter is one of these causes.
@@ -88,7 +88,7 @@ pub fn tornado_figure(
     ranked.sort_by(|a, b| size(b).total_cmp(&size(a)));
     let longest = ranked.first().map(size).filter(|longest| *longest > 0.0)?;
     let quantity = NamedQuantity::outcome(effects.of);
-    // bars that are long enough to be visible
+    // bars that are long enough to be visible, at most `MOST`
     let seen = ranked
         .iter()
         .take_while(|effect| size(effect) > SMALL * longest)
@@ -129,7 +129,7 @@ pub fn tornado_figure(
     Some(figure.noted(note(effects, causes, at, &ranked, &folded, system)))
 }
 
-/// The names of the rows: the ranked causes, and one row for all others together.
+/// The names of the rows: the ranked causes, then one row for all smaller causes together.
 fn row_names(
     effects: &Effects,
     ranked: &[study::SigmaEffect],

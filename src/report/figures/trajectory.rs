@@ -90,7 +90,6 @@ pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Re
 }
 
 impl View {
-    /// The name of the figure.
     fn name(self) -> &'static str {
         match self {
             Self::Side => "trajectory-side",
@@ -98,7 +97,7 @@ impl View {
         }
     }
 
-    /// The horizontal and vertical coordinate of a position.
+    /// The coordinates of a position in this view: horizontal, then vertical.
     fn seen(self, at: Vector<f64>) -> [f64; 2] {
         match self {
             Self::Side => [at.z, at.x],
@@ -106,7 +105,6 @@ impl View {
         }
     }
 
-    /// The note about the scale.
     fn note(self) -> &'static str {
         match self {
             Self::Side => "True scale: heights are drawn as large as distances.",
@@ -125,7 +123,6 @@ impl View {
     }
 }
 
-/// The path of a flight.
 fn path(one: &NamedDrive, view: View) -> Vec<[f64; 2]> {
     let points = one.path.points.iter();
     points.map(|point| view.seen(point.position)).collect()
@@ -245,7 +242,7 @@ fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) 
     )
 }
 
-/// The marks of a drive with their values.
+/// Marks of the apex and the landing, labelled with their values.
 fn marks(flown: &NamedDrive, i: usize, view: View, system: System) -> Vec<Layer> {
     let (hue, _) = style(&flown.name, i);
     let value = |of: Outcome| of.value(&flown.drive);
@@ -293,7 +290,7 @@ fn marks(flown: &NamedDrive, i: usize, view: View, system: System) -> Vec<Layer>
 }
 
 /// A view of the paths with the vertical axis stretched; `None` if the stretch factor is at most
-/// `CLEARLY`.
+/// [`CLEARLY`].
 fn stretched(figure: &Figure, lines: &[Layer], y: [f64; 2], view: View) -> Option<Figure> {
     let [left, right] = figure.x.range?;
     let [low, high] = y;

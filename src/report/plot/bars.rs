@@ -76,7 +76,6 @@ impl BarRows {
         })
     }
 
-    /// The height of each row.
     fn height(&self) -> f64 {
         ROW + self.names_height
     }

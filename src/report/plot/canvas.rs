@@ -145,7 +145,7 @@ fn pixels(pixels: f64) -> f64 {
     (10.0 * pixels).round() / 10.0
 }
 
-/// Points as an attribute.
+/// Points in the syntax of an SVG attribute: "x,y x,y".
 fn list(points: &[[f64; 2]]) -> String {
     let points: Vec<String> = points
         .iter()

@@ -13,8 +13,8 @@ pub(super) struct ContourRegion {
     pub level: f64,
     /// The rank of the level as a fraction: 0 for the lowest region, 1 for the highest level.
     pub rank: f64,
-    /// The outlines in the coordinates of the axes, SI. A line without width connects a hole with
-    /// its outline.
+    /// The outlines in the coordinates of the axes, SI. Each outline includes the holes of its
+    /// area, joined to it by lines without width.
     pub outlines: Vec<Vec<[f64; 2]>>,
     /// The contour lines: the outlines without their parts along the edge of the map.
     pub lines: Vec<Vec<[f64; 2]>>,
@@ -28,8 +28,8 @@ impl Field {
         pieces.join(&[f64::NAN; 2])
     }
 
-    /// Outlines of the region at or above a value, SI. A line without width connects a hole with
-    /// its outline.
+    /// Outlines of the region at or above a value, SI. Each outline includes the holes of its area,
+    /// joined to it by lines without width.
     pub fn above(&self, level: f64) -> Vec<Vec<[f64; 2]>> {
         self.beyond(level, 1.0)
     }
@@ -200,10 +200,9 @@ struct LevelInterval {
     is_outermost: bool,
 }
 
-/// The range of levels to refine. It begins as the interval with the largest share of the map, and
-/// grows by one neighbour at a time, the larger neighbour first, while `fits` accepts the number of
-/// lines. The first neighbour may have any share; a later one is outermost or has a share above
-/// `LARGE`.
+/// The range of levels to refine. It begins as the interval with the largest share of the map. It
+/// grows by one neighbour at a time, the larger one first, while `fits` accepts the new ends. The
+/// first neighbour may have any share; a later one is outermost or has a share above `LARGE`.
 ///
 /// `None` in three cases: the largest share is below `dense`; `fits` rejects the first interval; or
 /// the first interval cannot grow and is not outermost.
@@ -244,8 +243,8 @@ const FIRST_LINES: f64 = 8.0;
 /// Share of the map above which a neighbouring interval gets finer levels too. It is also a minimum
 /// share of the first interval.
 const LARGE: f64 = 0.12;
-/// Minimum share of the map that the first interval to refine covers, relative to the average share
-/// of all intervals.
+/// The first interval to refine covers at least this multiple of the average share of all
+/// intervals.
 const DENSE: f64 = 1.5;
 /// Maximum number of lines after refinement.
 const LINES: usize = 14;

@@ -4,12 +4,11 @@ use crate::error::Result;
 use crate::report::csv_text::csv_text;
 use crate::units::TableUnits;
 
-/// A row of the data.
 struct CsvRow<'a> {
     kind: &'static str,
     name: String,
-    /// x and y of a point, then x and y of the other end of a bar or an arrow. A band at x has its
-    /// low y, then its high y.
+    /// x and y of a point, then x and y of the other end of a bar or an arrow. For a band: x, low
+    /// y, nothing, high y.
     numbers: [Option<f64>; 4],
     /// The value at a node of a field. The field determines the column.
     value: Option<(&'a Field, f64)>,

@@ -188,7 +188,7 @@ pub enum Layer {
         hue: Hue,
         /// True for a forbidden region, which is hatched; other regions are tinted and outlined.
         is_hatched: bool,
-        /// The outlines. A line without width connects a hole with its outline.
+        /// The outlines. Each includes the holes of its area, joined to it by lines without width.
         rings: Vec<Vec<[f64; 2]>>,
     },
 }

@@ -38,7 +38,7 @@ impl Refined {
         }
         let times = INTERVALS.div_ceil(columns.max(rows) - 1);
         let [across, up] = slopes(field, &values);
-        // first along the rows: the values, and the derivatives up the columns; then the values
+        // first interpolate the values and the derivatives in y along the rows, then the values
         // along the columns, with these derivatives
         let by_row = |nodes: &[f64], slopes: &[f64]| -> Vec<f64> {
             let rows = nodes.chunks(columns).zip(slopes.chunks(columns));
@@ -145,8 +145,7 @@ fn continued(field: &Field) -> Vec<f64> {
         let before = values.clone();
         for i in (0..values.len()).filter(|i| before[*i].is_none()) {
             let (column, row) = (i % columns, i / columns);
-            // extrapolate linearly from the two nearest nodes on each side, so that lines do not
-            // bend before they end
+            // extrapolate linearly from the two nearest nodes on each side
             let reach = [column, columns - 1 - column, row, rows - 1 - row];
             let node = |side: usize, n: usize| {
                 [

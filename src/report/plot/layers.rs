@@ -9,8 +9,8 @@ use super::simplify::simplified;
 use super::ticks::DrawnAxis;
 use crate::units::{System, significant, with_unit};
 
-/// Distance of the first cross bar of a series along its line, pixels: the middle of the legend's
-/// symbol.
+/// Distance of a series' first cross bar from the start of its line, pixels: the middle of the
+/// legend's symbol.
 const FIRST_BARS: f64 = 0.5 * SIGN;
 /// Distance between cross bars, pixels.
 const BARS_APART: f64 = 32.0;
@@ -108,7 +108,7 @@ pub(super) fn draw_layer(
         // other functions draw bars with the names of their rows, marks with their labels, and
         // texts
         Layer::Bars { .. } | Layer::Mark { .. } | Layer::Text { .. } => {}
-        // arrows are drawn after the labels, which have precedence
+        // the arrows of a field are drawn after the labels, which have precedence
         Layer::Arrows { name, .. } if !name.is_empty() => {}
         Layer::Arrows { arrows, .. } => {
             for [from, to] in pixels(area, arrows) {
@@ -124,7 +124,7 @@ pub(super) fn draw_layer(
     }
 }
 
-/// The arrows of a field, except those that a label or mark would partly cover.
+/// Draws the arrows of fields, except those that a label or mark would partly cover.
 pub(super) fn field_arrows(labels: &mut Labels<'_>, area: &PlotArea, figure: &Figure) {
     for layer in &figure.layers {
         let Layer::Arrows { name, hue, arrows } = layer else {

@@ -28,8 +28,8 @@ const OVER_COST: usize = 6;
 /// Maximum distance of marks that are drawn as one mark, pixels.
 const SAME: f64 = 4.0;
 
-/// A label without a line to its mark is farther from every other mark than from its own mark, by
-/// more than this distance, pixels.
+/// Every other mark is farther from a label than the label's own mark, by more than this distance,
+/// pixels. A label with a line to its mark is exempt.
 const CLEAR: f64 = 2.0;
 
 /// Distance of a label from its mark above which a line connects the two, pixels.
@@ -213,8 +213,8 @@ fn lines(area: &PlotArea, figure: &Figure) -> Vec<[f64; 2]> {
     places
 }
 
-/// The middle of a label in the free position beside, above or below its mark that has the lowest
-/// cost. The points of lines under the label and the distance from the mark add to the cost. `None`
+/// The middle of a label at the free position with the lowest cost: beside, above or below its
+/// mark. The points of lines under the label and the distance from the mark add to the cost. `None`
 /// if no free position clearly belongs to this mark.
 fn beside(
     labels: &Labels<'_>,
@@ -232,7 +232,8 @@ fn beside(
     };
     let inside = at[0].min(right - wide).max(left + wide);
     let over = |gap: f64| [-1.0, 1.0].map(|side| [inside, at[1] + side * (tall + gap)]);
-    // positions away from the mark cost more, because they are less clear
+    // positions away from the mark cost more, because the reader sees less well which mark they
+    // name
     let all = beside(GAP).map(|middle| (middle, 0));
     let all = all.chain(over(GAP).map(|middle| (middle, OVER_COST)));
     let far = FAR_GAPS.into_iter().zip(FAR_COSTS);
@@ -254,7 +255,7 @@ fn beside(
         let mut others = others.iter();
         others.all(|other| distance(other.at, extent) > least)
     };
-    // the first position of the lowest cost, among the positions with room and clear of other marks
+    // the first position with the lowest cost, among those with room and clear of other marks
     all.filter(|(middle, _)| has_room(labels, area, name, *middle, 0.0) && is_clear(middle))
         .min_by_key(|(middle, cost)| 2 * hidden(middle) + cost)
         .map(|(middle, _)| middle)
