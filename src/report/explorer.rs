@@ -45,7 +45,6 @@ pub fn explorer_state(setup: &Setup<f64>, preset: &Preset, system: System) -> Re
     Ok(format!("{VERSION}&{}{}", preset.name, parts.concat()))
 }
 
-/// The choices that differ from the choices of the preset.
 fn changed_choices(
     setup: &Setup<f64>,
     base: &Setup<f64>,
@@ -71,14 +70,13 @@ fn changed_choices(
     .map(|(name, own, _)| (name, own.to_owned()))
 }
 
-/// The numbers that differ from the numbers of the preset.
 fn changed_numbers(
     setup: &Setup<f64>,
     mut base: Setup<f64>,
     system: System,
 ) -> Result<impl Iterator<Item = (&'static str, String)>> {
     let states_step = setup.states_step && !base.states_step;
-    // the coefficients of another law are compared with the published coefficients
+    // if the law differs from the preset's, compare with the published coefficients of the law
     base.set_law(setup.law.name())?;
     // the program refuses parameters of the strike if the launch is stated
     let is_used = |row: &Parameter| {

@@ -15,7 +15,7 @@ pub(super) fn components(vector: Vector<f64>) -> [JsonNumber; 3] {
     vector.to_array().map(JsonNumber::from)
 }
 
-/// Values by name, in order: a JSON object.
+/// Values by name: a JSON object whose members have this order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ByName<V>(pub Vec<(Cow<'static, str>, V)>);
 
@@ -117,7 +117,6 @@ pub enum Setting {
 )))]
 pub struct Settings(ByName<Setting>);
 
-/// The schemas of the choices.
 #[cfg(test)]
 fn choices() -> serde_json::Value {
     use crate::parameters::{Golfer, Method, SpeedOf};
@@ -131,8 +130,8 @@ fn choices() -> serde_json::Value {
     })
 }
 
-/// Every parameter and choice of a setup. Density, viscosity and wind components are those of the
-/// drive, also where the setup states weather or a wind direction.
+/// Every parameter and choice of a setup. If the setup states weather or a wind direction, the
+/// density, viscosity and wind components are those computed from it.
 pub(super) fn settings(setup: &Setup<f64>) -> Settings {
     let setup = &in_effect(setup);
     let choice = |name: &str| Setting::Choice(name.to_owned());

@@ -5,8 +5,8 @@ use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
 /// Spaces before a line of a list.
 pub(super) const INDENT: usize = 2;
 
-/// Reasons for omissions, each reason once with all its names: "gravity, air.density: the reason".
-/// The reasons are in the order of their first occurrence.
+/// Reasons for omissions. Names with the same reason share a text: "gravity, air.density: the
+/// reason". The texts are in the order in which the reasons first occur.
 pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Vec<String> {
     let mut all: Vec<(String, String)> = vec![];
     for (name, reason) in reasons {
@@ -40,9 +40,9 @@ pub fn remark(text: &str, width: usize) -> String {
         .join("\n")
 }
 
-/// Wraps a text to `most` columns; the first line is indented by `first`, the others by `by`. A
-/// word that is too wide stays whole, because it may be a file name. The result ends with a line
-/// break.
+/// Wraps each line of a text to `most` columns. `first` is the indent of its first line in the
+/// result, `by` that of the following lines. A word that is too wide stays whole, because it may be
+/// a file name. The result ends with a line break.
 pub fn wrapped(text: &str, [first, by]: [usize; 2], most: usize) -> String {
     let [first, by] = [first, by].map(|columns| " ".repeat(columns));
     let options = Options::new(most)

@@ -59,7 +59,7 @@ pub struct Ending {
 }
 
 impl Ending {
-    /// Everything was found.
+    /// The status `done`, without a message.
     pub const DONE: Self = Self {
         status: "done",
         message: None,
@@ -77,8 +77,8 @@ impl Ending {
         "undefined",
     ];
 
-    /// The status of several outcomes; `errors` has the error of each outcome, or `None` for an
-    /// outcome with a result.
+    /// The status of several outcomes. `errors` has an item for each outcome: its error, or `None`
+    /// if the outcome has a result.
     pub(super) fn of_each<'a>(errors: impl Iterator<Item = Option<&'a Error>>) -> Self {
         let errors: Vec<Option<&Error>> = errors.collect();
         let all = errors.len();
@@ -133,7 +133,7 @@ impl<T> Reply<T> {
         }
     }
 
-    /// Names the setup that the answer is about, and its held parameters.
+    /// Sets `from` and `held`: the name of the setup, and its held parameters.
     #[must_use]
     pub fn about(self, origin: &SetupOrigin) -> Self {
         let held = origin.held.iter();
@@ -179,7 +179,7 @@ impl Reply<Empty> {
     }
 }
 
-/// `done`, `partial` or `no-answer`, by the number of requests with an answer.
+/// `done` if all requests have an answer, `no-answer` if none has one, otherwise `partial`.
 pub(super) fn share(found: usize, requested: usize) -> &'static str {
     match found {
         _ if found == requested => "done",

@@ -6,8 +6,9 @@ use maud::{Markup, html};
 
 /// A document as a self-contained HTML page, with the pictures and data of its figures as separate
 /// files. Returns all files, `index.html` first. `documents` is the document in each system of
-/// [`System::ALL`]; the reader can switch between the systems. The page opens in the units of
-/// `system`. Data files have numbers in SI, and names of layers in the units of `system`.
+/// [`System::ALL`]. The reader can switch between the systems; the page opens in the units of
+/// `system`. Numbers in data files are in SI; values within names of layers are in the units of
+/// `system`.
 ///
 /// # Errors
 /// The errors of [`figure_svg`](crate::report::plot::figure_svg) and
@@ -57,7 +58,8 @@ struct Parts<'a> {
 }
 
 impl Parts<'_> {
-    /// Converts a block, given in both systems of units, or consecutive figures.
+    /// Converts one block or several consecutive figures. Each block is given in both systems of
+    /// units.
     fn part(&mut self, blocks: &[(&DocumentBlock, &DocumentBlock)]) -> Result<Markup> {
         Ok(match blocks {
             [

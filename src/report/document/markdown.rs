@@ -66,7 +66,6 @@ fn table(found: &DocumentTable) -> String {
     caption + &line(&found.head) + &rule + &rows.collect::<String>() + &notes
 }
 
-/// A text with Markdown's special characters escaped.
 fn escaped(text: &str) -> String {
     let special = ['\\', '|', '*', '_', '`', '<', '>', '#', '[', ']', '&'];
     text.chars()

@@ -22,19 +22,19 @@ pub struct Document {
     parts: Vec<DetailedBlock>,
 }
 
-/// A block with its detail. Pages show all blocks.
+/// A block, and the plain texts that contain it. Pages show all blocks.
 #[derive(Clone, Debug)]
 struct DetailedBlock {
     block: DocumentBlock,
     detail: Detail,
 }
 
-/// The plain texts that show a block.
+/// The plain texts that contain a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Detail {
     /// Every text.
     Answer,
-    /// Texts with the option `all`. A text for a screen omits the block.
+    /// Texts with the option `all`.
     Rest,
     /// Texts with the option `verbose`, which have details of the computation.
     Computation,
@@ -103,7 +103,7 @@ impl Document {
         self.push(DocumentBlock::Figure(Box::new(figure)));
     }
 
-    /// Adds the blocks of another document; its title becomes a heading.
+    /// Adds the title of another document as a heading, then its blocks.
     pub fn append(&mut self, other: Self) {
         if !other.title.is_empty() {
             self.push(DocumentBlock::Heading(other.title));
@@ -111,7 +111,7 @@ impl Document {
         self.parts.extend(other.parts);
     }
 
-    /// Adds the blocks of another document with this detail.
+    /// Appends another document and sets the detail of its blocks.
     pub(super) fn append_detail(&mut self, other: Self, detail: Detail) {
         let before = self.parts.len();
         self.append(other);
@@ -137,7 +137,7 @@ impl Document {
         self.parts.insert(0, part);
     }
 
-    /// Changes each text of the document, apart from the figures.
+    /// Replaces each text by `write(text)`, except the texts of figures.
     #[must_use]
     pub fn map_texts(mut self, write: impl Fn(&str) -> String) -> Self {
         let change = |text: &mut String| *text = write(text);

@@ -14,7 +14,7 @@ pub struct DocumentTable {
     pub(super) row_notes: Vec<String>,
     /// Lines directly below the table.
     pub(super) remarks: Vec<Line>,
-    /// Number of rows that a text for a screen shows.
+    /// Number of rows in a plain text without the option `all`.
     pub(super) first_rows: usize,
 }
 
@@ -62,7 +62,7 @@ impl DocumentTable {
         }
     }
 
-    /// Limits the number of rows that a text for a screen shows.
+    /// Limits the number of rows in a plain text without the option `all`.
     #[must_use]
     pub fn with_first_rows(self, first_rows: usize) -> Self {
         Self { first_rows, ..self }
@@ -84,7 +84,7 @@ impl DocumentTable {
         self.remarks.push(line);
     }
 
-    /// The heads, cells, caption, notes and remarks, to be changed.
+    /// The heads, cells, caption, row notes and remarks, as mutable texts.
     pub(super) fn texts(&mut self) -> impl Iterator<Item = &mut String> {
         let remarks = self.remarks.iter_mut().map(|line| &mut line.text);
         self.head
@@ -95,7 +95,7 @@ impl DocumentTable {
             .chain(remarks)
     }
 
-    /// The notes and remarks of the table, without the caption.
+    /// The row notes, then the remarks.
     pub(super) fn notes(&self) -> impl Iterator<Item = &str> {
         let remarks = self.remarks.iter().map(|line| line.text.as_str());
         self.row_notes.iter().map(String::as_str).chain(remarks)

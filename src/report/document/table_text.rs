@@ -22,7 +22,7 @@ impl DocumentTable {
             self.first_rows
         };
         let rows = &self.rows[..self.rows.len().min(first)];
-        // a row with a note stays on one line
+        // rows with notes are not wrapped: below, each must be a single line
         let most = if self.row_notes.is_empty() {
             width
         } else {
@@ -30,7 +30,7 @@ impl DocumentTable {
         };
         let mut text = self.columns(rows, most);
         if !self.row_notes.is_empty() {
-            // the first line has the column heads, each further line is a row
+            // the first line has the column heads, without a note
             let details = self.row_notes.iter();
             let details = details.map(|details| Indent::Note.lines(details, width));
             let details = std::iter::once(String::new()).chain(details);
@@ -57,9 +57,9 @@ impl DocumentTable {
         caption + &text + &left_out + &remarks.collect::<String>()
     }
 
-    /// The heads and cells in lines of at most `most` characters, without rules. In a table that is
-    /// too wide, a last column of text is wrapped. If this is not enough, the table continues below
-    /// with the remaining columns; the first column is repeated there.
+    /// The heads and cells in lines of at most `most` characters, without ruled lines. If the table
+    /// is too wide, a last column of text is wrapped. If it is still too wide, the remaining
+    /// columns follow below, with the first column repeated.
     fn columns(&self, rows: &[Vec<String>], most: usize) -> String {
         let all: Vec<usize> = (0..self.head.len()).collect();
         let widths: Vec<usize> = all.iter().map(|&column| self.width(rows, column)).collect();
@@ -92,7 +92,6 @@ impl DocumentTable {
         parts.join("\n")
     }
 
-    /// The width of a column.
     fn width(&self, rows: &[Vec<String>], column: usize) -> usize {
         let lines = rows
             .iter()
@@ -106,7 +105,7 @@ impl DocumentTable {
     }
 
     /// The heads and cells of some columns. With `narrowed`, the last column is wrapped so that the
-    /// table has this width.
+    /// table has this width, in characters.
     fn part(&self, rows: &[Vec<String>], columns: &[usize], narrowed: Option<usize>) -> String {
         let mut table = comfy_table::Table::new();
         table.load_style(presets::NOTHING);

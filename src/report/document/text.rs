@@ -4,8 +4,8 @@ use super::{Detail, Document, DocumentBlock};
 /// The width and the detail of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TextOptions {
-    /// The maximum width of the text, columns. A word, and a table that cannot be narrower, may be
-    /// wider.
+    /// The maximum width of the text, columns. A single word may be wider, and so may a table that
+    /// cannot be narrower.
     pub width: usize,
     /// True to include tables and rows for which a screen has no space.
     pub all: bool,
@@ -34,7 +34,7 @@ impl TextOptions {
     }
 }
 
-/// The line in place of the blocks that a text for a screen omits.
+/// The line in place of the blocks that only texts with the option `all` contain.
 const REST: &str = "the rest: `all`";
 
 impl Document {

@@ -32,8 +32,8 @@ pub(in crate::report) fn csv_name(figure: &Figure) -> String {
     format!("{}.csv", figure.name)
 }
 
-/// The files of plots: a picture in each system of units, and the data in SI. Units in the names of
-/// layers are those of `data_of`.
+/// The files of plots: a picture in each system of units, and the data in SI. Values within names
+/// of layers are in the units of `data_of`.
 ///
 /// # Errors
 /// The errors of [`figure_svg`] and [`figure_csv`].
@@ -91,7 +91,7 @@ pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>)
     })
 }
 
-/// The pictures of a plot, each as its CSS classes and its SVG. If the pictures of both systems are
+/// The pictures of a plot as pairs of CSS classes and SVG. If the pictures of both systems are
 /// equal, there is one for both.
 fn drawings(pair: &Pair) -> Result<Vec<(String, String)>> {
     let mut drawings = vec![];

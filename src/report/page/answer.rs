@@ -71,7 +71,6 @@ fn headline(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Marku
 fn tiles(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
     let of = findings.of;
     let [at_yours, at_best] = [findings.effects_of(of), findings.at_best.as_ref()];
-    // two significant digits: "7.4 yd"
     let two_digits = |size: f64, system: System| {
         let number = size / DisplayUnit::from(of).size_in(system);
         with_unit(&significant(number, 2), system.unit(of.unit()))
@@ -141,8 +140,8 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     }
     let unit = system.unit(parameter.unit);
     let is_corner = best.solution.kink.is_some_and(|kink| kink.variable == i);
-    // a corner needs the longer text; so does a parameter without unit, since a change by 1 is too
-    // large for it
+    // a corner needs the longer text; a parameter without a unit too, since 1 is a large change of
+    // it
     if is_corner || unit.is_empty() {
         return Some(bound_in_words(best, i, system));
     }

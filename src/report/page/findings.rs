@@ -86,7 +86,7 @@ pub struct Findings {
 }
 
 impl Findings {
-    /// The report of a setup, with empty sections.
+    /// Findings about a setup, with all sections empty.
     pub fn new(
         name: String,
         stated: Setup<f64>,

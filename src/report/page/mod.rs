@@ -55,7 +55,6 @@ pub fn report_documents(findings: &Findings) -> Result<Vec<TextFile>> {
     Ok(files)
 }
 
-/// The plots of the page.
 fn plots(findings: &Findings) -> Plots {
     let (mut drive, left_out) = trajectories(&findings.flown);
     if !findings.landings.is_empty() {
@@ -89,7 +88,6 @@ fn plots(findings: &Findings) -> Plots {
             .as_ref()
             .map(|chart| charts(findings, chart))
             .unwrap_or_default(),
-        // without effects there is no plot
         effects: findings
             .effects
             .iter()
@@ -184,7 +182,7 @@ struct Plots {
     /// The reason for each missing view of the drive, in metric and in US units.
     left_out: Vec<[String; 2]>,
     strike: Vec<Pair>,
-    /// Outcomes over the strike on the face.
+    /// Plots of outcomes by impact point on the face.
     strikes: Vec<Pair>,
     map: Vec<Pair>,
     chart: Vec<Pair>,

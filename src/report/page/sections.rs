@@ -122,7 +122,6 @@ fn window(vary: &Vary, window: &Window) -> Markup {
     }
 }
 
-/// The constraints with their multipliers.
 fn limits(best: &Optimum) -> Markup {
     let objective = Objective::at(best);
     let all = ConstraintAtEnd::all(best);
@@ -148,7 +147,7 @@ fn limits(best: &Optimum) -> Markup {
     }
 }
 
-/// The uncertainties that the bars show, with their sources.
+/// The standard uncertainties behind the tornado plots, with their sources.
 pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     let Some(first) = effects.first() else {
         return html! {};
