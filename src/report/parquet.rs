@@ -45,8 +45,8 @@ pub(super) enum Cells {
 }
 
 /// A table. Each row group is created as a separate file in memory. A file with many row groups
-/// consists of `MAGIC`, the bytes of the groups, and a [`foot`](Self::foot) made
-/// from their metadata. An interrupted file can therefore continue after any of its groups.
+/// consists of `MAGIC`, the bytes of the groups, and a [`foot`](Self::foot) made from the metadata
+/// of the groups. An interrupted file can therefore continue after any of its groups.
 pub(super) struct ParquetTable {
     schema: TypePtr,
     properties: WriterPropertiesPtr,
@@ -86,7 +86,8 @@ fn damaged(_: ParquetError) -> Error {
 pub(crate) const DEFINITION_KEY: &str = "longdrive";
 
 impl ParquetTable {
-    /// A table of these columns. The file stores `question` under the key [`DEFINITION_KEY`].
+    /// A table of these columns. `question` describes the request; the file stores it under the key
+    /// [`DEFINITION_KEY`].
     ///
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `columns`.
@@ -253,8 +254,8 @@ fn present<T>(cells: Vec<Option<T>>) -> (Vec<T>, Vec<i16>) {
     (cells.into_iter().flatten().collect(), levels)
 }
 
-/// The metadata at the end of a file. The first four of the last eight bytes state the length of
-/// the metadata.
+/// The metadata at the end of a file. Its length is the little-endian number in the first four of
+/// the last eight bytes.
 fn metadata_of(file: &[u8]) -> Vec<u8> {
     let end = file.len() - TAIL;
     let length = file[end..end + 4]

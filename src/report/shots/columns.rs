@@ -21,7 +21,6 @@ const CLUB: [(&str, Outcome); 4] = [
     ("Face Angle", Outcome::LaunchAngle),
 ];
 
-/// The measured outcomes of the flight.
 const MEASURED: [(&str, Outcome); 6] = [
     ("Carry", Outcome::CarryDistance),
     ("Carry Side", Outcome::Lateral),

@@ -121,7 +121,6 @@ fn push(bytes: &mut Vec<u8>, value: impl Serialize) {
     let _ = serde_json::to_writer(bytes, &value);
 }
 
-/// Appends an object.
 fn push_object<'a, V: Serialize>(bytes: &mut Vec<u8>, entries: impl Iterator<Item = (&'a str, V)>) {
     bytes.push(b'{');
     for (at, (name, value)) in entries.enumerate() {
@@ -135,7 +134,6 @@ fn push_object<'a, V: Serialize>(bytes: &mut Vec<u8>, entries: impl Iterator<Ite
     bytes.push(b'}');
 }
 
-/// Appends an object of numbers.
 fn push_numbers<'a>(bytes: &mut Vec<u8>, of: impl Iterator<Item = (&'a str, Option<f64>)>) {
     // the sum turns -0 into 0
     let numbers = of.map(|(name, value)| (name, value.map(|value| value + 0.0)));
@@ -248,7 +246,6 @@ impl Keys {
         push_object(bytes, origins);
     }
 
-    /// Appends the original row.
     fn own(&self, row: &str, is_unreadable: bool, bytes: &mut Vec<u8>) {
         match &self.cells {
             _ if is_unreadable => push(bytes, row),

@@ -43,7 +43,8 @@ enum ShotFormat {
 
 impl ShotWriter {
     /// The rows of the export, unchanged, with added columns for the predictions in the units of a
-    /// system. For shots that came as messages, the columns of a launch monitor.
+    /// system. Shots that came as messages have the columns of
+    /// [`launch_monitor`](Self::launch_monitor).
     pub fn csv(shots: &Shots, of: &[Outcome], system: System) -> Self {
         match shots.columns() {
             Some(columns) => Self {
@@ -100,7 +101,8 @@ impl ShotWriter {
         }
     }
 
-    /// A line for each row. In CSV, column heads precede the rows if a section of the table begins.
+    /// A line for each row. If a section of the table begins, CSV has the section's column heads
+    /// first.
     pub fn rows(&self, flown: &Flown) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(flown.rows() * 400);
         let format = self.of_section(flown.section.as_ref());

@@ -154,9 +154,9 @@ pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
     let _ = serde_json::to_writer(bytes, &message);
 }
 
-/// The answer to a message. A shot is answered by code 200 and its predictions in SI, a message
-/// without a shot by code 201 and the player, and any other message by code 501 and the reason. The
-/// answer ends with a line break.
+/// The answer to a message, ending with a line break. A shot gets code 200 and its predictions in
+/// SI. A message without a shot gets code 201 and the player. Any other message gets code 501 and
+/// the reason.
 pub fn open_connect_answer(flown: &Flown) -> Vec<u8> {
     let is_no_shot = flown
         .shots

@@ -9,10 +9,9 @@ use crate::report::parquet::{Cells, ColumnType, MAGIC, ParquetTable, PlacedGroup
 use crate::shots::{Club, Flown, Shots};
 use parquet::data_type::ByteArray;
 
-/// Number of rows in a row group.
+/// A row group is complete once it has at least this many rows.
 const ROWS: usize = 32 * CHUNK;
 
-/// The measured outcomes of the flight.
 const MEASURED: [Outcome; 8] = [
     Outcome::CarryDistance,
     Outcome::Lateral,
@@ -24,7 +23,6 @@ const MEASURED: [Outcome; 8] = [
     Outcome::LateralTotal,
 ];
 
-/// The source of a column.
 #[derive(Clone, Copy)]
 enum ColumnSource {
     Line,
@@ -53,8 +51,8 @@ pub struct ShotParquet {
 }
 
 impl ShotParquet {
-    /// The table of these shots with their predicted outcomes. A parameter that only a later section
-    /// of the shots states has no column.
+    /// The table of these shots with their predicted outcomes. A parameter that only a later
+    /// section of the shots states has no column.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow the columns.

@@ -244,7 +244,6 @@ impl Report for ShotsReport<'_> {
     }
 }
 
-/// The ball speeds of a band.
 fn speeds(band: &Band, system: System) -> String {
     let of = Outcome::BallSpeed;
     let unit = system.unit(of.unit());
@@ -281,7 +280,7 @@ impl ResidualFormat {
         format!("{} [{}]", of.name(), printed(self.unit))
     }
 
-    /// The number of a value; a dash without a value.
+    /// A value as a number in the unit; a dash without a value.
     fn number(&self, value: Option<f64>) -> String {
         value.map_or(shown::NONE.into(), |value| {
             fixed(value / self.size, self.decimals)

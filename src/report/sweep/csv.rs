@@ -14,7 +14,6 @@ pub struct SweepCsv {
     units: Vec<Option<ColumnUnit>>,
 }
 
-/// The unit of a column.
 #[derive(Clone, Copy, Debug)]
 enum ColumnUnit {
     /// A unit, with the zero of its scale.

@@ -19,7 +19,6 @@ pub use summary::summary_document;
 
 use crate::batch::{Batch, Block};
 
-/// The name of the status column.
 const STATUS: &str = "status";
 
 /// Number of parameters, outcomes and derivatives in a batch.
@@ -42,7 +41,6 @@ fn expect_columns(here: [usize; 3], block: &Block) {
     );
 }
 
-/// The names of the swept parameters.
 fn parameter_names(batch: &Batch) -> Vec<&'static str> {
     batch
         .parameters()

@@ -15,8 +15,8 @@ const MOST_BYTES: usize = 16 << 20;
 /// and the status as a string.
 ///
 /// Row groups are created one at a time. A file with many row groups consists of the
-/// [`head`](Self::head), the bytes of the groups, and a [`foot`](Self::foot) made from their
-/// metadata. An interrupted file can therefore continue after any of its groups.
+/// [`head`](Self::head), the bytes of the groups, and a [`foot`](Self::foot) made from the metadata
+/// of the groups. An interrupted file can therefore continue after any of its groups.
 pub struct SweepParquet {
     table: ParquetTable,
     /// Number of parameters, outcomes and derivatives.
@@ -98,7 +98,7 @@ impl SweepParquet {
         })
     }
 
-    /// A row group for the footer: its metadata, its offset `at` in the file, bytes, and its number
+    /// Gives the row group of this metadata a place in the file: byte offset `at`, and index
     /// `ordinal` among the row groups, from 0.
     ///
     /// # Errors

@@ -47,7 +47,7 @@ pub fn summary_document(summary: &Summary, system: System) -> Document {
     document
 }
 
-/// A value of a column. Derivatives are in SI.
+/// A value of an outcome in the units of `system`, or a derivative in SI.
 fn quantity(column: &str, value: f64, system: System) -> String {
     match Outcome::named(column) {
         Ok(of) => shown::outcome(of, value, system),
