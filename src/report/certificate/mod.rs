@@ -98,8 +98,8 @@ pub struct NegativeControl {
 }
 
 impl<'a> CertificateReport<'a> {
-    /// The report of a certificate. `loops` are the finite differences of the while-loop, for
-    /// comparison.
+    /// The report of a certificate. `loops` has, for comparison, the finite differences of the
+    /// carry that the MAE 494 report's while-loop computes.
     pub fn new(certificate: &'a Certificate, loops: &'a [LoopRow]) -> Self {
         Self {
             certificate,
@@ -126,7 +126,6 @@ impl Report for CertificateReport<'_> {
     #[cfg(test)]
     const STATUSES: &'static [&'static str] = &["passed", "failed", "interrupted"];
 
-    /// The status is `passed`, `failed` or `interrupted`.
     fn ending(&self) -> Ending {
         let certificate = self.certificate;
         let missing = by_reason(

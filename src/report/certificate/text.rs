@@ -58,7 +58,7 @@ pub(super) fn lines(certificate: &Certificate, loops: &[LoopRow], system: System
     lines
 }
 
-/// The verdict of the certificate.
+/// The verdict in a sentence, with the number of derivatives by verdict.
 pub(super) fn ending(certificate: &Certificate) -> String {
     let rows = &certificate.rows;
     let count = |verdict| rows.iter().filter(|row| row.verdict() == verdict).count();
@@ -76,8 +76,8 @@ pub(super) fn ending(certificate: &Certificate) -> String {
     }
 }
 
-/// The text about the jumps of an outcome, its gradient and its Hessian at a parameter value where
-/// the number of time steps changes.
+/// The jumps of an outcome, its gradient and its Hessian where the number of time steps changes, as
+/// text.
 fn continuity(found: &Continuity, system: System) -> String {
     let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
     let unit = system.unit(found.parameter.unit);
@@ -179,7 +179,7 @@ fn disagreement(row: &DerivativeRow) -> Option<String> {
 }
 
 /// The number of first derivatives that agree with num-dual, and the largest difference relative to
-/// its tolerance.
+/// its tolerance, as text. `None` without derivatives.
 fn agreement(rows: &[DerivativeRow]) -> Option<String> {
     let part = |row: &&DerivativeRow| {
         row.num_dual.difference / row.num_dual.tolerance.max(f64::MIN_POSITIVE)
@@ -295,7 +295,8 @@ fn landing(certificate: &Certificate) -> Option<String> {
     ))
 }
 
-/// The derivatives of the while-loop, for comparison.
+/// How many finite differences of the while-loop's carry would pass, and the largest error, as
+/// text. `None` if no difference can be compared.
 fn while_loop(loops: &[LoopRow]) -> Option<String> {
     let relative_error = |row: &&LoopRow| {
         row.difference.map_or(0.0, |it| {

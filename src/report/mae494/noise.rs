@@ -47,7 +47,6 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: PaperUnits) {
     add_longer_differences(document, noise, shown);
 }
 
-/// Adds a table of the slopes of carry by loft.
 fn add_slopes(document: &mut Document, noise: &Noise, shown: PaperUnits) {
     let per_radian = |slope: f64| shown.per_radian(slope);
     let rows = noise.slopes.iter().map(|slopes| {

@@ -184,7 +184,7 @@ fn with_sign(change: f64) -> String {
     signed(change, fixed(change, 4))
 }
 
-/// A spin. Rounding errors of a search are displayed as 0.
+/// A spin, rad/s. Values below 1e-3 are rounding errors of a search and are displayed as 0.
 fn spin(launched: &Launched) -> String {
     format!(
         "{:.1}",

@@ -17,7 +17,6 @@ const OPTIMA: &str = "chart-optima-impact";
 
 /// Name of the band for the difference between two launch monitors.
 const INSTRUMENTS: &str = "two launch monitors";
-/// Note on the band for the difference between two launch monitors.
 const BAND: &str = "The band is one standard deviation of the difference between two launch \
                     monitors on the same drive (Bliss & Langdown 2026): 6.7 yd of carry, 12.3 ft \
                     of apex, 3.9° of descent, 513 rpm.";
@@ -128,7 +127,8 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure
 }
 
 /// The line of predictions without error, through the points `ends`, within a band of one standard
-/// deviation of the difference between two launch monitors. The layer of the line is called `name`.
+/// deviation of the difference between two launch monitors. `name` is the name of the line in the
+/// legend.
 fn without_error(of: Compared, name: &str, ends: [[f64; 2]; 2]) -> Vec<Layer> {
     let band = monitor_deviation(of).map(|by| Layer::Band {
         name: INSTRUMENTS.into(),
@@ -169,7 +169,7 @@ fn monitor_deviation(of: Compared) -> Option<f64> {
     instrument_deviation(outcome)
 }
 
-/// The law with the smallest mean absolute error of a set's first quantity, after this error, SI.
+/// The smallest mean absolute error of a set's first quantity, SI, with the law that has it.
 pub(super) fn best(set: &SetScores) -> Option<(f64, &'static str)> {
     let of = |law: &LawScores| law.scores.first()?.mean_absolute_error;
     set.laws

@@ -5,7 +5,7 @@ use crate::report::shown::NONE;
 use crate::study::validation::{Case, Compared, LawScores, OTHER_TEMPERATURES, SetScores};
 use crate::units::{System, counted, fixed, signed};
 
-/// The first quantity of most sets. The table names the first quantity of the other sets only.
+/// The first quantity of most sets. The table names the quantity only for the other sets.
 const CARRY: &str = "carry";
 
 /// The errors of the best law, the default law and the law `ALTERNATIVE` on every set, then
@@ -165,7 +165,6 @@ fn one(document: &mut Document, set: &SetScores, system: System) {
     document.add(DocumentTable::new(head, rows));
 }
 
-/// The first quantity of a set.
 fn first(set: &SetScores) -> Compared {
     set.set.computation.compared()[0]
 }

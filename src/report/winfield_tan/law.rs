@@ -8,7 +8,7 @@ use crate::report::shown::{NONE, stated};
 use crate::reproduce::{FittedNumber, WinfieldTan};
 use crate::units::{DisplayUnit, Quantity, System, significant, typed};
 
-/// Speeds of the displayed values, m/s. The flights of the paper have these speeds.
+/// Speeds of the displayed values, m/s, within the speeds of the paper's flights.
 const METRES_PER_SECOND: [f64; 4] = [30.0, 40.0, 50.0, 65.0];
 /// Speeds of the displayed values, mph. They agree with `METRES_PER_SECOND` within 5 %.
 const MILES_PER_HOUR: [f64; 4] = [70.0, 90.0, 110.0, 145.0];
