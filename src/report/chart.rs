@@ -131,8 +131,8 @@ impl Report for ChartReport<'_> {
     #[cfg(test)]
     const STATUSES: &'static [&'static str] = &["done", "partial", "no-answer", "interrupted"];
 
-    /// The status is `done`, `interrupted`, `partial` if the optimum is missing for a part of the
-    /// range, or `no-answer`.
+    /// `partial` if the optimum is missing for a part of the range, `no-answer` if it is missing
+    /// everywhere.
     fn ending(&self) -> Ending {
         let reasons: Vec<&str> = self
             .begun
@@ -177,7 +177,7 @@ fn launch(point: &ChartPoint) -> [Option<f64>; 3] {
 }
 
 /// The columns of numbers: the chart's parameter, the objective, the varied parameters and the
-/// launch.
+/// launch. A chart without points has only the columns of the launch.
 fn columns(chart: &Chart) -> Vec<NamedQuantity> {
     let column = |name: &str, of: DisplayUnit| NamedQuantity {
         label: name.into(),
@@ -196,7 +196,6 @@ fn columns(chart: &Chart) -> Vec<NamedQuantity> {
     columns
 }
 
-/// The cells of an optimum.
 fn row(chart: &Chart, point: &ChartPoint, system: System) -> Vec<String> {
     let search = &point.best.search;
     let mut cells = vec![

@@ -193,7 +193,6 @@ fn outcomes(comparison: &Comparison, system: System) -> DocumentTable {
     DocumentTable::new(["", "a", "b", "difference"], rows).right([1, 2, 3])
 }
 
-/// Adds the causes of a difference to a document.
 fn add_causes(document: &mut Document, difference: &Difference, system: System) {
     let of = shown::words(difference.of.name());
     let title = format!("{of} by parameter");
@@ -280,8 +279,8 @@ fn add_shares(
     document.add(table);
 }
 
-/// The part of a difference that belongs to no share, with the reason; `None` if it is displayed as
-/// 0 or is a rounding error.
+/// The part of a difference that belongs to no share, with the reason. `None` if this part is
+/// displayed as 0 or is a rounding error.
 fn remainder_text(difference: &Difference, split: &Shares, system: System) -> Option<String> {
     let of = difference.of;
     let remainder = shown::change(of, split.remainder, system);
@@ -303,7 +302,8 @@ fn names(causes: impl Iterator<Item = Cause>) -> String {
     causes.map(Cause::name).collect::<Vec<_>>().join(", ")
 }
 
-/// The text for the value of a cause in the setup of one of the drives.
+/// The value of a cause in one of the two setups. Alternatives have a line for each stated
+/// parameter.
 fn cell(cause: Cause, setup: &Setup<f64>, system: System) -> String {
     match cause {
         Cause::Continuous(parameter) | Cause::Discrete(parameter) => {

@@ -137,7 +137,7 @@ impl Designed<'_> {
         DocumentTable::new(head, own.chain(goals)).right([1, 2, 3])
     }
 
-    /// The rules and the assumptions.
+    /// The rules that apply, then the assumptions.
     fn assumptions(&self) -> Vec<Line> {
         let rules = if self.design.is_under_rules {
             "under the Rules of Golf (docs/design.md has their sources)"
@@ -150,8 +150,8 @@ impl Designed<'_> {
             .collect()
     }
 
-    /// The value of a parameter in the setup. For an unset parameter: the number with the same
-    /// effect, if there is one.
+    /// The value of a parameter in the setup. If the parameter is unset: the number with the same
+    /// effect, or `None` if no number has it.
     fn own(&self, parameter: &Parameter) -> Option<f64> {
         self.setup.value(parameter).or(parameter.unset)
     }
@@ -235,7 +235,6 @@ fn limits_text(constraint: &DesignConstraint, system: System) -> String {
     }
 }
 
-/// The report of a rule or limit.
 fn limit_report(state: &ConstraintState) -> LimitReport {
     let constraint = &state.constraint;
     let end = |end: f64| JsonNumber(Some(end).filter(|end| end.is_finite()));

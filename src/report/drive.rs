@@ -106,8 +106,7 @@ impl Report for DriveReport<'_> {
     #[cfg(test)]
     const STATUSES: &'static [&'static str] = &["landed", "no-flight", "aloft"];
 
-    /// The status is `landed`, `no-flight` or `aloft`; the message is the reason why the ball does
-    /// not land.
+    /// The message is the reason why the ball does not land; `None` if it lands.
     fn ending(&self) -> Ending {
         match &self.drive.flight {
             Flight::Landed(_) => Ending {
@@ -151,8 +150,7 @@ impl Report for DriveReport<'_> {
     }
 }
 
-/// For each quantity on which a law may depend: the range of the law's fit, and the range in the
-/// flight. `None` if there is no air or no flight.
+/// The fitted and flown ranges of a drive. `None` if there is no air or no flight.
 pub(super) fn law_range(setup: &Setup<f64>, drive: &Drive<f64>) -> Option<LawRanges> {
     let has_air = AirState::of(&setup.air).density > 0.0;
     if !has_air || matches!(drive.flight, Flight::None(_)) {
@@ -220,7 +218,7 @@ fn of_group(drive: &Drive<f64>, group: OutcomeGroup) -> ByName<JsonNumber> {
         .collect()
 }
 
-/// A group of outcomes of a drive: name, value, and the value in the other system.
+/// A group of outcomes of a drive: name, value, and value in the other system of units.
 fn outcomes(title: &str, group: OutcomeGroup, drive: &Drive<f64>, system: System) -> DocumentTable {
     let texts: Vec<_> = Outcome::in_group(group)
         .map(|outcome| {
@@ -262,8 +260,8 @@ fn bodies(drive: &Drive<f64>, system: System) -> Vec<Line> {
     lines
 }
 
-/// A text such as "1.3 yd of the carry is extrapolated, by the law of drag and lift"; `None` if at
-/// most 0.3 yd are extrapolated.
+/// A text such as "1.3 yd of the carry is extrapolated, by the law of drag and lift"; `None` if
+/// extrapolation changes the carry by at most 0.3 yd.
 pub(super) fn extrapolated(
     setup: &Setup<f64>,
     drive: &Drive<f64>,
@@ -276,7 +274,7 @@ pub(super) fn extrapolated(
     ))
 }
 
-/// Bounces and roll of a ball, with the uncertainty of their length.
+/// How the ball comes to rest, and the uncertainty of the total.
 fn on_the_run(rest: Option<&Rest<f64>>) -> Message {
     let parts = match rest {
         Some(rest) if rest.downrange.is_nan() => {

@@ -11,7 +11,7 @@ use crate::study::{Effect, Effects, Optimum, Sensitivity, SigmaEffect};
 use crate::units::{System, significant};
 use serde::Serialize;
 
-/// Number of rows of a table in a text that fits a screen.
+/// Number of rows of a table in a plain text without the option `all`.
 const FIRST_ROWS: usize = 10;
 
 /// For each parameter: the sensitivity of the optimal value, or the error of its computation.
@@ -123,7 +123,7 @@ impl OutcomeEffects {
 impl Report for EffectsReport<'_> {
     const COMMAND: &'static str = "sensitivity";
 
-    /// The effects of uncertainties on each outcome, then all derivatives.
+    /// For each outcome, the effects of uncertainties, then the derivatives.
     fn document(&self, system: System) -> Document {
         let at = if self.at_optimum.is_some() {
             ShownDrive::Optimum
@@ -162,7 +162,8 @@ fn totals_of(of: Outcome, totals: Option<(Outcome, &Totals)>) -> Option<&Totals>
     (optimized == of).then_some(totals)
 }
 
-/// df*/dp of a parameter at the optimum.
+/// The derivative of the optimal value by a parameter. `None` if it could not be computed, or
+/// without `totals`.
 fn total(totals: Option<&Totals>, parameter: &Parameter) -> Option<f64> {
     let (_, sensitivity) = totals?.iter().find(|(other, _)| *other == parameter)?;
     sensitivity
@@ -214,7 +215,6 @@ fn uncertainties(effects: &Effects, bars: &[SigmaEffect], system: System) -> Doc
     table
 }
 
-/// The derivatives of an outcome by all parameters.
 fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> DocumentTable {
     let of = effects.of;
     let rate = |slope: f64, parameter: &Parameter| {

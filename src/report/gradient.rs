@@ -108,7 +108,6 @@ impl OutcomeReport {
     }
 }
 
-/// Adds an outcome with its derivatives to a document.
 fn outcome(
     document: &mut Document,
     of: Outcome,

@@ -19,7 +19,7 @@ pub(super) struct Objective {
 /// A constraint at the end of a search.
 pub(super) struct ConstraintAtEnd<'a> {
     pub constraint: &'a Constraint,
-    /// The exact value of the limited goal, with the multiplier.
+    /// The value of the limited goal, with the multiplier.
     pub at: ConstraintValue,
     /// The gradient of the limited goal by the varied parameters; empty if it is unknown.
     pub slopes: &'a [f64],
@@ -76,9 +76,9 @@ impl Objective {
         }
     }
 
-    /// The price of a limit: the change of the objective, with its sign, for each unit by which the
-    /// limit is relaxed: "+2.11 yd for each degree". `gain` is the improvement for each SI unit,
-    /// `by` the limited quantity. If a minimized objective improves, the price is negative.
+    /// The price of a limit: the change of the objective for each unit by which the limit is
+    /// relaxed, such as "+2.11 yd for each degree". A minimized objective that improves has a
+    /// negative price. `gain` is the improvement for each SI unit, `by` the limited quantity.
     pub fn price(self, gain: f64, by: impl Into<DisplayUnit>, system: System) -> String {
         let by = by.into();
         let one = by.size();
@@ -88,7 +88,8 @@ impl Objective {
     }
 
     /// The state of a constraint in words, such as "active: +0.52 yd for each degree that the limit
-    /// is relaxed"; empty where the search did not converge, except for an equation.
+    /// is relaxed". If the search did not converge, the text has no price: it is the deviation of
+    /// an equation, or empty.
     pub fn limit(self, limit: &ConstraintAtEnd<'_>, system: System) -> String {
         let Constraint { goal, low, .. } = limit.constraint;
         if limit.constraint.is_equation() {
@@ -113,8 +114,8 @@ impl Objective {
     }
 
     /// The price of the active limit of a constraint, such as "+0.52 yd for each degree that the
-    /// limit is relaxed"; of two limits, the text names the active one. `None` if no limit is
-    /// active, and for an equation.
+    /// limit is relaxed". If the constraint has two limits, the text names the active one. `None`
+    /// for an equation, or if no limit is active.
     pub fn active_limit(self, limit: &ConstraintAtEnd<'_>, system: System) -> Option<String> {
         let ConstraintAtEnd { constraint, at, .. } = limit;
         if at.multiplier == 0.0 || constraint.is_equation() {
@@ -129,10 +130,10 @@ impl Objective {
     }
 }
 
-/// The bounds of a parameter in words, such as "at its upper bound: +2.11 yd for each degree that
-/// it is raised", or "free". `lower` and `upper` are the multipliers of the two bounds; a bound
-/// with a positive multiplier is active. `prices` are the gains from relaxing the lower and the
-/// upper bound; `shown` formats a gain.
+/// The active bound of a parameter in words, such as "at its upper bound: +2.11 yd for each degree
+/// that it is raised", or "free". `lower` and `upper` are the multipliers of the bounds; a positive
+/// multiplier means that the bound is active. `prices` are the gains from relaxing the lower and
+/// the upper bound; `shown` formats a gain.
 pub(super) fn bound(
     [lower, upper]: [f64; 2],
     prices: [f64; 2],
@@ -150,7 +151,8 @@ pub(super) fn bound(
     }
 }
 
-/// The column head for the values at the end of a search: `converged` if the search converged.
+/// The column head for the values at the end of a search. If the search converged, the head is
+/// `converged`.
 pub(super) fn ended_at(status: Status, converged: &'static str) -> &'static str {
     match status {
         Status::Converged => converged,

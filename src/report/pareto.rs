@@ -163,7 +163,6 @@ impl Report for ParetoReport<'_> {
     }
 }
 
-/// The points of a front.
 fn front(found: &Pareto, system: System) -> DocumentTable {
     let search = &found.search;
     let [first, second] = search.goals.each_ref().map(|(goal, _)| goal);

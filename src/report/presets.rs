@@ -243,7 +243,6 @@ fn changed_number(
     })
 }
 
-/// The changes of the parameters whose values are names.
 fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item = ChangedSetting> {
     let change = |key: &'static str, name: &str, from: &str, to: &str| {
         (from != to).then(|| ChangedSetting {
@@ -342,7 +341,6 @@ impl PresetReport {
 impl Report for PresetsReport {
     const COMMAND: &'static str = "presets";
 
-    /// The presets, one per line.
     fn document(&self, _: System) -> Document {
         let rows = self
             .presets

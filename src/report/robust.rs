@@ -146,8 +146,8 @@ impl Report for RobustReport<'_> {
         }
     }
 
-    /// The robust design, and the loss of each model with the robust design and with the best
-    /// designs of the other models.
+    /// The robust design, and the loss of each model with the robust design, with the setup before
+    /// the search, and with the best design of each model.
     fn document(&self, system: System) -> Document {
         let found = self.found;
         let mut document = Document::default();
@@ -214,7 +214,6 @@ fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
         }
 }
 
-/// The models, each with its best value.
 fn models(found: &Robust, system: System) -> Vec<Line> {
     let goal = &found.search.of;
     let mut lines = vec![Line::flush("models")];
@@ -245,7 +244,6 @@ fn heads_of_bests(found: &Robust) -> impl Iterator<Item = String> {
     (1..=found.models.len()).map(|k| format!("best for {k}"))
 }
 
-/// The best design of each model.
 fn designs(found: &Robust, system: System) -> DocumentTable {
     let head = std::iter::once("vary".to_owned()).chain(heads_of_bests(found));
     let rows = found.search.vary.iter().enumerate().map(|(i, vary)| {
@@ -258,7 +256,7 @@ fn designs(found: &Robust, system: System) -> DocumentTable {
     DocumentTable::new(head, rows).right(1..=found.models.len())
 }
 
-/// The loss of each model with each design.
+/// The loss of each model (rows) with each design (columns).
 fn losses(found: &Robust, system: System) -> DocumentTable {
     let goal = &found.search.of;
     let show = |loss: f64| shown::goal_difference(goal, loss.max(0.0), system);
@@ -338,7 +336,6 @@ fn bound_in_words(found: &Robust, i: usize, system: System) -> String {
     words
 }
 
-/// Adds a table of the constraints of all models if there are any.
 fn add_constraints(document: &mut Document, found: &Robust, system: System) {
     let objective = greatest_loss(found);
     let rows = found.limits().map(|limit| {
@@ -363,8 +360,8 @@ fn add_constraints(document: &mut Document, found: &Robust, system: System) {
     }
 }
 
-/// The text `price` if the bound or constraint is inactive for the robust design (`multipliers` are
-/// 0) but active at the optimum of a single model; otherwise `None`.
+/// The text `price` if the bound or constraint is active only at the optimum of a single model: its
+/// `multipliers` for the robust design are 0, but its price is not. Otherwise `None`.
 fn price_of_single_models(multipliers: [f64; 2], price: String) -> Option<String> {
     let is_nonzero = !is_zero(leading_number(&price));
     (multipliers == [0.0; 2] && is_nonzero).then_some(price)

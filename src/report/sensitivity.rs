@@ -106,8 +106,8 @@ pub struct ResolvedOptimum {
 }
 
 impl SensitivityReport {
-    /// The answer of `optimum-sensitivity`. There is no `analysis` if the search or the analysis
-    /// failed; if the analysis failed, `why` is its error.
+    /// The answer of `optimum-sensitivity`. `analysis` is `None` if the search or the analysis
+    /// failed; `why` is the error of a failed analysis.
     pub fn reply(
         optima: &Optima,
         analysis: Option<&Analysis>,
@@ -245,11 +245,11 @@ impl Analysis {
     }
 }
 
-/// Number of sensitivities in a text that fits a screen.
+/// Number of sensitivities in a plain text without the option `all`.
 const FIRST_SENSITIVITIES: usize = 12;
 
-/// Adds the derivatives of the optimum by each parameter to a document. The rows are in descending
-/// order of the change of the optimal value for a change of the parameter by its typical size.
+/// Adds the derivatives of the optimum by each parameter to a document. The rows are sorted by
+/// |df*/dp| times the typical size of the parameter p, the largest first; f* is the optimal value.
 fn add_sensitivities(
     document: &mut Document,
     best: &Optimum,
@@ -288,7 +288,6 @@ fn add_sensitivities(
     document.list(left_out.into_iter().map(Line::item));
 }
 
-/// The cells of a sensitivity, per unit of its parameter.
 fn sensitivity_row(
     best: &Optimum,
     parameter: &Parameter,
@@ -317,7 +316,7 @@ fn sensitivity_row(
     cells
 }
 
-/// The directions and ellipses of an optimum.
+/// Lines for the directions of finite reach, then for the ellipses.
 fn flatness_lines(best: &Optimum, flatness: &Flatness, system: System) -> Vec<Line> {
     let loss = shown::spread(best.search.outcome(), flatness.loss, system);
     let directions = flatness

@@ -75,8 +75,8 @@ pub(super) fn remarks_on_varied(
 #[cfg(feature = "commands")]
 const STEP_LINES: [&str; 2] = ["method = ", "step = "];
 
-/// The setup file `toml`, in which the lines of method and step are replaced by those of the setup
-/// file `other`. This program wrote both files.
+/// Replaces the lines of method and step in the setup file `toml` by those of the setup file
+/// `other`. This program wrote both files.
 #[cfg(feature = "commands")]
 pub(crate) fn with_step_of(other: &str, toml: &str) -> String {
     let taken = |line| {
@@ -120,7 +120,7 @@ fn rows(
         .collect())
 }
 
-/// The values without method and step, unless the setup states these.
+/// Leaves out method and step unless the setup states them.
 fn stated(rows: Vec<SourcedValue>, setup: &Setup<f64>) -> impl Iterator<Item = SourcedValue> {
     rows.into_iter()
         .filter(|row| setup.states_step || !is_of_step(row.name))

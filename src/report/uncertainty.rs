@@ -170,7 +170,6 @@ pub(super) fn distribution_text(input: &Uncertain, system: System) -> String {
 /// Minimum number of points of a sample for estimates of the variance contributions.
 const ENOUGH: usize = 100;
 
-/// Adds the uncertainty of an outcome to a document.
 fn add_outcome(
     document: &mut Document,
     outcome: &OutcomeUncertainty,
@@ -203,7 +202,6 @@ fn add_outcome(
     document.append_detail(table, Detail::Rest);
 }
 
-/// The reason why an outcome does not vary.
 fn why_constant(outcome: &OutcomeUncertainty, found: &Uncertainty) -> &'static str {
     if depends(outcome, found) {
         "it varies by less than rounding, since the uncertainty is so small"
@@ -256,10 +254,10 @@ fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) ->
     table
 }
 
-/// Number of shares of the variance in a line.
+/// Number of shares of the variance that a line lists.
 const FIRST_SHARES: usize = 4;
 
-/// Number of ellipses in a text that fits a screen. The first two ellipses are from the sample.
+/// Number of ellipses in a plain text without the option `all`. The first two are from the sample.
 const FIRST_ELLIPSES: usize = 2;
 
 /// The uncertain parameters with the largest contributions to the variance of an outcome, and the
@@ -294,13 +292,12 @@ fn by_share(outcome: &OutcomeUncertainty) -> Vec<Contribution> {
     sorted
 }
 
-/// A share in percent with one decimal.
 fn percent(share: f64) -> String {
     fixed(100.0 * share, 1)
 }
 
 /// The contributions of the uncertain parameters to the variance of an outcome, the largest first.
-/// They omit the `left_out` points of the sample at which a drive does not have the outcome.
+/// `left_out` is the number of sample points without this outcome, which the shares leave out.
 fn shares(outcome: &OutcomeUncertainty, left_out: usize, found: &Uncertainty) -> DocumentTable {
     let share = |share: Option<Interval>| {
         share.map_or(shown::NONE.into(), |i| {
@@ -366,7 +363,6 @@ fn depends(outcome: &OutcomeUncertainty, found: &Uncertainty) -> bool {
     })
 }
 
-/// The ellipses of the landings.
 fn ellipses(found: &Uncertainty, system: System) -> DocumentTable {
     use crate::drive::Outcome::Carry;
     let head = ["landing ellipse", "half-axes", "long axis turned", "inside"];

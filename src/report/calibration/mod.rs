@@ -107,8 +107,8 @@ pub struct HeldOutReport {
     pub fit: String,
     /// Number of folds of the cross-validation; 0 if nothing was fitted.
     pub folds: usize,
-    /// Number of fits of the cross-validation by status. The rows that an interrupted fit held out do
-    /// not count in the errors below.
+    /// Number of fits of the cross-validation by status. The rows that an interrupted fit held out
+    /// do not count in the errors below.
     pub fits: ByName<usize>,
     /// Root mean square of the residuals, each in units of its standard uncertainty.
     pub rms_standardized: JsonNumber,
@@ -206,8 +206,8 @@ impl<'a> CalibrationReport<'a> {
         self.found.fit.status == FitStatus::Converged && !self.interrupted
     }
 
-    /// The fitted setup as a setup file in TOML, with full precision. The fitted parameters have
-    /// their standard errors as remarks. `file` is the setup of the request, `data` the file of the
+    /// The fitted setup as a setup file in TOML, with full precision. Each fitted parameter has a
+    /// comment with its standard error. `file` is the setup of the request, `data` the file of the
     /// shots.
     ///
     /// # Errors
@@ -270,8 +270,6 @@ impl Report for CalibrationReport<'_> {
     #[cfg(test)]
     const STATUSES: &'static [&'static str] = &FitStatus::NAMES;
 
-    /// The status and message of the fit; if a fit of the cross-validation was interrupted, the
-    /// status `interrupted` and a message about it.
     fn ending(&self) -> Ending {
         Ending {
             status: self.status().name(),

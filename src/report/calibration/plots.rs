@@ -4,7 +4,6 @@ use crate::report::shown::capital;
 use crate::statistics::extent;
 use crate::study::calibrate::{Calibration, FitResidual, ShotTable};
 
-/// A measured value with the computed value.
 struct MeasuredPoint {
     computed: f64,
     measured: f64,

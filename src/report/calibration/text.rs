@@ -146,8 +146,8 @@ pub(super) fn held_out(document: &mut Document, held_out: &[(String, HeldOut)], 
     document.add(DocumentTable::new(head, rows));
 }
 
-/// A value in a unit, rounded to the second significant digit of its standard error. Without an
-/// error, it has seven significant digits.
+/// A value in a unit, rounded to the second significant digit of its standard error, or to seven
+/// significant digits without an error.
 pub(super) fn to_its_error(
     quantity: Quantity,
     unit: &str,
@@ -161,7 +161,7 @@ pub(super) fn to_its_error(
         .map(|error| 1.0 - (error / size).log10().floor());
     match decimals {
         Some(decimals @ 0.0..=9.0) => fixed(number, decimals as usize),
-        // outside of 0 to 9 decimals, convert the decimals to significant digits
+        // fewer than 0 or more than 9 decimals: round to significant digits instead
         Some(decimals) if value != 0.0 => {
             let digits = number.abs().log10().floor() + decimals + 1.0;
             significant(number, digits.clamp(4.0, 17.0) as usize)
@@ -170,8 +170,8 @@ pub(super) fn to_its_error(
     }
 }
 
-/// The cells of an estimate with its 95 % interval, rounded to the second significant digit of the
-/// standard error.
+/// The table row of an estimate. Value and 95 % interval are rounded to the second significant
+/// digit of the standard error.
 fn estimated(estimate: &Estimate, system: System) -> Vec<String> {
     let Estimate {
         parameter,
@@ -196,7 +196,7 @@ fn estimated(estimate: &Estimate, system: System) -> Vec<String> {
     vec![parameter.name.into(), show(*value), error, interval]
 }
 
-/// χ² in words, and the origin of the standard errors.
+/// χ², its degrees of freedom and probability, and the origin of the standard errors, in words.
 fn chi_square(statistics: &FitStatistics, stated: SigmaOrigin) -> String {
     let chi = significant(statistics.chi_square, 5);
     let dof = statistics.degrees_of_freedom;
@@ -239,8 +239,8 @@ fn chi_square(statistics: &FitStatistics, stated: SigmaOrigin) -> String {
     format!("χ² = {chi} with {freedom}{exact}.{probability} {errors}.")
 }
 
-/// A change of parameters that the data do not determine, in words. The changes are in the units of
-/// the parameters, scaled so that the first is 1.
+/// A change of parameters that the data do not determine, in words. The components are in the units
+/// of the parameters, with 1 for the first.
 fn direction(found: &Calibration, undetermined: &Undetermined) -> String {
     let parameter = |at: usize| found.estimates[at].parameter;
     let size = |at: usize| DisplayUnit::from(parameter(at)).size();
@@ -308,7 +308,6 @@ pub(super) fn correlations(document: &mut Document, found: &Calibration) {
     document.add(DocumentTable::new(head, rows));
 }
 
-/// The cells of a residual.
 fn row(residual: &FitResidual, system: System) -> Vec<String> {
     let FitResidual {
         row,
@@ -382,7 +381,6 @@ pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
     all.into_iter().map(mean).collect()
 }
 
-/// The cells for the prediction errors of a fit on held-out data.
 fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
     let one = |error: OutcomeError| {
         let rms = shown::spread(error.of, error.rms, system);

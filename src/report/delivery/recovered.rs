@@ -1,4 +1,4 @@
-//! The swings behind measured shots as files of swings: a table, or a distribution.
+//! The swings behind measured shots, as a table (CSV) or as a distribution (TOML).
 
 use crate::error::Result;
 use crate::parameters::Parameter;
@@ -35,7 +35,7 @@ pub fn recovered_csv(all: &[ShotDelivery], units: TableUnits) -> Result<String> 
     )
 }
 
-/// The distribution of the swings behind shots as a file of swings in TOML. Remarks state the
+/// The distribution of the swings behind shots as a file of swings in TOML. Comments state the
 /// fraction of each parameter's prior variance that a shot removes.
 pub fn recovered_toml(population: &Population, from: &str, system: System) -> String {
     let shots = population.shots;
@@ -87,9 +87,9 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
     text
 }
 
-/// Warnings about a distribution of swings, in three cases: its iterations did not converge; in the
-/// directions that the shots do not identify, its deviation is smaller than the prior's; or it does
-/// not reproduce the measured launches.
+/// Warnings about a distribution of swings: if its iterations did not converge; if its deviation is
+/// smaller than the prior's in directions that the shots do not identify; or if it does not
+/// reproduce the measured launches.
 pub fn population_warnings(population: &Population, system: System) -> Vec<Message> {
     let mut all = vec![];
     if !population.is_converged {

@@ -71,7 +71,6 @@ fn measured_club(delivered: &Delivered, system: System) -> Option<Line> {
     })
 }
 
-/// The cells of a parameter of a delivery.
 fn known_row(known: &Posterior, system: System) -> Vec<String> {
     let Posterior {
         unknown,
@@ -106,8 +105,8 @@ fn unidentified(unidentified: &Unidentified, system: System) -> String {
     )
 }
 
-/// The deliveries of the shots of a table, their mean and spread, and the `population`: the
-/// distribution of the swings.
+/// The document for the shots of a table: their deliveries with mean and spread, and the
+/// distribution `population` of the swings.
 pub(super) fn of_table(
     all: &[ShotDelivery],
     population: Option<&Population>,
@@ -150,7 +149,7 @@ pub(super) fn of_table(
     document
 }
 
-/// The delivery of each shot of a table.
+/// A row for each fitted shot: the delivery and the largest residual.
 fn shots(all: &[ShotDelivery], spread: &[Spread], system: System) -> DocumentTable {
     let names = spread.iter().map(|spread| spread.parameter.name);
     let head: Vec<&str> = std::iter::once("row")
@@ -236,7 +235,6 @@ pub(super) fn median_identified(all: &[ShotDelivery], parameter: &Parameter) -> 
     fractions.get(fractions.len() / 2).copied()
 }
 
-/// A fraction in percent.
 fn percent(fraction: Option<f64>) -> String {
     fraction.map_or(shown::NONE.into(), |fraction| {
         format!("{:.0} %", 100.0 * fraction)

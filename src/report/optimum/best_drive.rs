@@ -108,7 +108,7 @@ pub(in crate::report) fn drive_lines(
             &shown::goal(&optimum.search.of, value, system),
         )),
     };
-    // if the objective is an outcome of the roll-out, show the other outcomes of the roll-out too
+    // for an objective of the roll-out, show total and run, except the objective itself
     let run = [Outcome::Total, Outcome::Run]
         .into_iter()
         .filter(|other| of.is_some_and(|of| of.needs_run() && *other != of))

@@ -7,7 +7,7 @@ use crate::study::Optimum;
 use crate::units::System;
 
 /// The state of a bound in words, such as "at its upper bound: +2.11 yd for each degree that it is
-/// raised"; without the gain where the search did not converge.
+/// raised". The gain is omitted if the search did not converge.
 pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> String {
     let vary = optimum.search.vary[i];
     let lower = optimum.solution.lower_multipliers[i];

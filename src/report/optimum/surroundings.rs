@@ -9,7 +9,7 @@ use crate::units::{System, signed};
 pub struct Surroundings<'a> {
     /// The allowed loss, SI.
     pub loss: f64,
-    /// The window of each varied parameter for the allowed loss.
+    /// For each varied parameter: the range in which it alone can vary within the allowed loss.
     pub windows: &'a [Window],
     /// The best value that club and ball achieve with the swing as set up; `None` if the search
     /// does not vary both club and swing, or if this value is unknown.

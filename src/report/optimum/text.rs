@@ -20,8 +20,8 @@ pub fn optimize_document(
     around: Option<&Surroundings<'_>>,
     system: System,
 ) -> Document {
-    // a single search needs no list of optima: the text of its optimum already states an
-    // interruption or an improvement found from the sample
+    // a single search needs no list of optima: the text of its optimum already says if the search
+    // was interrupted, or improved from the sample
     let several = optima.has_several_starts();
     let mut document = Document::default();
     if let Some(stopped) = optima.interrupted().filter(|_| several) {
@@ -71,8 +71,8 @@ pub fn optimum_document(
     document
 }
 
-/// Adds the varied parameters of the optimum of a single drive with its surroundings, and the
-/// constraints.
+/// For the optimum of a single drive: adds the varied parameters with remarks on the surroundings,
+/// and the constraints.
 pub(in crate::report) fn add_place(
     document: &mut Document,
     optimum: &Optimum,
@@ -150,7 +150,7 @@ fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
             vec![constraint.expression.clone(), price]
         }
     });
-    // for swings, omit a constraint without a gain
+    // for swings, leave out constraints without a gain
     let rows: Vec<_> = rows
         .filter(|row| is_one_drive || !row[1].is_empty())
         .collect();
