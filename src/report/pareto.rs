@@ -230,9 +230,8 @@ fn notes(found: &Pareto, system: System) -> Vec<String> {
     }
     match found.knee {
         Some(knee) => notes.push(format!(
-            "the knee is point {}: it is the farthest, by {} % of the distance between the ends, \
-             from the straight line between the ends, with both goals scaled from one end to the \
-             other",
+            "the knee is point {}, the farthest from the straight line between the ends: by {} % \
+             of the length of this line, with each goal scaled by its difference between the ends",
             knee + 1,
             significant(100.0 * found.bend, 2)
         )),

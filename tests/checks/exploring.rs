@@ -71,8 +71,8 @@ fn a_report_leads_to_the_explorer_of_its_drive() {
         let dist = concat!(env!("CARGO_MANIFEST_DIR"), "/../web/dist/explorer.html");
         assert!(std::fs::read(file).unwrap() == std::fs::read(dist).unwrap());
     } else {
-        let line = "Drag it: <code>longdrive explore tour-average --set 'club.loft=10 deg' --set \
-                    swing.speed=100mph</code>";
+        let line = "This drive with sliders: <code>longdrive explore tour-average --set \
+                    'club.loft=10 deg' --set swing.speed=100mph</code>";
         assert!(page.contains(line), "{page}");
         assert!(!file.exists());
     }

@@ -315,10 +315,10 @@ fn while_loop(loops: &[LoopRow]) -> Option<String> {
         .filter(|row| row.check.verdict == Verdict::Pass)
         .count();
     Some(format!(
-        "for comparison, a while-loop that stops at the first step below the ground (the MAE 494 \
-         report's): of the differences of its carry by {}, {passed} would pass, and {} have the \
-         wrong sign; the largest error is by {}: the difference at a step of 1e-8 of its \
-         scale is {}, the exact derivative {} (SI)",
+        "for comparison, the while-loop of the MAE 494 report, which stops at the first step below \
+         the ground: of the finite differences of its carry by {}, {passed} would pass and {} have \
+         the wrong sign; the largest error is that of d carry/d {}: the finite difference at a \
+         step of 1e-8 of the parameter's scale is {}, the exact derivative {} (SI)",
         counted(loops.len() as u64, "parameter"),
         loops.iter().filter(|row| row.has_wrong_sign).count(),
         worst.parameter.name,

@@ -283,9 +283,9 @@ fn spread(landings: &[Landing], system: System) -> Option<String> {
 /// The reason why a drive has no ellipses although its inputs vary.
 fn too_wide(landing: &Landing) -> String {
     format!(
-        "{}: no ellipses are drawn: the standard deviation of the speed is more than a third of \
-         the speed, or an ellipse is larger than the carry, too much for derivatives to predict \
-         the landings.",
+        "{}: no ellipses are drawn, because derivatives cannot predict so wide a scatter: the \
+         standard deviation of the speed is more than a third of the speed, or an ellipse is \
+         larger than the carry.",
         capital(&landing.name)
     )
 }

@@ -25,15 +25,15 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: PaperUnits) {
     ));
     document.figure(zoomed(&noise.zoom));
     document.paragraph(format!(
-        "Slopes of carry by loft at attack angle 0°, differences of {} rad as MATLAB's fmincon \
-         takes them:",
+        "Slopes of carry by loft at attack angle 0°. Those of the loop are finite differences \
+         with an increment of {} rad, as in MATLAB's fmincon:",
         significant(noise.difference, 3)
     ));
     add_slopes(document, noise, shown);
     document.figure(slopes(&noise.slopes));
     document.paragraph(
-        "A shorter time step does not help. At loft 10°, attack angle 0° the loop's \
-                    differences with it:",
+        "A shorter time step does not help. The loop's finite differences at loft 10°, attack \
+         angle 0° are:",
     );
     let rows = noise.shorter_steps.iter().map(|at| {
         let slope = shown.per_radian(at.overshot);

@@ -79,10 +79,10 @@ fn optima_of_subsystems(found: &Mae494, shown: PaperUnits) -> String {
     format!(
         "The optimum of the impact alone is the greatest ball speed, which a face without loft \
          gives: at attack angle {} it carries {}. The optimum \
-         of the flight alone has no spin, and only a face without loft gives that: at an attack \
-         angle of {}, which no golfer reaches. Within \
-         the ranges no impact gives that launch, and the optimum of the whole is that of neither \
-         subsystem: {} shorter than the flight's own.",
+         of the flight alone has no spin. Only a face without loft gives a launch without spin, \
+         and the launch angle of this optimum then needs an attack angle of {}, which no golfer \
+         reaches. No impact within the ranges gives this launch. So the optimum of the whole is \
+         not the optimum of a subsystem: it carries {} less than the optimum of the flight.",
         shown.degrees(parts.impact.attack_angle),
         shown.length(parts.impact.carry),
         shown.degrees(found.energy.farthest.angle),

@@ -20,8 +20,9 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: PaperUnit
     document.paragraph(format!(
         "All methods search from the same {count} starts in the report's ranges; the ball flies at \
          each start. The table counts the searches that end within {} of \
-         the best carry, {}. A miss is the carry that a search lacks, with the smooth landing. A \
-         flight with exact derivatives counts as one. L-BFGS is \
+         the best carry, {}. A miss is the best carry minus the carry at the end of a search, \
+         both with the smooth landing. A flight with exact derivatives counts as one flight. \
+         L-BFGS is \
          that of argmin, with the line search of Moré and Thuente; since it has no bounds, it \
          searches over u, with x = middle + half the width · sin u. \
          Its carry is taken as 0 where a drive does not fly.",

@@ -268,10 +268,10 @@ fn source_of(findings: &Findings, row: &SourcedValue) -> String {
 pub(super) fn explorer(link: &ExplorerLink) -> Markup {
     html! {
         p {
-            "Drag it: "
+            "This drive with sliders: "
             @match link {
                 ExplorerLink::State(state) => {
-                    a href=(format!("{EXPLORER_FILE}#{state}")) { "the explorer" } " has sliders for this drive."
+                    a href=(format!("{EXPLORER_FILE}#{state}")) { "the explorer" } "."
                 }
                 ExplorerLink::Command(command) => code { (command) },
             }
