@@ -95,7 +95,7 @@ impl RowCost {
 /// The estimated size of a row in Parquet, bytes.
 #[cfg(feature = "parquet")]
 fn bytes_in_parquet(args: &Args, batch: &Batch, points: &dyn Points) -> f64 {
-    // a grid stores each swept value once for many rows, so its size is neglected
+    // a grid stores each swept value once for many rows: neglect the swept columns
     let is_grid = args.sample.is_none() && args.points.is_none();
     let swept = match is_grid {
         true => 0,
@@ -106,7 +106,8 @@ fn bytes_in_parquet(args: &Args, batch: &Batch, points: &dyn Points) -> f64 {
     8.5 * (swept + computed) as f64 + 1.0
 }
 
-/// The number of bytes available for a file (its present size included), and its folder.
+/// The number of bytes available for a file (its present size included), and its folder. `None` if
+/// the free space is unknown.
 fn free(path: &Path) -> Option<(f64, String)> {
     let folder = folder_of(path);
     let there = std::fs::metadata(path).map_or(0, |found| found.len());

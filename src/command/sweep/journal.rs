@@ -40,7 +40,7 @@ pub fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
     name.into()
 }
 
-/// The rows up to a place in the file of rows: an entry of the journal.
+/// An entry of the journal: the rows in the first `bytes` bytes of the file of rows.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct WrittenRows {
     /// Size, bytes.
@@ -109,8 +109,9 @@ impl Journal {
         })
     }
 
-    /// Opens the journal of a file and returns its identity and entries, up to the first entry that
-    /// `keeps` rejects; `None` if there is no journal.
+    /// Opens the journal of a file, and returns it with the identity of the sweep and the entries.
+    /// Removes the first entry that `keeps` rejects and all later entries. `None` if there is no
+    /// journal.
     pub fn open(
         of: &Path,
         keeps: impl Fn(&WrittenRows) -> bool,
@@ -123,7 +124,8 @@ impl Journal {
         lock(&file)?;
         let mut text = String::new();
         file.read_to_string(&mut text)?;
-        // an empty journal: its sweep ended after the journal was opened here
+        // the journal is empty: between its opening and its lock, the sweep completed and removed
+        // it
         if text.is_empty() {
             return Ok(None);
         }

@@ -155,8 +155,8 @@ impl<'a> ResumableFile<'a> {
     pub fn resume(path: &Path, identity: &Identity, formatter: &'a RowFormatter) -> Result<Self> {
         let unusable =
             |error: io::Error| refused(path, format!("its sweep cannot be resumed ({error})"));
-        // the file is missing if the program was killed before it created the file, after the
-        // journal
+        // the file is missing if the program was killed after it created the journal, and before it
+        // created the file
         let file = OpenOptions::new()
             .write(true)
             .create(true)
@@ -254,7 +254,7 @@ impl<'a> ResumableFile<'a> {
             self.write_foot(table).and(rest)?;
         }
         if !is_complete && self.since > 0 {
-            // without this entry, a resumed sweep only repeats some more rows
+            // ignore an error: without this entry, a resumed sweep only repeats some more rows
             let _ = self.keep(vec![]);
         }
         if is_complete {
