@@ -22,8 +22,8 @@ pub fn varied(
     }
 }
 
-/// The parameters of the default ranges that a search keeps at their stated values. Empty with
-/// `--vary`; without this option, `usual` gives the default ranges.
+/// The parameters that the default ranges (`usual`) contain but the request states, so that a
+/// search does not vary them. Empty with `--vary`.
 ///
 /// # Errors
 /// The errors of `usual`.
@@ -38,9 +38,9 @@ pub fn kept(
 }
 
 impl Request {
-    /// The setup that the answer of a search over `vary` is about, with the parameters that the
-    /// search keeps at their stated values. `given` are the texts of `--vary`; `usual` gives the
-    /// default ranges.
+    /// The setup that the answer of a search over `vary` is about. It names the parameters of the
+    /// default ranges that the search does not vary, because the request states them. `given` are
+    /// the texts of `--vary`; `usual` gives the default ranges.
     ///
     /// # Errors
     /// The errors of `usual`.
@@ -111,13 +111,13 @@ impl DefaultRanges {
         Ok(Self::new(vec![loft], request))
     }
 
-    /// The ranges without the parameter of a chart.
+    /// Removes the parameter along which a chart runs.
     pub fn without(mut self, along: &Parameter) -> Self {
         self.vary.retain(|range| range.parameter.name != along.name);
         self
     }
 
-    /// The reason why there is no range to vary; `None` if there is one.
+    /// The reason why there is no range to vary; `None` if there is a range.
     pub fn reason(&self) -> Option<String> {
         if !self.vary.is_empty() {
             return None;

@@ -26,7 +26,8 @@ impl SearchArgs {
         self.search_of_chart(request, setup, None)
     }
 
-    /// The search of a chart along the parameter `along`. The default ranges omit this parameter.
+    /// The search of a chart along the parameter `along`, which the default ranges omit. `None` for
+    /// a search without a chart.
     pub fn search_of_chart(
         &self,
         request: &Request,
@@ -57,8 +58,8 @@ impl SearchArgs {
         Ok(search)
     }
 
-    /// The reason why there is nothing to vary. `None` with `--vary`, and if there is a default
-    /// range.
+    /// The reason why there is nothing to vary; `None` if `--vary` or a default range gives a
+    /// parameter.
     ///
     /// # Errors
     /// The errors of [`DefaultRanges::longest_drive`].
@@ -118,7 +119,7 @@ impl OptimumArgs {
     }
 
     /// Runs the search, which Ctrl-C can stop. Also returns the flag that Ctrl-C sets. The caller
-    /// calls [`interrupt::ends`] afterwards.
+    /// must then call [`interrupt::ends`].
     pub fn run_search(
         &self,
         setup: &Setup<f64>,
@@ -134,8 +135,8 @@ impl OptimumArgs {
         Ok((found, follow.interrupt))
     }
 
-    /// The progress of a search: its last iteration, or a bar for several searches. The
-    /// observers also write the checkpoint, and stop the search on Ctrl-C.
+    /// The observers of a search, and its progress. The observers show the last iteration, or a bar
+    /// for several searches. They also write the checkpoint, and stop the search on Ctrl-C.
     fn follow(&self, setup: &Setup<f64>, search: &Search) -> Result<(Observers, SharedProgress)> {
         let checkpoint = match &self.checkpoint {
             Some(path) => Some(Arc::new(Checkpoint::open(
@@ -183,8 +184,8 @@ impl OptimumArgs {
     }
 }
 
-/// Writes the setup at the optimum into the given file, and returns the name of the file. Without
-/// an optimum, writes nothing and returns `None`.
+/// Writes the setup at the optimum into the given file, and returns the name of the file. Without a
+/// file or without an optimum, writes nothing and returns `None`.
 pub fn write(
     output: Option<&Destination>,
     request: &Request,
@@ -214,7 +215,7 @@ pub fn write(
     Ok(Some(file))
 }
 
-/// Reads the loss of a goal that `option` allows.
+/// Reads an allowed loss of a goal, SI, from the value `text` of `option`.
 ///
 /// # Errors
 /// [`Error::Unreadable`] for a negative or infinite loss, and for zero unless `may_be_zero`.
@@ -246,8 +247,8 @@ pub fn options(max_iterations: Option<u64>) -> Options {
     }
 }
 
-/// The outcome of a single drive that `text`, the value of `option`, names. A goal over many swings
-/// is an error, because it needs a distribution of swings.
+/// The outcome of a single drive that `text` names; `text` is the value of `option`. A goal over
+/// many swings is an error, because it needs a distribution of swings.
 pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     Outcome::named(text.trim()).map_err(|error| match text.contains('(') {
         true => {
@@ -275,7 +276,7 @@ fn checkpoint_identity(setup: &Setup<f64>, search: &Search, starts: u32) -> Stri
     format!("{setup:?} {search:?} {starts}")
 }
 
-/// The last iteration in one line; with `--verbose`, a line for each iteration.
+/// Shows the last iteration in one line; with `--verbose`, prints a line for each iteration.
 fn show_iterations(search: &Search, follow: &mut Observers) -> SharedProgress {
     let (followed, running) = (search.clone(), running());
     let bar = match running.is_verbose() {

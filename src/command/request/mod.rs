@@ -120,8 +120,8 @@ impl Request {
             setup.replace_spin(setup.parameter(&setting.parameter)?);
             self.note_replaced(&setup, &before, setting);
         }
-        // reset parameters with the value `none`, without the check of `set`: the parameters that
-        // then determine their values may be columns of a table
+        // reset parameters with the value `none`. Do not use `set`, which requires a value of the
+        // parameters that then determine them: these may be columns of a table
         let (resets, settings): (Vec<_>, Vec<_>) =
             settings.into_iter().partition(|setting| setting.is_reset());
         setup.set_all(
@@ -250,14 +250,15 @@ impl Request {
             .map(|setting| setting.parameter.as_str())
     }
 
-    /// True if a search is to keep the value of the parameter: a setting of the command line
-    /// states it, or the host does.
+    /// True if the command line or the host states the parameter. A search by default ranges then
+    /// does not vary it.
     pub fn states(&self, parameter: &Parameter) -> bool {
         let is = |name: &str| name == parameter.name;
         self.stated().any(is) || self.stated_by_host().iter().any(|name| is(name))
     }
 
-    /// The parameters that a program states as part of its request, as `--set` does.
+    /// Names of the parameters that the host states in the setup named `-`; empty for another
+    /// setup.
     fn stated_by_host(&self) -> Vec<String> {
         if self.source.has_name() {
             return vec![];
@@ -402,8 +403,8 @@ impl Request {
         }
     }
 
-    /// The first stated parameter that `is` accepts, as messages name it: a setting of the command
-    /// line, or a value that a program states.
+    /// The name, for messages, of the first stated parameter for which `is` is true. The settings
+    /// of the command line come first, then the values that the host states.
     fn first_stated(&self, is: impl Fn(&str) -> bool) -> Option<String> {
         let setting = self.settings.iter().find(|setting| is(&setting.parameter));
         if let Some(setting) = setting {
@@ -525,8 +526,8 @@ impl Request {
         ));
     }
 
-    /// Prints a note on the club parameters that a setup file sets without effect, because the file
-    /// states the launch.
+    /// Prints a note on the club parameters in a setup file, which have no effect because the drive
+    /// is given by its launch.
     fn note_unused_club(&self) {
         let names: Vec<_> = self
             .source

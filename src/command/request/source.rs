@@ -44,8 +44,9 @@ impl Source {
         })
     }
 
-    /// True if the argument is a setup and not a search word: a preset, standard input, an existing
-    /// file, or a text like a path or a setting that is no part of a parameter name.
+    /// True if the argument names a setup: a preset, standard input or an existing file. A text
+    /// with a slash, `=` or an extension counts as a setup too, unless it is a part of a parameter
+    /// name. Any other text is a search word.
     pub fn is_named_by(argument: &str) -> bool {
         let path = Path::new(argument);
         let is_written_like_a_file =
@@ -140,8 +141,8 @@ fn read_standard_input() -> Result<SetupFile> {
     }
     let read = SetupFile::read(&text, name)?;
     Ok(SetupFile {
-        // a written setup file names its base: it names the preset, since standard input cannot be
-        // read again
+        // a written setup file names its base by `name`; standard input cannot be read again, so
+        // this is the preset
         name: read.preset.name.into(),
         ..read
     })

@@ -73,9 +73,10 @@ impl Request {
         Ok(accuracy.map_or(setup, |accuracy| accuracy.applied_to(&setup)))
     }
 
-    /// Method and step for many drives whose parameters are in these ranges, for the tolerance of
-    /// `--tolerance`, or for one micrometre without this option. They are those of the setup with
-    /// `--own-step`, and without both options if the setup states one of them.
+    /// Method and step for drives whose parameters are in these ranges. The error of a length is
+    /// within `--tolerance`, or within one micrometre without this option. The method and step of
+    /// the setup are kept with `--own-step`. They are also kept if the setup states one of them and
+    /// neither option is given.
     ///
     /// # Errors
     /// [`Error::Tolerance`] if no step is fine enough, and [`Error::Unreadable`] if a setting
@@ -128,8 +129,8 @@ impl Request {
         Ok(output.shown.display().to_string())
     }
 
-    /// The text of a setup file with the method and step that the user stated. The values for
-    /// `--tolerance` are valid only for the drives of this command.
+    /// The text of a setup file. If the source states method or step, its values replace those for
+    /// `--tolerance`, which are valid only for the drives of this command.
     fn with_stated_step(&self, toml: String) -> Result<String> {
         if !self.is_within_tolerance() || !self.source.content.setup.states_step {
             return Ok(toml);
