@@ -208,7 +208,6 @@ fn assumed_ground(request: &Request, table: &ShotTable, plan: &FitPlan) -> Optio
     })
 }
 
-/// The files to write.
 struct CalibrationFiles {
     folder: Option<Folder>,
     setup: Option<Destination>,
@@ -250,14 +249,14 @@ impl CalibrationFiles {
     }
 }
 
-/// Cross-validation: fits of this law and of the laws to compare. Each fit omits some rows.
+/// Cross-validation of the setup's law and of the laws to compare.
 struct CrossValidation<'a> {
     folds: usize,
     compared: Vec<ComparedLaw<'a>>,
 }
 
 impl<'a> CrossValidation<'a> {
-    /// The cross-validation of `--folds` or `--compare`; `None` without them.
+    /// `None` without `--folds` and `--compare`.
     fn new(
         args: &'a Args,
         setup: &Setup<f64>,
@@ -285,7 +284,7 @@ impl<'a> CrossValidation<'a> {
         Ok(Some(Self { folds, compared }))
     }
 
-    /// Prediction errors, each with the name of its law.
+    /// Prediction errors, each with a label of the law and of its fit.
     fn run(
         &self,
         setup: &Setup<f64>,

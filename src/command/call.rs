@@ -59,7 +59,7 @@ pub enum ArgumentValue {
     Named(String, Box<ArgumentValue>),
     /// Several values of one argument.
     Several(Vec<ArgumentValue>),
-    /// Texts that are joined by commas into one value, such as the changes that define a model.
+    /// Values that commas join into one value, such as the changes that define a model.
     Joined(Vec<ArgumentValue>),
 }
 
@@ -112,7 +112,8 @@ impl Call {
         Ok(line)
     }
 
-    /// The quantity of the goal of a search.
+    /// The quantity of the goal of a search, by default of the carry; `None` as in
+    /// [`quantity_of_goal`].
     fn goal(&self) -> Option<Quantity> {
         let text = self.arguments.iter().find_map(|(name, value)| match value {
             ArgumentValue::Text(text) if name == "maximize" || name == "minimize" => text.to_str(),
@@ -145,7 +146,8 @@ fn name_of(arg: &Arg) -> String {
 }
 
 /// The quantity of a goal such as `mean(carry) - 0.5*std(lateral)`: the quantity of its first
-/// outcome. Fractions of drives and numbers of strokes have no unit.
+/// outcome. `None` if the goal has only fractions of drives (`within`) or strokes, which have no
+/// unit.
 pub fn quantity_of_goal(goal: &str) -> Option<Quantity> {
     let mut rest = goal;
     while let Some(start) = rest.find(|c: char| c.is_ascii_lowercase()) {
@@ -165,14 +167,14 @@ pub fn quantity_of_goal(goal: &str) -> Option<Quantity> {
     None
 }
 
-/// The parameter with this name, of any law.
+/// The parameter with this name. Includes the coefficients of every law.
 fn parameter(name: &str) -> Option<&'static Parameter> {
     let of_any_law = || Law::all_rows().find(|row| row.name == name);
     Setup::default().parameter(name).ok().or_else(of_any_law)
 }
 
-/// The quantity of a parameter or an outcome. A number without a unit is in the SI unit of this
-/// quantity.
+/// The quantity of a parameter or an outcome; `None` for an unknown name. A number without a unit
+/// is in the SI unit of this quantity.
 pub fn quantity_of(name: &str) -> Option<Quantity> {
     let of_outcome = || Outcome::named(name).ok().map(|outcome| outcome.quantity());
     parameter(name)
@@ -185,7 +187,7 @@ pub fn quantity_of(name: &str) -> Option<Quantity> {
 pub(super) struct CommandLine {
     /// The words, the name of the program first.
     pub words: Vec<OsString>,
-    /// Angles without a unit, rad.
+    /// Angles that the call gives as numbers without a unit, rad.
     pub bare_angles: Vec<f64>,
     /// The quantity of the goal of a search.
     goal: Option<Quantity>,
@@ -281,8 +283,8 @@ impl CommandLine {
     }
 }
 
-/// Changes the advice of the error for a value out of range, if the value is an angle that was
-/// given without a unit. The advice is then the same number in degrees, which was probably meant.
+/// If an angle without a unit is out of range, replaces the advice of the error: it proposes the
+/// same number in degrees. `bare_angles` are the angles without a unit in the request, rad.
 pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
     let Error::OutOfRange {
         name,

@@ -166,7 +166,7 @@ fn progress(search: &Search, spinner: &SharedProgress) -> impl Fn(&Iteration) + 
 
 impl Args {
     /// The parameter of `--along` with its range, and the values of `--at`, SI. With `--at`, the
-    /// range is that of the values; without it, there are no values.
+    /// range is from the smallest to the largest value. Without `--at`, there are no values.
     fn places(&self, setup: &Setup<f64>) -> Result<(Vary, Vec<f64>)> {
         if !self.along.contains('=') && self.at.is_empty() {
             let reason =

@@ -33,8 +33,8 @@ const STATUS: [(&str, Style); 15] = [
 /// Prints an answer to standard output.
 pub fn print(text: &str) -> io::Result<()> {
     let mut out = anstream::stdout().lock();
-    // without colours, write the bytes unchanged, except for the help: it contains escape codes,
-    // which the stream removes
+    // without colours, write the bytes unchanged; the help contains escape codes, and only the
+    // stream removes them
     if AutoStream::choice(&io::stdout()) == ColorChoice::Never && !text.contains('\u{1b}') {
         let mut out = out.into_inner();
         return out.write_all(text.as_bytes()).and_then(|()| out.flush());

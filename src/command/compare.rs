@@ -130,7 +130,7 @@ impl PairArgs {
         ])
     }
 
-    /// The settings of a drive: its own settings, and the common settings of the other parameters.
+    /// The settings of a drive: its own settings, and the common settings that they do not replace.
     fn settings(
         &self,
         own_set: Vec<CommandSetting>,

@@ -137,7 +137,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 struct Deliveries {
     all: Vec<ShotDelivery>,
     population: Option<Result<Population>>,
-    /// The measurement, as the written files name it: the table, or "a measured launch".
+    /// The source of the measurement, for the written files: the table, or "a measured launch".
     from: String,
     /// Number of rows that an interruption left out.
     left_out: usize,
@@ -225,8 +225,9 @@ fn of_shots(
 /// The club parameter whose value is printed on the club.
 const LOFT: &str = "club.loft";
 
-/// A warning if the loft is that of an average golfer, and is neither stated nor varied: the
-/// delivery is computed with this loft, and a later search finds the best loft relative to it.
+/// A warning if the setup is the preset of an average golfer, and the loft is neither stated nor
+/// varied. The delivery is found for this loft, and a search from it finds a loft relative to this
+/// one.
 fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec<Message> {
     let is_varied = unknowns
         .iter()
@@ -246,8 +247,8 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
     loft.into_iter().map(Message::from).collect()
 }
 
-/// A warning if air, wind, ground or flight are stated, on which the impact does not depend. A file
-/// of this command, or the command that it is for, contains them.
+/// A warning about stated parameters without effect on the impact, such as air or ground. `None` if
+/// a file is written: the setup file, or the printed command for the swings, has these parameters.
 fn idle_settings_warning(args: &Args, club: &Request) -> Option<Message> {
     if args.output.is_some() || args.swings.is_some() {
         return None;
@@ -264,8 +265,8 @@ fn idle_settings_warning(args: &Args, club: &Request) -> Option<Message> {
     })
 }
 
-/// The parameters to find, with the prior knowledge of each. A club value that the command line
-/// states has the uncertainty of a launch monitor, like a value in a column of a table.
+/// The parameters to find, each with its prior. A stated club value counts as measured: its
+/// uncertainty is that of a launch monitor, as for a column of a table.
 fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Vec<Unknown>> {
     let vary = varied(&args.vary, setup, || Ok(vec![]))?;
     let sigmas = sigmas(setup, &args.sigma)?;
@@ -292,7 +293,6 @@ fn answer(args: &Args, found: &Deliveries) -> Answer {
     Answer::report(&report, &SetupOrigin::default(), args.json)
 }
 
-/// The files to write.
 struct DeliveryFiles {
     setup: Option<Destination>,
     swings: Option<Destination>,
@@ -344,7 +344,7 @@ impl DeliveryFiles {
     }
 
     /// Writes the swings that explain the shots, and prints the command that optimizes a design for
-    /// them. `setup_words` are the arguments of this command for the setup of the shots. Returns
+    /// them. `setup_words` returns the arguments of the printed command for the setup. Returns
     /// false if the swings were requested but not written.
     fn write_swings(
         &self,
@@ -501,7 +501,8 @@ impl Requests {
         Ok(setup)
     }
 
-    /// The setup with the measured launch. The shots of a table have their own launches.
+    /// The setup with the measured launch. A launch in the arguments is an error with `--shots`,
+    /// because each shot has its own launch.
     fn setup_of_launch(&self, args: &Args) -> Result<Setup<f64>> {
         let options: Vec<_> = self
             .launched

@@ -116,8 +116,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(found.is_found()))
 }
 
-/// Refuses a setup file that names no preset. Such a file starts from the default preset of the
-/// other commands, which exceeds the limits of the Rules of Golf.
+/// Refuses a setup file that names no preset. Such a file starts from `tour-average`, which exceeds
+/// limits of the Rules of Golf.
 fn refuse_unnamed_preset(request: &Request) -> Result<()> {
     if request.source.content.names_preset {
         return Ok(());
@@ -168,8 +168,8 @@ fn notes_on_defaults(args: &Args, requested: &Search) -> Vec<String> {
     notes
 }
 
-/// The parameters whose distributions the user stated. Empty for the default golfer: these swings
-/// scatter about the values of the setup, so a setting has an effect.
+/// The parameters whose distributions the user stated. Empty for the default golfer: its swings
+/// scatter about the values of the setup, so `--set` has an effect on them.
 fn distributed(args: &Args, swings: &Swings) -> Vec<&'static Parameter> {
     if args.optimize.swings.is_given() {
         swings.parameters()

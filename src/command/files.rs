@@ -26,8 +26,8 @@ pub struct OutputRule {
 }
 
 impl OutputRule {
-    /// The rule for a command that reads the files `inputs`, or that stores its progress in these
-    /// files.
+    /// The rule for a command with these input files. Files of its own that store progress count as
+    /// inputs.
     pub fn new(inputs: impl IntoIterator<Item = PathBuf>, overwrite: bool) -> Self {
         Self {
             inputs: inputs
@@ -69,8 +69,8 @@ impl OutputRule {
         Ok(destination)
     }
 
-    /// The destination of a setup file, if one is given and the rule allows it. The file is TOML,
-    /// and its extension must not belong to another format.
+    /// The destination of a setup file, which is TOML; `None` without a path. The extension must
+    /// not belong to another format.
     ///
     /// # Errors
     /// The errors of [`file`](Self::file), and [`Error::Results`] if the extension belongs to
@@ -207,7 +207,7 @@ const TABLE_EXTENSIONS: [&str; 7] = [
     "arrow", "arrows", "csv", "feather", "jsonl", "ndjson", "parquet",
 ];
 
-/// The extension of a file name, if a file format has it.
+/// The extension of a file name in lower case, if it is that of a known file format.
 fn known_extension(path: &Path) -> Option<String> {
     let extension = ending(path);
     let others = ["html", "json", "md", "pdf", "png", "svg", "toml", "txt"];
@@ -226,7 +226,7 @@ pub fn ending(path: &Path) -> String {
     ending.to_string_lossy().to_lowercase()
 }
 
-/// A path that the rule allows to write.
+/// A path to which the rule allows the program to write.
 #[derive(Clone, Debug)]
 pub struct Destination {
     /// The name as typed, for messages.
@@ -234,8 +234,8 @@ pub struct Destination {
     /// The path of the file itself, with links resolved.
     path: PathBuf,
     pub kind: DestinationKind,
-    /// True if an existing file may be replaced. Without `--overwrite` it is false, also if no file
-    /// exists at the check: another program may create one before this program writes its own.
+    /// True if an existing file may be replaced. If false, a file that another program creates
+    /// after the check is kept too.
     may_replace: bool,
 }
 
@@ -274,7 +274,7 @@ impl Destination {
         (self.kind == DestinationKind::File).then_some(&self.path)
     }
 
-    /// The name of a file on disk or of a device, for messages.
+    /// The name of a file on disk or of a device, for messages; `None` for other kinds.
     pub fn shown_on_disk(&self) -> Option<&Path> {
         let is_on_disk = matches!(self.kind, DestinationKind::File | DestinationKind::Device);
         is_on_disk.then_some(&self.shown)
@@ -286,7 +286,7 @@ impl Destination {
     /// [`Error::Results`] if the file cannot be written. An existing file is then unchanged.
     pub fn write(&self, bytes: &[u8]) -> Result<()> {
         let write = || self.stage(bytes)?.put_in_place();
-        // let Ctrl-C end the program here: a write to a pipe without a reader may block forever
+        // do not hold back Ctrl-C here: a write to a pipe without a reader may block forever
         if self.kind != DestinationKind::File {
             return write();
         }

@@ -22,8 +22,8 @@ pub enum MessageKind {
 /// The caller of a command: a terminal, or a program that embeds the library. A command calls the
 /// host from its own thread; worker threads also report progress to it.
 pub trait Host: Send + Sync {
-    /// Receives the answer, or the text of `--help` or `--version`. That text has escape codes for
-    /// colours.
+    /// Receives the answer. The texts of `--help` and `--version` are answers too; they contain
+    /// escape codes for colours.
     ///
     /// # Errors
     /// If the answer cannot be written.
@@ -83,8 +83,8 @@ pub trait Host: Send + Sync {
         "standard input"
     }
 
-    /// The names of the parameters that the setup named `-` states as part of this request, as
-    /// `--set` does on a command line. A search keeps their values, unless `--vary` names them.
+    /// Names of the parameters of the setup named `-` whose values count as stated, as by `--set`.
+    /// A search keeps their values, unless `--vary` names them.
     fn stated(&self) -> Vec<String> {
         vec![]
     }
@@ -94,8 +94,7 @@ pub trait Host: Send + Sync {
         MemoryFiles::new()
     }
 
-    /// True if the host keeps in memory the output file with this name, or the output files of the
-    /// folder with this name.
+    /// True if the host keeps this output file, or the files of this output folder, in memory.
     fn keeps(&self, _name: &Path) -> bool {
         false
     }
@@ -138,9 +137,9 @@ impl Host for () {
 pub enum Work<'a> {
     /// Countable parts with this name, in plural. [`Progress::set_length`] receives their number.
     Parts(&'a str),
-    /// Several searches, with their number. The message is the best value so far.
+    /// Several searches: their number. [`Progress::set_message`] receives the best value so far.
     Searches(u64),
-    /// The iterations of one search. The message is the last iteration.
+    /// The iterations of one search. [`Progress::set_message`] receives each iteration as text.
     Iterations,
     /// Work without countable parts, with its name.
     Uncounted(&'a str),
@@ -164,7 +163,7 @@ pub trait Progress: Send + Sync {
     /// counted so far.
     fn reset_eta(&self) {}
 
-    /// Runs `work`, which reports to the host, while the progress is hidden from the screen.
+    /// Hides the progress from the screen while `work` prints messages.
     fn suspend(&self, work: &mut dyn FnMut()) {
         work();
     }
@@ -173,7 +172,7 @@ pub trait Progress: Send + Sync {
     fn finish(&self) {}
 }
 
-/// No progress is shown.
+/// Discards the progress.
 impl Progress for () {}
 
 /// A receiver of progress that several observers share.

@@ -97,8 +97,8 @@ pub fn mark_options(help: &str) -> String {
     marked + rest
 }
 
-/// Parses the text between two backquotes. `None` if it is no command with parentheses and does not
-/// begin with the name of an option.
+/// Parses the text between two backquotes: a command with parentheses, or an option with or without
+/// a value. `None` for any other text.
 fn mention<'a>(program: &Command, inside: &'a str) -> Option<Mention<'a>> {
     if let Some(command) = inside.strip_suffix("()") {
         return Some(Mention::Command(command));

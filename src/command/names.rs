@@ -45,8 +45,8 @@ pub fn note_the_run(of: &[Outcome]) {
     }
 }
 
-/// The named parameters, to differentiate by; "all" means every parameter with a number in this
-/// setup.
+/// The parameters to differentiate by, from their names; "all" means every parameter with a number
+/// in this setup.
 ///
 /// If no outcome in `of` depends on the roll-out, "all" excludes the parameters that affect only
 /// the roll-out.

@@ -190,7 +190,7 @@ pub fn note_each<'a>(input: impl Display, notes: impl IntoIterator<Item = &'a Me
     }
 }
 
-/// Adds a text about omitted results to the JSON; with `--verbose`, also reports the text.
+/// Adds a text about omitted parameters to the JSON; with `--verbose`, also reports the text.
 pub fn note_left_out(text: &str) {
     running().left_out().push(text.into());
     note_detail(text);
@@ -258,7 +258,6 @@ pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: b
     u8::try_from(error.exit_code()).unwrap_or(2)
 }
 
-/// The error for an argument that is not UTF-8.
 fn not_utf8() -> Error {
     let running = running();
     let mut words = running.words.iter();
@@ -381,8 +380,8 @@ pub fn shown(work: Work<'_>) -> SharedProgress {
     }
 }
 
-/// A function that returns true at most once a second. Its first second returns false, because most
-/// searches end before a line about them could be read.
+/// Returns a function that is true at most once a second. It is false in the first second: most
+/// searches end before a reader could read a line of progress.
 pub fn once_a_second() -> impl Fn() -> bool + Send + Sync {
     let last = Mutex::new(Instant::now());
     move || {

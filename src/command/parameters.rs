@@ -30,7 +30,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         Some(word) => report.with_word(word)?,
         None => report,
     };
-    // do not print the warnings of the setup: only the JSON has them
+    // add the warnings of the setup to the JSON, without printing them
     running().warnings().extend(setup.warnings());
     let origin = request.origin();
     Ok(Answer::report(&report, &origin, args.json))

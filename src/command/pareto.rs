@@ -192,7 +192,7 @@ fn follow_front(request: &Request, args: &GoalArgs) -> Result<FollowedFront> {
     })
 }
 
-/// Objectives over many swings.
+/// The setup, and the search for the front of two goals over many swings.
 fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
     let SwingsRequest {
         setup, scenarios, ..
@@ -226,7 +226,7 @@ fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Pareto
     Ok((setup, search))
 }
 
-/// Objectives of a single drive with this setup.
+/// The setup, and the search for the front of two goals of one drive.
 fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
     let setup = request.setup_with_starts(&args.vary)?;
     let goals = args.goals(|option, text| Ok(of_a_drive(option, text)?.into()))?;

@@ -142,8 +142,8 @@ struct ReportRequest {
 /// The search of a report.
 struct ReportSearch {
     search: Search,
-    /// The parameter along which the chart runs. `None`, for no chart, if this is the default
-    /// parameter and the search varies it.
+    /// The parameter along which the chart runs. `None` (no chart) without `--along`, if the search
+    /// varies the default parameter.
     along: Option<Vary>,
 }
 
@@ -401,7 +401,8 @@ impl Args {
         })
     }
 
-    /// Refuses options of a search if there is nothing to vary.
+    /// Refuses options of a search if there is nothing to vary. The objective is allowed: the
+    /// report is about it.
     fn refuse_idle_search(&self) -> Result<()> {
         let along = self.along.as_ref().map(|_| "`along`");
         let options = self.search.given().chain(along);

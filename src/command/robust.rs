@@ -110,8 +110,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(is_found))
 }
 
-/// Warnings about settings of the request that a model does not have, because its law has
-/// coefficients of its own.
+/// Warnings about stated coefficients of the setup's law without effect in a model that has another
+/// law.
 fn lost_settings(request: &Request, setup: &Setup<f64>, models: &[Model]) -> Vec<Message> {
     let other_laws = models
         .iter()
@@ -205,7 +205,8 @@ impl Args {
         Ok(all)
     }
 
-    /// The allowed loss: the stated value, or one yard if the objective is a distance.
+    /// The allowed loss, SI: the stated value, or one yard if the objective is a distance.
+    /// Otherwise `None`.
     fn within(&self, of: &Goal) -> Result<Option<f64>> {
         let Some(text) = &self.within else {
             return Ok((of.quantity.si == Quantity::LENGTH.si).then_some(YARD));

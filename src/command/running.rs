@@ -120,7 +120,7 @@ impl Running {
         self.warnings.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The texts about omitted results, for JSON.
+    /// The parameters that the answer leaves out, with the reasons, for its key `left_out`.
     pub fn left_out(&self) -> MutexGuard<'_, Vec<String>> {
         self.left_out.lock().unwrap_or_else(PoisonError::into_inner)
     }

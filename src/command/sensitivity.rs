@@ -63,7 +63,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let found = with_bar("uncertainties", |show| {
         effects(&setup, &of, &sigmas, &mut |done, all| show(done, all))
     })?;
-    // the report has no value where a drive is missing: warn with the reason
+    // the report has no value where the drive at −σ or +σ is missing: warn with the reason
     let unflown = found.first().map(|effects| unflown(&setup, &of, effects));
     warn(unflown.into_iter().flatten());
     let slopes = best.as_ref().map(total_slopes).transpose()?;

@@ -143,7 +143,7 @@ pub struct SwingsOptimum {
     pub setup: Setup<f64>,
     pub optima: Optima,
     pub over: OverSwings,
-    /// Set to true to skip the rest of the work.
+    /// A flag that Ctrl-C sets: the rest of the work is then skipped.
     pub stop: Arc<AtomicBool>,
     /// The file that was written.
     file: Option<String>,
@@ -178,8 +178,8 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     request.note_starts(&setup, &search.vary);
     let found = optimize_and_write(args, &request, setup, swings, search)?;
     interrupt::ends();
-    // no parameter is held: the default search varies only the loft, and is refused if the request
-    // states the loft
+    // the search holds no stated parameter: by default it varies only the loft, and it is refused
+    // if the request states the loft
     let origin = request.origin_of_search(&found.optima.best.search.vary);
     let answer = Answer::of(
         request.is_json,
@@ -240,7 +240,8 @@ pub fn optimize_and_write(
     })
 }
 
-/// The search over swings. By default it maximizes the mean carry and varies the loft: the attack angle belongs to the golfer and varies from swing to swing.
+/// The search over swings. By default it maximizes the mean carry and varies the loft: the attack
+/// angle belongs to the golfer and varies from swing to swing.
 pub fn search_over_swings(
     request: &Request,
     search: &SearchArgs,

@@ -22,7 +22,7 @@ const ONE_PRESS: Duration = Duration::from_millis(300);
 /// The exit status of a program that Ctrl-C ends at once.
 const AT_ONCE: i32 = 130;
 
-/// A terminal, or the pipes of a script.
+/// The host of the program: a terminal, or the pipes of a script.
 #[derive(Clone, Default)]
 pub struct Terminal {
     now: Arc<Mutex<Now>>,
@@ -107,7 +107,7 @@ impl Terminal {
 
 impl Host for Terminal {
     fn print(&self, text: &str) -> io::Result<()> {
-        // during printing, Ctrl-C ends the program at once, like a broken pipe
+        // during printing, Ctrl-C ends the program at once
         self.now().is_printed = true;
         colour::print(text)
     }
@@ -135,7 +135,7 @@ impl Host for Terminal {
             }
             MessageKind::Warning => colour::say("warning", text),
             MessageKind::Error => colour::say("error", text),
-            // a broken pipe is not an error
+            // ignore an error, such as a broken pipe
             MessageKind::Usage => {
                 let _ = write!(anstream::stderr().lock(), "{text}");
             }

@@ -35,7 +35,7 @@ pub fn whole<T: TryFrom<u64>>(
     }
 }
 
-/// Largest number that a 32-bit option takes.
+/// Largest value of an option that is a `u32`.
 pub const U32: u64 = u32::MAX as u64;
 
 /// Refuses several threads in WebAssembly, where only one thread exists.

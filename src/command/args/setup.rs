@@ -5,7 +5,7 @@ use crate::parameters::DEFAULT_PRESET;
 /// Heading of the options of the setup in help texts.
 const YOUR_DRIVE: &str = "Your drive";
 
-/// Arguments that give a drive.
+/// Arguments that state the setup of a drive.
 #[derive(Clone, clap::Args)]
 pub struct DriveArgs {
     /// A preset's name, a TOML file, or - to read TOML from standard input. A file that names no
@@ -86,7 +86,7 @@ pub struct DriveArgs {
 }
 
 impl DriveArgs {
-    /// The given options that set one parameter, each with its parameter and value.
+    /// The given short options, such as `--speed`: each with its parameter and its value.
     pub fn short_names(&self) -> impl Iterator<Item = (&'static str, &'static str, &str)> {
         [
             ("speed", "swing.speed", &self.speed),
@@ -101,7 +101,7 @@ impl DriveArgs {
     }
 }
 
-/// Arguments about the setup, of every command with drives.
+/// Arguments for the setup, the integration and an answer in JSON.
 #[derive(Clone, clap::Args)]
 pub struct SetupArgs {
     #[command(flatten)]

@@ -97,7 +97,7 @@ impl Site<'_> {
     }
 
     /// True for a request with exactly one `Host` header, which names this server. The check
-    /// protects against DNS rebinding: another page could let the name of its host refer to this
+    /// protects against DNS rebinding, in which the host name of another page resolves to this
     /// machine.
     fn is_own_host(&self, headers: &[Header<'_>]) -> bool {
         let own = ["127.0.0.1", "localhost"].map(|name| format!("{name}:{}", self.port));

@@ -39,7 +39,8 @@ pub struct MessageCounts {
     refused: AtomicU64,
 }
 
-/// The error for `--listen` with a file that is not a setup and probably contains shots.
+/// The error for `--listen` with a file of shots. `why` is the reason why the file cannot be the
+/// setup of the messages.
 fn both_given(file: &Path, why: &str) -> Error {
     let file = file.display();
     let source = format!(
@@ -124,7 +125,7 @@ fn serve(
                 true
             }
             Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
-                // no more bytes are expected: end an incomplete message
+                // the client is silent: end an incomplete message
                 objects.finish();
                 true
             }

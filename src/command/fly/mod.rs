@@ -92,8 +92,8 @@ fn fly(args: &Args) -> Result<Answer> {
     ))
 }
 
-/// The flights of the shots. If the request gives a ground, it is taken as the ground on which the
-/// shots were measured.
+/// The flights of the shots. If the request states a ground, the measured roll-outs are compared
+/// with those on this ground.
 fn flying(request: &Request, setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Flying> {
     request.refuse_replaced(setup, shots.other_parameters())?;
     let mut flying =
@@ -143,7 +143,7 @@ fn refuse_no_rows(tally: &ShotStatistics, file: &Path) -> Result<()> {
     })
 }
 
-/// Remarks on measured outcomes without a comparison, with advice on how to get a comparison.
+/// Remarks on measured outcomes that are not compared, with advice.
 fn not_compared(shots: &Shots, of: &[Outcome], compares_roll_out: bool) -> Vec<Message> {
     let mut remarks = vec![];
     if !compares_roll_out && of.iter().any(|of| of.needs_run() && shots.has(*of)) {
@@ -243,8 +243,8 @@ fn stopped(tally: &ShotStatistics, destination: &Destination) -> String {
     }
 }
 
-/// The reason why no row flies: the reason of the first row, and the assumed units of columns
-/// without units.
+/// If no row flies: the reason of the first row, and the assumed units of columns without units.
+/// `None` if a row flies.
 fn nothing(tally: &ShotStatistics, remarks: &[Message]) -> Option<String> {
     (tally.flown == 0 && tally.rows > 0).then(|| {
         let first = tally.refused.values().min_by_key(|refused| refused.line);

@@ -15,8 +15,8 @@ pub fn requested_outcomes(args: &Args) -> Result<Vec<Outcome>> {
     Ok(of)
 }
 
-/// The setup with ball, air and law. Refuses a launch and club settings: the rows, which `rows`
-/// names, state the launches.
+/// The setup of ball, air and law. Refuses settings of the launch and of the club, because each
+/// shot has a launch of its own. `rows` names the shots in the error.
 pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
     let setup = request.partial_setup;
     request.refuse_launch(

@@ -10,11 +10,12 @@ use crate::command::running::running;
 use crate::{Error, Result};
 use std::path::Path;
 
-/// The format of `--format`, or else of the file name extension.
+/// The format of `--format`, or else of the file name extension. Standard output without `--format`
+/// is a table for a screen, or else CSV.
 ///
 /// # Errors
-/// [`Error::Together`] for a format of rows that are not written; [`Error::Results`] for a file or
-/// a format that cannot be written.
+/// [`Error::Together`] for `--format` with an answer in JSON and no file, because then no rows are
+/// written; [`Error::Results`] for a file or a format that cannot be written.
 pub fn format_of(args: &Args, is_json: bool) -> Result<FlyFormat> {
     let path = args.output.as_path();
     let is_standard = path == Path::new("-");

@@ -202,8 +202,9 @@ fn shown_curve(args: &PlotChart, search: &Search) -> Result<Option<&'static Para
     Err(Error::unknown("curve", name, names, advice))
 }
 
-/// The figure of the curve `shown`. The first figure shows the outcome; each other figure shows a
-/// parameter that changes, in the order of the search.
+/// The figure of the parameter `shown`, or of the outcome if `shown` is `None`. The first drawn
+/// figure is that of the outcome. The others are those of the varied parameters in the order of the
+/// search, without parameters at a bound.
 fn figure_of<'a>(
     figures: &'a ChartFigures,
     search: &Search,
