@@ -11,8 +11,8 @@ use numpy::{PyArray1, PyArrayDescrMethods, PyArrayMethods, PyUntypedArray, PyUnt
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyList, PyMapping, PyString, PyTuple};
 
-/// Number of rows that are copied from the arrays in one block, while the thread holds Python's
-/// lock.
+/// Number of rows that are copied from the arrays in one block; other threads of Python wait
+/// meanwhile.
 const GATHERED: usize = 65_536;
 
 /// Number of rows that are checked before other threads of Python may run.
@@ -49,9 +49,9 @@ pub struct Arrays {
 }
 
 impl Arrays {
-    /// The points of a dict of names with arrays or numbers. Arrays of 64-bit floats are not copied,
-    /// whatever their strides; other floats and whole numbers are converted. The values are checked
-    /// later.
+    /// The points of a dict of names with arrays or numbers. Arrays of 64-bit floats are not
+    /// copied, whatever their strides; other floats and whole numbers are converted. A value out of
+    /// range is no error here.
     pub fn of(setup: &Setup<f64>, points: &Bound<'_, PyAny>) -> Answer<Self> {
         let Ok(points) = points.cast::<PyMapping>() else {
             let kind = kind_of(points);
@@ -108,12 +108,10 @@ impl Arrays {
         })
     }
 
-    /// Number of rows.
     pub fn len(&self) -> usize {
         self.rows
     }
 
-    /// Warnings about columns whose angles were probably given in degrees, not in radians.
     pub fn in_degrees(&self) -> Vec<String> {
         self.in_degrees.clone()
     }

@@ -48,8 +48,8 @@ fn numbers(array: &Bound<'_, PyArray1<f64>>) -> Answer<Float64Array> {
 }
 
 /// The capsule of `__arrow_c_stream__`: columns of numbers with their units. `status`, if given,
-/// has a status number for each row, and `names` has the words for these numbers. The column of the
-/// status is inserted before column `at`.
+/// has a status number for each row, and becomes a column of words before column `at`; `names` has
+/// the word of each number.
 #[pyfunction]
 pub fn arrow_stream<'py>(
     py: Python<'py>,

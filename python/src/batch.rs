@@ -93,7 +93,7 @@ impl Request {
         })
     }
 
-    /// The warnings about the drives; `is_whole` if every row was computed.
+    /// The warnings about the drives. `is_whole` is true if every row was computed.
     fn warnings(&self, results: &Results, is_whole: bool) -> Vec<String> {
         let exceeded = results.status_counts.exceeded().warnings(
             &self.setup.law,
@@ -144,8 +144,8 @@ impl Request {
 /// A batch for Python.
 #[pyclass(get_all, frozen, module = "longdrive._longdrive")]
 pub struct BatchResult {
-    /// Status of each row. Beyond the computed rows, the arrays have unused space for the other
-    /// points.
+    /// Status of each row. After an interruption, this array and the others have unused space
+    /// behind the `done` computed rows.
     status: Py<PyArray1<i8>>,
     /// The columns of the table, as rows of this array: parameters of the points, outcomes,
     /// derivatives.
@@ -188,7 +188,8 @@ impl Work {
         self.arrays.len() - self.first_row
     }
 
-    /// True if the drives take less time than a check for Ctrl-C.
+    /// True if the step is known and the drives are so few that Python need not check for Ctrl-C
+    /// meanwhile.
     fn is_short(&self) -> bool {
         let chosen = self.chosen.as_ref();
         let setup = chosen.map_or(&self.request.setup, |chosen| &chosen.setup);
@@ -256,7 +257,7 @@ impl Work {
             batch.run(&mut self.arrays, &run, piece, sink)?;
             return Ok(());
         }
-        // a single chunk needs no other threads
+        // all rows in one chunk: this thread computes them alone
         self.arrays.seek(run.first_row)?;
         let mut values = vec![];
         if self.arrays.read(CHUNK, &mut values)? == 0 {
@@ -312,7 +313,8 @@ pub fn batch<'py>(
         setup.setup.refuse_replaced(&names(&request.points))?;
         let choice = step_choice(tolerance, own_step)?;
         let shared = Arc::new(Shared::new(request.results(arrays.len() - first_row)?));
-        // the values are examined last: this takes long, and the allocation above may fail
+        // examine the values last: this takes long, and would be in vain if the allocation above
+        // fails
         arrays.scan(py, ranges.is_none())?;
         let (whole, in_degrees) = (arrays.len(), arrays.in_degrees());
         let work = Work {
@@ -356,8 +358,8 @@ fn refuse_first_row(first_row: usize, rows: usize) -> Answer<()> {
     )))
 }
 
-/// The ranges for which a sweep chooses its step, from the names and ends in `given`. The points
-/// may cover only a part of these ranges.
+/// The ranges for which a sweep chooses its step, from the names with both ends in `given`. A part
+/// of a sweep has the ranges of the whole sweep, although its own points may cover less.
 fn given_ranges(setup: &PySetup, given: &[(String, f64, f64)]) -> Answer<Vec<Vary>> {
     let range = |(name, low, high): &(String, f64, f64)| {
         Ok(Vary {
@@ -385,7 +387,7 @@ fn by_names(
         return variables(&setup.setup, Some(wrt));
     }
     refuse_repeated("wrt", names.iter().map(String::as_str))?;
-    // a parameter of the points may have no value in `setup`
+    // `setup` may have no value for a parameter of the points
     let row = |name: &String| of_point(name).map_or_else(|| setup.setup.variable(name), Ok);
     Ok(names.iter().map(row).collect::<longdrive::Result<_>>()?)
 }

@@ -82,7 +82,6 @@ fn lone_surrogate_error(error: PyErr) -> PyErr {
     })
 }
 
-/// The error of a text with a lone surrogate.
 const LONE_SURROGATE: &str = "has half a character (a lone surrogate); give the text without it";
 
 /// A text of Python; `what` is its name in messages.

@@ -33,7 +33,7 @@ struct Caller {
     files: Mutex<Files>,
     /// The setup, as the text of a setup file.
     setup: String,
-    /// The parameters that the call states in a dict.
+    /// Names of the parameters that the call gives in a dict.
     stated: Vec<String>,
     /// The input files in memory.
     inputs: MemoryFiles,
@@ -134,8 +134,8 @@ impl Caller {
         now.messages.push(("note", message));
     }
 
-    /// Stops the current work. Returns the time that the work may take to answer; zero if the work
-    /// cannot be stopped.
+    /// Stops the current work. Returns the time to wait for its answer: zero, unless the work can
+    /// stop or has ended, so that only the answer is left to make.
     fn stops(&self) -> Duration {
         let now = self.now();
         if let Some(stop) = &now.stop {
@@ -159,7 +159,7 @@ impl Host for Caller {
         let kind = match kind {
             MessageKind::Note => "note",
             MessageKind::Warning => "warning",
-            // not passed on: the answer already contains the errors in the arguments, without
+            // drop the message: the answer contains the errors in the arguments already, without
             // colours
             MessageKind::Usage => return,
             MessageKind::Error => "error",

@@ -1,9 +1,9 @@
-//! Degrees in place of radians.
+//! Angles that were probably given in degrees although radians are expected.
 
 use longdrive::parameters::Parameter;
 use longdrive::units::{Quantity, counted_of};
 
-/// The values of an angle that lie outside of its range.
+/// Number and extent of the values of an angle that are outside of its range.
 #[derive(Default)]
 pub struct Degrees {
     range: Option<(f64, f64)>,

@@ -28,7 +28,6 @@ pub fn matrix<'py>(
     Ok(values.into_pyarray(py))
 }
 
-/// The outcomes with their derivatives.
 fn computed(
     setup: &Bound<'_, PyAny>,
     of: &[String],

@@ -47,7 +47,7 @@ impl AngleUnit {
     }
 }
 
-/// An angle that was given as a number: its parameter and its value, rad.
+/// Parameter and value (rad) of an angle that was given as a number.
 pub type BareAngle = (String, f64);
 
 /// A parameter with its value from Python.
@@ -218,7 +218,7 @@ fn flatten<'py>(
                      {{\"club.inertia.xx\": …}}"
                 )));
             }
-            // an empty group
+            // an empty dict for a group sets nothing
             Ok(inner) if inner.is_empty()? && is_group(&name) => {}
             Ok(inner) if !inner.is_empty()? => flatten(inner, &format!("{name}."), depth + 1, all)?,
             _ => all.push(Given { name, value }),
@@ -227,7 +227,8 @@ fn flatten<'py>(
     Ok(())
 }
 
-/// Returns true for the name of a group of parameters, including the parameters of any law.
+/// Returns true for the name of a group of parameters, including groups of coefficients that only
+/// another law has.
 fn is_group(name: &str) -> bool {
     let begins = |row: &str| {
         row.strip_prefix(name)
@@ -261,7 +262,7 @@ pub fn apply(
     let mut of_law = *setup;
     let is_choice = |given: &&Given<'_>| matches!(given.name.as_str(), LAW | TABLE);
     for choice in given.iter().filter(is_choice) {
-        // ignore errors in this choice: the loop below reports them
+        // ignore errors in this choice here: the loop below reports them
         let _ = of_law.set(&choice.name, &choice.text(setup)?.0);
     }
     let mut texts = given
@@ -298,7 +299,8 @@ pub fn apply(
     Ok(bare_angles)
 }
 
-/// Removes the name of the preset from the entries of a dict.
+/// Removes the name of the preset from the entries of a dict, and returns it; `None` if the dict
+/// names no preset.
 pub fn preset(given: &mut Vec<Given<'_>>) -> Answer<Option<String>> {
     let Some(at) = given.iter().position(|given| given.name == PRESET) else {
         return Ok(None);

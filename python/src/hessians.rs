@@ -50,7 +50,7 @@ impl Hessians {
         self.of.len() * self.wrt.len() * self.wrt.len()
     }
 
-    /// The Hessians of the outcomes of a row; `None` for a drive without them.
+    /// The Hessians of the outcomes of a row, one after the other; `None` if they do not exist.
     pub fn of_row(&self, block: &Block, row: usize) -> Option<Vec<f64>> {
         if matches!(
             block.status(row),

@@ -62,7 +62,8 @@ mod _longdrive {
 
     use super::*;
 
-    /// Adds the version, which equals the version of the program.
+    /// Adds the version, which equals the version of the program. Imports NumPy, and registers
+    /// `Setup` as a mapping.
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         let py = module.py();

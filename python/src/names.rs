@@ -136,7 +136,7 @@ pub fn is_out_of_range(name: &str, value: f64) -> bool {
         .is_ok_and(|row| !row.range.contains(value))
 }
 
-/// The error of an unknown key, with the nearest known key.
+/// The message for an unknown key, with the nearest known key and the advice.
 #[pyfunction]
 pub fn unknown_key(
     what: &str,

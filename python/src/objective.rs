@@ -21,7 +21,8 @@ use pyo3::types::{PyDict, PySequenceMethods, PyTuple};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// The last point at which the function was evaluated, with its results.
+/// The last point at which the function was evaluated, with its results. `found` is `None` for a
+/// point without a value.
 struct Point {
     x: Vec<f64>,
     /// The order of the computed derivatives; `requested` is the highest requested order.
@@ -38,12 +39,10 @@ enum ObjectiveKind {
         /// True if one evaluation may take so long that Python has to check for Ctrl-C meanwhile.
         is_long: bool,
     },
-    /// A goal over swings.
     Swings(Arc<GoalFunction>),
 }
 
 impl ObjectiveKind {
-    /// A goal over the swings that `swing_arguments` describe.
     fn over_swings(
         py: Python<'_>,
         choice: StepChoice,
@@ -63,7 +62,6 @@ impl ObjectiveKind {
         )))
     }
 
-    /// An outcome of one drive.
     fn of_drive(
         py: Python<'_>,
         choice: StepChoice,
@@ -93,8 +91,9 @@ impl ObjectiveKind {
         })
     }
 
-    /// The value at a point. Many swings are computed on several threads, while the thread of
-    /// Python checks for Ctrl-C and lets other threads of Python run.
+    /// The value at a point, with the derivatives up to `order`. Many swings are computed on
+    /// several threads, while the thread of Python checks for Ctrl-C and lets other threads of
+    /// Python run.
     fn at(
         &self,
         py: Python<'_>,
@@ -162,7 +161,6 @@ impl SwingArguments {
         variables(setup, wrt)
     }
 
-    /// The scenarios of the swings.
     fn scenarios(&self, setup: &Setup<f64>) -> Answer<Scenarios> {
         let swings = match &self.swings {
             Some(_) if !self.distribution.is_empty() || !self.correlation.is_empty() => {
@@ -219,9 +217,6 @@ impl SwingArguments {
     }
 
     /// Refuses an argument about swings if there are no swings.
-    ///
-    /// # Errors
-    /// [`Failure::Input`], which names the argument.
     fn refuse_stray(&self) -> Answer<()> {
         let given = [
             ("correlation", !self.correlation.is_empty()),
@@ -282,8 +277,7 @@ impl PyObjective {
         }
         let found = match self.function.at(py, &x, to)? {
             Ok(found) => found,
-            // a higher derivative may not exist although the requested order does: retry with the
-            // requested order
+            // higher derivatives may not exist at this point: retry with the requested order
             Err(_) if to > order => {
                 to = order;
                 self.value_or_error(self.function.at(py, &x, order)?)?

@@ -1,4 +1,4 @@
-//! Merged statistics of the parts of a sweep. The command `sweep` writes and checks the parts.
+//! Merges the statistics of the parts of a sweep. The command `sweep` writes and checks the parts.
 
 use crate::boundary::{Failure, answer};
 use crate::json::to_python;

@@ -104,9 +104,9 @@ pub fn run_drive<R: Send + 'static>(
     unpanicked(|| py.detach(|| work(&AtomicBool::new(false))))
 }
 
-/// Like `run`, for work that can answer with its result so far after an interruption. `patience`
-/// stops the work and returns the time that the work may take to answer. A second Ctrl-C ends the
-/// waiting at once.
+/// Like `run`, for work that can answer with its result so far. After an interruption, `patience`
+/// stops the work and returns the time to wait for its answer. A second Ctrl-C ends the waiting at
+/// once.
 pub fn run_to_answer<R: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send + 'static,
@@ -118,11 +118,11 @@ pub fn run_to_answer<R: Send + 'static>(
     let (finished, mut result) = sync_channel(1);
     let stopped = Arc::clone(&stop);
     pool.spawn(move || {
-        // the receiver does not exist any more if Python did not wait
+        // sending fails if the caller waits no more
         let _ = finished.send(unpanicked(|| work(&stopped)));
     });
-    // after an interruption: its exception, and the time until which the function waits for the
-    // answer
+    // the exception of the first interruption, and the time at which the waiting for the answer
+    // ends
     let mut ending: Option<(PyErr, Instant)> = None;
     loop {
         let heard;

@@ -111,7 +111,7 @@ impl Results {
         })
     }
 
-    /// Appends a piece.
+    /// Appends the rows of a chunk.
     fn take(&mut self, piece: &Piece) {
         let rows = piece.status.len();
         for (to, from) in self
@@ -144,7 +144,7 @@ impl Shared {
         }
     }
 
-    /// Appends a piece, unless Python has taken the results.
+    /// Appends the rows of a chunk, unless Python has taken the results.
     pub fn append(&self, piece: &Piece) {
         self.with(|results| {
             if let Some(results) = results {

@@ -22,7 +22,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 /// then takes at most tenths of a second.
 const LONG_FLIGHT: f64 = 600.0;
 
-/// Number of changes that the short text of a setup shows.
+/// Number of changes that `repr` shows.
 const SHOWN: usize = 4;
 
 /// All parameters of a drive: head, swing, strike, ball, air, ground, and integration of the flight.
@@ -102,7 +102,7 @@ impl Hash for PySetup {
 }
 
 impl PySetup {
-    /// A preset.
+    /// The setup of a preset.
     pub fn of_preset(name: &str) -> Answer<Self> {
         // one setup for each preset, so that its step is chosen once. The thread that holds this
         // lock also holds the interpreter's lock, so no process forks meanwhile
@@ -180,7 +180,7 @@ impl PySetup {
         Ok(())
     }
 
-    /// Like [`of`](Self::of); without an argument, the preset `tour-average`.
+    /// Like [`of`](Self::of). Without an argument, returns the preset `tour-average`.
     pub fn of_any(given: Option<&Bound<'_, PyAny>>) -> Answer<Self> {
         given.map_or_else(|| Self::of_preset(DEFAULT_PRESET), Self::of)
     }
@@ -227,7 +227,6 @@ impl PySetup {
         Ok(changes(&self.setup, self.file.preset, System::default())?)
     }
 
-    /// The value of a parameter or choice.
     fn item<'py>(&self, py: Python<'py>, name: &str) -> Answer<Bound<'py, PyAny>> {
         let setup = &self.setup;
         let choice = match name {

@@ -41,7 +41,7 @@ pub fn step_choice(tolerance: Option<&Bound<'_, PyAny>>, own_step: bool) -> Answ
     given.extract().map(StepChoice::Within).map_err(refuse)
 }
 
-/// Method and step for outcomes as functions of parameters.
+/// Chooses method and step for outcomes as functions of parameters.
 pub fn for_function(
     py: Python<'_>,
     choice: StepChoice,
