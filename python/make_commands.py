@@ -28,7 +28,8 @@ WIDTH = 100
 
 # functions that are not generated
 BY_HAND = {"simulate", "gradient", "parameters", "presets", "sweep"}
-# replaced in Python by Setup.replace, objects as answers, and a dict of parameters
+# options that Python does not need: it has Setup.replace, answers as objects, and dicts of
+# parameters
 LEFT_OUT = {"set", "set-a", "set-b", "json", "csv"}
 LEFT_OUT |= {"speed", "attack", "loft", "temperature", "wind", "altitude"}
 # options that only the program has, because it listens to a port

@@ -45,7 +45,7 @@ def check_unit(angles: Any) -> AngleUnit:
 
 
 def suspicious(values: Any) -> float | None:
-    """The largest of some angles in radians, if it was probably meant in degrees.
+    """The largest of some angles in radians if it was probably meant in degrees; else None.
 
     An angle above 0.5 rad is suspicious, unless it has at most four decimals in degrees: such an
     angle, for example ``math.radians(40)``, was converted from degrees.
@@ -84,7 +84,7 @@ class BareAngles:
         self._read: list[tuple[str, float]] = []
 
     def read(self, name: str, number: float) -> float:
-        """An angle in radians."""
+        """Converts an angle to radians. Keeps an angle given in radians for the warnings."""
         if self.unit == "deg":
             return math.radians(number)
         self._read.append((name, number))
@@ -92,7 +92,7 @@ class BareAngles:
 
     @property
     def numbers(self) -> list[float]:
-        """The angles read so far, rad."""
+        """The angles read so far in radians; none if the unit is deg."""
         return [number for _, number in self._read]
 
     def warnings(self) -> list[str]:
@@ -101,7 +101,7 @@ class BareAngles:
 
 
 def columns_in_radians(points: Mapping[str, Any], angles: AngleUnit) -> dict[str, Any]:
-    """Points of a batch with all numeric angles in radians; texts keep their units."""
+    """Converts numeric angles of the points from the unit `angles` to radians; texts stay texts."""
     if angles == "rad":
         return dict(points)
     return {
@@ -113,9 +113,9 @@ def columns_in_radians(points: Mapping[str, Any], angles: AngleUnit) -> dict[str
 
 
 def warnings_of_columns(points: Mapping[str, Any]) -> list[str]:
-    """Warnings about the angles of a batch, in radians.
+    """Warnings about the angles of a batch, in radians, that are in range.
 
-    The batch itself warns about values that are out of range.
+    The batch itself warns about angles out of range.
     """
     return warnings_of(
         (name, values)

@@ -56,7 +56,7 @@ def shown(value: Any) -> str:
 
 @contextmanager
 def whole_characters(name: str) -> Iterator[None]:
-    """Names the argument in the error of a text with a lone surrogate."""
+    """Makes the error of a text with a lone surrogate (half a character) name the argument."""
     try:
         yield
     except UnicodeEncodeError as error:
@@ -81,8 +81,8 @@ def nearest_outcome(name: str) -> str:
 def stated_in(setup: Any) -> list[str]:
     """The parameters that a dict in place of a setup states; none for a setup or a preset.
 
-    Launch conditions are left out: a launch is only complete with all of them, so a dict also has
-    those that vary.
+    Launch conditions are left out: a launch needs all of its conditions, so a dict also states
+    those that a column replaces.
     """
     if not isinstance(setup, Mapping) or isinstance(setup, _longdrive.Setup):
         return []
@@ -90,8 +90,9 @@ def stated_in(setup: Any) -> list[str]:
 
 
 def refuse_stated(stated: Sequence[str], columns: Any) -> None:
-    """Refuses a stated parameter with a column of its own, because the stated value would have no
-    effect.
+    """Refuses a parameter that has both a stated value and a column of values.
+
+    The stated value would have no effect.
     """
     names = columns if isinstance(columns, Mapping) else ()
     twice = next((name for name in stated if name in names), None)

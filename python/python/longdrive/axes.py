@@ -46,7 +46,7 @@ def draw(ax: Any, data: bytes, title: str) -> None:
     heads, *rows = csv.reader(io.StringIO(data.decode("utf-8")))
     layers: dict[tuple[str, str], list[list[str]]] = {}
     for row in rows:
-        # in the row of a bar, the column `name` has the label of the bar, not a layer's name
+        # for bars, the column `name` has the label of each bar instead of the name of the layer
         name = "" if row[0] == "bar" else row[1]
         layers.setdefault((row[0], name), []).append(row)
     for (kind, name), members in layers.items():
@@ -68,7 +68,6 @@ def draw(ax: Any, data: bytes, title: str) -> None:
 def _draw_layer(
     ax: Any, kind: str, name: str, columns: dict[str, Floats], names: list[str]
 ) -> None:
-    """Draws one layer."""
     heads = [head for head in columns if not head.startswith("to ")]
     x = columns[heads[0]]
     y = columns[heads[1]] if len(heads) > 1 else x
@@ -95,7 +94,7 @@ def _draw_layer(
 
 
 def _draw_contours(ax: Any, x: Floats, y: Floats, fields: list[Floats]) -> None:
-    """Draws contours of the first field that has values; the values are at the nodes of a grid."""
+    """Draws contours of the first field with finite values. (x, y) are the nodes of a grid."""
     for field in fields:
         known = np.isfinite(field)
         if known.any():

@@ -49,7 +49,7 @@ class Distribution:
 
 @dataclass(frozen=True)
 class Named:
-    """The value of a parameter or an outcome."""
+    """A parameter or an outcome with its value."""
 
     name: str
     value: Number | Range | Distribution
@@ -212,7 +212,7 @@ class Converter:
     def _amount(self, name: str, value: Any, is_difference: bool = False) -> Number:
         unit = _longdrive.unit_of(name)
         if unit is None:
-            # an unknown name: the command refuses it later
+            # do not raise here for an unknown name: the command refuses it later
             value, unit = value.magnitude if is_quantity(value) else value, ""
         return self.number(name, value, unit, is_difference)
 

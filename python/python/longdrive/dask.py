@@ -68,8 +68,8 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
         )
     count_of("retries", retries)
     plan = question_of(setup, question)
-    # not pure: Dask would reuse the results of an earlier sweep, although the folder may have
-    # changed
+    # pure=False: otherwise Dask would reuse the results of an earlier sweep, although the folder
+    # may have changed
     futures = client.map(plan.write, range(1, plan.parts + 1), pure=False, retries=retries)
     part_of = {future.key: part for part, future in enumerate(futures, start=1)}
     manifests: list[dict[str, Any]] = []

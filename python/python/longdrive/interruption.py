@@ -11,7 +11,7 @@ __all__ = ["interruption"]
 
 
 def interruption(function: str, answer: Any, notes: Sequence[str], advice: str) -> str:
-    """The message: the progress, the best result so far, and how to continue.
+    """The message after Ctrl-C: the progress, the best result so far, and how to continue.
 
     Parameters
     ----------

@@ -100,7 +100,7 @@ class Optimum(Reply):
         )
 
     def __missing__(self, key: str) -> Any:
-        # computed at the first access, by attribute or by key
+        # compute these two only at the first access
         if key in ("hess", "setup"):
             return getattr(self, key)
         raise KeyError(key)
@@ -159,8 +159,10 @@ def optimum(reply: Reply, request: Request) -> Optimum:
 
 
 def _with_own_model(reply: Reply) -> float | None:
-    """The objective of a robust design with the setup's own model, the first of the models: the
-    best value with this model, made worse by the loss."""
+    """The objective of a robust design with the setup's own model, which is the first model.
+
+    It is the best value with this model, made worse by the loss of the robust design.
+    """
     own = reply["models"][0]
     if own["value"] is None or own["loss"] is None:
         return None

@@ -31,7 +31,7 @@ class Option:
 
     @property
     def has_default(self) -> bool:
-        """True if the option has a default, which its help may describe."""
+        """True if the option has a default value, or its help describes what happens without it."""
         return bool(self.default or "default" in self.help)
 
     @property

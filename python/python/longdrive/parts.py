@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 __all__ = ["Over", "PartError", "Parts", "Question", "check", "merge", "sweep"]
 
 Over = Union[Mapping[str, "str | Sequence[float | str | int]"], Sequence[str]]
-"""Ranges of a sweep: names with ``"LOW..HIGH:COUNT"`` or (low, high, count), numbers in SI; with
-`sample` without the count."""
+"""Ranges of a sweep: names with ``"LOW..HIGH:COUNT"`` or (low, high, count), numbers in SI. With
+`sample`, a range has no count."""
 
 
 class PartError(Error, RuntimeError):
@@ -191,8 +191,8 @@ class Question(NamedTuple):
         InputError
             As :func:`longdrive.sweep` does.
         """
-        # The output is a file, although parts need a folder. The command refuses this after all
-        # other checks and before the first drive: that error means that the sweep is sound.
+        # Parts need a folder. Name a file in its place: the command refuses it after all other
+        # checks, before the first drive. So an error that names this file means: all else is right.
         name = "a file in memory"
         part = f"{self.parts}/{self.parts}"
         try:
@@ -271,7 +271,7 @@ class Parts(NamedTuple):
 
     @classmethod
     def of(cls, question: Question, rows: Iterable[dict[str, Any]]) -> Parts:
-        """The set of the parts with these rows of the manifest.
+        """Checks the folder, and returns its parts; `rows` are their rows of the manifest.
 
         Raises
         ------
@@ -288,7 +288,7 @@ class Parts(NamedTuple):
 def _sweep(
     values: Mapping[str, Value], setup: str, files: dict[str, bytes] | None = None
 ) -> dict[str, Any]:
-    """The answer of ``longdrive sweep``, with its warnings; `files` are input files in memory."""
+    """Runs ``longdrive sweep`` and returns its answer; `files` are files in memory."""
     status, answer, _, raised = _longdrive.command(
         "sweep", dict(values), setup, files or {}, [], lambda kind, text: None
     )
@@ -327,7 +327,7 @@ def _joined(name: str, names: Names) -> str:
 
 
 def question_of(setup: SetupLike, question: Mapping[str, Any]) -> Question:
-    """The checked sweep of a function that sends its parts to workers.
+    """Checks the arguments of a function that sends parts to workers, and returns the sweep.
 
     Raises
     ------

@@ -33,7 +33,7 @@ class Picture(Reply):
 
     @property
     def svg(self) -> str:
-        """The picture as SVG; empty for another format."""
+        """The picture as SVG; an empty text if it has another format."""
         text: str = self["data"].decode("utf-8") if self["form"] == ".svg" else ""
         return text
 

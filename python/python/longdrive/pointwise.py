@@ -87,7 +87,8 @@ class Pointwise:
         lead = x.shape[:-1]
         rows = np.asarray(x, dtype=np.float64).reshape(-1, len(self.wrt))
         points = {name: rows[:, k] for k, name in enumerate(self.wrt)}
-        # no warnings: an optimizer calls this very often, and simulate and Setup.warnings give them
+        # drop the warnings: an optimizer calls this very often; simulate and Setup.warnings
+        # give them
         by = self.wrt if order else None
         table = computed(
             self.setup,
@@ -106,7 +107,7 @@ class Pointwise:
 class OutcomeFunction:
     """Outcomes of a setup as a function of another library.
 
-    Pickling stores its arguments, because local functions cannot be pickled.
+    Pickling stores the arguments of ``outcome``, because a local function cannot be pickled.
     """
 
     def __init__(

@@ -61,7 +61,7 @@ class Bar:
 
     def __call__(self, done: int, total: int) -> None:
         now = time.monotonic() - self._began
-        # work without countable parts does not report its end
+        # total is 0 if the parts cannot be counted: the end is then unknown
         is_done = 0 < total <= done
         if now < self._next and not is_done:
             return

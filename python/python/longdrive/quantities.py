@@ -59,8 +59,8 @@ def to_si(value: Any, unit: str, is_difference: bool = False) -> Any:
         return value
     try:
         if is_difference:
-            # subtracting 0 makes a difference of temperatures, which pint converts without an
-            # offset
+            # subtract 0: for pint the result is a difference of temperatures, to be converted
+            # without the offset of the scale
             value = value - type(value)(0, value.units)
         number = value.to(unit or "dimensionless").magnitude
         # a radian is dimensionless in pint
@@ -115,7 +115,7 @@ def point_in_si(x: Any, units: Mapping[str, str]) -> Any:
     else:
         return x
     if len(elements) != len(units):
-        # the later check of the shape reports the wrong length
+        # a wrong length is reported later, by the check of the shape
         return [0.0] * len(elements)
     point = []
     for element, (name, unit) in zip(elements, units.items()):

@@ -129,13 +129,16 @@ class Request:
         return given if isinstance(given, Setup) else Setup(given, angles=self._angles)
 
     def _memory_output(self, arguments: Mapping[str, Any]) -> str:
-        """The name of the output file that stays in memory; empty for other commands."""
+        """The name of the output file that stays in memory.
+
+        Only plots and ``fly`` have one; for other commands the name is empty.
+        """
         if not self.command.startswith("plot "):
             return "rows.jsonl" if self.command == "fly" else ""
         return "plot.svg" if arguments.get("ax") is None else "plot.csv"
 
     def _take_output(self, arguments: Mapping[str, Any]) -> None:
-        """Keeps a picture, or the rows of shots, in memory."""
+        """Makes the command keep a picture, or the rows of shots, in memory."""
         if arguments.get("ax") is not None:
             check_axes(arguments["ax"])
             self.axes = arguments["ax"]
@@ -154,7 +157,7 @@ class Request:
         self.values["output"] = self.output
 
     def _table(self, name: str, given: Any) -> str:
-        """The name of a file, or of a table in memory."""
+        """The name of a file. A table in memory becomes a file in memory, named as the argument."""
         if isinstance(given, (str, os.PathLike)):
             return os.fsdecode(given)
         self.files[name] = csv_of(name, given)

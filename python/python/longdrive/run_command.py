@@ -71,7 +71,7 @@ def _reply_to(
     notes: list[str] = []
 
     def say(kind: str, text: str) -> None:
-        # show notes only: the answer contains the warnings and errors
+        # log only notes: the answer contains the warnings and errors
         if kind == "note":
             import logging
 

@@ -123,7 +123,10 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
 
 
 def _named(plan: Question, error: Exception) -> PartError:
-    """Converts the error of a worker. Spark keeps only the text, which names the part."""
+    """Converts the error of a worker to a PartError, whose part is 0 if it is unknown.
+
+    Spark keeps only the text of an error; the text names the part.
+    """
     mark = f" of {plan.parts}: "
     line = next((line for line in str(error).splitlines() if "part " in line and mark in line), "")
     number = line.partition(mark)[0].rpartition(" ")[2]

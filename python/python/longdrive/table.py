@@ -67,7 +67,7 @@ class Table:
     True
     """
 
-    # NumPy defers to the operators of the table: array == table is False
+    # make NumPy use the operators of the table: `array == table` is then False, not an array
     __array_ufunc__ = None
 
     def __init__(

@@ -112,7 +112,7 @@ def _csv_of_columns(name: str, table: Mapping[Any, Any]) -> bytes:
     import io
 
     for head in table:
-        # a lone surrogate raises UnicodeEncodeError
+        # raise UnicodeEncodeError for a lone surrogate
         str(head).encode()
     columns = [_column(name, head, values) for head, values in table.items()]
     lengths = sorted({len(column) for column in columns})
@@ -159,5 +159,5 @@ def _cell(value: Any) -> Any:
     if type(value).__name__ in ("NAType", "NaTType") or value != value:
         return ""
     is_numpy = hasattr(value, "dtype") and value.dtype.kind in "fiu"
-    # write a number of NumPy as Python writes a float
+    # NumPy's own repr of a number has the name of its type: float64(…)
     return repr(float(value)) if is_numpy else value

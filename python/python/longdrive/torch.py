@@ -106,8 +106,11 @@ def outcome(
             return batched(Curvatures, info, in_dims, x), (0, 0, 0)
 
     class Slopes(Function):
-        """Values and Jacobian. The Jacobian is a separate result, so that it is computed with the
-        values and can be differentiated again."""
+        """Values and Jacobian.
+
+        The Jacobian is also a result: it is computed together with the values, and it can be
+        differentiated again.
+        """
 
         @staticmethod
         def forward(x: torch.Tensor) -> tuple[torch.Tensor, ...]:
@@ -144,7 +147,7 @@ def outcome(
             return batched(Slopes, info, in_dims, x), (0, 0)
 
     def batched(function: Any, info: Any, in_dims: tuple[int | None, ...], x: torch.Tensor) -> Any:
-        # one call for all points: the first dimensions of every result run over the points
+        # compute all points in one call: they become the first dimension of x and of every result
         at = in_dims[0]
         return function.apply(
             x.expand(info.batch_size, *x.shape) if at is None else x.movedim(at, 0)
