@@ -97,7 +97,7 @@ def main() -> int:
 
 
 def compiled() -> Any:
-    """The compiled module, imported without the package, whose files are about to be written."""
+    """The compiled module. It is imported without the package, whose files this script writes."""
     folders = [FOLDER, *(Path(folder) / "longdrive" for folder in sys.path)]
     files = [
         file
@@ -132,7 +132,7 @@ def listed(names: Any) -> str:
 
 
 def kept(line: str, text: str) -> str | None:
-    """An import with the names that the text uses; None without any."""
+    """An import statement, reduced to the names that the text uses; None if it uses none."""
     if not line or line == "if TYPE_CHECKING:":
         return line
     source, names = line.split(" import ")
@@ -144,7 +144,7 @@ def kept(line: str, text: str) -> str | None:
 
 
 def is_used(name: str, text: str) -> bool:
-    # docstrings contain the word `optimum`, too
+    # look only for a use of `optimum` in code: docstrings contain the word, too
     pattern = rf"\b{name}\b" if name[0].isupper() else rf"(, |return ){name}[()]"
     return name == "TYPE_CHECKING" or re.search(pattern, text) is not None
 
@@ -434,7 +434,7 @@ def wrapped(text: str, first: str, then: str | None = None) -> list[str]:
 
 
 def as_python(text: str) -> str:
-    """Help with the names of arguments in place of options."""
+    """Replaces options by the names of Python's arguments in a help text."""
     text = re.sub(r"--([a-z]+(?:-[a-z]+)*)", lambda match: match[1].replace("-", "_"), text)
     text = re.sub(r"\.? Repeatable\.?$", "", text).replace(
         ", separated by commas", ", one or several"

@@ -49,7 +49,7 @@ def of_a_call() -> None:
         done = subprocess.run(command, check=True, capture_output=True, text=True, cwd=FOLDER)
         return float(done.stdout)
 
-    # by turns, because the speed of a shared machine changes
+    # measure by turns, because the speed of a shared machine changes
     by_turns = [(1e6 * best(objective, rounds) / calls, evaluator()) for _ in range(3)]
     here, rust = map(min, zip(*by_turns))
     print(
@@ -79,8 +79,7 @@ def of_a_drive() -> None:
 
 
 def of_rows() -> None:
-    """Compares the time of a million drives with gradients with the program, which writes them to a
-    file."""
+    """Measures a million drives with gradients: ``batch``, the program with a file, and JAX."""
     draw = np.random.default_rng(1)
     points = {
         "club.loft": np.radians(draw.uniform(5, 15, ROWS)),
@@ -128,7 +127,7 @@ def of_import() -> None:
         command = [sys.executable, "-c", f"import {name}"]
         return best(lambda: subprocess.run(command, check=True), 1)
 
-    # by turns, since the load of the machine changes
+    # measure by turns, because the load of the machine changes
     times = [(importing("numpy"), importing("longdrive")) for _ in range(20)]
     alone, whole = (min(each) for each in zip(*times))
     print(f"import: {1e3 * whole:.0f} ms, NumPy alone {1e3 * alone:.0f} ms, with Python's start")

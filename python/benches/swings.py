@@ -98,7 +98,7 @@ class Scaled:
 
 
 class LastIteration(logging.Handler):
-    """The time of the last iteration that was shown."""
+    """Keeps the time of the last iteration that the command reported."""
 
     at = 0.0
     spent = 0.0
@@ -136,7 +136,7 @@ def ours(scenarios: int) -> tuple[Any, dict[str, Any]]:
 
 
 def theirs(scaled: Scaled, method: str, start: Any) -> dict[str, Any]:
-    """Runs SciPy from the same start, with tolerances of 1e-10."""
+    """Runs SciPy from the same start, with tolerances of 1e-10 (SLSQP: 1e-14 for the goal)."""
     options: dict[str, Any] = (
         {"ftol": 1e-14, "maxiter": 1000}
         if method == "SLSQP"
@@ -174,7 +174,7 @@ def main() -> None:
     print("|--:|---|---|--:|--:|--:|--:|--:|--:|")
     for scenarios in [int(text) for text in sys.argv[1:]] or [500, 10_000]:
         best, row = ours(scenarios)
-        # method and step of the search, accurate within 1 um
+        # the method and step that the search chose for an error of 1 um
         chosen = {name: best.reply["setup"][name] for name in ["flight.method", "flight.step"]}
         setup = longdrive.Setup({"preset": "tour-average", **chosen})
         judge = Scaled(setup, scenarios)

@@ -19,7 +19,7 @@ carry = longdrive.jax.outcome("mae494", "carry", ["club.loft"])
 @jax.vmap
 def step(x: jax.Array) -> jax.Array:
     slope, curvature = jax.grad(carry)(x), jax.hessian(carry)(x)[0]
-    # a step uphill where the carry is not concave
+    # where the carry is not concave, Newton's step would go downhill: go a small step uphill
     return x + jnp.where(curvature < 0, -slope / curvature, 0.02 * jnp.sign(slope))
 
 

@@ -18,7 +18,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 
-# a shell starts background jobs with Ctrl-C ignored; some tests need it
+# Python ignores Ctrl-C in a background job of a shell, but some tests press it: set its handler
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
@@ -53,9 +53,11 @@ def unit() -> Any:
 
 @pytest.fixture
 def at_work() -> threading.Event:
-    """An event. Once a test sets it, a second thread of Python presses Ctrl-C, as soon as this
-    thread has run five times within 15 ms. Long work checks for Ctrl-C every 20 ms. If other
-    threads could run only at these checks, the second thread would never press Ctrl-C."""
+    """An event that starts a second thread of Python, which presses Ctrl-C during long work.
+
+    The thread first waits until it has run five times within 15 ms. Long work checks for Ctrl-C
+    every 20 ms: if other threads could run only at these checks, it would never press Ctrl-C.
+    """
     event = threading.Event()
 
     def run() -> None:

@@ -94,7 +94,7 @@ def test_same_results_of_a_table_for_each_unit_of_angles() -> None:
     for points in (table, table.to_pandas()):
         again = longdrive.batch("mae494", points, angles="deg")
         assert again == table
-    # a frame without units has angles in the unit of the argument
+    # a frame without units has angles in the unit of the argument `angles`
     frame = pandas.DataFrame({"club.loft": [8.0, 10.0, 12.0]})
     assert longdrive.batch("mae494", frame, angles="deg") == table
     for points in (table, frame):
@@ -110,7 +110,7 @@ def test_a_frame_warns_of_a_large_bare_angle_as_a_dict_does(kind: str) -> None:
     table = longdrive.batch("tour-average", columns)
     assert any("1 rad is 57.3°" in text for text in table.warnings)
     assert longdrive.batch("tour-average", frame).warnings == table.warnings
-    # the units of a frame that was made from a table are known
+    # a table has known units, so its angles are not bare
     known = longdrive.batch("tour-average", table)
     assert not any("57.3°" in text for text in known.warnings)
 

@@ -428,7 +428,7 @@ def test_same_rows_in_several_threads_at_once(table: Table) -> None:
     assert len(found) == 6 and all(bits(other) == bits(table) for other in found)
 
 
-# while the child processes start, a thread of the parent computes batches
+# starts child processes while a thread of the parent computes batches
 PROCESSES = """
 import multiprocessing, pickle, sys, threading
 import numpy as np
@@ -444,7 +444,8 @@ def rows(_=None):
     return tuple(np.ascontiguousarray(table[name]).tobytes() for name in table.keys())
 
 if __name__ == "__main__":
-    # a fork during the first call could inherit the lock of an import
+    # finish the first call, which imports modules: a child forked meanwhile could inherit the lock
+    # of an import
     rows()
     stop = threading.Event()
 

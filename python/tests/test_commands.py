@@ -149,7 +149,7 @@ def test_differences_confirm_the_hessian_at_an_optimum():
     ]
     assert found.hess[0, 0] == pytest.approx((at[0] - at[1]) / (2 * step), rel=1e-6)
     assert abs(found.jac[0]) < 1e-8 * abs(found.hess[0, 0])
-    # also as keys, as in SciPy
+    # the attributes are also keys, as in SciPy
     assert found["hess"][0, 0] == found.hess[0, 0] and found["setup"] == found.setup
 
 
@@ -422,7 +422,7 @@ def test_ctrl_c_ends_a_search_early():
             progress=lambda done, of: is_at_work.set(),
         )
     presser.join()
-    # a search that ended has an answer with its status
+    # the exception has an answer, unless the search had no result yet
     assert caught.value.answer is None or caught.value.answer.ended == "interrupted"
     assert longdrive.optimize("mae494").success
 

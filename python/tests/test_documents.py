@@ -92,7 +92,7 @@ def test_the_python_of_the_documents_runs(
         pytest.importorskip(library)
     for needed in (library for module, library in NEEDS.items() if f"import {module}" in code):
         pytest.importorskip(needed)
-    # their output files are removed
+    # run in a folder that pytest removes: some examples write files
     monkeypatch.chdir(tmp_path)
     exec(compile("\n" * (line - 1) + code, name, "exec"), {})  # noqa: S102
 

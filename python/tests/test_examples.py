@@ -26,7 +26,8 @@ NEEDS = {
 def run(name: str, *arguments: str) -> str:
     if name in NEEDS:
         pytest.importorskip(NEEDS[name])
-    # workers of Spark otherwise use the python3 of the path, which may be another
+    # set PYSPARK_PYTHON: otherwise workers of Spark use the python3 of the path, which may be
+    # another
     # fmt: skip
     done = subprocess.run(
         [sys.executable, EXAMPLES / f"{name}.py", *arguments],
@@ -41,7 +42,7 @@ def run(name: str, *arguments: str) -> str:
 
 @pytest.mark.parametrize("name", sorted(path.stem for path in EXAMPLES.glob("*.py")))
 def test_an_example_runs(name: str, tmp_path: Path) -> None:
-    # a sweep names the folder of its files
+    # the argument of an example of a sweep is the folder for its files
     assert run(name, *([str(tmp_path / "drives")] if name.endswith("_sweep") else []))
 
 

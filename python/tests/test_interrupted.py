@@ -87,7 +87,7 @@ def test_an_interrupted_search_has_its_best_point_and_iterations() -> None:
     error, found = caught.value, caught.value.answer
     assert isinstance(found, longdrive.Optimum) and not found.success
     assert found.ended == "interrupted" and "of 2000 searches ended" in found.message
-    # the drive at the best point so far, computed again
+    # the value in the answer is the carry at the best point so far
     assert longdrive.gradient(found.setup, "carry", "club.loft").value == pytest.approx(
         found.fun, abs=1e-5
     )
@@ -346,7 +346,7 @@ def test_ctrl_c_before_the_first_row_is_interrupted_too() -> None:
 
 
 def test_functions_of_numpy_are_loaded_before_ctrl_c_is_handled() -> None:
-    # functions of NumPy that are looked up later than at the import of longdrive would fail
+    # delete NumPy's table of C functions: it must have been read at the import of longdrive
     code = (
         "import longdrive, numpy; del numpy._core.multiarray._ARRAY_API; "
         "print(len(longdrive.sweep('mae494', {'club.loft': (0.1, 0.2, 3)}, wrt='points')))"

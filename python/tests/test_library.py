@@ -1,4 +1,4 @@
-"""The package as a library: equal setups, mappings, tables that go round, types, metadata."""
+"""The package as a library: equal setups, mappings, round trips of tables, types, metadata."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ import longdrive.parts
 from longdrive import InputError
 
 HUGE = 10**30
-# more digits than Python writes
+# more than 4300 digits, which Python refuses to convert to a text
 ENDLESS = 10**5000
 HALF = "carry\ud800"
 OVER: dict[str, Any] = {"club.loft": (0.1, 0.2, 3)}

@@ -71,7 +71,7 @@ def test_values_far_from_the_fit_have_a_warning(shots: dict[str, Any]) -> None:
             "sigma carry [m]": np.ones(ALL),
         }
     )
-    # the words have the numbers of the answer
+    # the warning has the numbers of the answer
     off = math.sqrt(found.chi_square / found.degrees_of_freedom)
     assert (
         off > 3
@@ -205,7 +205,7 @@ def test_a_batch_without_a_flight_names_the_reason_of_its_first_row() -> None:
         longdrive.batch("tour-average", {"club.loft": [np.nan, np.nan]})
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        # the ball still has a speed
+        # no warning: the balls do not fly, but the requested ball speed has a value
         longdrive.batch(
             "tour-average",
             {"swing.attack_angle": np.radians([-75.0, -69.0])},

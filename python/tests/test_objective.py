@@ -138,8 +138,8 @@ def test_ctrl_c_ends_the_evaluation_of_a_goal_over_many_swings() -> None:
 
     def hear(*_: object) -> None:
         heard.append(True)
-        # ends after the third signal within one call; without checks during the call, Python would
-        # see one signal, at the end of the call
+        # raise at the third signal within one call. Without checks during the call, Python would
+        # see only one signal, at the end of the call
         if len(heard) == 3:
             raise KeyboardInterrupt
 
@@ -278,8 +278,7 @@ def test_other_threads_of_python_run_while_an_objective_flies_swings(
 
 def test_scipy_reaches_the_optimum_that_the_gradient_proves() -> None:
     optimize = pytest.importorskip("scipy.optimize")
-    # within 0..20 deg of loft at a fixed attack angle the best loft is inside, where the derivative
-    # is 0
+    # at a fixed attack angle, the best loft is inside the bounds, where the derivative is 0
     carry = longdrive.objective("mae494", "carry", ["club.loft"], "max")
     found = optimize.minimize(
         carry.fun,
@@ -308,8 +307,8 @@ def test_same_optimum_by_every_method_of_scipy_that_takes_derivatives(method: st
     optimize = pytest.importorskip("scipy.optimize")
     ranges = {"club.loft": (0.05, 0.45), "strike.high": (-0.015, 0.015)}
     carry = longdrive.objective("tour-average", "carry", list(ranges), "max")
-    # in km: the first step of CG and BFGS has the length of the gradient; in m per rad it would
-    # leave all ranges
+    # use the carry in km: the first step of CG and BFGS has the length of the gradient, which would
+    # leave all ranges for a carry in m
     more: dict[str, Any] = {}
     if method in ("Newton-CG", "trust-constr"):
         more["hess"] = lambda x: carry.hess(x) / 1e3

@@ -99,7 +99,8 @@ def test_a_missing_part_is_named_and_parts_of_other_sweeps_are_refused(tmp_path:
         other.write(2)
     again = pickle.loads(pickle.dumps(caught.value))
     assert (type(again), str(again), again.part) == (PartError, str(caught.value), 2)
-    # the message depends on the file that is checked first: another part, or the second part itself
+    # a part is refused for an existing part of another sweep: which message comes first depends on
+    # the order of the files
     with pytest.raises(PartError, match="parts of one|different derivatives"):
         parts.sweep(**{**QUESTION, "wrt": ()}, output=tmp_path, processes=1, retries=0)
     with pytest.raises(InputError, match="it has no part of a sweep"):

@@ -17,7 +17,7 @@ from test_parts import QUESTION, sha256_of_the_set
 from longdrive import parts
 from longdrive.parts import PartError, Question
 
-# warnings of the engines themselves
+# ignore warnings: the engines issue their own
 pytestmark = pytest.mark.filterwarnings("ignore")
 
 
@@ -99,7 +99,7 @@ class Troubled(Mortal):
 
 
 def fill_the_disk(bytes_left: int) -> None:
-    """In a worker: limits the size of files, which fails as a full disk does."""
+    """Limits the size of files in this process: writing more fails as on a full disk."""
     # Python ignores the signal of a file that is too large
     _, most = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (bytes_left, most))
@@ -133,7 +133,7 @@ def test_same_set_from_dask_with_a_worker_killed_a_part_poisoned_and_a_disk_full
 def test_a_part_that_always_fails_is_named_by_dask(client: Any, tmp_path: Path) -> None:
     import longdrive.dask
 
-    # an earlier process may have been killed
+    # an earlier test may have killed a worker: wait for its successor
     client.wait_for_workers(2)
     client.run(fill_the_disk, 2000)
     with pytest.raises(PartError, match="part . of 4: .*it cannot be written") as caught:
@@ -155,7 +155,7 @@ def test_the_result_of_a_part_does_not_grow_with_its_rows(tmp_path: Path) -> Non
         row = Question.of(**question, output=tmp_path / str(rows)).write(2)
         assert row["rows"] == 512 * rows
         sizes.append(len(pickle.dumps(row)))
-    # only the numbers of rows have more digits
+    # the row of the longer sweep differs only in digits of its numbers
     assert abs(sizes[1] - sizes[0]) < 100 and max(sizes) < 5000, sizes
 
 

@@ -236,7 +236,7 @@ def test_a_stated_value_is_never_replaced_without_a_message() -> None:
     dense = Setup({"air.density": 1.1})
     with pytest.raises(InputError, match="air.density and air.temperature are both given"):
         dense.replace({"air.temperature": "20 degC"})
-    # the advice of the message works
+    # follow the advice of the message
     warm = dense.replace({"air.density": "none", "air.temperature": "20 degC"})
     assert longdrive.simulate(warm)["carry"] == longdrive.simulate(
         Setup({"air.temperature": "20 degC"})

@@ -14,7 +14,8 @@ pytest.importorskip("mypy")
 FOLDER = Path(__file__).parents[1]
 PACKAGE = FOLDER / "python/longdrive"
 EXAMPLES = sorted((FOLDER / "examples").glob("*.py"))
-# without the package ray, a checker would take `longdrive/ray.py` for it, and so on
+# leave out examples of other packages: if ray is not installed, a checker would take
+# `longdrive/ray.py` for it
 NEEDS = {"ray_sweep.py", "spark_sweep.py", "torch_ascent.py"}
 
 

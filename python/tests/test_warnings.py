@@ -15,7 +15,7 @@ from longdrive import LongdriveWarning
 
 # faster than the fitted range of a law whose drag depends on the Reynolds number
 FAST = {"preset": "tour-average", "swing.speed": "160 mph", "aero.law": "smits-smith"}
-# its speed is not stated in the call, so that swings may replace it
+# a setup, not a dict: a call states no speed with it, so swings may replace the speed
 SWUNG = longdrive.Setup(FAST)
 POINTS = {"club.loft": np.linspace(0.1, 0.2, 50)}
 
@@ -50,8 +50,8 @@ def test_a_warning_may_be_an_error_and_has_the_answer(call: Callable[[], Any]) -
             call()
         warnings.simplefilter("ignore")
         answer = raised.value.answer
-        # the result in `answer` is of any class, and equals the result without a warning, also in a
-        # pool of processes
+        # the exception has the same result as a call without an exception, also when it is pickled,
+        # as from a pool of processes
         assert (
             type(answer) is type(call())
             and answer.warnings

@@ -302,7 +302,7 @@ def test_an_unknown_key_is_a_key_error_with_the_nearest_name(
 ) -> None:
     with pytest.raises(KeyError, match=words) as raised:
         look()
-    # KeyError, which Python expects of a mapping, and the exception of longdrive
+    # it is also a KeyError, which Python expects of a mapping
     assert (
         isinstance(raised.value, longdrive.UnknownKeyError) and isinstance(raised.value, InputError)
     )
