@@ -41,7 +41,7 @@ const NODES: [usize; 2] = [13, 9];
 /// The coordinates of the landing.
 const LANDING: [Outcome; 2] = [Outcome::Carry, Outcome::Lateral];
 
-/// The request.
+/// The head of a request: the setup, two ranges, and the target, m.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Request {
@@ -54,7 +54,6 @@ pub struct Request {
     lateral: f64,
 }
 
-/// The head of the answer.
 #[derive(Serialize)]
 struct Head {
     status: &'static str,
@@ -63,7 +62,7 @@ struct Head {
     parameters: [&'static str; 2],
 }
 
-/// The answer.
+/// Answers with the values of both parameters, the landing, and its distance from the target.
 ///
 /// # Errors
 /// The message of the program, if the ball does not land at the start.
@@ -151,14 +150,14 @@ impl Aim {
         self.search(best, MOST_DRIVES)
     }
 
-    /// Starts of the search: the points whose landing is the target, if landings are interpolated
+    /// Starts of the search: the points that land on the target if landings are interpolated
     /// linearly in the triangles of a grid. The last start is the node that lands nearest to the
     /// target.
     fn starts(&self, from: [f64; 2]) -> Result<Vec<[f64; 2]>, Error> {
         let [across, up] = self.vary;
         let plane = Plane::fly(&self.setup, &LANDING, across, up, NODES, Order::Value)?;
         let misses = plane.values[0].iter().zip(&plane.values[1]);
-        // NaN for a drive that does not land
+        // the components of a miss are NaN for a drive that does not land
         let misses: Vec<[f64; 2]> = misses
             .map(|(along, right)| {
                 let miss = |value: &Option<f64>, axis: usize| {
@@ -265,7 +264,7 @@ impl Point {
     }
 }
 
-/// Half of the squared distance from the target, m², by the quadratic model of the landing.
+/// Half of the squared distance from the target, m², for the landing of the quadratic model.
 struct Model<'a>(&'a Point);
 
 impl Functions for Model<'_> {
@@ -294,7 +293,7 @@ fn triangles() -> impl Iterator<Item = [usize; 3]> {
     })
 }
 
-/// The place where a function that is linear in a triangle vanishes.
+/// The point at which both components of the miss are 0, if they are linear in a triangle.
 struct Zero {
     /// Position along the two sides that meet in the first corner of the triangle, as fractions of
     /// their lengths.
@@ -304,9 +303,8 @@ struct Zero {
 }
 
 impl Zero {
-    /// The zero of the linear function with these values in the corners; `None` if it is farther
-    /// outside of the triangle than `SLACK`. Zeros slightly outside count, because the landing is
-    /// not exactly linear.
+    /// The zero for these misses in the corners. `None` if it is farther outside of the triangle
+    /// than `SLACK`. Zeros slightly outside count, because the miss is not exactly linear.
     fn of([corner, side, above]: [[f64; 2]; 3]) -> Option<Self> {
         const SLACK: f64 = 0.1;
         let [a, b] = [side, above].map(|end| [end[0] - corner[0], end[1] - corner[1]]);
@@ -321,7 +319,7 @@ impl Zero {
     }
 }
 
-/// Message for a target that no landing within the ranges reaches.
+/// The message for a target that no drive within the ranges reaches.
 fn unreached(checked: &CheckedSetup<'_>, vary: &[Vary; 2], distance: f64) -> String {
     let [first, second] = vary.map(|range| {
         let [low, high] = [range.low, range.high].map(|end| range.parameter.show(Some(end)));

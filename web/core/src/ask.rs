@@ -25,7 +25,7 @@ pub type ShowProgress = fn(done: f64, of: f64);
 /// The largest answer, bytes.
 const MOST_BYTES: usize = 64_000_000;
 
-/// The request.
+/// The head of a request: a command line, and the names and sizes of the files in the block.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Request {
@@ -59,7 +59,6 @@ enum Mentions {
     Page,
 }
 
-/// The head of the answer.
 #[derive(Serialize)]
 struct Head {
     status: &'static str,
@@ -76,10 +75,10 @@ struct Said {
     text: String,
 }
 
-/// The answer.
+/// Runs the command, and answers with its output; the block has the files that it wrote.
 ///
 /// # Errors
-/// If the block is shorter than the contents of the files.
+/// If the block is shorter than the contents of the input files.
 pub fn answer(request: &Request, block: &[u8], show: ShowProgress) -> Result<Vec<u8>, Refusal> {
     let page = Arc::new(Page {
         inputs: inputs(&request.files, block)?,
@@ -117,7 +116,7 @@ pub fn answer(request: &Request, block: &[u8], show: ShowProgress) -> Result<Vec
     Ok(message::written(&head, &contents.concat()))
 }
 
-/// The input files with their contents from the block.
+/// Splits the block into the contents of the input files.
 fn inputs(files: &[FileOfBlock], mut block: &[u8]) -> Result<MemoryFiles, Refusal> {
     let mut inputs = MemoryFiles::new();
     for file in files {
@@ -156,7 +155,7 @@ impl Page {
     }
 }
 
-/// A text without colours.
+/// Removes the escape sequences of colours from a text.
 fn plain(text: &str) -> String {
     anstream::adapter::strip_str(text).to_string()
 }

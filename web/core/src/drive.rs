@@ -10,7 +10,7 @@ use longdrive::parameters::Parameter;
 use longdrive::{Drive, Error, Outcome};
 use serde::{Deserialize, Serialize};
 
-/// The request.
+/// The head of a request: the setup, and the requested derivatives.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Request {
@@ -37,7 +37,6 @@ fn yes() -> bool {
     true
 }
 
-/// The head of the answer.
 #[derive(Serialize)]
 struct Head<'a> {
     status: &'static str,
@@ -53,8 +52,8 @@ struct Head<'a> {
     warnings: Vec<String>,
 }
 
-/// The reason why an outcome (`of`) has no derivatives, or why no outcome has a derivative by a
-/// parameter (`wrt`).
+/// The reason for missing derivatives: of the outcome `of` by all parameters, or of all outcomes by
+/// the parameter `wrt`. The other field is `None`.
 #[derive(Serialize)]
 struct Missing {
     of: Option<&'static str>,
@@ -62,7 +61,7 @@ struct Missing {
     message: String,
 }
 
-/// The answer.
+/// Answers with the values of the outcomes, the derivatives, and the path of the ball.
 ///
 /// # Errors
 /// The message of the program, if there is no drive.
@@ -142,11 +141,11 @@ fn order(request: &Request) -> Result<Order, Refusal> {
     }
 }
 
-/// The columns of derivatives, and the parameters without derivatives in this setup.
+/// The columns of the derivatives, a column for each requested parameter.
 struct Columns {
-    /// The number of columns.
+    /// Number of requested parameters.
     count: usize,
-    /// The parameters with derivatives, and their columns.
+    /// The parameters that have derivatives in this setup.
     known: Vec<Column>,
     missing: Vec<Missing>,
 }
@@ -157,6 +156,8 @@ struct Column {
 }
 
 impl Columns {
+    /// Finds the requested parameters in the setup.
+    ///
     /// # Errors
     /// For an unknown name.
     fn read(checked: &CheckedSetup<'_>, names: &[String]) -> Result<Self, Refusal> {
@@ -179,8 +180,8 @@ impl Columns {
         Ok(columns)
     }
 
-    /// Expands derivatives by the known parameters to the columns of all parameters; the columns of
-    /// the other parameters are NaN.
+    /// Expands derivatives by the known parameters to the columns of all requested parameters; the
+    /// other columns are NaN.
     fn widened(&self, taylor: &Taylor) -> Taylor {
         let known = &self.known;
         let mut wide = undefined(self.count);
@@ -268,7 +269,7 @@ impl Derivatives<'_> {
     }
 }
 
-/// NaN in place of a value and of derivatives that do not exist.
+/// An outcome without a value and without derivatives: all numbers are NaN.
 fn undefined(parameters: usize) -> Taylor {
     let none = vec![f64::NAN; parameters];
     Taylor {
@@ -278,7 +279,7 @@ fn undefined(parameters: usize) -> Taylor {
     }
 }
 
-/// Appends the path of the flight and of the run.
+/// Appends the points of the flight, each with its time, and those of the run.
 fn append(path: &Trajectory, numbers: &mut Vec<f64>) {
     for point in &path.points {
         numbers.push(point.time);

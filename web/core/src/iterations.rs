@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// The request.
+/// The head of a request: the setup, the outcome to maximize, and the ranges of parameters.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Request {
@@ -23,7 +23,6 @@ pub struct Request {
     vary: Vec<RangeRequest>,
 }
 
-/// The head of the answer.
 #[derive(Serialize)]
 struct Head<'a> {
     status: &'static str,
@@ -36,7 +35,7 @@ struct Head<'a> {
 /// The iterations of one search, in order.
 type Iterations = Vec<Iteration>;
 
-/// The answer.
+/// Answers with the optimum, and with the iterations of the searches in the block.
 ///
 /// # Errors
 /// The message of the program, if there is nothing to search for.
@@ -109,20 +108,20 @@ fn observed(setup: &Setup<f64>, search: &Search) -> Result<(Optimum, Iterations)
     Ok((optimum, kept.take()))
 }
 
-/// An iterate with its model and the step from it.
+/// An iteration: its point, the model there, and the step to the next point.
 struct Iterate<'a> {
-    /// Number of the search to which the iterate belongs.
+    /// Number of the search to which the iteration belongs.
     search: usize,
     iteration: &'a Iteration,
-    /// The next iteration, which has the result of the step from this iterate; `None` for the last
-    /// iterate of a search.
+    /// The next iteration, which tells whether the step was accepted, and the reductions. `None`
+    /// for the last iteration of a search.
     next: Option<&'a Iteration>,
     vary: &'a [Vary],
     sign: f64,
 }
 
 impl Iterate<'_> {
-    /// Appends the numbers of this iterate, in the order of the README.
+    /// Appends the numbers of this iteration, in the order of the README.
     fn append(&self, numbers: &mut Vec<f64>) {
         let Iteration {
             number,
@@ -156,7 +155,7 @@ impl Iterate<'_> {
     }
 }
 
-/// The bound at which a value is: −1 the lower, 1 the upper, 0 none.
+/// The bound at which a value is: −1 for the lower, 1 for the upper, 0 for none.
 fn side(vary: &Vary, x: f64) -> f64 {
     f64::from(i8::from(x >= vary.high) - i8::from(x <= vary.low))
 }

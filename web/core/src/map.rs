@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 /// The largest number of nodes.
 const MOST_NODES: usize = 250_000;
 
-/// The request.
+/// The head of a request: the setup, the outcomes, and the ranges of both parameters.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Request {
@@ -26,7 +26,6 @@ pub struct Request {
     gradients: bool,
 }
 
-/// The head of the answer.
 #[derive(Serialize)]
 struct Head<'a> {
     status: &'static str,
@@ -36,7 +35,7 @@ struct Head<'a> {
     gradients: bool,
 }
 
-/// The answer.
+/// Answers with the outcomes at the nodes, and their derivatives if the request asks for them.
 ///
 /// # Errors
 /// The message of the program, if there is no map.

@@ -3,7 +3,7 @@
 use crate::refusal::Refusal;
 use serde::Serialize;
 
-/// Size of a length field, bytes.
+/// Bytes of a length field.
 const LENGTH: usize = 4;
 
 /// A request.
@@ -38,7 +38,7 @@ fn length(bytes: &[u8]) -> Option<(usize, &[u8])> {
     Some((usize::try_from(u32::from_le_bytes(*length)).ok()?, rest))
 }
 
-/// A message with this head and these bytes.
+/// The bytes of a message with this head and this block.
 pub fn written(head: &impl Serialize, block: &[u8]) -> Vec<u8> {
     // serialization cannot fail: keys are strings
     let head = serde_json::to_vec(head).unwrap_or_default();
@@ -51,7 +51,7 @@ pub fn written(head: &impl Serialize, block: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// A message with this head and these numbers.
+/// The bytes of a message with this head, and with these numbers as its block.
 pub fn with_numbers(head: &impl Serialize, numbers: &[f64]) -> Vec<u8> {
     let block: Vec<u8> = numbers
         .iter()

@@ -27,7 +27,7 @@ impl Refusal {
     }
 
     /// The refusal with the message of an error, and with the parameters that the message mentions.
-    /// These are found among the parameters of the setup and the names `stated` in the request.
+    /// Only parameters of the setup and the names `stated` in the request are found.
     pub fn of<'a>(
         error: &Error,
         system: System,
@@ -50,8 +50,8 @@ impl Refusal {
     }
 }
 
-/// Index of the byte at which a message mentions a parameter; `None` without a mention. A message
-/// may name a launch condition without its group `launch`.
+/// Index of the byte at which a message mentions a parameter; `None` if it does not. A message may
+/// name a launch condition without its group `launch`.
 fn place(message: &str, name: &str) -> Option<usize> {
     let is_of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
     let whole = |name: &str| {

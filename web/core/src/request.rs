@@ -50,19 +50,19 @@ impl From<Units> for System {
     }
 }
 
-/// A setup with the units of its messages.
+/// The setup of a request, and the units of its messages.
 #[derive(Clone, Debug)]
 pub struct CheckedSetup<'a> {
     /// The checked setup.
     pub setup: Setup<f64>,
     /// The units of messages.
     pub system: System,
-    /// The request that states the setup.
+    /// The part of the request that states the setup.
     text: &'a SetupRequest,
 }
 
 impl SetupRequest {
-    /// The checked setup.
+    /// Makes the setup, and checks it.
     ///
     /// # Errors
     /// The message of the program for an unknown name, and for a value that it does not accept.

@@ -8,7 +8,7 @@ use longdrive::drive::OutcomeGroup;
 use longdrive::integration::accuracy;
 use serde::{Deserialize, Serialize};
 
-/// The request.
+/// The head of a request: the setup, the ranges, and the outcomes with their tolerance.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Request {
@@ -23,7 +23,6 @@ pub struct Request {
     tolerance: f64,
 }
 
-/// The head of the answer.
 #[derive(Serialize)]
 struct Head {
     status: &'static str,
@@ -32,7 +31,7 @@ struct Head {
     error: f64,
 }
 
-/// The answer.
+/// Answers with method and step, and with the largest error found.
 ///
 /// # Errors
 /// The message of the program, if no step meets the tolerance.

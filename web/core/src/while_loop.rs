@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 /// The largest number of nodes.
 const MOST_NODES: usize = 10_000;
 
-/// The request.
+/// The head of a request: the setup, the range of a parameter, and both steps of the loop.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Request {
@@ -26,7 +26,6 @@ pub struct Request {
     difference: f64,
 }
 
-/// The head of the answer.
 #[derive(Serialize)]
 struct Head {
     status: &'static str,
@@ -34,7 +33,7 @@ struct Head {
     nodes: usize,
 }
 
-/// The answer.
+/// Answers with carry and derivative at each node, by the loop and exactly.
 ///
 /// # Errors
 /// The message of the program, if the loop does not model the setup.
