@@ -1,6 +1,6 @@
-// A worker with a queue. The worker does one job at a time, and at most one job of each topic
-// waits. A newer job replaces the waiting job of its topic, whose answer is then null. The thread
-// starts at once, but jobs wait until the worker has the core.
+// A worker with a queue. The worker does one job at a time. At most one job of each topic waits: a
+// newer job replaces it, and its answer is then null. The thread starts at once, but jobs wait
+// until the worker has the core.
 import workerCode from 'virtual:worker';
 import type { Packed } from './load';
 import type { Call, Command, FromWorker, Numbers, Reply, ToWorker } from './messages';
@@ -31,7 +31,7 @@ export class Lane {
   #number = 0;
   /** Number of traps since the last answer of the worker. */
   #traps = 0;
-  /** Settles the promise of `start`. */
+  /** Resolve or reject the promise of `start`. */
   #onStart = { started: (_: WebAssembly.Module) => {}, failed: (_: Error) => {} };
   /** Receives the message of a trap, after which the worker is restarted. */
   onTrap: (message: string) => void = () => {};
@@ -52,7 +52,7 @@ export class Lane {
     });
   }
 
-  /** Numbers of the core; null if a newer call of the topic replaced this call. */
+  /** The answers to the calls; null if newer calls of the topic replaced these. */
   async calls(topic: string, calls: Call[]) {
     const answer = await this.#queue(topic, { kind: 'calls', calls });
     return answer && 'numbers' in answer ? answer : null;
@@ -68,7 +68,8 @@ export class Lane {
   }
 
   /**
-   * Ends the current work by ending its thread, which cannot see a stop flag without shared memory.
+   * Ends the thread, and so the current work. The work cannot see a stop flag, because the thread
+   * shares no memory with the page. Starts a new thread.
    */
   end() {
     this.#restart();
@@ -150,8 +151,7 @@ export class Lane {
 
   #trap(message: string) {
     this.#traps += 1;
-    // do not restart with a core that was never compiled: it is missing, or the browser cannot run
-    // it
+    // without a compiled core, do not restart: the core is missing, or the browser cannot run it
     const hasCore = this.#core instanceof WebAssembly.Module;
     if (hasCore) this.onTrap(message);
     if (hasCore && this.#traps < MOST_TRAPS) {

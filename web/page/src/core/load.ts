@@ -4,7 +4,6 @@ import { unpack } from './pack.mjs';
 /** The compressed core, or its address. */
 export type Packed = Blob | string;
 
-/** The packed core of this page. */
 export function packedCore(): Packed {
   if (typeof WebAssembly !== 'object') throw new Error('this browser has no WebAssembly');
   const inside = document.getElementById('core');

@@ -8,7 +8,7 @@ import type { Command, FromWorker, Reply, ToWorker } from './messages';
 const say = (message: FromWorker) => postMessage(message);
 
 let core: Core | null = null;
-/** The last lines of the core's standard error: the message of a trap. */
+/** The last lines of the core's standard error, to which a trap writes its message. */
 let lastLines: string[] = [];
 
 async function start(given: Packed | WebAssembly.Module) {

@@ -17,7 +17,7 @@ export interface Drive {
   warnings: readonly string[];
 }
 
-/** A message of the core in place of numbers. */
+/** The answer of the core if there are no numbers: its message, and the parameters at fault. */
 export interface Refusal {
   message: string;
   parameters: readonly string[];
@@ -41,7 +41,7 @@ interface DriveHead {
   warnings?: string[];
 }
 
-/** Index of the first number after the outcomes and derivatives. */
+/** Index of the first number of the path. */
 function afterDerivatives({ outcomes, of, wrt, order, diagonal }: DriveHead): number {
   const n = wrt.length;
   const second = diagonal ? n : n * n;
@@ -78,15 +78,15 @@ interface Missing {
   message: string;
 }
 
-/** Reasons why the first outcome of `of` has no derivative by a parameter. */
+/** The reasons why outcomes have no derivative by a parameter, by the name of the parameter. */
 export function readMissing({ head }: Numbers): Map<string, string> {
   const { missing } = head as unknown as { missing: Missing[] };
   return new Map(missing.flatMap(({ wrt, message }) => (wrt === null ? [] : [[wrt, message] as const])));
 }
 
 /**
- * First and second derivatives of the first outcome of `of` by each parameter by which it has
- * derivatives.
+ * First and second derivatives of the first outcome of `of`, by the name of the parameter.
+ * Parameters without a derivative are left out.
  */
 export function readSlopes({ head, block }: Numbers): Map<string, Slope> {
   const { outcomes, wrt } = head as unknown as DriveHead;

@@ -3,18 +3,18 @@ import type { System } from '../setup/units';
 import { signed, sizeOf, symbolOf } from '../setup/units';
 import type { Slope } from './drive';
 
-/** The loss that a band allows, m. */
+/** The loss of the outcome within a band, m: a yard or a metre. */
 export const LOSS: Readonly<Record<System, number>> = { us: 0.9144, metric: 1 };
 
-/** The values of a parameter at which the outcome is at most `loss` below that of the drive. */
+/** A range of values of a parameter within which the outcome loses at most `loss`. */
 export interface Band {
   low: number;
   high: number;
 }
 
 /**
- * The band around `value`: the changes x with first·x + second·x²/2 + loss ≥ 0 that are connected
- * with x = 0.
+ * The band around `value`, by the quadratic model: the changes x with first·x + second·x²/2 + loss
+ * ≥ 0 that are connected with x = 0.
  */
 export function bandOf(value: number, { first, second }: Slope, loss: number): Band {
   let low = -Infinity;
@@ -22,7 +22,7 @@ export function bandOf(value: number, { first, second }: Slope, loss: number): B
   const curvature = second / 2;
   const root = first * first - 4 * curvature * loss;
   if (Math.abs(curvature) * loss < 1e-12 * first * first || curvature === 0) {
-    // curvature 0 or negligible: the model is a line
+    // the curvature is 0 or negligible: use the line
     if (first > 0) low = -loss / first;
     if (first < 0) high = -loss / first;
   } else if (root >= 0) {
@@ -36,22 +36,22 @@ export function bandOf(value: number, { first, second }: Slope, loss: number): B
   return { low: value + low, high: value + high };
 }
 
-/** The number of units to which a printed price applies, for units whose price is too small. */
+/** The number of units to which a printed price applies, if the price of one unit is too small. */
 const STEPS: Readonly<Record<string, number>> = {
   rpm: 100, ft: 1000, m: 100, degF: 10, degC: 10, 'g cm^2': 100, hPa: 10, 'rad/s': 1,
 };
 
-/** Like `STEPS`, but by the name of the parameter; takes precedence over `STEPS`. */
+/** The same for some parameters, whatever their unit. These numbers take precedence. */
 const STEPS_OF: Readonly<Record<string, number>> = { 'wind.from': 10, 'ground.height': 1 };
 
 export interface Price {
-  /** The change of the outcome, yd or m, for the number of units that the price applies to. */
+  /** The change of the outcome, yd or m, for this number of units. */
   change: number;
-  /** "+2.4 yd per mph". */
+  /** The price in words: "+2.4 yd per mph". */
   text: string;
 }
 
-/** The price of a parameter with a unit. */
+/** The price of a parameter in a unit. */
 export function priceOf(name: string, { first }: Slope, unit: string, system: System): Price {
   const step = STEPS_OF[name] ?? STEPS[unit] ?? (unit === '' ? 0.01 : 1);
   const length = system === 'us' ? 'yd' : 'm';

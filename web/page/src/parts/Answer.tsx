@@ -51,7 +51,10 @@ export function Answer() {
   );
 }
 
-/** The parameters that the best drive changes. */
+/**
+ * A row for each parameter that the best drive may change: your value, the best value, and the
+ * difference.
+ */
 const Values = ({ best }: { best: Best }) => (
   <>
     {best.names.map((name) => <ValueRow name={name} theirs={best.values[name] ?? NaN} key={name} />)}
@@ -76,14 +79,14 @@ function ValueRow({ name, theirs }: { name: string; theirs: number }) {
 }
 
 /**
- * The SI value of 0 in this unit: added to a difference, it cancels the offset of temperature
- * units.
+ * The SI value of 0 in this unit. Added to a difference in SI, it cancels the offset that the
+ * conversion to a temperature unit subtracts.
  */
 const zero = (unit: string) => (unit === 'degC' ? 273.15 : unit === 'degF' ? 255.372222 : 0);
 
 /**
- * The gain for one more unit of a parameter: at your drive, and at the best drive for parameters at
- * a bound.
+ * What one more unit of a parameter gains: at your drive, and beyond the bound for the parameters
+ * that the best drive has at a bound.
  */
 function Worth() {
   const { explorer } = usePage();

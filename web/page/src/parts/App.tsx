@@ -68,7 +68,7 @@ export function App() {
   );
 }
 
-/** Keys for undo, redo and the best drive. */
+/** Handles the keys for undo, redo and the best drive. */
 function useKeys() {
   const { address, explorer } = usePage();
   useEffect(() => {
@@ -76,7 +76,8 @@ function useKeys() {
       const isTyped = event.target instanceof HTMLInputElement && event.target.type !== 'range'
         && event.target.type !== 'radio' && event.target.type !== 'checkbox';
       const isCommand = event.ctrlKey || event.metaKey;
-      // a field whose number is set: the browser's undo would change the field, but not the drive
+      // in a field whose number is set, undo the drive: the browser's undo would change only the
+      // field
       const isCommitted = isTyped && event.target.matches('.number:not([data-draft])');
       if (isTyped && !(isCommand && isCommitted)) return;
       if (event.target instanceof HTMLSelectElement) return;

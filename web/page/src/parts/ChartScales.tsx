@@ -13,7 +13,7 @@ interface Props {
   across: Scale;
   up: Scale;
   width: number;
-  /** The baseline of the numbers along the horizontal axis. */
+  /** The y coordinate of the numbers below the curve, pixels. */
   bottom: number;
 }
 

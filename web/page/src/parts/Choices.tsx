@@ -34,7 +34,7 @@ function ChoiceRow({ choice: { choice, names, doc }, design }: { choice: Choice;
   const ofPreset = setup?.[choice];
   const isStep = choice === METHOD;
   const isSet = choice in set || (isStep && STEP in set);
-  // without a stated method or step, the page chooses both
+  // if the preset states neither method nor step, the page may choose both
   const mayChoose = isStep && !hasStep;
   const isChosen = mayChoose && !isSet;
   const change = (name: string) => {

@@ -54,7 +54,7 @@ export function Compare() {
   );
 }
 
-/** The value of a parameter in a design, as it is printed. */
+/** The printed value of a parameter in a design. */
 function valueText(explorer: Explorer, name: string, design: Design): string {
   const text = design.set[name];
   if (!explorer.catalog.parameter(name)) return text ?? '–';
@@ -108,7 +108,7 @@ interface Difference {
   by_launch: { shares: Share[] } | null;
 }
 
-/** The answer of `compare` about the first design and another one. */
+/** The causes of the difference between the first design and another one, from `compare`. */
 function Causes({ other }: { other: number }) {
   const { explorer } = usePage();
   const { designs, goal, units } = explorer.state.value;

@@ -6,7 +6,7 @@ import { line } from './scale';
 interface Props {
   drive: Drive;
   name: string;
-  /** The coordinate that is drawn over the distance. */
+  /** The coordinate that is drawn vertically; the horizontal coordinate is the distance. */
   axis: 'height' | 'right';
   x: (metres: number) => number;
   y: (metres: number) => number;

@@ -13,7 +13,7 @@ interface Props {
   name: string;
   title: string;
   sentence: string;
-  /** Computed only when the table is visible. */
+  /** Called only while the table is visible, or to download it. */
   table: () => Table;
   /** The element around the picture, whose width the picture takes. */
   place?: Ref<HTMLDivElement>;
@@ -23,7 +23,7 @@ interface Props {
   isLive?: boolean;
   /** True if the table is open at first. */
   isOpen?: boolean;
-  /** The row of the table that the picture shows. */
+  /** Index of the row that belongs to the picture. */
   at?: number;
 }
 

@@ -41,20 +41,22 @@ export function IterationsPicture(props: Props) {
     if (!first) return undefined;
     return isRefused(first) ? null : readMap(first, axes);
   });
-  // `map` may still be the last map, of other parameters: wait for the new map
+  // after a change of the parameters, `map` is still the map of the earlier ones: wait for the new
+  // map
   if (!map || map.across !== axes.across || (!isCurve && map.up !== axes.up)) return null;
   return isCurve ? <CurvePicture {...props} map={map} /> : <PlanePicture {...props} map={map} />;
 }
 
 /**
- * The parameters of the picture: the varied parameters if there are at most two, else the
+ * The axes of the picture: the parameters that the search varies if they are one or two, else the
  * parameters of the map.
  */
 function axesOf({ names, ranges }: Iterations, explorer: Explorer): MapAxes {
   const { goal } = explorer.state.value;
   const ofMap = mapOf(explorer.state.value);
   if (names.length === 1) {
-    // a curve is a map whose second axis has a single value; every setup has this axis' parameter
+    // draw a curve as a map whose second axis has a single value: the axis of a parameter that
+    // every setup has
     const up = names[0] === 'gravity' ? 'ball.mass' : 'gravity';
     const value = explorer.value(up) ?? NaN;
     return { across: names[0]!, up, ranges: [ranges[0]!, { low: value, high: value, step: 0 }], goal };
@@ -65,14 +67,18 @@ function axesOf({ names, ranges }: Iterations, explorer: Explorer): MapAxes {
 }
 
 /**
- * The coordinate of an iterate on an axis: the value of your drive, if the parameter does not vary.
+ * The coordinate of a point of the search on an axis. If the search does not vary the parameter, it
+ * is the value of your drive.
  */
 function coordinate(x: ArrayLike<number>, { names }: Iterations, name: string, explorer: Explorer): number {
   const varied = names.indexOf(name);
   return varied < 0 ? explorer.value(name) ?? NaN : x[varied] ?? NaN;
 }
 
-/** The ends of the trust region on an axis. */
+/**
+ * The ends of the trust region on an axis; those of the axis if the search does not vary its
+ * parameter.
+ */
 function region(iteration: Iteration, { names }: Iterations, name: string, { low, high }: Travel): [number, number] {
   const varied = names.indexOf(name);
   return varied < 0 ? [low, high] : [iteration.low[varied] ?? low, iteration.high[varied] ?? high];
@@ -112,7 +118,7 @@ function PlanePicture({ iterations, at, width, sentence, map }: Props & { map: M
   );
 }
 
-/** Contours of the quadratic model; parameters without an axis have their values at the iterate. */
+/** Contours of the quadratic model. Parameters without an axis keep the values of the iteration. */
 function modelLines(iteration: Iteration, { names }: Iterations, map: MapData, plan: Plan, levels: number[]): string {
   const [across, up] = [map.across, map.up].map((name) => names.indexOf(name)) as [number, number];
   const values = Array.from({ length: NODES * NODES }, (_, node) => {
@@ -173,7 +179,7 @@ const Legend = ({ width }: { width: number }) => (
   </g>
 );
 
-/** Space above the curve, and below it, as a fraction of the curve's height. */
+/** Space above and below the curve, as a fraction of its height. */
 const ROOM = 0.15;
 
 function CurvePicture({ iterations, at, width, sentence, map }: Props & { map: MapData }) {

@@ -12,13 +12,13 @@ import { inLength, lengthUnit } from './lengths';
 import { levelsOf, linesOf, planOf } from './MapPicture';
 import type { Grid } from './MapPicture';
 
-/** Nodes along a side: a coarse map at once, then a fine one. */
+/** Nodes along a side of the map: first a coarse map is computed, then a fine one. */
 const COARSE = 16;
 const FINE = 48;
 
 interface LoopMap extends Grid {
   key: string;
-  /** The largest distance from the exact carry, m. */
+  /** The largest distance between the carry of the loop and the exact carry, m. */
   worst: number;
 }
 
@@ -32,7 +32,7 @@ async function fly(explorer: Explorer, map: MapData, nodes: number, step: number
   return { key, columns: nodes, rows: nodes, values, worst: Math.max(...rows.map(worstOf)) };
 }
 
-/** The map of the loop and a sentence about it; null if the loop is not drawn over the map. */
+/** Contours of the loop, and a sentence about them; null if the loop is not drawn over the map. */
 export function useLoop(map: MapData | null) {
   const { explorer } = usePage();
   const step = explorer.loopStep.value;

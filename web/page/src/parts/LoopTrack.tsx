@@ -14,7 +14,7 @@ import { KNOB } from './Track';
 
 const NODES = 400;
 const HEIGHT = 40;
-/** Height that is kept free for the line of the exact carry, pixels. */
+/** Space above and below the curve, so that a line at its edge stays visible, pixels. */
 const ROOM = 4;
 
 export function LoopTrack({ name }: { name: string }) {
@@ -27,7 +27,7 @@ function Teeth({ name, step }: { name: string; step: number }) {
   const { explorer } = usePage();
   const { low, high, step: difference } = explorer.travel(name);
   const { preset, set } = explorer.design.value;
-  // the loop along a parameter does not depend on the parameter's own value
+  // leave out the parameter's own value: the loop along the parameter does not depend on it
   const others = Object.entries(set).filter(([each]) => each !== name);
   const key = JSON.stringify([name, low, high, step, preset, others]);
   const loop = useAnswer(key, 150, async () => {

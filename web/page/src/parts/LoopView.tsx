@@ -118,10 +118,10 @@ function Pictures({ explorer, loop }: { explorer: Explorer; loop: Loop }) {
 interface ChartProps {
   name: string;
   title: string;
-  /** Names of the curves. */
+  /** The names of the two curves. */
   legend: [loop: string, exact: string];
   at: number[];
-  /** The loop, then the exact drive. */
+  /** The values of the loop, then those of the exact drive. */
   curves: number[][];
   unit: string;
   /** The unit of `at`. */

@@ -11,9 +11,9 @@ import { MARGIN } from './scale';
 
 export const HEIGHT = 300;
 const LEVELS = 14;
-/** The least distance between two labels, pixels. */
+/** The smallest distance between two labels, pixels. */
 const LABEL = 30;
-/** Space above for the name of the axis. */
+/** Space above the map for the name of its vertical axis, pixels. */
 export const TOP = 28;
 
 export interface Plan {
@@ -67,7 +67,7 @@ interface Area {
   level: number;
   label: string;
   path: string;
-  /** The place of the label. */
+  /** The position of the label; null if there is no room for it. */
   spot: readonly [number, number] | null;
 }
 
@@ -78,7 +78,7 @@ export interface Grid {
   values: ArrayLike<number>;
 }
 
-/** The place of a node in pixels. */
+/** Converts positions in the grid to pixels. In d3-contour, node k is at k + 0.5. */
 function pixelOf({ columns, rows }: Grid, { ranges: [across, up] }: MapData, plan: Plan) {
   const inside = (part: number) => Math.min(1, Math.max(0, part));
   return ([column, row]: readonly number[]) => {
@@ -91,7 +91,7 @@ function pixelOf({ columns, rows }: Grid, { ranges: [across, up] }: MapData, pla
   };
 }
 
-/** The levels of the contours, SI. The contours are limited to the best part of the map. */
+/** The levels of the contours, SI. Only the best part of the map has contours. */
 export function levelsOf(map: MapData, units: System): number[] {
   const unit = lengthUnit(units);
   const landed = map.values.filter(Number.isFinite);
@@ -101,7 +101,7 @@ export function levelsOf(map: MapData, units: System): number[] {
   return ticks(fromSI(from, unit), fromSI(high, unit), LEVELS).map((level) => toSI(level, unit));
 }
 
-/** Value in place of a drive that does not land; it is below every level. */
+/** A number for drives that do not land, below every level. */
 const NONE = -1;
 
 const ringsOf = ({ columns, rows, values }: Grid, levels: number[]) =>
@@ -165,7 +165,10 @@ export function Areas({ map, width }: AreasProps) {
   );
 }
 
-/** The lowest of the points of the longest ring that are inside of the picture; null if few are. */
+/**
+ * The position of a label: the lowest point of the longest ring. Only points away from the edges of
+ * the picture count; null if there are few.
+ */
 function spotOf(rings: readonly (readonly (readonly [number, number])[])[], plan: Plan) {
   const longest = rings.reduce<readonly (readonly [number, number])[]>(
     (best, ring) => (ring.length > best.length ? ring : best), []);

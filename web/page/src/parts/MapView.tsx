@@ -96,7 +96,10 @@ function Picture({ map, width, sentence, loop }: PictureProps) {
   );
 }
 
-/** The point of your drive, which moves while the map stays. */
+/**
+ * The point of your drive. It is a component of its own: a move of a slider moves it without
+ * drawing the map.
+ */
 function Yours({ map, plan }: { map: MapData; plan: Plan }) {
   const { explorer } = usePage();
   const x = plan.x(explorer.value(map.across) ?? NaN);
@@ -109,7 +112,7 @@ const Star = ({ x, y }: { x: number; y: number }) => (
   <path class="ghost star" d={`M${x - 7},${y}H${x + 7}M${x},${y - 7}V${y + 7}`} />
 );
 
-/** The table of the map, with about every twelfth value. */
+/** The table of the map: some of its rows and columns. */
 function tableOf(map: MapData, units: 'us' | 'metric', explorer: Explorer) {
   const every = Math.max(1, Math.round(map.columns / 6));
   const take = (count: number) => Array.from({ length: count }, (_, k) => k)
@@ -141,13 +144,13 @@ function axisNames(explorer: Explorer): string[] {
   return [...new Set([...mapOf(explorer.state.value), ...names])];
 }
 
-/** The two parameters of the map. */
+/** The lists from which the two parameters of the map are chosen. */
 function Axes() {
   const { explorer } = usePage();
   const { state, design } = explorer;
   const key = () => JSON.stringify(
     [design.value.preset, Object.keys(design.value.set), mapOf(state.value)]);
-  // memoized: the lists have many options, which seldom change
+  // use the lists again until their options change: they are long
   const { axes, names } = useSteady(key, () => ({ axes: mapOf(state.value), names: axisNames(explorer) }));
   const select = (axis: 0 | 1, label: string) => (
     <label>

@@ -34,8 +34,8 @@ interface Result {
 const OUTPUT = 'flown.csv';
 
 /**
- * The arguments that give the setup of the flight, without the parameters of strike and launch: the
- * shots give these.
+ * The arguments for the setup of the flights. Parameters of strike and launch are left out, because
+ * each shot has its own launch.
  */
 function flightWords({ preset, set }: Design): string[] {
   // `fly` refuses a stated parameter of the club if no row uses it

@@ -21,7 +21,7 @@ export function SideView() {
   const distance = farthest(all);
   const scale = (width - MARGIN.left - MARGIN.right) / distance;
   const heights = all.flatMap((each) => each?.path.map(({ height }) => height) ?? []);
-  // rounded up to steps, so that the picture seldom changes its height
+  // round up to steps, so that the picture seldom changes its height
   const top = Math.ceil(Math.max(LEAST_HEIGHT, ...heights) / 10 + 0.3) * 10;
   const bottom = Math.min(0, ...heights);
   const height = (top - bottom) * scale + MARGIN.top + MARGIN.bottom;
@@ -35,7 +35,7 @@ export function SideView() {
     ? `The ball rises to ${length(apex_height, units)} and lands after ${(flight_time ?? NaN).toFixed(1)} s `
       + `at ${length(carry, units)}, at ${fromSI(descent_angle ?? NaN, 'deg').toFixed(1)}° to the ground.`
     : 'No drive yet.';
-  // memoized, because most moves of a slider do not change the scales
+  // compute the scales only when they change: most moves of a slider do not change them
   const scales = useMemo(() => (
     <>
       {ticks(0, inLength(distance, units), Math.max(3, width / 110)).map((tick) => (

@@ -73,7 +73,7 @@ function rowOf(explorer: Explorer, name: string) {
     units: explorer.units.value,
     shown: shownOf(explorer, name),
     isSet,
-    // a launch value without a preset value has no reset: an incomplete launch gives no drive
+    // a launch value that the preset does not have cannot be reset: the launch would be incomplete
     hasReset: isSet && (preset !== null || !name.startsWith('launch.')),
     message: refusal?.parameters[0] === name ? refusal.message : null,
   };
@@ -139,14 +139,15 @@ interface FieldProps {
   id: string;
   label: string;
   unit: string;
-  /** The number in the state, as text. */
+  /** The text of the state's number. */
   shown: string;
   hasMessage: boolean;
 }
 
 /**
- * The text of a field: the number as it was typed, or converted into the unit of the field. A text
- * that only the core can read is shown as it was typed; an unset parameter has an empty text.
+ * The text of a field. A number typed in the unit of the field is shown as it was typed, a number
+ * in another unit is converted. A text that only the core can read is shown as it was typed. The
+ * field of an unset parameter is empty.
  */
 function shownOf(explorer: Explorer, name: string): string {
   const text = explorer.design.value.set[name];
@@ -164,8 +165,8 @@ function shownOf(explorer: Explorer, name: string): string {
 }
 
 /**
- * The text of a field while it is typed. It is shown until it is committed, or until the state has
- * another number than `instead`.
+ * A text that is being typed. The field shows it until the text is committed, or until the text of
+ * the state's number is no longer `instead`.
  */
 interface Draft {
   instead: string;

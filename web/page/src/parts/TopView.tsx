@@ -32,7 +32,7 @@ export function TopView() {
   const scale = (width - MARGIN.left - MARGIN.right) / distance;
   const aside = [drive, ghost].flatMap((each) =>
     [...(each?.path ?? []), ...(each?.roll ?? [])].map(({ right }) => Math.abs(right)));
-  // rounded up to steps, so that the picture seldom changes its height
+  // round up to steps, so that the picture seldom changes its height
   const half = Math.ceil(Math.max(HALF_WIDTH, ...aside) / 12) * 12;
   const x = (downrange: number) => MARGIN.left + downrange * scale;
   const y = (right: number) => MARGIN.top + (half + right) * scale;
@@ -43,7 +43,7 @@ export function TopView() {
     ? `The ball lands at ${length(carry, units)}, ${sideways(lateral, units)}.` : 'No drive yet.';
   const unit = lengthUnit(units);
   const aim = (downrange: number, right: number) => explorer.aim(pair, downrange, right);
-  // memoized, because most moves of a slider do not change the scales
+  // compute the scales only when they change: most moves of a slider do not change them
   const scales = useMemo(() => (
     <>
       {ticks(0, inLength(distance, units), Math.max(3, width / 110)).map((tick) => (
@@ -87,7 +87,7 @@ interface HandleProps {
   y: number;
   landing: Landing;
   /**
-   * Receives the landing at the start of the drag, and the displacement of the pointer since then.
+   * Called with the landing at the start of the drag, and how far the pointer has moved since then.
    */
   onMove: (from: Landing, dx: number, dy: number) => Promise<void>;
 }
@@ -101,7 +101,7 @@ function Handle({ x, y, landing, onMove }: HandleProps) {
     const handle = event.currentTarget as SVGGElement;
     if (!handle.hasPointerCapture(event.pointerId)) return;
     const { x: fromX, y: fromY, landing: from } = begin.current;
-    // displacements, because the scale of the picture may change during the drag
+    // use the displacement of the pointer: the scale of the picture may change during the drag
     last.current = onMove(from, event.clientX - fromX, event.clientY - fromY);
   };
   const take = (event: PointerEvent) => {

@@ -1,4 +1,4 @@
-// Drawn at the slider of a parameter: its band (the values that cost little) and its best value.
+// The slider of a parameter with marks: its band (the values that cost little) and its best value.
 import type { ComponentChildren } from 'preact';
 import { bandOf, LOSS } from '../drive/price';
 import type { Travel } from '../setup/travel';

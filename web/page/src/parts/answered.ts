@@ -1,12 +1,12 @@
 // Answers that are requested again when the content of the page changes.
 import { useEffect, useState } from 'preact/hooks';
 
-/** An answer; null if there is none, or undefined if a newer request replaced this one. */
+/** The result of a request: null if it has no answer, undefined if a newer request replaced it. */
 type Answered<T> = Promise<T | null | undefined>;
 
 /**
- * The last answer of `ask`, null before the first one. `ask` is called again `milliseconds` after
- * the last change of `key`.
+ * The last answer of `ask`; null before the first answer. `milliseconds` after the last change of
+ * `key`, `ask` is called again.
  */
 export function useAnswer<T>(key: string, milliseconds: number, ask: () => Answered<T>): T | null {
   const [found, setFound] = useState<T | null>(null);

@@ -10,7 +10,7 @@ export function download(name: string, content: string | Uint8Array<ArrayBuffer>
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }
 
-/** Properties that a picture needs outside of the page. */
+/** Style properties that come from the page, and that a picture needs in a file of its own. */
 const STYLE = [
   'fill', 'stroke', 'stroke-width', 'stroke-dasharray', 'opacity', 'fill-opacity', 'font-size', 'font-family',
   'font-weight', 'text-anchor', 'dominant-baseline', 'paint-order', 'stroke-linejoin',

@@ -6,15 +6,15 @@ export const lengthUnit = (system: System) => (system === 'us' ? 'yd' : 'm');
 
 export const inLength = (metres: number, system: System) => fromSI(metres, lengthUnit(system));
 
-/** "286.0 yd". */
+/** A length: "286.0 yd". */
 export const length = (metres: number | null | undefined, system: System) =>
   `${digits(inLength(metres ?? NaN, system), 1)} ${lengthUnit(system)}`;
 
-/** "+14.5 yd". */
+/** A change of a length, with its sign: "+14.5 yd". */
 export const lengthChange = (metres: number, system: System) =>
   `${signed(inLength(metres, system), 1)} ${lengthUnit(system)}`;
 
-/** "3.2 yd right". */
+/** A distance to the side, with its direction: "3.2 yd right". */
 export function sideways(metres: number, system: System): string {
   const number = digits(Math.abs(inLength(metres, system)), 1);
   if (Number(number) === 0) return 'on the target line';

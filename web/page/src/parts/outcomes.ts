@@ -39,7 +39,7 @@ export const ROWS: readonly Row[] = [
 export const outcomesOf = ({ outcomes }: Drive) =>
   Object.fromEntries(Object.entries(outcomes).map(([name, value]) => [name, Number.isFinite(value) ? value : null]));
 
-/** An outcome as it is printed. */
+/** The printed value of an outcome. */
 export function shown({ unit, decimals, name }: Row, drive: Drive, system: System): string {
   const number = drive.outcomes[name] ?? NaN;
   if (Number.isNaN(number)) return '–';

@@ -4,7 +4,7 @@ import type { Drive } from '../drive/drive';
 /** Space around a picture for its scales, pixels. */
 export const MARGIN = { left: 46, right: 18, top: 14, bottom: 34 };
 
-/** The longest distance of drives, m, rounded up so that the scale seldom changes. */
+/** The longest distance of the drives, m, rounded up so that the scale seldom changes. */
 export function farthest(drives: readonly (Drive | null)[]): number {
   const ends = drives.map((drive) => {
     const { carry = 0, total = 0 } = drive?.outcomes ?? {};
@@ -13,6 +13,6 @@ export function farthest(drives: readonly (Drive | null)[]): number {
   return Math.ceil((Math.max(50, ...ends) * 1.04) / 20) * 20;
 }
 
-/** Points of a path as the attribute of a line. */
+/** The attribute `points` of a polyline. */
 export const line = (points: readonly (readonly [number, number])[]) =>
   points.map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join(' ');

@@ -2,7 +2,7 @@
 import { untracked, useComputed } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 
-/** The value of `read`, which runs again only if `key` changes. */
+/** The value of `read`. It is read again only if `key` changes. */
 export function useSteady<T>(key: () => string, read: () => T): T {
   const text = useComputed(key).value;
   return useMemo(() => untracked(read), [text]);

@@ -25,13 +25,16 @@ export const hasLaunch = ({ set }: Design) =>
 const OF_STRIKE = /^(swing|club|strike|impact)\.|^golfer$/;
 
 /**
- * True for a parameter or choice without effect: those of the strike if a launch is given, those of
- * the launch otherwise.
+ * True for a parameter or choice without effect. If a launch is given, these are the parameters of
+ * the strike, otherwise those of the launch.
  */
 export const isReplaced = (name: string, isLaunch: boolean) =>
   (isLaunch ? OF_STRIKE.test(name) : name.startsWith('launch.'));
 
-/** The sliders of the first screen that belong to the ball's start. */
+/**
+ * The sliders of the first screen for the start of the ball: of the launch if it is given,
+ * otherwise of the club.
+ */
 export const firstOf = (design: Design) => (hasLaunch(design) ? LAUNCH_FIRST : CLUB_FIRST);
 
 /** The aerodynamic law of a design. */
@@ -51,7 +54,7 @@ export function numberOf(name: string, design: Design, catalog: Catalog): number
   return preset === 'inf' ? Infinity : null;
 }
 
-/** The design with these values; a value `undefined` restores the value of the preset. */
+/** The design with these values. The value `undefined` restores the value of the preset. */
 export function withValues(design: Design, values: Record<string, string | undefined>): Design {
   const set: Record<string, string> = { ...design.set };
   for (const [name, text] of Object.entries(values)) {
@@ -62,8 +65,8 @@ export function withValues(design: Design, values: Record<string, string | undef
 }
 
 /**
- * The default of a parameter that `name` needs: a wind speed needs a direction, and a direction a
- * speed.
+ * A default for the parameter without which `name` has no effect: speed and direction of the wind
+ * need each other.
  */
 export function together(name: string, design: Design): Record<string, string> {
   if (name === 'wind.speed' && design.set['wind.from'] === undefined) return { 'wind.from': '0 deg' };

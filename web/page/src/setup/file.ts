@@ -5,15 +5,15 @@ import type { Catalog, Choice, Parameter } from './parameters';
 import type { System } from './units';
 import { textOf, unitIn } from './units';
 
-/** A setup file. Dotted names are keys of TOML. */
+/** The text of a setup file. Dotted names are keys of TOML. */
 export function writeSetup(design: Design): string {
   const rows = Object.entries(design.set).map(([name, text]) => `${name} = ${JSON.stringify(text)}`);
   return [`preset = ${JSON.stringify(design.preset)}`, ...rows, ''].join('\n');
 }
 
 /**
- * Parameters of the weather, and parameters that the program computes if weather or wind are
- * stated.
+ * Parameters of the weather. If one of them is stated, the program computes density and viscosity
+ * of the air; if the wind speed is stated, it computes the components of the wind.
  */
 const WEATHER = ['air.temperature', 'air.pressure', 'air.altitude', 'air.humidity'];
 const FROM_WEATHER = ['air.density', 'air.viscosity'];
@@ -31,7 +31,10 @@ export interface FileValues {
 /** Method and step, which are stated together or not at all. */
 const OF_STEP = ['flight.method', 'flight.step'];
 
-/** The design of a file: the preset nearest to it, and all values that differ. */
+/**
+ * The design of a file. Its preset is the one with the fewest differences; all values that differ
+ * are in its `set`.
+ */
 export function designOf(values: FileValues, catalog: Catalog, system: System): Design {
   const stated = new Set(values.parameters
     .filter(({ value }) => value !== null).map(({ parameter }) => parameter));
@@ -43,8 +46,8 @@ export function designOf(values: FileValues, catalog: Catalog, system: System): 
   const rows = values.parameters.filter(({ law, parameter }) =>
     (law === null || law === values.law) && isUsed(parameter));
   const choices = values.choices.filter(({ choice }) => catalog.choice(choice) && isUsed(choice));
-  // exclude presets that state a step, unless the file does: their step would replace the step that
-  // the page or the program chooses
+  // leave out presets that state a step, unless the file states one: their step would replace the
+  // step that the page or the program chooses
   const presets = catalog.presets.filter((preset) => values.states_step || !preset.states_step);
   const candidates = presets.map((preset): Design => {
     const set: Record<string, string> = {};

@@ -4,18 +4,18 @@
 import type { Parameter } from './parameters';
 import { travelOf } from './travel';
 
-/** Method and time step, s, that are accurate for drives within the ranges of the sliders. */
+/** Method and time step, s, that are accurate for all drives within the ranges of the sliders. */
 export interface Integration {
   method: string;
   step: number;
 }
 
-/** The integration is accurate within this length, m. */
+/** The largest error of the integration, m. */
 const TOLERANCE = 1e-6;
 /** The sliders on which the accuracy of a step depends most. */
 const RANGES = ['swing.speed', 'club.loft', 'swing.attack_angle'];
 
-/** A request for the longest step that is accurate on the ranges of the sliders. */
+/** A request for the longest step that is accurate within `RANGES`. */
 export function stepRequest(parameters: readonly Parameter[], preset: string) {
   const ranges = parameters.filter(({ parameter }) => RANGES.includes(parameter)).map((row) => {
     const { low, high } = travelOf(row, null, null);

@@ -40,8 +40,8 @@ export class Catalog {
   readonly parameters: readonly Parameter[];
   readonly presets: readonly Preset[];
   /**
-   * Choices that presets state, in the order in which presets list them. The kind of turf is not
-   * among them: presets state its parameters.
+   * The choices that presets state, in the order of the presets. The kind of turf is not among
+   * them, because presets state the parameters of the turf instead.
    */
   readonly choices: readonly Choice[];
   readonly #byName = new Map<string, Parameter[]>();
@@ -66,7 +66,9 @@ export class Catalog {
     return this.choices.find(({ choice }) => choice === name);
   }
 
-  /** The parameter of this name. `law` selects among laws that share names such as aero.cd0. */
+  /**
+   * The parameter of this name. `law` chooses among laws that have the same name, such as aero.cd0.
+   */
   parameter(name: string, law?: Value): Parameter | undefined {
     const all = this.#byName.get(name);
     return all?.find((parameter) => parameter.law === law) ?? all?.[0];
@@ -82,7 +84,7 @@ export class Catalog {
 /** The unit of a field. */
 export const unitOf = ({ shown_in }: Parameter, system: System) => unitIn(system, shown_in);
 
-/** Names that are clear in a sentence without their group, or clearer in other words. */
+/** Words for names that are unclear without further words, or clear without their group. */
 const NAMED: Readonly<Record<string, string>> = {
   'swing.speed': 'club speed',
   'swing.attack_angle': 'attack angle',
@@ -115,7 +117,7 @@ export function labelInGroup(name: string): string {
   return spaced(dot < 0 ? name : name.slice(dot + 1));
 }
 
-/** The group of a parameter in a setup file. */
+/** The group of a parameter, as in a setup file. */
 export const groupOf = (name: string) => name.split('.')[0] ?? name;
 
 /** The sliders of the first screen. */

@@ -44,8 +44,8 @@ const ROWS: Readonly<Record<string, Row>> = {
 };
 
 /**
- * Travel of a parameter without a row in `ROWS`: from half of the value to three halves of it. If
- * the value is 0 or unset: from −5 to 5 units.
+ * The range of a slider that has no row in `ROWS`: from half of the value to three halves of it, or
+ * from −5 to 5 units if the value is 0 or unset.
  */
 function around(value: number | null, unit: string): Travel {
   const size = value === null || value === 0 || !Number.isFinite(value)
@@ -57,7 +57,7 @@ function around(value: number | null, unit: string): Travel {
 const within = (end: number | string, value: number) =>
   typeof end === 'number' ? end : value;
 
-/** The travel of a slider, which includes the value and stays in the range of the program. */
+/** The range of a slider. It stays within the range of the program, and contains the value. */
 export function travelOf(parameter: Parameter, preset: number | null, value: number | null): Travel {
   const row = ROWS[parameter.parameter];
   const unit = parameter.shown_in;
@@ -71,7 +71,7 @@ export function travelOf(parameter: Parameter, preset: number | null, value: num
   return { ...travel, low: Math.min(travel.low, value), high: Math.max(travel.high, value) };
 }
 
-/** Digits after the point of a field. */
+/** Number of digits after the point in a field. */
 export function decimalsOf({ step }: Travel, unit: string): number {
   const inUnit = step / sizeOf(unit);
   return Math.max(0, Math.min(8, Math.ceil(-Math.log10(inUnit) - 1e-9)));

@@ -50,7 +50,7 @@ const UNITS: Readonly<Record<string, Unit>> = {
   'm/s^2': { si: 'm/s^2', factor: 1, symbol: 'm/s²' },
 };
 
-/** Units of each system that replace the display units of the program. */
+/** Units of each system that replace units in which the program shows values. */
 const INSTEAD: Readonly<Record<System, Readonly<Record<string, string>>>> = {
   us: { degC: 'degF', 'm/s': 'mph' },
   metric: { mph: 'm/s', ft: 'm' },
@@ -65,7 +65,7 @@ export const toSI = (number: number, unit: string) =>
 
 export const fromSI = (si: number, unit: string) => si / known(unit).factor - (known(unit).offset ?? 0);
 
-/** The size of one unit, for differences. */
+/** The SI size of one unit. A difference is converted with it, without an offset. */
 export const sizeOf = (unit: string) => known(unit).factor;
 
 export const symbolOf = (unit: string) => known(unit).symbol ?? unit;
@@ -111,7 +111,8 @@ export function valueOf(text: string, unitSI: string): number | null {
 export const compact = (text: string) => text.replace(/^([-+.\de]+) /i, '$1');
 
 /**
- * A text for the core, with as many digits after the point as the number needs, at most `decimals`.
+ * A text for the core. It has as many digits after the point as the number needs, at most
+ * `decimals`.
  */
 export function textOf(si: number, unit: string, decimals: number): string {
   const number = String(Number(fromSI(si, unit).toFixed(decimals)));

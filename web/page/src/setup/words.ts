@@ -7,7 +7,7 @@ import { compact, textOf } from './units';
 
 export function settingsOf(design: Design, option = '--set'): string[] {
   const isLaunch = hasLaunch(design);
-  // the program refuses settings of a club that strikes no ball
+  // leave out replaced parameters: the program refuses settings of a club that strikes no ball
   return Object.entries(design.set).filter(([name]) => !isReplaced(name, isLaunch))
     .flatMap(([name, text]) => [option, `${name}=${text}`]);
 }

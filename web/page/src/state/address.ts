@@ -37,7 +37,7 @@ export class Address {
   #changed(state: State, isFinal: boolean) {
     const fragment = write(state);
     if (!isFinal) {
-      // a drag replaces the last address instead of adding a new address
+      // during a drag, replace the address instead of adding one to the browser's history
       clearTimeout(this.#timer);
       this.#timer = window.setTimeout(() => history.replaceState(null, '', `#${fragment}`), PAUSE);
       return;
@@ -54,9 +54,7 @@ export class Address {
     this.#tell();
   }
 
-  /**
-   * Shows the state of another address, which was typed or reached by the buttons of the browser.
-   */
+  /** Shows the state of an address that was typed, or reached by the buttons of the browser. */
   #visit() {
     const fragment = location.hash.slice(1);
     if (fragment === write(this.#explorer.state.value)) return;

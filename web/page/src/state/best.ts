@@ -12,18 +12,18 @@ import type { State } from './state';
 export interface Best {
   names: readonly string[];
   values: Readonly<Record<string, number>>;
-  /** The setup with these values. */
+  /** The design with these values. */
   design: Design;
   flight: Readonly<Record<string, number | null>>;
   /**
-   * Gain of the goal for moving the active bound of each parameter outwards, SI; 0 for a parameter
-   * within its bounds.
+   * Gain of the goal per unit (SI) by which the bound of a parameter is moved outwards; 0 for a
+   * parameter within its bounds.
    */
   beyond: Readonly<Record<string, number>>;
   warnings: readonly string[];
 }
 
-/** The parameters of a design and the ranges of their sliders. */
+/** Finds a parameter, and the range of its slider, by name. */
 interface Fields {
   parameter(name: string): Parameter;
   travel(name: string): Travel;

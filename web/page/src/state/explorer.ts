@@ -20,11 +20,11 @@ import { mapCall, mapKey, readMap } from './map';
 import type { State } from './state';
 import { activeOf, mapOf, varyOf, withDesign } from './state';
 
-/** Requested derivatives: first derivatives for prices, and diagonals of Hessians for bands. */
+/** The derivatives in a request: first ones for prices, and second ones for bands. */
 const PRICES = { order: 2, diagonal: true };
 const COARSE = 20;
 const FINE = 60;
-/** Milliseconds without a change before slower answers are computed. */
+/** Milliseconds after the last change until the slower answers are computed. */
 const REST = 150;
 
 export class Explorer {
@@ -37,8 +37,8 @@ export class Explorer {
   readonly refusal = signal<Refusal | null>(null);
   readonly slopes = signal<ReadonlyMap<string, Slope>>(new Map());
   /**
-   * Reasons why parameters have no derivative in this setup, for example because another parameter
-   * replaces them.
+   * The reason for each parameter without a derivative in this setup, for example that another
+   * parameter replaces it.
    */
   readonly noSlope = signal<ReadonlyMap<string, string>>(new Map());
   readonly best = signal<Best | null>(null);
@@ -55,14 +55,14 @@ export class Explorer {
   readonly working = signal<string | null>(null);
   readonly aimMessage = signal<string | null>(null);
   /**
-   * The time step of the loop that is drawn over the map and a slider, s; null if no loop is drawn.
+   * The time step of the loop that is drawn over the map and a slider, s; null if none is drawn.
    */
   readonly loopStep = signal<number | null>(null);
-  /** The open group among the sliders below the first screen. */
+  /** The group that is open below the sliders of the first screen. */
   readonly openGroup = signal<string | null>(null);
   readonly design = computed(() => activeOf(this.state.value));
-  // parts of the state that seldom change: components that read only these are not rendered at each
-  // move of a slider
+  // Parts of the state that seldom change. A component that reads only these is not rendered at
+  // each move of a slider.
   readonly units = computed(() => this.state.value.units);
   readonly goal = computed(() => this.state.value.goal);
   readonly law = computed(() => lawOf(this.design.value, this.catalog));
@@ -81,7 +81,7 @@ export class Explorer {
     this.state = signal(state);
     for (const lane of [hand, desk]) {
       lane.onTrap = (message) => this.#trapped(message);
-      // wait until the receivers of the last answer have sent further requests
+      // look only after the receivers of the last answer have sent their requests
       lane.onIdle = () => setTimeout(() => this.#look(), 0);
     }
     desk.onProgress = (progress) => {
@@ -92,7 +92,7 @@ export class Explorer {
 
   // actions of the components
 
-  /** Changes the state; `isFinal` is false during a drag. */
+  /** Changes the state. `isFinal` is false during a drag. */
   change(state: State, isFinal = true) {
     const isOther = state !== this.state.value;
     this.state.value = state;
@@ -160,13 +160,15 @@ export class Explorer {
     return { parameter: this.parameter(name), unit, decimals: decimalsOf(this.travel(name), unit) };
   }
 
-  /** The value of a parameter as text for a sentence: "8.80°". */
+  /**
+   * The number of a value in the unit of its field: "8.80". It has `more` digits than the field.
+   */
   shown(name: string, value: number, more = 1): string {
     const { unit, decimals } = this.field(name);
     return digits(fromSI(value, unit), Math.min(6, decimals + more));
   }
 
-  /** A key that changes whenever the row of a parameter looks different. */
+  /** A key that changes whenever the row of a parameter must look different. */
   rowKey(name: string): string {
     const { preset, set } = this.design.value;
     const { refusal } = this;
@@ -190,13 +192,13 @@ export class Explorer {
     this.busy.value = this.#rest.isWaiting || !this.hand.isIdle || !this.desk.isIdle;
   }
 
-  /** Asks the core for all answers to the state; a worker without a core keeps the requests until it has one. */
+  /** Requests all answers about the state. A worker that has no core yet keeps the requests. */
   refresh() {
     this.busy.value = true;
     const flown = this.#fly();
     this.#rest.call(async () => {
-      // wait for the drive, which then requests a coarse map: requested later, the coarse map would
-      // replace the fine map in the queue
+      // wait for the drive, which may request a coarse map: if that came later, it would replace
+      // the waiting request for the fine map
       await flown;
       void this.#findBest();
       void this.#flyOthers();
@@ -248,8 +250,8 @@ export class Explorer {
   }
 
   /**
-   * The call for prices of parameters of wind and air that are unset, at the values that the drive
-   * uses for them; null without such parameters.
+   * The call for prices of unset parameters of wind and air. They are taken at the values that an
+   * unset parameter stands for. Null if no such parameter is unset.
    */
   #unsetCall(): Call | null {
     const { set } = this.design.value;
@@ -304,7 +306,7 @@ export class Explorer {
       (isRefused(numbers) ? refusalOf(numbers) : readDrive(numbers)));
   }
 
-  /** The axes of the map. Their ranges do not follow a drag, so that the map stays. */
+  /** The axes of the map. A drag does not change their ranges, so the map stays. */
   #mapAxes(): MapAxes {
     const [across, up] = mapOf(this.state.value);
     const range = (name: string) => travelOf(this.parameter(name), this.presetValue(name), null);
@@ -312,8 +314,8 @@ export class Explorer {
   }
 
   /**
-   * Computes a coarse map at once if the map changes. A map does not depend on the design's values
-   * of the two parameters of its axes.
+   * Computes a coarse map at once if the map is out of date. It does not depend on the values that
+   * the design has for the parameters of its axes.
    */
   #mapIfOther() {
     if (mapKey(this.design.value, this.#mapAxes()) !== this.#mapKey) void this.#flyMap(COARSE);
@@ -344,8 +346,8 @@ export class Explorer {
   }
 
   /**
-   * Sets two parameters so that the ball lands at this point (m), or as near to it as the sliders
-   * allow.
+   * Sets two parameters so that the ball lands at this point (m), or as near to it as the ranges of
+   * the sliders allow.
    */
   async aim(names: readonly [string, string], carry: number, lateral: number) {
     const vary = names.map((name) => ({ name, ...ends(this.travel(name)) }));
@@ -365,7 +367,7 @@ export class Explorer {
     this.aimMessage.value = message;
   }
 
-  /** The answer of a long command, with progress; null if the command was ended. */
+  /** Runs a long command, and shows its progress. The answer is null if the command was ended. */
   async run(what: string, words: string[], files: Record<string, Uint8Array> = {}): Promise<Reply | null> {
     this.working.value = what;
     const reply = await this.desk.command('long', words, files);
@@ -381,7 +383,7 @@ export class Explorer {
   #trapped(message: string) {
     this.trap.value = message;
     this.#traps += 1;
-    // after the first trap, compute the drive again
+    // compute the drive again only after the first of consecutive traps
     if (this.#traps === 1) this.#rest.call(() => this.refresh());
   }
 

@@ -10,7 +10,7 @@ const VERSION = '1';
 const PREFIXES = ['', 'b:', 'c:', 'd:'];
 const SYSTEMS = ['us', 'metric'] as const;
 
-/** A lone surrogate (half a character), which cannot be encoded. */
+/** A lone surrogate (half of a character), which `encodeURIComponent` refuses. */
 const LONE = /\p{Surrogate}/gu;
 
 /** Encodes a text for an address, but keeps characters that are readable in it. */
@@ -24,7 +24,7 @@ function differences(design: Design, first: Design): [string, string][] {
     if (design === first || first.set[name] !== text) rows.push([name, compact(text)]);
   }
   if (design === first) return rows;
-  // an empty text marks a value of the first design that this design does not have
+  // write an empty text for each value of the first design that this design does not have
   for (const name of Object.keys(first.set)) {
     if (!(name in design.set)) rows.push([name, '']);
   }
@@ -64,7 +64,9 @@ function decoded(part: string): string {
   }
 }
 
-/** The state of a fragment, and the parts that are unknown, for example of a newer version. */
+/**
+ * Reads a fragment. Parts that this page does not know, for example of a newer version, are listed.
+ */
 export function read(fragment: string, catalog: Catalog): Read {
   const unknown: string[] = [];
   const [version = '', preset = '', ...parts] = fragment.replace(/^#/, '').split('&').map(decoded);

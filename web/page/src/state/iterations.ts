@@ -2,7 +2,7 @@
 import type { Call, Numbers } from '../core/messages';
 import type { Travel } from '../setup/travel';
 
-/** One iterate, SI. Arrays have a number for each parameter that is varied. */
+/** One iteration, SI. Arrays have a number for each parameter that the search varies. */
 export interface Iteration {
   /** Number of the search: 0 begins at your drive, 1 at a better drive of a sample. */
   search: number;
@@ -11,7 +11,7 @@ export interface Iteration {
   value: number;
   /** Relative KKT residual. */
   residual: number;
-  /** The step from this iterate; null at the end of a search. */
+  /** The step from `x`; null at the end of a search. */
   trial: Trial | null;
   x: Float64Array;
   /** The bound at which each parameter is: −1 the lower, 1 the upper, 0 none. */
@@ -19,7 +19,7 @@ export interface Iteration {
   gradient: Float64Array;
   /** The second derivatives of the model, row by row. */
   hessian: Float64Array;
-  /** The trust region within the ranges. */
+  /** The trust region, cut off at the ranges: both ends for each parameter. */
   low: Float64Array;
   high: Float64Array;
 }

@@ -9,7 +9,7 @@ export interface Loop {
   at: Float64Array;
   /** Carry of the loop. */
   loop: Float64Array;
-  /** Difference quotient of the loop's carry, in place of a derivative. */
+  /** Difference quotient of the loop's carry, which stands in for a derivative. */
   difference: Float64Array;
   /** Carry of the exact drive. */
   carry: Float64Array;
@@ -23,7 +23,7 @@ interface Along {
   high: number;
 }
 
-/** Columns: parameter, loop, its interpolated landing, difference, exact carry, exact slope. */
+/** Columns in the answer. The third one, the interpolated landing of the loop, is not used. */
 const COLUMNS = 6;
 
 export const loopCall = (
@@ -37,7 +37,7 @@ export function readLoop({ head, block }: Numbers): Loop {
   return { name: String(head.parameter), at: at!, loop: loop!, difference: difference!, carry: carry!, slope: slope! };
 }
 
-/** The largest distance of the loop from the exact carry. */
+/** The largest distance between the carry of the loop and the exact carry, m. */
 export function worstOf({ loop, carry }: Pick<Loop, 'loop' | 'carry'>): number {
   return loop.reduce((most, value, k) => {
     const distance = Math.abs(value - carry[k]!);

@@ -19,7 +19,7 @@ export interface MapData extends MapAxes {
   values: Float64Array;
 }
 
-/** A key that changes whenever the map changes. */
+/** A key that changes whenever another map is needed. */
 export function mapKey({ preset, set }: Design, { across, up, goal }: MapAxes): string {
   const rest = Object.entries(set).filter(([name]) => name !== across && name !== up);
   return JSON.stringify([preset, across, up, goal, rest]);

@@ -7,14 +7,14 @@ export type Goal = 'carry' | 'total';
 export const GOALS: readonly Goal[] = ['carry', 'total'];
 
 export interface State {
-  /** One to four designs; the sliders move the active one. */
+  /** One to four designs. The sliders change the active one. */
   readonly designs: readonly Design[];
   readonly active: number;
   readonly goal: Goal;
   readonly units: System;
-  /** Parameters that the best drive may change; null for the default. */
+  /** Parameters that the best drive may change; null for those of `varyOf`. */
   readonly vary: readonly string[] | null;
-  /** Parameters of the map, across and up; null for the default. */
+  /** Horizontal and vertical parameter of the map; null for the default. */
   readonly map: readonly [string, string] | null;
 }
 
@@ -33,8 +33,8 @@ export const START: State = {
 export const activeOf = (state: State): Design => state.designs[state.active] ?? START.designs[0]!;
 
 /**
- * The parameters that the best drive may change; by default the loft, which a golfer chooses with
- * the club.
+ * The parameters that the best drive may change. The default is the loft, which a golfer chooses
+ * with the club, or the launch angle if a launch is given.
  */
 export function varyOf(state: State): readonly string[] {
   const isLaunch = hasLaunch(activeOf(state));
