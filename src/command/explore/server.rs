@@ -18,7 +18,7 @@ const CLOSING_TIME: Duration = Duration::from_secs(1);
 /// Serves the page until Ctrl-C, and prints its address with `state` after the `#`.
 ///
 /// # Errors
-/// If no port or no random number is available.
+/// If no port or no random number is available, or if the compiled page is not that of web/build.
 pub fn serve(state: &str) -> Result<()> {
     let wanted = SocketAddr::new(Ipv4Addr::LOCALHOST.into(), 0);
     let listener = Listener::bind(wanted)
