@@ -332,7 +332,7 @@ impl DeliveryFiles {
                 note(&format!("wrote the setup with this delivery into {file}"));
                 let optimize = ["optimize", &file, "--vary", "club.loft=4deg..20deg"];
                 note(&format!(
-                    "the loft of the longest carry for it: {}",
+                    "to find the loft of the longest carry with this delivery: {}",
                     command_line(&optimize.map(OsString::from))
                 ));
                 return Ok(true);
@@ -382,7 +382,7 @@ impl DeliveryFiles {
             ));
         }
         note(&format!(
-            "the best design over these swings: {}",
+            "to find the best design over these swings: {}",
             optimize_over(&swings.shown, setup_words())
         ));
         Ok(true)

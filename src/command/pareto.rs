@@ -306,7 +306,7 @@ impl ParetoFile {
             Some(_) if !is_setup => {
                 return Err(refuse(
                     "it chooses the point whose setup is written, and only a .toml file holds a \
-                     setup; name one, as in `output best.toml`, or leave `at` out",
+                     setup; name such a file, as in `output best.toml`, or leave `at` out",
                 ));
             }
             None | Some("knee") => None,
