@@ -8,7 +8,7 @@ use serde_json::Value;
 /// Number of lines of a screen.
 const SCREEN: usize = 40;
 
-/// Runs a command in a terminal of this width; `None` for a pipe.
+/// Runs a command in a terminal with this number of columns; `None`: into a pipe.
 fn in_columns(columns: Option<usize>, words: &[&str]) -> Output {
     let mut command = program::command();
     command.args(words).env_remove("COLUMNS");

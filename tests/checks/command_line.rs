@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::Child;
 use std::time::Duration;
 
-/// Text of whole answers, at the width of the tests' terminal.
+/// Options of a complete text, at the terminal width of the tests.
 pub const WHOLE: TextOptions = TextOptions {
     width: 100,
     all: true,
@@ -39,7 +39,6 @@ pub struct Written {
 }
 
 impl Written {
-    /// Text of a file.
     pub fn file(&self, name: &str) -> &str {
         self.files
             .get(name)
@@ -98,7 +97,6 @@ pub fn commands() -> BTreeSet<String> {
     commands.as_array().unwrap().iter().map(name).collect()
 }
 
-/// The words of a text, without its line breaks.
 pub fn on_one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -111,7 +109,6 @@ pub fn widest(text: &str) -> usize {
         .unwrap_or(0)
 }
 
-/// Writes a file, and returns its path.
 pub fn file_with(folder: &Path, name: &str, text: &str) -> String {
     let path = folder.join(name);
     std::fs::write(&path, text).unwrap();

@@ -32,7 +32,7 @@ fn a_tolerance_is_honoured() {
         "{}",
         output.err
     );
-    // drives at the ends of the fitted range are flown
+    // drives at the ends of a fitted range are flown to choose the step
     assert_eq!(
         with(&["--fit", "aero.cl_max=0.2..1", "--tolerance=1mm"]).status,
         0
@@ -386,7 +386,7 @@ fn impossible_values_are_refused_with_row_column_value_and_range() {
             output.err
         );
     }
-    // a spin of 0 may be a measured value, but exports write 0 for missing values
+    // exports write 0 for a missing spin, but 0 may also be measured: such a row is no error
     let (_folder, path) = launches("carry [yd]", "246", "160,20,0,200");
     let output = longdrive(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]);
     assert!(output.status == 0, "{}", output.err);

@@ -28,7 +28,7 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     fs::read_dir(folder).unwrap().map(read).collect()
 }
 
-/// A folder with inputs, and the path of a name in it.
+/// A folder with input files, and a function that returns the path of a name in this folder.
 fn folder() -> (tempfile::TempDir, impl Fn(&str) -> String) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("shots.csv"), SHOTS).unwrap();

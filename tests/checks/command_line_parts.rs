@@ -48,7 +48,6 @@ fn question() -> Vec<&'static str> {
     [&DRIVES[..], &SUMMARY[..]].concat()
 }
 
-/// Writes a part and returns its answer.
 fn write(question: &[&str], part: u64, parts: u64, folder: &Path, more: &[&str]) -> (i32, Value) {
     let part = format!("{part}/{parts}");
     json(
@@ -273,7 +272,7 @@ fn independent_summary_of_a_set_by_its_rows() {
     assert_eq!(histogram["below"], within(f64::NEG_INFINITY, 150.0));
     assert_eq!(histogram["above"], within(290.0, f64::INFINITY));
     for bin in 0..7 {
-        // the edges 150, 170, … are exact, and no carry equals one
+        // the edges 150, 170, … are exact floating-point numbers, and no carry lies on an edge
         let low = 150.0 + 20.0 * f64::from(bin);
         assert_eq!(
             histogram["counts"][bin as usize],
@@ -680,8 +679,8 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
                 .map(|name| rows(&set.path().join(name)))
                 .collect(),
         );
-        // a set whose parts have different instructions is refused when a part is written, and
-        // found by the check
+        // parts computed with different instruction sets do not belong together: the program
+        // refuses to write such a part, and `--check` reports it
         if instructions < most {
             fs::remove_file(set.path().join(NAMES[3])).unwrap();
             let (status, answer) = write(&question(), 4, PARTS, set.path(), &[]);
@@ -705,7 +704,7 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
             assert_eq!(json(&[&question()[..], &more].concat()).0, 2);
         }
     }
-    // the rows of different instructions agree to rounding
+    // rows computed with different instruction sets agree to rounding
     let value = |cell: &Option<String>| {
         f64::from_bits(u64::from_str_radix(cell.as_ref().unwrap(), 16).unwrap())
     };
@@ -733,8 +732,8 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
     }
 }
 
-/// The C library has functions for processors with FMA that round differently: machines with
-/// different functions compute different rows, even at the same level.
+/// The C library has variants of its functions for processors with FMA, which round differently.
+/// Machines that use different variants compute different rows, even at the same level.
 #[cfg(all(target_os = "linux", target_arch = "x86_64", target_env = "gnu"))]
 #[test]
 fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_sweep_has_the_same_bytes() {
@@ -767,7 +766,7 @@ fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_sweep_has_th
     let without = "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F";
     let ((_, here), (_, there)) = (of("", "1/2", "here"), of(without, "1/2", "there"));
     if here["question"] == there["question"] {
-        // a library or a processor without such variants
+        // this C library or this processor has only one variant
         assert_eq!(here["sha256"], there["sha256"]);
         return;
     }
@@ -780,7 +779,7 @@ fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_sweep_has_th
         status == 2 && answer["message"].as_str().unwrap().contains("C libraries"),
         "{answer}"
     );
-    // machines of one kind agree
+    // the same variant gives the same bytes
     let again = of(without, "1/2", "again").1;
     assert_eq!(
         (&again["question"], &again["sha256"]),

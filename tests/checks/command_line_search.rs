@@ -194,7 +194,7 @@ fn a_set_value_of_a_variable_is_reported_as_its_start() {
     }
 }
 
-/// One of two parameters that belong together may be varied.
+/// The wind direction is varied, and the wind speed, which belongs to it, is set.
 #[test]
 fn a_varied_wind_direction_keeps_the_wind_speed() {
     let range = "--vary=wind.from=0deg..180deg";
@@ -423,7 +423,7 @@ fn chart_as_json_csv_and_table() {
         text.contains("<- apex height ≤ 35 yd begins") && text.contains("launch_angle"),
         "{text}"
     );
-    // the launch at an optimum is the launch of that drive
+    // the launch of a point of the chart is the launch of the drive with the optimum's values
     let [loft, attack] =
         ["club.loft", "swing.attack_angle"].map(|name| number(&points[0]["optimum"][name]));
     let set = [

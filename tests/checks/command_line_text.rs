@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The line of `simulate` for an outcome, with single spaces: its value in the first unit system,
-/// and in parentheses in the other one.
+/// The line of `simulate` for an outcome, with single spaces: its value in the chosen units, and in
+/// parentheses in the other units.
 fn line(out: &str, name: &str) -> String {
     let line = out.lines().find(|line| line.trim_start().starts_with(name));
     let words: Vec<_> = line
@@ -47,7 +47,7 @@ fn a_drive_has_the_units_of_launch_monitors_in_both_systems() {
             (in_us, in_metric)
         );
     }
-    // a straight drive, except for rounding: no sign, no power of ten, no side
+    // rounding of a straight drive prints no sign, no power of ten and no side
     let straight = longdrive(&["simulate"]).out;
     assert_eq!(line(&straight, "lateral"), "lateral 0.0 yd (0.0 m)");
     assert!(

@@ -6,7 +6,8 @@ use crate::reproduce::{FOUND, PAPER, PAPER_WRITTEN};
 use longdrive::report::{Mae494Report, Report, WinfieldTanReport};
 use longdrive::units::System;
 
-/// The numbers with one of these units, without the other system's numbers in parentheses.
+/// The numbers that have one of these units and are not followed by a number in the other system in
+/// parentheses.
 fn alone<'a>(text: &'a str, units: &[&str]) -> Vec<&'a str> {
     let all: Vec<&str> = text.split_whitespace().collect();
     let is_number =
@@ -26,7 +27,7 @@ fn published_numbers_of_mae494_keep_their_units_and_computed_ones_have_the_chose
         assert!(widest(text) <= 100, "{system}: {} columns", widest(text));
     }
     let (in_metres, in_yards) = (on_one_line(&metric), on_one_line(&us));
-    // printed: 248.48 m; a yard is 0.9144 m, a mile per hour 0.44704 m/s
+    // the report prints 248.48 m; a yard is 0.9144 m, a mile per hour 0.44704 m/s
     assert!(
         in_metres.contains("prints 248.48 m;") && in_yards.contains("prints 248.48 m (271.74 yd);"),
         "{us}"
@@ -74,7 +75,7 @@ fn published_numbers_of_winfield_and_tan_keep_their_units_and_computed_ones_have
     );
     let (in_metres, in_yards) = (on_one_line(&metric), on_one_line(&us));
     let carry = PAPER.shot.computed.carry;
-    // printed: 197.31 yd, 139.16 mph
+    // the paper prints 197.31 yd and 139.16 mph
     assert!(
         in_yards.contains(&format!("197.31 yd {:.2} yd", carry / 0.9144)),
         "{us}"
@@ -367,7 +368,8 @@ fn remarks_in_setup_files_have_the_digits_of_the_text_and_values_all_of_them() {
     assert_eq!(done.status, 0, "{}", done.err);
     let text = std::fs::read_to_string(&file).unwrap();
     let (loft, about) = remark(&text, "loft = ");
-    // a remark has degrees if a text in degrees is exact
+    // the file has the loft in degrees if this text is exact, else in radians; the remark is always
+    // in degrees
     let degrees = loft
         .strip_suffix(" deg")
         .map_or_else(

@@ -44,8 +44,9 @@ fn held<'a>(found: &'a Value, name: &str) -> &'a Value {
         .unwrap_or_else(|| panic!("{name}: {found}"))
 }
 
-/// The multiplier of the limit on the moment of inertia is the derivative of the best goal by the
-/// limit, by differences of searches without the rule.
+/// The multiplier of the rule on the moment of inertia is the derivative of the best goal by its
+/// limit. The expected derivative is the difference of two searches without the rule, with the
+/// limit as a constraint.
 #[test]
 fn differences_certify_the_price_of_the_limit_on_the_moment_of_inertia() {
     let found = designed(&WEIGHT);
@@ -113,7 +114,6 @@ fn a_rule_about_a_parameter_is_a_bound_of_it() {
     );
 }
 
-/// Varied inertia tensors remain tensors of rigid bodies.
 #[test]
 fn varied_inertia_stays_that_of_a_rigid_body() {
     let vary = [

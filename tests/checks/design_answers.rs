@@ -5,10 +5,10 @@ use crate::common::close;
 use longdrive::derivative::{Evaluator, Order};
 use longdrive::{Outcome, Setup};
 
-/// Few swings of the usual golfer, so that a search takes no time.
+/// The golfer of the program with few swings, so that a search takes no time.
 const FEW: [&str; 4] = ["design", "modern-driver", "--scenarios", "32"];
 
-/// A golfer of two parameters.
+/// A golfer whose face angle and strike towards the toe vary, and nothing else.
 const TWO: [&str; 4] = [
     "design",
     "modern-driver",
@@ -71,8 +71,8 @@ fn other_swings_without_a_flight_do_not_suppress_a_design() {
     }
 }
 
-/// A varied parameter that is unset in the setup has, in the design as set up, the meaning that
-/// `parameters` prints: here no weight, and not a weight in the middle of its range.
+/// A varied weight that the setup does not have has no mass in the design as set up. Its mass is
+/// not the middle of its range.
 #[test]
 fn the_setup_as_set_up_omits_unset_parameters() {
     let base = json(&[&TWO[..], &["--vary=club.loft=10deg..11deg"]].concat()).1;
@@ -138,7 +138,7 @@ fn the_nearest_design_is_no_further_than_the_one_set_up() {
         "--vary=club.weight_1.depth=0mm..110mm",
         "--vary=club.weight_1.toe=-50mm..50mm",
         "--subject-to=head_moi <= 5500 g cm^2",
-        // both designs are computed in the same large steps
+        // large steps save time; both designs are computed in them
         "--set=flight.method=dp8",
         "--set=flight.step=1s",
     ];
@@ -159,8 +159,8 @@ fn the_nearest_design_is_no_further_than_the_one_set_up() {
     );
 }
 
-/// A bound is active but has no effect: the variable is reported as without effect, and its value
-/// not as an optimum.
+/// Within its range, the bulge changes the goal by less than 1 mm: the answer says that its effect
+/// is negligible.
 #[test]
 fn a_variable_without_an_effect_is_named() {
     let swings = ["optimize", "modern-driver", TWO[2]];
@@ -253,7 +253,6 @@ fn impossible_designs_are_refused_in_plain_words() {
     );
 }
 
-/// Unchecked rules, and the effect of a weight without mass.
 #[test]
 fn unchecked_rules_and_missing_effects_are_reported() {
     let swings = "--distribution=club.inertia.xx=normal(5700 g cm^2,10 g cm^2)";

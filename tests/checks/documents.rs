@@ -372,7 +372,7 @@ fn same_sample_of_launches_from_the_deliveries() {
     }
 }
 
-/// docs/design.md: the rules of the program, and the numbers of its examples.
+/// The rules and the numbers in the examples of docs/design.md.
 #[test]
 fn rules_and_numbers_of_design_md_are_the_programs() {
     let text = document("docs/design.md");
@@ -454,7 +454,8 @@ fn rules_and_numbers_of_design_md_are_the_programs() {
     }
 }
 
-/// docs/swings.md: a golfer whose strikes do not vary has no use for a bulge.
+/// For the golfer of docs/swings.md, whose strikes vary, the bulge changes the goal. It would not
+/// if the strikes did not vary.
 #[test]
 fn the_bulge_changes_the_goal_for_the_golfer_of_swings_md() {
     let text = document("docs/swings.md");

@@ -23,8 +23,8 @@ fn setup() -> Setup<f64> {
     Setup::preset("tour-average").unwrap()
 }
 
-/// The setup in large steps, which take a tenth of the evaluations: map and single drives use the
-/// same steps, so their values are comparable.
+/// The setup in large steps, with a tenth of the evaluations. Maps and single drives use the same
+/// steps, so their values are comparable.
 fn in_large_steps() -> Setup<f64> {
     let mut setup = setup();
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
@@ -44,7 +44,7 @@ pub fn flown(setup: &Setup<f64>, values: &[(&str, f64)], of: Outcome) -> f64 {
     of.value(&Drive::new(&moved).unwrap()).unwrap()
 }
 
-/// An optimum with its map, as drawn.
+/// An optimum, the region of small loss around it, and the map of carry with both.
 fn mapped(
     setup: &Setup<f64>,
     vary: [&str; 2],
@@ -92,7 +92,7 @@ fn mapped(
     (best, region, figure)
 }
 
-/// The rings of a figure's regions: of the hatched regions, or of the tinted ones.
+/// The outlines (rings) of a figure's regions, either of the hatched ones or of the tinted ones.
 fn rings(figure: &Figure, hatched: bool) -> Vec<Vec<[f64; 2]>> {
     let of = |layer: &Layer| match layer {
         Layer::Region {
@@ -743,7 +743,6 @@ fn two_landings() -> [Landing; 2] {
     })
 }
 
-/// The points of the arcs of a view.
 fn arcs(view: &Figure) -> Vec<Vec<[f64; 2]>> {
     let arc = |layer: &Layer| match layer {
         Layer::Line {
@@ -838,7 +837,7 @@ fn same_flights_in_a_launch_map_and_alone() {
             Outcome::Carry,
         )
     };
-    // the ball flies from the marked launch as it flies from the strike
+    // the marked launch has the carry of the strike
     let [yours, others] = [0, 1].map(|i| &map.launched[i]);
     close(
         carry(yours.launch_angle, yours.backspin),
@@ -880,7 +879,7 @@ fn same_flights_in_a_launch_map_and_alone() {
         figure.note
     );
     assert!(figure_csv(&figure, TableUnits::Si).unwrap().lines().count() > 3700);
-    // only a drive whose ball speed differs from the map's has its own
+    // the note states the ball speed of a drive only if it differs from the map's
     let mut lofted = setup;
     lofted.launch.ball_speed = Some(70.0);
     lofted.launch.launch_angle = Some(0.2);

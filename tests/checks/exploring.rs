@@ -41,7 +41,7 @@ fn without_its_feature_the_command_names_the_build_command() {
     assert_eq!(output.status, 2, "{err}");
     let advice = "web/build, then cargo run --release --features explore -- explore";
     assert!(err.ends_with(advice), "{err}");
-    // the error of the setup comes first
+    // an error of the setup is reported before the missing feature
     let wrong = longdrive(&["explore", "tour"]);
     assert!(
         wrong.err.contains("did you mean 'tour-average'?"),

@@ -38,7 +38,6 @@ fn an_option_of_other_commands_is_not_taken_for_one_that_begins_alike() {
     }
 }
 
-/// A word in place of a number is answered with the meaning of the parameter.
 #[test]
 fn a_word_for_a_number_gets_the_meaning_of_the_parameter() {
     let printed = longdrive(&["simulate", "--wind", "10mph", "--set", "wind.from=headwind"]);

@@ -19,12 +19,11 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 use tempfile::TempDir;
 
-/// Processor time before the interruption, in hundredths of a second: enough that work is in
-/// progress.
+/// Processor time before Ctrl-C, in hundredths of a second: long enough that the work has begun.
 const STARTED_AFTER: u64 = 20;
 
-/// Largest processor time after the interruption, in hundredths of a second; uninterrupted work
-/// takes longer.
+/// Limit of the processor time after Ctrl-C, in hundredths of a second. Uninterrupted work takes
+/// longer.
 const LAST: u64 = 1000;
 
 /// A running program. Its output goes into files, so that it can be read meanwhile.
@@ -74,7 +73,6 @@ impl AtWork {
         }
     }
 
-    /// True if standard error has this text.
     fn has_printed(&self, text: &str) -> bool {
         self.read("err").contains(text)
     }
@@ -166,7 +164,7 @@ fn work_without_a_part_of_an_answer_ends_with_nothing_printed_or_written() {
         vec!["report", "-o", &page, slow[0], slow[1]],
         vec!["reproduce", "mae494", "-o", &study],
     ] {
-        // the study takes a second or two, and prints its progress
+        // `reproduce` takes only a second or two: its printed progress shows that it has begun
         let is_told = args[0] == "reproduce";
         let is_time = |program: &AtWork| {
             if is_told {

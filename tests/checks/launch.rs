@@ -6,7 +6,7 @@ use longdrive::batch::{Batch, Run, Status};
 use longdrive::table::open_table;
 use longdrive::{Drive, Error, Outcome, Setup, derivative};
 
-/// A launch of this setup, given by its conditions.
+/// The default setup with a launch of these conditions.
 fn launched(settings: &[(&str, &str)]) -> Setup<f64> {
     let mut setup = Setup::default();
     for (name, text) in settings {
@@ -368,7 +368,8 @@ fn a_club_beside_a_launch_is_refused_by_name() {
             assert_eq!(printed.status, 0, "{command:?}: {}", printed.err);
         }
     }
-    // swept or fitted club parameters are refused too; club settings of a setup file are reported
+    // also refused: a table with two forms of the spin, and swept or fitted club parameters. Club
+    // settings of a setup file are only reported as unused
     let both =
         "ball_speed [mph],launch_angle [deg],backspin [rpm],launch.spin [rpm]\n167,10.9,2686,1\n";
     std::fs::write(&points, both).unwrap();
@@ -545,7 +546,7 @@ fn without_a_club_the_defaults_are_launch_conditions_or_the_message_suggests_var
         }
         assert!(!err.contains("club.loft"), "{args:?}: {err}");
     }
-    // calibrate reads launches from the table
+    // `calibrate` reads the launches from its table, and refuses `--launch`
     let printed = longdrive(
         &[
             &["calibrate", "shots.csv", "--fit", "aero.cd0"],
@@ -564,7 +565,7 @@ fn without_a_club_the_defaults_are_launch_conditions_or_the_message_suggests_var
             printed.err
         );
     }
-    // and the page does not describe the club of the preset
+    // the page does not describe the club of the preset
     let page = file("page");
     let printed = longdrive(&[&["report", "-o", &page], &CONDITIONS[..]].concat());
     assert_eq!(printed.status, 0, "{}", printed.err);

@@ -81,7 +81,7 @@ fn ask(command: &str, arguments: &[(&str, ArgumentValue)], host: &Arc<InMemory>)
     host.answer()
 }
 
-/// An unknown command: the answer has `null` for the command.
+/// The answer to an unknown command has `null` for the command.
 #[test]
 fn exact_command_of_an_answer_to_an_unknown_request() {
     let host = InMemory::new(&[], &[]);
@@ -146,7 +146,6 @@ fn same_rows_for_a_host_and_in_a_file() {
     assert_eq!(String::from_utf8_lossy(&rows).lines().count(), 4);
 }
 
-/// A Parquet table with one column.
 #[cfg(feature = "full")]
 fn parquet_of(name: &str, values: &[f64]) -> Vec<u8> {
     use parquet::data_type::DoubleType;

@@ -69,7 +69,7 @@ fn the_answer_is_the_first_thing_on_the_page() {
     let yard = 0.9144;
     let [yours, best_carry] =
         [&yours["flight"]["carry"], &best["value"]].map(|value| number(value) / yard);
-    // the printed line adds up
+    // the printed gain is the difference of the printed carries
     let [yours, best_carry] = [yours, best_carry].map(|value| (10.0 * value).round() / 10.0);
     let gain = format!("+{:.1} yd", best_carry - yours);
     let printed = words(answer(&page), "us");
@@ -99,7 +99,6 @@ fn the_answer_is_the_first_thing_on_the_page() {
     );
 }
 
-/// The cells of a table of a page, row by row, in yards.
 #[test]
 fn the_page_of_a_lateral_states_what_moves_it() {
     let folder = tempfile::tempdir().unwrap();
@@ -124,6 +123,7 @@ fn the_page_of_a_lateral_states_what_moves_it() {
     }
 }
 
+/// The cells (`td`) of a table of a page, row by row, in US units.
 fn cells(table: &str) -> Vec<Vec<String>> {
     let rows = table.split("<tr>").skip(1);
     let cell = |cell: &str| {
@@ -155,7 +155,8 @@ fn same_gain_of_the_club_and_of_the_swing_on_the_page_and_in_optimize() {
         .find(|row| row.first().is_some_and(|name| name == "Club loft"));
     let club = number(&alone["optimum"]["club.loft"]).to_degrees();
     assert_eq!(loft.unwrap()[2], format!("{club:.2}°"));
-    // columns: as set up, only the club changed, club and swing changed
+    // columns of the table: the drive as set up, with the best club, and with the best club and
+    // swing
     let attack = table
         .iter()
         .find(|row| row.first().is_some_and(|name| name == "Attack angle"));
@@ -673,7 +674,7 @@ fn all_pages_have_one_frame() {
         ] {
             assert_eq!(page.matches(once).count(), 1, "{requested:?}: {once}");
         }
-        // a table may be wider than a phone: keys scroll it, and it has a name
+        // a table may be wider than a phone: it scrolls by keys, and has a name for screen readers
         let tables = page.matches("<table").count();
         let labels: Vec<&str> = page
             .split("<section class=\"wide\" tabindex=\"0\" aria-label=\"")
@@ -685,13 +686,13 @@ fn all_pages_have_one_frame() {
             .collect();
         names.sort_unstable();
         names.dedup();
-        // the table of the answer fits every screen
+        // the table of steps in the answer fits every screen
         let tables = tables - page.matches("<table class=\"steps\"").count();
         assert!(
             tables > 0 && names.len() == tables && !names.contains(&""),
             "{requested:?}: {names:?}"
         );
-        // the picture and the data of every figure
+        // every figure has a picture and a data file
         for end in ["-us.svg\"", ".csv\""] {
             assert_eq!(
                 page.matches(end).count(),
@@ -784,7 +785,7 @@ fn a_page_of_a_calibration_plots_measured_over_computed_values() {
         let (measured, difference) = (number(&row["measured"]), number(&row["difference"]));
         crate::common::close(drawn[i][0], measured + difference, 200.0, 1e-12, "computed");
         crate::common::close(drawn[i][1], measured, 200.0, 1e-12, "measured");
-        // each bar is two points, then a gap
+        // the data of a bar are two points and a gap
         let half = 0.5 * (bars[3 * i + 1][1] - bars[3 * i][1]);
         crate::common::close(
             half,

@@ -248,7 +248,7 @@ fn a_trajectory_names_its_flight_and_no_label_covers_the_landing() {
         ] {
             let svg = drawn(&["trajectory", preset], &file, width);
             let found = words(&svg);
-            // the published ball embeds, so that it has no run
+            // the ball of this preset embeds, so it has no run
             let has_run = preset != "winfield-tan";
             for (name, is_named) in [("flight", true), ("run", has_run), ("ground", true)] {
                 let is_found = found.iter().any(|words| words.text == name);
@@ -256,7 +256,7 @@ fn a_trajectory_names_its_flight_and_no_label_covers_the_landing() {
             }
             let label = found.iter().find(|words| words.text.starts_with("carry"));
             let [left, top, right, bottom] = label.unwrap().place;
-            // the apex and the landing have marks
+            // apex and landing have marks; the landing is the one farther downrange
             let landing = marks(&svg).into_iter().map(|(at, _)| at);
             let landing = landing.max_by(|a, b| a[0].total_cmp(&b[0])).unwrap();
             let near = |[x, y]: &[f64; 2]| (x - landing[0]).hypot(y - landing[1]) < 40.0;
@@ -482,7 +482,7 @@ fn two_bars_on_one_side_are_both_seen() {
 
 #[test]
 fn a_price_has_its_direction_and_a_constraint_the_chosen_units() {
-    // long lines are broken
+    // on one line, because the program breaks long lines
     let text = |args: &[&str]| on_one_line(&longdrive(&[&["optimize"], args].concat()).out);
     let bound = text(&[]);
     assert!(
@@ -536,7 +536,7 @@ fn a_price_has_its_direction_and_a_constraint_the_chosen_units() {
     );
 }
 
-/// The text of a page, without its tags.
+/// The text of a page without its tags, and without code and preformatted text.
 fn visible(page: &str) -> String {
     let body = page.split_once("<body").unwrap().1;
     let mut text = String::new();
@@ -658,7 +658,7 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
     );
 }
 
-/// A straight drive ends beside the target line by rounding.
+/// By rounding, a straight drive does not end exactly on the target line.
 #[test]
 fn rounding_is_shown_as_no_value() {
     let folder = tempfile::tempdir().unwrap();

@@ -12,7 +12,7 @@ fn text_of(args: &[&str]) -> String {
     on_one_line(&output.out)
 }
 
-/// The number between these words.
+/// The number between two texts.
 fn between(text: &str, before: &str, after: &str) -> f64 {
     let rest = text
         .split(before)
@@ -53,7 +53,7 @@ fn differences_of_optima_are_the_price_of_a_limit_over_swings() {
         5e-3,
         "yards of carry for a yard of scatter",
     );
-    // the designs of the mean swing and of the setup violate it
+    // the design of the mean swing and the design of the setup violate the limit
     assert_eq!(text.matches("(broken)").count(), 2, "{text}");
     assert!(
         text.contains("the design as set up violates a limit"),
@@ -136,7 +136,7 @@ fn as_text(args: &[String]) -> Vec<&str> {
 
 #[test]
 fn differences_of_the_greatest_loss_are_the_prices_of_the_active_limits_of_a_robust_design() {
-    // one model is limited by its apex
+    // the apex limits one of the models only
     let limited = |limit: &str| robust(&["--subject-to", limit]);
     let (args, tight, loose) = (
         limited("apex_height <= 30 yd"),
@@ -209,7 +209,7 @@ fn a_search_without_an_optimum_does_not_call_its_end_one() {
             };
             let output = longdrive(&[requested, &more[..]].concat());
             assert_eq!(output.status, 1, "{}", output.out);
-            // the setup comes first, with advice if its loft is varied
+            // the text begins with the setup
             let blocks = output.out.split("\n\n").next().unwrap();
             assert!(blocks.contains(&format!("\n{status}: ")), "{}", output.out);
             assert!(

@@ -56,7 +56,7 @@ fn words<'a>(svg: &'a roxmltree::Document<'_>) -> Vec<&'a str> {
         .collect()
 }
 
-/// Rows of a table of data, of one kind.
+/// The numbers of the rows of one kind in a table of data.
 fn rows(csv: &str, kind: &str) -> Vec<Vec<f64>> {
     let rows = csv
         .lines()
@@ -134,7 +134,8 @@ fn same_points_in_the_data_of_a_trajectory_and_in_its_flight() {
     }
 }
 
-/// From above with the target to the right of the picture, right of the target line is below it.
+/// In the view from above, the target is at the right end of the picture. A point to the right of
+/// the target line is therefore drawn below it.
 #[test]
 fn a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
     let ends = |face_angle: &str| {
@@ -180,8 +181,8 @@ fn a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
 
 #[test]
 fn same_positions_in_the_picture_and_in_the_data() {
-    // a line between opposite corners of exact axes ends in the corners of the frame, in metres and
-    // in yards
+    // both axes have exact limits: a diagonal line from corner to corner ends in the corners of the
+    // frame, in metres and in yards
     let length = || Axis::linear(NamedQuantity::outcome(Outcome::Carry)).exactly(0.0, 91.44);
     let figure = Figure::new("n", "t", length(), length()).with(Layer::line(
         "",
@@ -294,7 +295,7 @@ fn every_series_differs_from_every_other_one() {
             );
         }
     }
-    // the symbol in the legend, at the top of the picture, has the bars of its line
+    // in the legend, at the top of the picture, the symbol of a line shows the bars of this line
     let figure = |hue: usize| {
         Figure::new("n", "t", axis(), axis())
             .with(line(hue, false))
@@ -410,7 +411,7 @@ fn limits_on_a_map_are_where_the_outcome_reaches_them() {
         .filter(|row| row.starts_with("line,descent angle ≥ 38°,"))
         .collect();
     assert!(line.len() > 20, "{csv}");
-    // rows without numbers separate pieces
+    // rows without numbers separate the pieces of the curve
     for row in line.iter().filter(|row| !row.contains("°,,")).step_by(7) {
         let at: Vec<&str> = row.split(',').skip(2).take(2).collect();
         let set = [
@@ -630,7 +631,7 @@ fn a_png_has_its_size_and_its_words() {
             600_u32.to_be_bytes().as_slice()
         )
     );
-    // a title makes the file larger: without a font, its letters would be missing
+    // a title makes the file larger; if no font were found, its letters would be missing
     let setup = Setup::default();
     let figure = trajectory_figure(
         &[NamedDrive::new("", &setup).unwrap()],

@@ -201,7 +201,8 @@ fn independent_derivatives_of_the_loop_have_the_wrong_sign_at_every_loft() {
     close(ten.exact, 336.769_746_388_603, 1.0, 1e-8, "exact");
     close(ten.overshot, -65.0, 1.0, 1.0, "the loop's");
     for at in &noise.slopes {
-        // the loop has the derivative at fixed time; interpolation gives the derivative at landing
+        // the loop's derivative is the derivative at a fixed time; with interpolation to the
+        // landing, it is the derivative of the landing
         close(
             at.overshot,
             at.at_fixed_time,

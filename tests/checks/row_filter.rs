@@ -1,4 +1,5 @@
-//! `--only COLUMN=VALUE` selects rows of a table of shots; several clubs are told apart.
+//! `--only COLUMN=VALUE` selects rows of a table of shots; residuals are also summed up for each
+//! club.
 
 use crate::command_line::{json, longdrive, number, on_one_line};
 use serde_json::Value;
@@ -66,7 +67,7 @@ fn the_rows_of_a_delivery_keep_their_numbers() {
     );
 }
 
-/// The rows of a single club, in a table of their own, give an equal fit.
+/// A table with the rows of a single club gives the same fit as `--only` with this club.
 #[test]
 fn same_fit_as_of_a_table_of_one_club() {
     let (folder, file) = table();
@@ -99,7 +100,7 @@ fn shots_are_summarized_by_club() {
         })
         .collect();
     assert_eq!(counts, [("3 Wood", 2), ("Driver", 3)]);
-    // the residuals of all clubs together are the residuals of all rows
+    // the biases of the clubs, weighted by their rows, give the bias of all rows
     let all = &found["residuals"][0];
     let of = |club: &Value, key: &str| number(&club["outcomes"][0][key]);
     let sum: f64 = clubs

@@ -199,7 +199,7 @@ fn a_number_without_a_unit_in_a_file_is_refused_with_its_place() {
     );
 }
 
-/// Carry and total of the answer are computed from the drives before and after the search.
+/// The printed carry and total are those of the drives before and after the search.
 #[test]
 fn carry_and_total_stand_side_by_side_with_the_drive_as_set_up() {
     let (_, before) = json(&["simulate"]);
@@ -207,7 +207,7 @@ fn carry_and_total_stand_side_by_side_with_the_drive_as_set_up() {
     let output = longdrive(&["optimize", "-q"]).out;
     for of in ["carry", "total"] {
         let yards = |drive: &Value| number(&drive["flight"][of]) / 0.9144;
-        // the printed line adds up
+        // the printed gain is the difference of the printed values
         let [before, after] = [&before, &after].map(|drive| (10.0 * yards(drive)).round() / 10.0);
         let text = format!(
             "{of} {before:.1} yd → {after:.1} yd: {:+.1} yd",

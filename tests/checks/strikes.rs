@@ -11,8 +11,8 @@ use longdrive::study::Face;
 use longdrive::units::{System, TableUnits};
 use longdrive::{Outcome, Setup};
 
-/// Each node of the maps of strikes is a drive; designs side by side share their levels, and the
-/// data name every view.
+/// Each node of a map of strikes is a drive. Maps of one outcome for two designs have the same
+/// contour levels, and the data name every map.
 #[test]
 fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -55,8 +55,8 @@ fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
             }
         }
     }
-    // the gear effect: towards the toe the axis tilts to the hook of a right-hander, and to the
-    // other side for a left-hander
+    // gear effect: a strike towards the toe tilts the spin axis to the left for a right-hander, and
+    // to the right for a left-hander
     let slopes = faces.each_ref().map(|face| face.by_toe.unwrap()[3]);
     assert!(slopes[0] < 0.0 && slopes[1] > 0.0, "{slopes:?}");
     let by_difference = [1e-4, -1e-4].map(|toe| {
@@ -178,7 +178,8 @@ fn exact_sweet_spot_normal_passes_through_the_centre_of_mass() {
         point.position.cross(point.normal).norm() < 1e-13,
         "{point:?}"
     );
-    // farther from the face centre than the centre of mass, because the face is curved
+    // the sweet spot is farther from the face centre than the centre of mass is, because the face
+    // is curved
     assert!(
         toe > 5.5e-3 && toe < 8e-3 && high > 4.2e-3 && high < 6e-3,
         "{toe} {high}"

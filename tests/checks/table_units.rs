@@ -66,7 +66,7 @@ fn an_altitude_without_a_temperature_has_a_note_on_the_standard_temperature() {
     assert!(!on_one_line(&longdrive(&whole).err).contains("without air.temperature"));
 }
 
-/// The columns of a sweep in stated units are those in SI, converted.
+/// The columns in the chosen units are the columns in SI, converted.
 #[test]
 fn exact_sweeps_in_the_stated_units() {
     let words = [

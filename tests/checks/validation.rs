@@ -239,8 +239,8 @@ fn published_optima_of_trackmans_chart_are_met_by_an_impact_like_the_charts() {
         carry < 0.02 * carries && launch < 1.0 && spin < 250.0,
         "{carry} m, {launch} deg, {spin} rpm"
     );
-    // the default club has too little spin at the impact: its optimum has the chart's launch angle
-    // and less spin
+    // the default club gives too little spin at the impact: its optimum has the launch angle of the
+    // chart, but less spin
     let of = set("chart-optima");
     let of_default = |compared| differences(of, "launch-monitor", compared);
     let mean = |of: Vec<f64>| of.iter().sum::<f64>() / 30.0;
