@@ -54,7 +54,8 @@ fn truth() -> Setup<f64> {
 
 const SIGMA: [f64; 2] = [2.0, 0.5];
 
-/// Shots of the true setup as a table, with noise of known size in carry and apex.
+/// A table of twelve shots with the law of [`truth`]. Carry and apex have normal errors of `size`
+/// times their uncertainties [`SIGMA`].
 fn shots(noise: &mut Noise, size: f64) -> String {
     let mut text =
         "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry [m],sigma carry [m],apex_height \
@@ -205,9 +206,10 @@ fn confounded_parameters_are_named() {
     );
 }
 
-/// With as many data as parameters the residuals vanish. If a datum changes by its standard
+/// With as many data as parameters the residuals vanish. If one datum changes by its standard
 /// uncertainty, the fit changes by a column of J⁻¹. The covariance (JᵀJ)⁻¹ is the sum of the outer
-/// products of these columns. The comparison uses no derivatives, only fits with zero residuals.
+/// products of these columns. The test needs no derivatives: it repeats the fit with each datum
+/// changed.
 #[test]
 fn differences_of_fits_match_the_covariance_with_measured_and_stationary_rows() {
     let head = "club.loft [deg],swing.attack_angle [deg],stationary,sigma stationary [deg],carry \
@@ -279,7 +281,8 @@ fn yards(metres: f64) -> f64 {
     metres / 0.9144
 }
 
-/// Every number of the paper's tables, within the accuracy that one smooth law can have.
+/// Compares every number of the paper's tables, within the error of a single smooth law for all of
+/// them.
 #[test]
 fn published_tables_of_winfield_and_tan_by_the_preset() {
     let (status, found) = json(&["reproduce", "winfield-tan"]);
@@ -515,7 +518,7 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
     }
 }
 
-/// Some launch columns have dotted names, the others do not: fits and sweeps read the same launch.
+/// Some of the launch columns have dotted names: a fit and a sweep read the same launch.
 #[test]
 fn a_launch_by_names_of_both_kinds_is_read_whole() {
     let rest = "launch_angle [deg],backspin [rpm],carry [yd]\n150,9,2500,230\n";
@@ -629,7 +632,8 @@ fn default_uncertainties_have_a_source_or_are_marked_as_assumed() {
     }
 }
 
-/// Deliveries of the default setup at several club speeds, flown exactly: carry and other outcomes.
+/// A table of deliveries of the default setup at these club speeds, with the computed outcomes
+/// `of`, and with the uncertainty `sigma` of each if it is stated.
 fn flown(speeds: &[f64], of: &[Outcome], sigma: Option<f64>) -> String {
     let sigmas = |outcome: &Outcome| {
         sigma.map_or(String::new(), |_| format!(",sigma {}", with_unit(*outcome)))
@@ -660,7 +664,7 @@ fn with_unit(outcome: Outcome) -> String {
     }
 }
 
-/// The program's answer in text and JSON.
+/// Runs `calibrate` on a table: exit status, text on one line, and JSON.
 fn text_and_json(text: &str, arguments: &[&str]) -> (i32, String, serde_json::Value) {
     let file = table(text);
     let question = [
@@ -960,7 +964,8 @@ fn interrupted_folds_are_omitted_and_counted() {
     );
 }
 
-/// Starts that cannot begin are counted by their status, with advice: here five of six.
+/// A start at which the fit cannot begin is counted by its status, with advice. Here five of six
+/// starts cannot begin.
 #[test]
 fn starts_that_cannot_begin_are_counted() {
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
@@ -1254,8 +1259,8 @@ fn the_sample_of_shots_is_fitted() {
     );
 }
 
-/// Carries of a ball with a drag coefficient of 0.27, and 40 yd longer ones, which no drag within
-/// the range of the fit gives. The warning is on standard error and in JSON.
+/// Carries of a ball with a drag coefficient of 0.27, and carries that are 40 yd longer: these need
+/// less drag than the range of the fit allows. The warning is on standard error and in JSON.
 #[test]
 fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
     let flown = |launch: [f64; 3]| {
@@ -1325,7 +1330,7 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
     );
     let (found, warnings) = fitted(&rows(40.0), "aero.cd0=0.25..0.6");
     // the carries are 40 standard uncertainties too long (40 yd at 1 yd); the smallest drag of the
-    // range makes up for a part of this. The warning prints √(χ²/ν)
+    // range reduces the misfit. The warning prints √(χ²/ν)
     let off = (number(&found["chi_square"]) / number(&found["degrees_of_freedom"])).sqrt();
     assert!(
         off > 20.0
@@ -1340,7 +1345,6 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
     );
 }
 
-/// Shots built in code are checked like shots of a table, and errors name the row.
 /// Only the second section states a wind, by speed and direction.
 #[test]
 fn a_component_of_the_wind_is_not_fitted_to_shots_of_which_some_state_its_speed() {

@@ -130,7 +130,7 @@ fn sampled_swings_are_recovered_from_their_shots_within_three_uncertainties() {
         "{correlation}"
     );
 
-    // the distribution reads back as found
+    // the file of the distribution gives the swings of the answer
     let own = Setup::from_file(setup.as_ref()).unwrap();
     let swings = Swings::open(&own, distribution.as_ref()).unwrap();
     for (parameter, mean) in swings.parameters().iter().zip(swings.means()) {
@@ -171,9 +171,9 @@ fn sampled_swings_are_recovered_from_their_shots_within_three_uncertainties() {
     );
 }
 
-/// Seven parameters of a swing from the five of its launch. Unidentified parameters keep their
-/// prior, with its uncertainty, and the launches of the recovered swings scatter like the golfer's
-/// launches.
+/// The five numbers of a launch do not determine the seven parameters of a swing. Parameters that
+/// are not identified keep their prior, with its uncertainty. The launches of the recovered swings
+/// scatter like the golfer's launches.
 #[test]
 fn sampled_swings_are_within_their_stated_uncertainties() {
     let truth = [
@@ -233,7 +233,6 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
         answer["population"]
     );
     assert_same_launch_statistics(&answer);
-    // the launches of the recovered swings scatter like the golfer's launches
     let setup = Setup::preset("tour-average").unwrap();
     let found = Swings::open(&setup, distribution.as_ref()).unwrap();
     let scenarios = Scenarios::new(
@@ -468,7 +467,7 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
             .count(),
         4
     );
-    // the next command has the setup of the swings
+    // the suggested next command starts from the setup of the swings
     let follows = |ran: &crate::command_line::Output| {
         let message = on_one_line(&ran.err);
         message

@@ -62,8 +62,8 @@ fn evenly(low: f64, high: f64, steps: u32) -> Vec<f64> {
         .collect()
 }
 
-/// The grid of Bearman & Harvey as a user's table: equal splines, by speed and spin, also in other
-/// units.
+/// A table with the grid of Bearman & Harvey, in SI or in other units, gives the splines of their
+/// law.
 #[test]
 fn same_drives_by_a_table_of_bearman_and_harvey_and_by_their_law() {
     let grid = include_str!("../data/bearman_harvey_1976.csv");
@@ -179,8 +179,8 @@ fn exact_c2_of_a_table_across_every_grid_line_and_beyond() {
     assert!(none.re == 0.0 && none.v1 > 0.0 && none.v2.is_finite());
 }
 
-/// A table with a single axis: spin ratio, Reynolds number, speed or spin. Also if the axis is not
-/// the spin, the lift vanishes with the spin.
+/// Tables with a single axis: spin ratio, Reynolds number, speed or spin. Over every axis, lift
+/// vanishes without spin.
 #[test]
 fn exact_a_table_along_one_axis_and_no_lift_without_spin() {
     for (text, place) in [
@@ -251,7 +251,7 @@ fn derivatives_with_a_table_pass_verification() {
     )
     .unwrap();
     assert!(certificate.passed(), "{certificate:?}");
-    // the carry with the table is that with the law, within 5 cm
+    // the carry with the table equals the carry with the law, within 5 cm
     let carry = |setup: &Setup<f64>| Outcome::Carry.of(&Drive::new(setup).unwrap()).unwrap();
     assert!(
         (carry(&setup) - carry(&Setup::default())).abs() < 0.05,
@@ -393,7 +393,8 @@ fn bad_tables_are_refused_with_file_line_and_advice() {
     );
 }
 
-/// A setup file names its table relative to its folder; a written setup names it from anywhere.
+/// A setup file names its table relative to its own folder. A setup that is written into another
+/// folder still finds it.
 #[test]
 fn a_setup_with_a_table_is_written_and_read_again() {
     let (folder, name) = written(&table_of("ferguson", &evenly(0.02, 0.4, 10), &[5e4, 2.5e5]));
@@ -424,7 +425,7 @@ fn a_setup_with_a_table_is_written_and_read_again() {
         number(&found["flight"]["carry"])
     );
     assert_eq!(number(&again["setup"]["aero.cd_factor"]), 0.9);
-    // and the table is not overwritten
+    // no command overwrites the table
     let over = longdrive(&["optimize", &mine, "-o", &name, "--overwrite"]);
     assert!(
         over.status == 2 && over.err.contains("also an input"),
@@ -477,7 +478,7 @@ fn a_changed_table_is_another_sweep() {
         "{}",
         output.err
     );
-    // two tables are two laws, also with one name
+    // two tables are two different laws, although both laws are named `table`
     std::fs::write(file("other.csv"), table(0.25)).unwrap();
     for (setup, table) in [("a.toml", "mine.csv"), ("b.toml", "other.csv")] {
         std::fs::write(file(setup), format!("[aero]\ntable = '{table}'\n")).unwrap();

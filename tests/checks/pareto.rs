@@ -164,8 +164,8 @@ fn exact_front_of_two_distances() {
     );
 }
 
-/// After an interrupt in any evaluation, no further evaluation begins. If the first end was not yet
-/// found, the result is an error; later the result has points, all on the front.
+/// After an interrupt in any evaluation, no further evaluation begins. Before the first end of the
+/// front is found the result is an error, later it has points, all of them on the front.
 #[test]
 fn same_points_of_a_front_stopped_within_any_evaluation() {
     let free = (vec![f64::NEG_INFINITY], vec![f64::INFINITY]);
@@ -303,7 +303,6 @@ fn concave_and_straight_fronts_have_no_knee() {
     }
 }
 
-/// If both functions have one minimum there is one point.
 #[test]
 fn no_front_if_one_point_is_best_for_both_goals() {
     struct Both;

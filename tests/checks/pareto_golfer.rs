@@ -233,7 +233,8 @@ fn a_front_of_two_parts_names_points_that_are_dominated() {
     }
 }
 
-/// The setup of a point has the outcomes of the table, also if both goals belong to one drive.
+/// The setup written for a point gives the outcomes of the table. This also holds if both goals
+/// belong to a single drive.
 #[test]
 fn same_front_in_text_json_csv_and_setups() {
     let folder = tempfile::tempdir().unwrap();
@@ -423,7 +424,7 @@ fn bad_goals_of_a_front_have_a_message() {
             "{args:?}: {message}"
         );
     }
-    // `optimize` names the limits that cannot be met, and how far they are missed
+    // `optimize` names the limits that cannot be met, with the remaining violation
     let limits = [
         "--subject-to",
         "descent_angle >= 80 deg",
@@ -437,7 +438,7 @@ fn bad_goals_of_a_front_have_a_message() {
         ("descent_angle >= 80 deg", 80.0),
         ("carry >= 400 yd", 400.0),
     ] {
-        // the value, and its distance from the range
+        // the message has the value, and by how much it is outside of the range
         let output = message
             .split(&format!("{expression} (its value is "))
             .nth(1)

@@ -346,8 +346,8 @@ fn a_stopped_search_reports_its_progress() {
     );
 }
 
-/// The multiplier of a bound or limit is the decrease of the largest loss as the bound moves. The
-/// best design of each model moves, too.
+/// The multiplier of a bound or limit is the decrease of the largest loss as the bound moves
+/// outwards. The best design of each model also changes with it.
 #[test]
 fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
     let search = |attack: f64, limit: &str| {
@@ -370,8 +370,8 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
     let price = number(&search(3.0, limit)["multipliers"]["swing.attack_angle"]["upper"]);
     let falls = (greatest(3.0 - by, limit) - greatest(3.0 + by, limit)) / (2.0 * by).to_radians();
     close(price, falls, falls.abs(), 1e-5, "bound");
-    // the best design of each model alone gains more from a wider bound than the common design
-    // does: the largest loss increases
+    // a wider bound improves the best design of each single model more than the common design: the
+    // largest loss increases
     assert!(price < 0.0, "{price}");
     for (limit, unit, relaxed) in [
         ("apex_height <= 33", "m", 1.0),
@@ -390,8 +390,8 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
             .map(|model| number(&model["constraints"][0]["multiplier"]))
             .sum();
         if unit == "deg" {
-            // at the common design the limit is not active; the text has its price, which comes
-            // from the best designs of single models
+            // the limit is not active at the common design, but at the best designs of single
+            // models: these give the price in the text
             let bests: Vec<_> = found["models"]
                 .as_array()
                 .unwrap()

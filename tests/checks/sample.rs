@@ -1,4 +1,4 @@
-//! The random sample of the ranges that each optimum is compared with.
+//! Each optimum is compared with a random sample of the searched ranges.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::{LARGE_STEPS, SET_RIGID};
@@ -9,7 +9,7 @@ use longdrive::parameters::PRESETS;
 use longdrive::study::{Constraint, Search, Vary, optimum};
 use longdrive::{Outcome, Setup};
 
-/// Parameters with the widest searched ranges, SI.
+/// Parameters, each with the widest range over which it is searched, SI.
 const VARIED: [(&str, f64, f64); 10] = [
     ("club.loft", 0.0, 0.45),
     ("swing.attack_angle", -0.2, 0.2),
@@ -199,7 +199,7 @@ fn a_small_feasible_region_is_found() {
         "{}",
         found["message"]
     );
-    // the best value of searches from eight starts
+    // expected: the best value of searches from eight starts
     assert!(number(&found["value"]) > 181.36, "{}", found["value"]);
     assert_eq!(found["sample"]["improved"], true);
     assert_eq!(found["optima"].as_array().unwrap().len(), 2);
@@ -213,7 +213,8 @@ fn a_small_feasible_region_is_found() {
     );
 }
 
-/// `infeasible` gives the number of tried points and claims no more.
+/// An infeasible search states the number of tried points, and does not claim that no point meets
+/// the limits.
 #[test]
 fn infeasible_reports_the_number_of_points() {
     let requested = [

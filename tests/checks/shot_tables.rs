@@ -375,7 +375,7 @@ fn every_shot_is_explained_by_its_stated_values() {
     assert!(remarks.iter().any(|remarks| remarks == says), "{remarks:?}");
 }
 
-/// Twelve launches with heads, units, sides and decimal marks of many kinds.
+/// Twelve launches, in tables with many kinds of heads, units, sides and decimal marks.
 #[test]
 fn same_launches_in_generated_tables_and_in_a_plain_one() {
     let launches: Vec<[f64; 5]> = (0..12)

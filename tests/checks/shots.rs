@@ -31,7 +31,6 @@ fn path(name: &str) -> PathBuf {
         .join(name)
 }
 
-/// All flown shots of a text.
 pub fn flown(text: impl Read + Send + 'static) -> (Shots, Vec<Flown>, ShotStatistics) {
     let setup = Setup::default();
     let mut shots = Shots::read(&setup, "shots.csv", text).unwrap();
@@ -55,7 +54,8 @@ fn file(name: &str) -> (Shots, Flown, ShotStatistics) {
     (shots, all.remove(0), tally)
 }
 
-/// The shot of every sample: 160 mph, 12°, 1.5° left, 2500 rpm, axis 3° right.
+/// The shot of the samples (160 mph, 12°, 2500 rpm) with this launch direction and spin axis,
+/// degrees.
 fn sample(direction: f64, axis: f64) -> Drive<f64> {
     let mut setup = Setup::default();
     for (name, value) in [
@@ -219,7 +219,7 @@ fn same_table_in_every_encoding() {
             assert_eq!(found.shots[row].line, expected.shots[row].line);
         }
     }
-    // calibrations read them too
+    // calibrations read these encodings too
     let table = |bytes: Vec<u8>| {
         longdrive::study::calibrate::ShotTable::read(&Setup::default(), "a.csv", &bytes[..])
     };
@@ -419,7 +419,8 @@ fn messages_that_cannot_be_flown_give_the_reason() {
     );
 }
 
-/// Carries in metres, read in yards: messages have no head in which the unit could be corrected.
+/// The carries of these messages are in metres, and are read in yards. A message has no head, so the
+/// advice names its `Units`.
 #[test]
 fn the_advice_on_a_wrong_unit_of_messages_names_their_units() {
     let message = r#"{"BallData": {"Speed": 160, "VLA": 12, "HLA": 0, "TotalSpin": 2500, "SpinAxis": 0,
@@ -492,7 +493,7 @@ fn tables_without_a_launch_name_the_nearest_head() {
     ] {
         assert!(refused(text).contains(says), "{text}: {}", refused(text));
     }
-    // calibrate and delivery refuse it too
+    // `calibrate` and `delivery` also refuse misspelt heads
     let read = |text: &str| {
         longdrive::study::calibrate::ShotTable::read(&Setup::default(), "a.csv", text.as_bytes())
     };
@@ -624,7 +625,7 @@ fn exact_bias_and_errors_by_ball_speed() {
     assert_eq!(bands.len(), 4);
 }
 
-/// A text of many rows that counts the rows read from it.
+/// A text of `rows` lines that counts the lines read from it.
 struct Many {
     rows: usize,
     given: Arc<AtomicUsize>,
@@ -693,8 +694,8 @@ fn same_streamed_rows_for_any_number_of_threads() {
             )
             .unwrap();
         assert_eq!(taken, rows);
-        // for a file of any length, only its beginning and a few chunks are in memory (read, but
-        // not yet written)
+        // however long the file is, only its beginning and a few chunks are in memory: rows that
+        // are read, but not yet written
         assert!(
             most < 24_000,
             "{most} rows at a time with {threads} threads"

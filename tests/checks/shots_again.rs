@@ -105,7 +105,7 @@ fn same_flights_of_json_lines_with_their_own_parameters() {
         lines(&place("shots.jsonl"))[0]["predicted"],
         lines(&place("again.jsonl"))[0]["predicted"]
     );
-    // in a table every row has values of the same parameters
+    // in a table every row must state the same parameters
     let first = fs::read_to_string(place("shots.jsonl")).unwrap();
     let other = first.replace("air.density", "ball.mass");
     let output = longdrive(&[
@@ -253,7 +253,8 @@ fn same_rows_of_a_table_flown_again() {
         .replace("150,abc", "150,11");
     let (_, answer) = json(&["fly", &file_with(folder.path(), "mended.csv", &mended)]);
     assert_eq!(answer["flown"], 2, "{answer}");
-    // the user's columns Notes and Line are not columns that this program has written
+    // columns named Notes and Line that the user has written are not taken for columns of this
+    // program
     let own =
         "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Notes,Line\n150,12,2700,windy,3\n";
     assert_eq!(
@@ -498,7 +499,7 @@ fn text_shows_the_run_beside_a_total_and_the_air_that_the_weather_gives() {
     assert!(!longdrive(&["simulate"]).out.contains("weather"));
 }
 
-/// More rows than a row group has. The numbers equal the numbers of the JSON lines.
+/// The file has more rows than a row group. Its numbers equal those of the JSON lines.
 #[cfg(feature = "full")]
 #[test]
 fn same_shots_in_parquet_and_in_json_lines() {

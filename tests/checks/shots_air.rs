@@ -12,7 +12,8 @@ use serde_json::Value;
 use std::fs;
 use std::io::Cursor;
 
-/// The shot of Garmin's sample in this air, as cells of its last four columns.
+/// A table that repeats the shot of Garmin's sample for each item of `air`: the cells of its last
+/// four columns.
 fn garmin(air: &[&str]) -> String {
     let text = include_str!("../data/shots/garmin.csv");
     let (heads, row) = text.trim_end().rsplit_once('\n').unwrap();
@@ -22,14 +23,15 @@ fn garmin(air: &[&str]) -> String {
     })
 }
 
-/// That shot without an air, then a section with it in air of 0.9 kg/m³.
+/// A section with that shot whose air column is not recognised, then a section with the shot in air
+/// of 0.9 kg/m³.
 fn air_in_second_section() -> String {
     let with_air = garmin(&["0.9,77,77.0,50"]);
     let without_air = with_air.replace("Air Density", "Note 2");
     format!("{without_air}{with_air}").replace('\u{feff}', "")
 }
 
-/// A table of shots in the air that it states, and in the air of the setup.
+/// The shots of a table, in the air that the table states and in the air of the setup.
 fn tables(text: &str) -> [ShotTable; 2] {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.csv");
@@ -99,7 +101,8 @@ fn same_flight_in_the_air_of_an_export_and_in_that_air_set() {
         "{}",
         notes(2)
     );
-    // values without a unit may have any unit
+    // without its unit the column is not read, because it may be in any unit: the shot flies in the
+    // air of the setup
     let (shots, all, _) = flown(Cursor::new(text.replace("[g/L]", "")));
     close(
         all[0].predicted(0, 0).unwrap(),
@@ -181,7 +184,7 @@ fn the_air_that_only_a_second_section_states_is_reported_and_overridden() {
     assert!(remarks(&given).contains(says), "{}", remarks(&given));
 }
 
-/// The second section states an air that the first does not have.
+/// The first section has no air column: it flies in the air of the setup.
 #[test]
 fn same_flight_in_the_air_of_a_second_section_and_in_that_air_set() {
     let (shots, all, _) = flown(Cursor::new(air_in_second_section()));

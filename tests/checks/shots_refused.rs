@@ -31,7 +31,7 @@ fn rows(table: &ShotTable) -> Vec<usize> {
     table.shots.iter().map(|shot| shot.row).collect()
 }
 
-/// The numbers of the rows that `fly` flies, counted from 1, and the reasons why it refuses others.
+/// Numbers of the rows that `fly` flies, counted from 1, and its reasons for refusing the others.
 fn of_fly(text: &str) -> (Vec<usize>, Vec<String>) {
     let (_, all, _) = flown(Cursor::new(text.to_owned()));
     let (mut rows, mut reasons) = (vec![], vec![]);
@@ -118,7 +118,7 @@ fn delivery_omits_the_incomplete_launches_that_fly_refuses() {
             remarks(&table)
         );
     }
-    // a table without spin has no complete launch: its stated values are explained
+    // the launches of a table without spin are incomplete, so no row is refused for its launch
     let file = file_with(
         folder.path(),
         "slow.csv",

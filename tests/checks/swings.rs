@@ -282,8 +282,8 @@ fn independent_moments_of_a_truncated_distribution_by_its_quantiles() {
     assert!(read("swing.speed=truncated(110 mph, 1e-9 mph, 1 mph, 2 mph)").is_err());
 }
 
-/// Recorded swings that are a sample of known ones: the interval of the best loft contains the loft
-/// that is best for all, and more swings make it narrower.
+/// The recorded swings are a sample of a known distribution. The interval of the best loft contains
+/// the best loft for the whole distribution, and more swings make it narrower.
 #[test]
 fn sampled_interval_of_the_best_loft_from_recorded_swings() {
     let mut setup = Setup::preset("mae494").unwrap();
@@ -746,8 +746,8 @@ fn a_search_for_the_mean_swing_that_does_not_converge_gives_no_nominal_design() 
     );
 }
 
-/// Attack angles from one with which no ball flies. The nodes of the finer quadrature do not reach
-/// it, the sequences do.
+/// At the lowest attack angles of the range no ball flies. The nodes of the finer quadrature do not
+/// reach these angles, but the points of the sequences do.
 #[test]
 fn the_error_of_a_smooth_goal_is_known_if_only_the_sequences_contain_a_swing_without_flight() {
     let setup = Setup::default();

@@ -107,8 +107,8 @@ fn has_edge(goal: &Goal) -> bool {
     goal.terms.iter().any(|(_, measure)| is_edge(measure))
 }
 
-/// The best design for the first goal. The other goals are constraints without limits, so that they
-/// are computed too.
+/// The best design for the first goal. The other goals are constraints without limits: so they are
+/// also computed.
 fn searched(setup: &Setup<f64>, goals: &[String], scenarios: Scenarios) -> Optimum {
     let mut goals = goals.iter().map(|text| Goal::read(text, None).unwrap());
     let search = Search {
@@ -251,9 +251,9 @@ fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
     assert!(parts[parts.len() / 2] < 0.01, "{}", parts[parts.len() / 2]);
 }
 
-/// Three goals whose smoothed value was once printed as their value: a descent angle of 9.440° for
-/// 9.254°, a launch angle of 12.11° for 12.71° of every drive, and a carry of 224.743 m for 224.628
-/// m, each by sorting 16,384 drives.
+/// An earlier version printed the smoothed values of these three goals: 9.440° for a descent angle
+/// of 9.254°, 12.11° for a launch angle of 12.71°, which every drive has, and 224.743 m for a carry
+/// of 224.628 m. The correct values come from sorting 16,384 drives.
 #[test]
 fn independent_shares_of_sorted_drives_are_within_the_error_estimate() {
     let distributions = [

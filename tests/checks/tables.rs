@@ -328,7 +328,7 @@ fn bad_parquet_files_are_refused_in_plain_words() {
     );
 }
 
-/// Claims in a file's metadata that its columns are compressed by GZIP, which this program cannot
+/// The metadata of the file are changed to claim compression by GZIP, which this program cannot
 /// read.
 #[test]
 fn an_unsupported_compression_is_named_with_the_supported_ones() {
