@@ -59,8 +59,9 @@ fn off_centre() -> Setup<f64> {
     setup
 }
 
-/// Compares d x*/dp and d f*/dp, for every parameter p that is not varied, with central differences
-/// of new optima. One Richardson extrapolation improves the differences.
+/// Compares dx*/dp and df*/dp with central differences, for every parameter p that is not varied.
+/// x* and f* are the optimum and its value; each difference needs two new searches. One Richardson
+/// extrapolation improves the differences.
 fn differences_agree(setup: &Setup<f64>, search: &Search) {
     let best = best(setup, search);
     let parameters = best.setup.variables();
@@ -72,7 +73,8 @@ fn differences_agree(setup: &Setup<f64>, search: &Search) {
     for (parameter, sensitivity) in sensitivities(&best, &wrt, &mut |_, _| ()).unwrap() {
         let exact = sensitivity.unwrap_or_else(|e| panic!("{}: {e}", parameter.name));
         let value = best.setup.value(parameter).unwrap();
-        // scale of the step of the differences: the parameter's value, or 0.1 units at 0
+        // the step is proportional to the parameter's value, or to 0.1 of its unit if the value is
+        // 0
         let unit = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
         let size = if value == 0.0 {
             0.1 * unit
@@ -106,7 +108,7 @@ fn differences_agree(setup: &Setup<f64>, search: &Search) {
             )
         };
         let h = 2e-3 * size;
-        // at the end of its range a parameter has one-sided differences only
+        // at the end of its range a parameter has no central difference, and is not compared
         let (Some(wide), Some(narrow)) = (central(h), central(0.5 * h)) else {
             continue;
         };
@@ -222,8 +224,8 @@ fn contradictory_constraints_end_as_infeasible_with_the_smallest_violation() {
         message.contains("apex_height <= 30 m") && message.contains("apex_height >= 31 m"),
         "{message}"
     );
-    // the sum of the squared violations is smallest in the middle between both limits, because the
-    // violations of both constraints are measured in one unit
+    // the sum of the squared violations is smallest halfway between the two limits: both violations
+    // have the same unit
     let violations: Vec<f64> = none
         .solution
         .constraints
@@ -298,8 +300,8 @@ fn every_error_in_a_constraint_has_its_position() {
 #[test]
 fn independent_mae494_optimum_from_every_batch_of_sixteen() {
     let setup = Setup::preset("mae494").unwrap();
-    // the box, and a box twice as wide, whose maximum is the kink at zero spin (model page: an
-    // attack angle of 38.53°, 170.574 m)
+    // the ranges of `BOX`, and ranges twice as wide, with the kink at zero spin inside: there the
+    // test only expects that every batch finds the same value
     for (vary, value) in [
         (BOX, 153.333_552_730_5),
         (
@@ -632,7 +634,7 @@ fn an_optimum_that_does_not_depend_on_a_variable_has_no_sensitivity() {
     assert!(error.to_string().contains("not isolated"), "{error}");
 }
 
-/// The search that ends nearest to the constraints does not depend on the sense of the objective.
+/// The sense of the objective does not change which infeasible end has the smallest violation.
 #[test]
 fn same_nearest_point_of_many_starts_for_both_senses() {
     let setup = Setup::default();
@@ -649,8 +651,8 @@ fn same_nearest_point_of_many_starts_for_both_senses() {
         let found = optima(&setup, &search, 8, &Observers::default()).unwrap();
         let ends: Vec<_> = found.locals.iter().map(|local| &local.solution).collect();
         assert!(ends.len() > 1 && ends.iter().all(|end| end.status == Status::Infeasible));
-        // violations, each divided by the largest derivative of its limit: both limits depend on
-        // the loft
+        // each violation is divided by the largest derivative of its outcome by the variables,
+        // because the loft changes both outcomes
         let missed = |end: &&Solution| -> f64 {
             let slope = |j: usize| {
                 ends.iter()
@@ -683,7 +685,6 @@ fn same_nearest_point_of_many_starts_for_both_senses() {
         .for_each(|(a, b)| close(*a, *b, 1.0, 1e-6, "nearest point"));
 }
 
-/// Zero starts and zero nodes are errors, not one start and one node.
 #[test]
 fn a_chart_of_a_sum_of_outcomes_is_refused_with_this_reason() {
     let setup = Setup::default();

@@ -23,8 +23,8 @@ fn sum(parts: &[(f64, Vector)]) -> Vector {
     })
 }
 
-/// A head that rotates about all axes, with its centre of mass away from the centre of the face and
-/// a weight.
+/// A head that rotates about all axes and has a weight. Its centre of mass is not behind the centre
+/// of the face.
 fn turning() -> Setup<f64> {
     let mut setup = Setup::preset("tour-average").unwrap();
     let given = [
@@ -49,8 +49,9 @@ fn turning() -> Setup<f64> {
     setup
 }
 
-/// Velocity of the centre of mass from the velocity of the face centre, v − ω × r. The axes of the
-/// head and its centre of mass are computed here, without the library.
+/// The setup of the same swing, with speed, attack angle and path of the centre of mass in place of
+/// the face centre: v − ω × r. The axes of the head and its centre of mass are computed here,
+/// without the library.
 fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
     let (swing, club) = (&stated.swing, &stated.club);
     let (sin, cos) = (swing.attack_angle - swing.shaft_lean).sin_cos();
@@ -126,8 +127,9 @@ fn exact_face_centre_moves_as_a_point_of_a_rigid_head() {
     }
 }
 
-/// A head without loft closes at ω, and its centre of mass is at the distance d behind the face
-/// centre. From in to out, the centre of mass moves ω d faster than the face centre.
+/// The head has no loft and closes at the rate ω; its centre of mass is at the distance d behind
+/// the face centre. The velocity of the centre of mass has a component ω d from in to out, which
+/// the face centre does not have.
 #[test]
 fn exact_path_of_the_centre_of_mass_of_a_head_that_closes() {
     let mut setup = Setup::preset("modern-driver").unwrap();

@@ -14,7 +14,7 @@ use std::path::Path;
 
 /// A file of `tests/data`.
 pub fn data(name: &str) -> Value {
-    // from `tests/elsewhere` too
+    // `tests/elsewhere` reads the same files
     let folders = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors();
     let path = folders
         .map(|folder| folder.join("tests/data").join(name))
@@ -58,12 +58,10 @@ pub fn mixed(value: f64, first: bool, second: bool) -> Mixed {
     }
 }
 
-/// The setup of a JSON drive.
 pub fn setup_of(drive: &Value) -> Setup<f64> {
     setup(drive["setup"].as_object().unwrap())
 }
 
-/// The drives of a file.
 pub fn drives(file: &str) -> Vec<Value> {
     data(file)["drives"].as_array().unwrap().clone()
 }
@@ -75,9 +73,9 @@ pub fn number(value: &Value) -> f64 {
         .unwrap_or_else(|| panic!("{value} is no number"))
 }
 
-/// An outcome of an independent drive, over any number type. `printed` has the outcomes of the
-/// files and the parameters, by name. The other outcomes follow from these: the files have both
-/// components of the landing position, and their balls embed.
+/// An outcome of an independent drive, over any number type. `printed` returns an outcome of the
+/// file or a parameter by its name; other outcomes are computed from these. The balls of the files
+/// embed, so total equals carry.
 fn outcome_from<T: DualNum<Primitive = f64> + Copy>(of: Outcome, printed: impl Fn(&str) -> T) -> T {
     match of {
         Outcome::CarryDistance => {
@@ -91,13 +89,11 @@ fn outcome_from<T: DualNum<Primitive = f64> + Copy>(of: Outcome, printed: impl F
     }
 }
 
-/// A number of a JSON drive: an outcome or a parameter.
 fn printed(drive: &Value, name: &str) -> f64 {
     let outcome = drive["outcomes"].get(name);
     number(outcome.unwrap_or(&drive["setup"][name]))
 }
 
-/// An outcome of a JSON drive.
 pub fn outcome_of(drive: &Value, of: Outcome) -> f64 {
     outcome_from(of, |name| printed(drive, name))
 }
@@ -132,7 +128,7 @@ pub fn for_random_setups(cases: u32, check: impl Fn(Setup<f64>)) {
     random_setups(cases).for_each(check);
 }
 
-/// Settings of a rigid collision, for tests whose numbers come from one.
+/// Settings of a rigid collision, for tests whose expected numbers were computed with one.
 pub const RIGID: [(&str, &str); 2] = [
     ("impact.gear_scale", "none"),
     ("impact.tangential_restitution", "-0.15"),
@@ -155,8 +151,8 @@ pub const SET_RIGID_TOUR: [&str; 4] = [
 /// Steps with an error of about 1e-8 m of carry, which take a tenth of the time.
 pub const LARGE_STEPS: [(&str, &str); 2] = [("flight.method", "dp8"), ("flight.step", "400 ms")];
 
-/// The setup with large steps; the method alternates with the place in the list. For properties
-/// that the discrete drive has in steps of any size.
+/// The setup with large steps, of `dp8` and `rk4` alternately by its place in the list. For
+/// properties that the discrete drive has with any step.
 pub fn in_large_steps((place, mut setup): (usize, Setup<f64>)) -> Setup<f64> {
     let (method, step) = if place % 2 == 1 {
         ("dp8", "400 ms")
@@ -266,7 +262,7 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
             s.impact.restitution,
             s.impact.tangential_restitution,
         ) = ball;
-        // rigid bodies in half of the drives
+        // in half of the drives the collision is rigid
         s.impact.gear_scale = s.club.face_semi_axis.map(|_| 0.75);
         s.ball.inertia = ball
             .2
@@ -293,7 +289,6 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
     })
 }
 
-/// The message of a panic.
 pub fn panic_of<T>(work: impl FnOnce() -> T) -> String {
     caught(work).err().expect("it panics")
 }
@@ -307,8 +302,8 @@ pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     })
 }
 
-/// The largest differences of value, gradient and Hessian between two neighbouring drives, relative
-/// to the size of each.
+/// Largest difference of value, gradient and Hessian between two neighbouring drives, each relative
+/// to its largest component.
 pub fn jump(a: &Taylor, b: &Taylor) -> [f64; 3] {
     let jump = |a: &[f64], b: &[f64]| {
         let most = a

@@ -98,7 +98,7 @@ fn differences_of_values_agree_with_the_gradient_by_every_parameter() {
     }
 }
 
-/// Outcomes at p − h and p + h.
+/// The step h, and each outcome at p − h and p + h.
 fn differences(
     setup: &Setup<f64>,
     parameter: &'static Parameter,
@@ -328,8 +328,8 @@ fn same_diagonal_as_that_of_the_hessian() {
     }
 }
 
-/// The ground changes only the run: with and without the run, carry has the same derivatives, which
-/// are 0 by the ground.
+/// The ground changes only the run. Carry has the same derivatives whether the run is computed or
+/// not, and its derivatives by the ground are 0.
 #[test]
 fn exact_carry_does_not_depend_on_the_ground() {
     let setup = Setup::default();

@@ -58,8 +58,8 @@ fn exact_truth_is_within_the_error_estimates_of_differences() {
     }
 }
 
-/// A function with noise in its last digits, at the end of its range: one-sided differences detect
-/// the noise as central ones do.
+/// The function has noise in its last digits, and the point is at the end of its range: one-sided
+/// differences detect the noise as central differences do.
 #[test]
 fn rounding_is_detected_from_one_side() {
     let noise = |x: f64| 1e-12 * ((x * 1e15).sin() * 43_758.545_3).fract();
@@ -80,8 +80,8 @@ fn rounding_is_detected_from_one_side() {
     assert!(smooth.rounding() < 5e-15, "{}", smooth.rounding());
 }
 
-/// sin x as the difference of two parts, each a hundred thousand times as large: at 0 neither is
-/// rounded.
+/// sin x as the difference of two terms, each a hundred thousand times as large. At 0 both terms
+/// are exact.
 #[test]
 fn rounding_of_cancelling_parts_is_no_remainder_and_a_wrong_slope_is() {
     let ladder =

@@ -54,7 +54,7 @@ fn changes_of_a_direction_are_the_smaller_angle() {
     let effect = &found["outcomes"][0]["effects"][0];
     let [below, above] = [0, 1].map(|side| number(&effect["flown"][side]).to_degrees());
     assert_eq!(status, 0);
-    // atan(100/500) to both sides
+    // sidespin of ±100 rpm at a backspin of −500 rpm turns the spin axis by atan(100/500)
     let turned = 0.2_f64.atan().to_degrees();
     assert!(
         (below - turned).abs() < 1e-9 && (above + turned).abs() < 1e-9,

@@ -28,7 +28,7 @@ fn fast(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter], order: Orde
         .remove(0)
 }
 
-/// The general path: any number type, three dimensions, every law.
+/// An outcome by `Drive::new` over a number type: without lanes and without the chain rule.
 fn general<D: Number>(setup: &Setup<f64>, of: Outcome, variable: impl Fn(f64, usize) -> D) -> D {
     let lifted = setup.map(
         |row, value| match TWO.iter().position(|name| *name == row.name) {
@@ -67,7 +67,6 @@ fn for_planar_and_spatial_setups(check: impl Fn(&Setup<f64>)) {
     }
 }
 
-/// Asserts that the fast paths agree with the general one.
 fn agrees(setup: &Setup<f64>) {
     let wrt = variables(setup, &TWO);
     for of in [

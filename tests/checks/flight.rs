@@ -290,8 +290,8 @@ fn a_flight_without_end_stops_at_the_time_limit() {
     ));
 }
 
-/// A time limit just below the flight time, and one just above it. Both are within a step, of any
-/// size, for a single flight and in lanes.
+/// Time limits just below and just above the flight time. Both end within the last step, whatever
+/// its size, in a single flight and in lanes.
 #[test]
 fn exact_time_limit_between_aloft_and_landed() {
     for (method, step) in [("rk4", "0.01 s"), ("rk4", "0.3 s"), ("dp8", "1.1 s")] {
@@ -352,8 +352,8 @@ fn a_trajectory_starts_on_the_tee_and_ends_at_the_landing() {
     );
 }
 
-/// Still air is isotropic: a drive in another direction has an equal distance, and `carry` is the
-/// component of this distance along the target line.
+/// Still air is isotropic: aiming in another direction does not change the distance, and `carry` is
+/// its component along the target line.
 #[test]
 fn exact_carry_distance_is_the_same_in_every_direction() {
     let mut setup = Setup::default();
@@ -392,8 +392,8 @@ fn exact_carry_distance_is_the_same_in_every_direction() {
     }
 }
 
-/// The trajectory after the landing leads to the rest, and returns to the plane of the ground after
-/// each bounce; an embedding ball has none.
+/// After the landing, the trajectory ends at the ball's rest, and it returns to the plane of the
+/// ground after each bounce. For a ball that embeds it ends at the landing.
 #[test]
 fn same_total_by_the_trajectory_and_by_the_drive() {
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -530,7 +530,7 @@ fn unusual_values_of_a_diverging_flight_are_named_and_the_step_only_if_long() {
     let fast = launch(1e5, -280.0);
     let message = |change: &dyn Fn(&mut Setup<f64>), launch: &Launch<f64>| {
         let mut setup = usual();
-        // a step that does not count as long, so that the message does not advise a shorter step
+        // a step of 40 ms does not count as long: the message does not advise a shorter one
         setup.flight.step = 0.04;
         change(&mut setup);
         match fly(&setup, launch) {

@@ -38,8 +38,8 @@ fn bounces(setup: &Setup<f64>) -> usize {
         .bounces
 }
 
-/// `oracle/run.py`: rigid spheres on tilted surfaces by their impulses, sliding and rolling in
-/// small steps of time.
+/// Expected values of `oracle/run.py`: impacts of a rigid sphere by impulses, and small time steps
+/// of sliding and rolling.
 #[test]
 fn independent_runs_within_a_millimetre() {
     for case in data("independent_runs.json")["drives"].as_array().unwrap() {
@@ -177,7 +177,7 @@ fn runs_of_random_drives_are_finite() {
         };
         let Ok(landed) = drive.landed() else { continue };
         let rest = landed.rest.unwrap();
-        // the largest roll-out: only rolling takes the energy of the landing
+        // roll-out if only rolling resistance takes the energy of the landing
         let most = landed.velocity.dot(landed.velocity)
             / (2.0 * setup.ground.rolling * setup.flight.gravity);
         let [run, right] = [rest.downrange - landed.carry, rest.right - landed.lateral];
@@ -190,8 +190,8 @@ fn runs_of_random_drives_are_finite() {
     assert!(flown > 100, "{flown}");
 }
 
-/// Neighbouring launch angles on both sides of every change of the number of bounces, also of balls
-/// that graze the ground.
+/// Compares drives at neighbouring launch angles on both sides of every change of the number of
+/// bounces. Some of the balls graze the ground.
 #[test]
 fn exact_continuity_across_numbers_of_bounces() {
     let (mut changes, mut worst) = (0, [0.0_f64; 3]);
@@ -309,8 +309,8 @@ fn differences_confirm_the_derivatives_of_the_run() {
     }
 }
 
-/// The run in Penner's first model (2001): level ground, a ball that rolls as it leaves, twice the
-/// first bounce, and a roll with μ_r = 1.
+/// The run in Penner's first model (2001), on level ground: twice the length of the first bounce,
+/// which the ball begins rolling, and a roll with μ_r = 1.
 fn penner_2001(velocity: Vector<f64>, backspin: f64, radius: f64) -> f64 {
     let g = 9.80665;
     let down = -velocity.x;
@@ -323,8 +323,8 @@ fn penner_2001(velocity: Vector<f64>, backspin: f64, radius: f64) -> f64 {
     2.0 * 2.0 * along * e * down / g + along * along.abs() / (2.0 * g)
 }
 
-/// Penner's driver (2001, eqs. 7–11) at a head speed: a point of 200 g, rolling at exit, the law of
-/// Bearman & Harvey, air of 1.204 kg/m³.
+/// Penner's driver (2001, eqs. 7–11) at a head speed: the head is a point mass of 200 g, the ball
+/// rolls as it leaves, the law is that of Bearman & Harvey, and the air has 1.204 kg/m³.
 fn penner(speed: f64, degrees: f64) -> Setup<f64> {
     let mut setup = Setup::default();
     let changes = [
@@ -345,7 +345,7 @@ fn penner(speed: f64, degrees: f64) -> Setup<f64> {
     setup
 }
 
-/// The loft with the longest distance, searched from 8° up.
+/// The loft with the longest distance, of 8° to 20° in steps of 0.1°.
 fn best_loft(distance: impl Fn(f64) -> f64) -> f64 {
     let lofts = (0..=120).map(|k| 8.0 + 0.1 * f64::from(k));
     lofts

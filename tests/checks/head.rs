@@ -109,8 +109,8 @@ fn exact_a_centre_of_mass_beside_the_centre_of_a_flat_face() {
     }
 }
 
-/// Positions and masses of the weights and the centre of mass: every derivative of impact, flight
-/// and head, compared with differences.
+/// Compares derivatives of impact, flight and head by positions and masses of the weights and by
+/// the centre of mass with differences.
 #[test]
 fn differences_certify_derivatives_by_weights_and_centre_of_mass() {
     let other = [
@@ -152,7 +152,7 @@ fn differences_certify_derivatives_by_weights_and_centre_of_mass() {
     }
 }
 
-/// The signs of the minors agree with the eigenvalues of second moments.
+/// The minors of second moments have the signs that follow from their eigenvalues.
 #[test]
 fn exact_minors_of_the_second_moments() {
     for (xz, is_body) in [

@@ -22,7 +22,6 @@ fn turned(inertia: [[f64; 3]; 3], spin: Vector<f64>) -> Vector<f64> {
     Vector::from_array(inertia.map(|row| Vector::from_array(row).dot(spin)))
 }
 
-/// Velocity of a material point of a body.
 fn contact_velocity(velocity: Vector<f64>, spin: Vector<f64>, arm: Vector<f64>) -> Vector<f64> {
     velocity + spin.cross(arm)
 }
@@ -364,7 +363,7 @@ fn exact_bend_of_the_shaft_is_a_lean_backwards_that_grows_with_the_head_speed() 
         );
         same(bent.spin, leaned.spin, norm(leaned.spin), "spin");
     }
-    // the exponent of the head speed has no effect on a shaft without bend and droop
+    // bend and droop grow with this power of the head speed: without them it has no effect
     let mut setup = Setup::default();
     setup.swing.shaft_growth = Some(power);
     let unbent = strike(&setup).unwrap().launch.velocity;
@@ -529,9 +528,9 @@ fn same_scaled_gear_effect_in_both_forms_of_the_collision() {
     });
 }
 
-/// Square to a flat face without loft, the ratio of the impulse along the face to that along its
-/// normal is proportional to the scale: the ball has no spin at 0, and the derivative by the scale
-/// is the slope of this line.
+/// The delivery is square, and the face flat and without loft. The impulse along the face, divided
+/// by the impulse along its normal, is then proportional to the scale of the gear effect: at a
+/// scale of 0 the ball has no spin. The derivative by the scale is the slope of this line.
 #[test]
 fn exact_gear_effect_of_a_square_strike_is_in_proportion_to_its_scale() {
     let mut setup = Setup::default();

@@ -10,7 +10,7 @@ pub fn source() -> PathBuf {
         .join("src")
 }
 
-/// A file, or all files below a folder.
+/// The path itself if it is a file, else all files below it.
 pub fn files(place: PathBuf) -> Vec<PathBuf> {
     if place.is_file() {
         return vec![place];
@@ -42,14 +42,13 @@ fn paths(tree: &str) -> Vec<String> {
 struct Use {
     is_reexport: bool,
     path: String,
-    /// Its name in the file.
+    /// The name by which the file uses it.
     name: String,
 }
 
-/// The names in a file.
 struct Names {
     uses: Vec<Use>,
-    /// The paths in its code, such as `super::map::capital`.
+    /// The paths outside of `use` lines, such as `super::map::capital`.
     paths: Vec<String>,
 }
 

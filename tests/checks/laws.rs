@@ -33,7 +33,7 @@ fn stream<D: Number>([s, reynolds, speed]: [D; 3]) -> Stream<D> {
     )
 }
 
-/// The rows of a table of numbers below a head, without cells after the fourth.
+/// The numbers of a table without its head: the first four cells of each row.
 fn rows(table: &str) -> Vec<[f64; 4]> {
     let row = |line: &str| {
         let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
@@ -176,8 +176,8 @@ fn published_drive_of_nathans_calculator() {
     assert!((amid.drag - (0.5 * (1.9451114 + 0.13248) + 0.02087217)).abs() < 1e-12);
 }
 
-/// The 42 shots of the patent's table: Re, s, C_D, C_L. They scatter about the formula, which was
-/// fitted to them.
+/// The 42 shots of the patent's table (Re, s, C_D, C_L) scatter about the formula that was fitted
+/// to them.
 #[test]
 fn published_shots_of_the_usga_scatter_about_its_law() {
     let off = rows(include_str!("../data/usga_itr_test_ball.csv"))
@@ -258,7 +258,8 @@ fn exact_c2_of_the_spline_across_every_line_of_the_grid() {
     }
 }
 
-/// Joins in the spin ratio (0), Reynolds number (1) or speed (2), and their positions.
+/// Joins of the pieces of a law: its name, the variable (0: spin ratio, 1: Reynolds number, 2:
+/// speed), and the value of the variable.
 const JOINS: [(&str, usize, f64); 19] = [
     ("ferguson", 0, 0.02),
     ("ferguson", 0, 0.75),
@@ -330,7 +331,7 @@ fn exact_polynomials_of_ferguson_within_their_fitted_range() {
     let drag = |s: f64| (-0.8259 * s + 0.9287) * s + 0.1304;
     let lift = |s: f64| (-1.1490 * s + 1.2031) * s + 0.0504;
     for s in (0..=7300).map(|k| 0.02 + f64::from(k) * 1e-4) {
-        // factors that are powers of two, so that the spin ratio is s to the last bit
+        // all factors are powers of two, so the spin ratio is exactly s
         let c = Law::named("ferguson")
             .unwrap()
             .coefficients(Stream::new(s * 64.0, 64.0, 1.0, 1.0));
@@ -568,7 +569,7 @@ fn same_curves_in_a_plot_of_laws_and_points_of_its_sources() {
     assert_eq!(dots(&rows), lifts);
 }
 
-/// Re, s, C_D and C_L of the points of Lyu et al.
+/// Re, s, C_D and C_L of the points of Lyu et al.; `None`: not measured.
 fn cells_of_lyu() -> Vec<[Option<f64>; 4]> {
     let row = |line: &str| {
         let cells: Vec<_> = line.split(',').map(|cell| cell.parse().ok()).collect();

@@ -70,7 +70,7 @@ fn exact_derivatives_of_the_mirror_image() {
     for (of, sign) in [(Outcome::Carry, 1.0), (Outcome::Lateral, -1.0)] {
         let [right, left] =
             [setup, mirrored(&setup)].map(|setup| hessian(&setup, of, &wrt).unwrap());
-        // a wind to the right is + for both hands
+        // a wind to the right is positive for golfers of both hands
         let turned = |i: usize| {
             if names[i] == "wind.right" {
                 -sign

@@ -349,7 +349,7 @@ fn same_answer_of_the_program_after_repeated_kills() {
     };
     let alone = run(&folder.path().join("alone.json"));
     let killed = folder.path().join("killed.json");
-    // stops at once, and then each time after one more saved iteration
+    // the first search is stopped at once, each later one after one more saved iteration
     for _ in 0..4 {
         let before = std::fs::read(&killed).ok();
         let mut child = program::command()

@@ -361,7 +361,7 @@ fn differences_confirm_optimum_and_price_of_the_default_search() {
         Drive::new(&moved).unwrap().landed().unwrap().carry
     };
     let [loft, attack] = [best.solution.x[0], best.solution.x[1]];
-    // the optimizer's value equals the value of the general path, to rounding
+    // the value of the search equals the carry of `Drive::new`, to rounding
     assert!((carry(loft, attack) / best.value().unwrap() - 1.0).abs() < 1e-13);
     for (d_loft, d_attack) in [(0.01, 0.0), (-0.01, 0.0), (0.0, -0.01)] {
         assert!(carry(loft + d_loft, attack + d_attack) < best.value().unwrap());
@@ -763,7 +763,7 @@ fn bounds_starts_and_options_that_make_no_sense_are_errors() {
 
 const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
-/// A function with constraints, each with its value, gradient and Hessian, in two variables.
+/// Minimizes the first of the functions; the others are constraints within `limits`.
 fn solve_subject_to(
     f: impl Fn(&[f64]) -> Vec<Taylor>,
     limits: &[(f64, f64)],
@@ -969,7 +969,7 @@ fn exact_minima_from_stationary_points_of_the_violation() {
             ),
         ]
     };
-    // by x = 10 cos t, y = 0.1 sin t and bisection of the derivative to the last digit
+    // expected: with x = 10 cos t and y = 0.1 sin t, bisection of the derivative by t
     let slope = |t: f64| {
         let (sin, cos) = t.sin_cos();
         -20.0 * sin * (10.0 * cos - 20.0) + 0.2 * cos * (0.1 * sin + 20.0)
@@ -1157,8 +1157,8 @@ fn contradicting_constraints_are_infeasible() {
 }
 
 /// Without an unbounded variable, the bounds alone determine the points at which a restoration
-/// begins. The violation 2 + sin 6x + x/2 has two minima, and the search begins at the higher one.
-/// The centre of the bounds is one of the points.
+/// begins; the centre of the bounds is one of them. The violation 2 + sin 6x + x/2 has two minima,
+/// and the search begins at the higher one.
 #[test]
 fn exact_points_of_a_restoration_within_bounds_are_evaluated_once() {
     let at_the_centre = RefCell::new(0);

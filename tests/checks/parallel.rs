@@ -4,9 +4,9 @@ use crate::common::caught;
 use rayon::prelude::*;
 use std::fmt::Debug;
 
-/// Results of a check of each input, in parallel. A check that panics fails the test with its
-/// message and its input: the message itself goes to the output of the test that started rayon's
-/// threads.
+/// Results of a check of each input, in parallel. If a check panics, the test fails with its
+/// message and its input. The panic itself may be printed in another test's output, whose thread
+/// started rayon's pool.
 #[track_caller]
 pub fn in_parallel<T: Debug + Sync, R: Send>(
     inputs: &[T],

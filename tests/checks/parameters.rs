@@ -203,7 +203,7 @@ fn differences_of_values_agree_with_the_gradient_by_a_coefficient_after_a_change
     );
 }
 
-/// Equal rows have equal hashes, and different rows different ones: name and law identify a row.
+/// Name and law identify a row: equal rows have equal hashes, and different rows different hashes.
 #[test]
 fn parameters_and_outcomes_are_keys_and_have_names() {
     let rows: Vec<&Parameter> = Setup::default()
@@ -277,8 +277,8 @@ fn impossible_ranges_are_refused_by_the_name_of_the_parameter() {
     );
 }
 
-/// A file is read as the setup that was written to it. A stated step is written, and the program
-/// does not choose another. If no step is stated, none is written, and the program may choose one.
+/// Reading a written file gives the setup. A stated step is in the file, and the program does not
+/// choose another one. If no step is stated, the file has none, and the program may choose one.
 #[test]
 fn exact_setups_are_equal_after_a_file_and_their_steps_are_written_only_where_stated() {
     let written = |setup: &Setup<f64>, preset: &str| {
@@ -322,7 +322,6 @@ fn exact_setups_are_equal_after_a_file_and_their_steps_are_written_only_where_st
     }
 }
 
-/// A drive with an unset parameter equals the drive with its documented default.
 #[test]
 fn same_drive_with_an_unset_parameter_and_with_its_documented_value() {
     let with = |settings: &[(&str, &str)]| {

@@ -109,7 +109,7 @@ fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
     );
 }
 
-/// Missing values would shift all following ones.
+/// If values were missing, all following ones would belong to wrong parameters.
 #[test]
 fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
     let setup = Setup::default();

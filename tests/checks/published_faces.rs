@@ -70,8 +70,8 @@ fn published_side_spin_by_the_depth_of_the_centre_of_mass_and_the_best_bulge() {
             .gradient[0];
     println!("side spin by depth: {per_mm:.3} rad/s for each mm; McNally: -4.2");
     assert!((per_mm / -4.2 - 1.0).abs() < 0.1, "{per_mm}");
-    // McNally's criterion of the best bulge is unknown: use the criterion of this test, with four
-    // laws of drag and lift
+    // McNally's criterion of the best bulge is unknown. This test has its own criterion, and
+    // repeats it with four laws of drag and lift
     for law in [
         "launch-monitor",
         "smits-smith",
@@ -139,13 +139,13 @@ fn published_table_of_bulge_and_gear_effect() {
             (by_bulge.0 - direction).abs() < 0.2 && (by_bulge.1 / slice - 1.0).abs() < 0.06,
             "{by_bulge:?}"
         );
-        // his ball takes all of the face's lateral speed as spin; a solid ball that may also move
-        // sideways takes 5/7 of it
+        // Tutelman's ball takes the whole lateral speed of the face as spin; a solid ball that may
+        // also move sideways takes 5/7 of it
         assert!(
             (without.1 / (5.0 / 7.0 * hook) - 1.0).abs() < 0.06,
             "{without:?}"
         );
-        // the landing differs by the effects of that hook and of the rotation of the head
+        // the landing differs by the effects of this hook spin and of the head's rotation
         let yards = value(&bulged, Outcome::Lateral) / YARD;
         assert!((yards + left).abs() < 13.0 && yards > 0.0, "{yards}");
     }
@@ -440,7 +440,8 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
         centred.1 > 1.6 * LATERAL && off[4][1] > 8.0,
         "{centred:?} {off:?}"
     );
-    // strikes that scatter more reproduce them too, if strike and face are less correlated
+    // strikes with a larger scatter also reproduce the published scatter, if strike and face are
+    // less correlated
     for (toe, with_toe) in [(16.0, 0.91), (20.0, 0.83), (24.0, 0.80)] {
         let ([_, rest], _) = scatter_of_strikes((6.9, toe), (-7.1, 5.3), with_toe);
         println!(

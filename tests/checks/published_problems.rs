@@ -197,7 +197,7 @@ fn documents_count_the_problems_that_are_solved() {
     );
     let problems = rows(&table, "| problem | n | m |");
     assert_eq!(problems.len(), tried);
-    // a problem that did not converge has its status after the name
+    // the name of a problem that did not converge is followed by its status
     let missed = problems
         .iter()
         .filter(|row| row[5].parse::<f64>().unwrap() > 1e-8);

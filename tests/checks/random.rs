@@ -3,7 +3,6 @@
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 
-/// Random numbers with a fixed seed.
 pub struct Random(Xoshiro256PlusPlus);
 
 impl Random {
@@ -11,12 +10,10 @@ impl Random {
         Self(Xoshiro256PlusPlus::seed_from_u64(seed))
     }
 
-    /// A uniform number.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64 * (high - low)
     }
 
-    /// A whole number below `count`.
     pub fn below(&mut self, count: usize) -> usize {
         (self.0.next_u64() % count as u64) as usize
     }

@@ -59,8 +59,8 @@ fn change_between(setup: &Setup<f64>, low: f64, high: f64) -> [f64; 2] {
     ends.map(|(loft, _)| loft)
 }
 
-/// The largest relative jumps of value, gradient and Hessian of each outcome at the changes along a
-/// line of lofts, and the number of changes.
+/// The number of changes of the step count along a line of lofts, and the largest relative jumps of
+/// value, gradient and Hessian of each outcome at these changes.
 fn jumps(setup: &Setup<f64>, of: &[Outcome], degrees: (f64, f64)) -> (usize, Vec<[f64; 3]>) {
     let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
     let (mut changes, mut worst) = (0, vec![[0.0_f64; 3]; of.len()]);
@@ -140,7 +140,8 @@ fn exact_continuity_of_the_apex_across_steps() {
     }
 }
 
-/// Jumps where the apex moves from one step to the next.
+/// The number of lofts at which the apex moves to another step, and the largest relative jumps
+/// there, of the value and of the first and second derivative by loft.
 fn apex_jumps(setup: &Setup<f64>, of: Outcome) -> (usize, [f64; 3]) {
     let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
     let apex_step = |loft: f64| {

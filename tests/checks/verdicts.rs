@@ -8,7 +8,7 @@ use longdrive::optimize::{
 
 const FREE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
-/// Searches over bounds and limits of the constraints.
+/// Minimizes a problem within bounds of the variables and limits of the constraint functions.
 fn solve(
     problem: &dyn Problem,
     bounds: &[(f64, f64)],

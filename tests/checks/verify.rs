@@ -136,8 +136,8 @@ fn differences_certify_a_launch_without_a_club() {
 
 #[test]
 fn differences_certify_two_hundred_random_drives() {
-    // number of parameters that are checked for each drive. From drive to drive these are other
-    // parameters. All parameters of all drives were checked once (docs/verification.md)
+    // number of parameters checked for each drive; the next drive checks the next parameters. All
+    // parameters of all drives were checked once (docs/verification.md)
     const AT_A_TIME: usize = 4;
     let flies = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());
     let setups: Vec<_> = random_setups(220)
@@ -288,7 +288,8 @@ fn differences_certify_random_derivatives_by_one_parameter() {
         certificates.len(),
         failed.join("\n")
     );
-    // errors were planted in the derivatives of most questions, and found
+    // most questions give a drive that lands, and many of their certificates find the planted
+    // errors
     assert!(certificates.len() > count / 2);
     let caught = |which: usize| {
         certificates
@@ -700,8 +701,8 @@ fn differences_with_the_time_step_are_reported_in_a_logarithmic_wind() {
 
 #[test]
 fn differences_show_the_size_of_the_landing_term() {
-    // the report's loop ends at a step: its derivative is that at a fixed time, which at attack 0°
-    // has the wrong sign
+    // the while-loop of the report ends at the end of a step, so its derivative is the derivative
+    // at a fixed time. At an attack angle of 0° this has the wrong sign
     let setup = Setup::preset("mae494").unwrap();
     let loft = [setup.variable("club.loft").unwrap()];
     let certificate = certificate(&setup, &[Outcome::Carry], &loft);

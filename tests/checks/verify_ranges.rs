@@ -259,7 +259,7 @@ fn differences_at_the_landing_agree_at_coarse_steps() {
     }
 }
 
-/// If the spin decays within each step of the order measurement, no order can be measured.
+/// If the spin decays away within each step, the order of convergence cannot be measured.
 #[test]
 fn no_order_is_required_where_the_spin_decays_within_a_step() {
     let mut setup = Setup::default();

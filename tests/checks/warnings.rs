@@ -721,9 +721,8 @@ fn a_flat_landing_has_a_warning_with_the_total_and_at_an_optimum() {
     ));
 }
 
-/// The share of the swings that leave the range of the law with the best loft. Club speeds are
-/// normally distributed: it is the share above the speed from which a drive leaves the range. The
-/// mean swing is well within the range.
+/// Club speeds are normally distributed. The expected share is the share above the speed from which
+/// a drive with the best loft leaves the range of the law. The mean swing is well within the range.
 #[test]
 fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
     let swings = "swing.speed=truncated(100mph,10mph,85mph,130mph)";

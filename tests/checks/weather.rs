@@ -200,7 +200,8 @@ fn same_drive_by_weather_and_by_its_density_and_by_wind_components() {
         close(ours, theirs, theirs.abs().max(1.0), 1e-13, of.name());
     }
     assert_eq!(in_effect(&setup).wind.right, given.wind.right);
-    // thin air carries farther; a head wind less far, and a wind from the right to the left
+    // the ball carries farther in thin air and less far in a head wind; a wind from the right moves
+    // it to the left
     let carry = |settings: &[(&str, &str)]| {
         let high = with(&[&[("club.loft", "14 deg")], settings].concat());
         Outcome::Carry.of(&Drive::new(&high).unwrap()).unwrap()
@@ -295,7 +296,7 @@ fn same_drives_in_a_sweep_over_the_weather_and_alone() {
         ("wind.speed", "4 m/s"),
         ("wind.from", "30 deg"),
     ]);
-    // the setup has no temperature and altitude: only the points have them
+    // the setup has no temperature and no altitude: only the points state them
     let over = [
         "air.temperature=0..35degC:4",
         "air.altitude=0..2000m:3",
