@@ -191,7 +191,7 @@ mod tests {
 
     /// The schema of each command's answer and of the rows of files, by file name.
     fn schemas() -> BTreeMap<String, Schema> {
-        // the answers of these commands name the parameters that `all` leaves out
+        // answers of commands with `--wrt` name the parameters that `--wrt all` leaves out
         let with_all = commands_with(program(), "wrt");
         let schema = |answers: Answers| {
             let name = answers.command.clone();

@@ -120,8 +120,8 @@ mod tests {
     use crate::drive::{Drive, Outcome};
     use std::sync::atomic::AtomicBool;
 
-    /// A range that contains the whole flight does not change the carry. Without spin the law gives
-    /// no lift, and the carry is shorter.
+    /// Holding a variable within a range that contains the whole flight does not change the carry.
+    /// With the spin ratio held near 0 the law gives no lift, and the carry is shorter.
     #[test]
     fn exact_carry_by_holding_within_the_range_is_that_of_the_drive() {
         let mut setup = Setup::preset("tour-average").unwrap();

@@ -4,13 +4,13 @@ use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 /// Choices determined by a seed.
 pub struct Chance {
     random: Xoshiro256PlusPlus,
-    /// True if the question may have mistakes. Each choice is then a mistake with probability 0.1,
-    /// because the program reports only the first of several mistakes.
+    /// True if the question may have mistakes. Each of its choices is then a mistake with
+    /// probability 0.1: more would be useless, because the program reports only the first mistake.
     is_careless: bool,
     /// True if the drives of the question are given by their launch.
     pub is_launched: bool,
-    /// True if the question states parameters of the flight only, because rows of a file state the
-    /// launches.
+    /// True if rows of a file state the launches: the question then states parameters of the flight
+    /// only.
     pub is_of_flight: bool,
     /// True if goals and limits are means over many swings.
     pub is_over_swings: bool,
@@ -37,33 +37,29 @@ impl Chance {
         self.is_careless && self.is(0.1)
     }
 
-    /// One of `good`; with a mistake, one of `bad`.
+    /// One of `good`, or by mistake one of `bad`.
     pub fn of_or<T: Clone>(&mut self, good: &[T], bad: &[T]) -> T {
         let all = if self.makes_mistake() { bad } else { good };
         self.of(all)
     }
 
-    /// Uniform between 0 and 1.
+    /// A number from 0 to 1, uniformly distributed.
     pub fn part(&mut self) -> f64 {
         (self.random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// True with this probability.
     pub fn is(&mut self, probability: f64) -> bool {
         self.part() < probability
     }
 
-    /// A number below `end`.
     pub fn below(&mut self, end: usize) -> usize {
         (self.part() * end as f64) as usize
     }
 
-    /// A number from `low` to `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.part()
     }
 
-    /// One of `all`.
     pub fn of<T: Clone>(&mut self, all: &[T]) -> T {
         all[self.below(all.len())].clone()
     }

@@ -135,7 +135,7 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
     with_damage(text, chance)
 }
 
-/// A table of points in another format, or a damaged one: its name, and its content.
+/// The name and the content of a table of points in another format, or of a damaged table.
 pub fn binary(chance: &mut Chance) -> (String, Vec<u8>) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/tables");
     let mut names: Vec<_> = fs::read_dir(&folder)
@@ -161,8 +161,8 @@ pub fn binary(chance: &mut Chance) -> (String, Vec<u8>) {
     (name, bytes)
 }
 
-/// An export of a launch monitor: its heads, its units in the heads or in a separate line, sides by
-/// letters, and rows that summarise others.
+/// An export of a launch monitor. It has heads, units in the heads or in a line of their own,
+/// letters for the sides, and rows that sum up others.
 pub fn export(chance: &mut Chance) -> Vec<u8> {
     let all = [
         ("Club Speed", "mph", 105.0, 10.0),
@@ -365,7 +365,7 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
     with_damage(text, chance)
 }
 
-/// The bytes of a text; by mistake, with damage at a random place.
+/// The bytes of a text. By mistake, a random place of it is damaged.
 fn with_damage(text: String, chance: &mut Chance) -> Vec<u8> {
     let mut bytes = text.into_bytes();
     if !(chance.makes_mistake() || chance.makes_mistake()) {
@@ -393,7 +393,7 @@ fn with_damage(text: String, chance: &mut Chance) -> Vec<u8> {
     bytes
 }
 
-/// A number in a unit, of a parameter, for `--change`.
+/// A change of a parameter for `--change`: NAME=NUMBER UNIT.
 pub fn change(chance: &mut Chance) -> String {
     let parameter = variable(chance);
     let sign = chance.of(&["+", "-", ""]);

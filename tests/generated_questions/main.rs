@@ -22,7 +22,7 @@ use std::fmt::Write;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Questions of a normal run.
+/// Number of questions of a normal run.
 const FEW: u64 = 300;
 /// Number of failures that ends the run.
 const MAX_FAILURES: usize = 20;

@@ -16,13 +16,13 @@ pub struct Question {
     pub args: Vec<String>,
     /// Input files.
     pub files: Vec<(String, Vec<u8>)>,
-    /// Links to input files: the file, and the link.
+    /// Links to input files: the name of the file, and the name of the link.
     pub links: Vec<(String, String)>,
     /// Files and folders that the command line names as outputs.
     pub outputs: Vec<String>,
 }
 
-/// The commands that run without a terminal, each with its frequency.
+/// The commands that run without a terminal, each with the frequency of its questions.
 static COMMANDS: LazyLock<Vec<(&str, f64)>> = LazyLock::new(|| {
     let commands = longdrive::command::described();
     let names = commands.as_array().unwrap().iter().map(|command| {
@@ -35,7 +35,7 @@ static COMMANDS: LazyLock<Vec<(&str, f64)>> = LazyLock::new(|| {
         .collect()
 });
 
-/// The frequency of a command: slow ones are rare.
+/// The frequency of the questions of a command. Slow commands are rare.
 fn frequency(command: &str) -> f64 {
     match command {
         "simulate" => 22.0,
@@ -289,7 +289,7 @@ impl Question {
             }
             _ => {}
         }
-        // if a file gives the launch, the option replaces part of it
+        // if a file states the launch, `--launch` replaces part of it
         let is_of_file = matches!(place, 5 | 6);
         match chance.below(4) {
             _ if !chance.is_launched => {}
@@ -499,7 +499,6 @@ impl Question {
         self.option("--along", text);
     }
 
-    /// Options for the optima at some values of a parameter: `--along` and `--at`.
     fn at(&mut self, chance: &mut Chance) {
         let parameter = variable(chance);
         let values = list(3, chance, |chance| {
@@ -593,7 +592,8 @@ impl Question {
         self.files.push(("shots.csv".into(), text));
         self.push(chance.of_or(&["shots.csv"], &["none.csv", "mine.txt", "."]));
         for _ in 0..1 + chance.below(2) {
-            // mostly parameters of the flight: rows that are launches do not use those of the club
+            // mostly parameters of the flight: a row that is a launch does not use parameters of
+            // the club
             let rows = [
                 "air.density",
                 "aero.spin_decay",

@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 /// Time limit of a question, s, on a slow machine with other work.
 const LONGEST: Duration = Duration::from_secs(120);
 
-/// Endings of files that the program writes beside a named file.
+/// Endings of the files that the program writes beside a named output.
 const COMPANIONS: [&str; 2] = [".part", ".resume"];
 
 /// Statuses in JSON of an answer whose exit status is 0.
@@ -57,7 +57,7 @@ pub fn ask(question: &Question) -> (Option<i32>, Vec<String>) {
     if status.code() == Some(2) && err.trim().is_empty() {
         wrong.push("status 2 without a message".into());
     }
-    // after status 2, the output may be an error message that quotes a NaN of the input
+    // with exit status 2, the output may quote a NaN of the input in an error message
     if status.code() != Some(2) {
         wrong.extend(numbers(question, &out));
     }
@@ -83,8 +83,8 @@ fn wait(child: &mut Child) -> Option<ExitStatus> {
     None
 }
 
-/// A fault with the first line that has NaN or infinity; `None` without such a line, or if the
-/// question itself may be the reason for it.
+/// A fault that quotes the first line with NaN or infinity. `None` if there is no such line, or if
+/// the question itself may be the reason for it.
 fn numbers(question: &Question, out: &str) -> Option<String> {
     let words = |line: &str| -> Vec<String> {
         line.split(|c: char| !(c.is_alphanumeric() || c == '_'))
@@ -167,7 +167,8 @@ fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     found
 }
 
-/// Files written without being named, and lost files.
+/// Faults of the files after a question: new files that no output names, and files that are lost or
+/// changed.
 fn touched(
     question: &Question,
     before: &BTreeMap<String, Vec<u8>>,

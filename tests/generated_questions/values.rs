@@ -33,7 +33,6 @@ const ODD: [&str; 25] = [
     "🏌",
 ];
 
-/// Name of a preset.
 pub fn preset(chance: &mut Chance) -> &'static str {
     PRESETS[chance.below(PRESETS.len())].name
 }
@@ -68,7 +67,7 @@ fn launched() -> Setup<f64> {
     setup
 }
 
-/// A parameter of the default setup that searches and derivatives accept.
+/// A parameter that searches and derivatives accept.
 pub fn variable(chance: &mut Chance) -> &'static Parameter {
     if chance.is_launched {
         let mut all = launched().variables();
@@ -79,7 +78,7 @@ pub fn variable(chance: &mut Chance) -> &'static Parameter {
     }
     let mut all = Setup::default().variables();
     if chance.is_over_swings {
-        // the swings have values of the other parameters
+        // only parameters of the club, because the swings state the others
         all.retain(|row| row.name.starts_with("club."));
         return of_the_drive(&all, chance);
     }
@@ -104,8 +103,8 @@ pub fn variable(chance: &mut Chance) -> &'static Parameter {
     }
 }
 
-/// One of `all`, rarely a parameter of a launch or of the wind's speed and direction: these must be
-/// given together.
+/// One of `all`. Only by mistake a launch parameter, or the wind's speed or direction, which must
+/// be given together.
 fn of_the_drive(all: &[&'static Parameter], chance: &mut Chance) -> &'static Parameter {
     let struck: Vec<_> = all
         .iter()
@@ -135,7 +134,7 @@ pub fn name_of(parameter: &Parameter, chance: &mut Chance) -> String {
     ])
 }
 
-/// A value near a parameter's default, SI, with a given relative distance.
+/// A value near the parameter's default, SI, at a relative distance of at most `spread`.
 pub fn near(parameter: &Parameter, spread: f64, chance: &mut Chance) -> f64 {
     let default = parameter
         .default_value()
@@ -179,7 +178,7 @@ pub fn with_unit(value: f64, parameter: &Parameter, chance: &mut Chance) -> Stri
     let text = format!("{:?}{space}{unit}", value / size)
         .trim_end()
         .to_owned();
-    // a parameter may not accept this text: then a number in SI without a unit
+    // if the parameter does not accept this text: a number in SI without a unit
     if parameter.quantity.read(&text).is_ok() {
         text
     } else {
@@ -316,7 +315,7 @@ pub fn statistic(outcome: &str, chance: &Chance) -> String {
     }
 }
 
-/// Names with commas between them.
+/// Up to `count` names with commas between them.
 pub fn list(count: usize, chance: &mut Chance, one: impl Fn(&mut Chance) -> String) -> String {
     (0..1 + chance.below(count))
         .map(|_| one(chance))

@@ -3,9 +3,10 @@
 """Independent computation of the run of a ball on the ground: python3 run.py >
 ../data/independent_runs.json
 
-Shares nothing with the program. Each impact is that of a rigid sphere, computed by its impulses in
-a frame of the tilted surface. Hops are parabolas; sliding and rolling are integrated in small time
-steps. The balls land as they were launched: in a vacuum, on level ground at the height of the tee.
+Shares no code with the program. In each impact a rigid sphere meets a surface that its crater tilts;
+two impulses act on it, one along the normal of this surface and one of friction. Hops are
+parabolas; sliding and rolling are integrated in small time steps. The flight is in a vacuum and
+lands at the height of the tee, so the landing is the mirror image of the launch.
 """
 import json
 import math
@@ -47,7 +48,7 @@ def impact(v, w, n, turf, inertia):
     e = turf["restitution"] / 0.51 * (0.510 - 0.0375 * held_u + 0.000903 * held_u ** 2)
     arm = mul(normal, -R)
     slip = add(add(v, normal, u), cross(w, arm))
-    # impulses per mass: the normal one, and the one with which a sphere sticks
+    # impulses per mass: along the normal, and the impulse of friction that stops the slip
     push = (1 + e) * u
     stick = norm(slip) / (1 + M * R * R / inertia)
     most = turf["friction"] * push

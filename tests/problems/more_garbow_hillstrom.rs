@@ -139,7 +139,7 @@ problems! {
             x[0] + ((x[1] + 1.0) * x[1] - 14.0) * x[1] - 29.0,
         ])
     }
-    /// No. 3, Powell badly scaled; at (1.098e-5, 9.106).
+    /// No. 3, Powell badly scaled; its minimum is at (1.098e-5, 9.106).
     MGH03 {
         start: [0.0, 1.0], low: [-INF; 2], high: [INF; 2], least: [], most: [],
         optimum: 0.0, at: [],
@@ -157,7 +157,7 @@ problems! {
         optimum: 0.0, at: [3.0, 0.5],
         |x| squares([(1, 1.5), (2, 2.25), (3, 2.625)].map(|(i, y)| x[0] * (x[1].powi(i) - 1.0) + y))
     }
-    /// No. 6, Jennrich and Sampson, m = 10; at (0.2578, 0.2578).
+    /// No. 6, Jennrich and Sampson, m = 10; its minimum is at (0.2578, 0.2578).
     MGH06 {
         start: [0.3, 0.4], low: [-INF; 2], high: [INF; 2], least: [], most: [],
         optimum: 124.362, at: [],
@@ -191,14 +191,14 @@ problems! {
             x[0] * (-x[1] * off * off / 2.0).exp() - y
         }))
     }
-    /// No. 10, Meyer; 87.945855171 as certified by NIST.
+    /// No. 10, Meyer; NIST certifies 87.945855171.
     MGH10 {
         start: [0.02, 4000.0, 250.0], low: [-INF; 3], high: [INF; 3], least: [], most: [],
         optimum: 87.9458, at: [],
         |x| squares(numbered(&MEYER).map(|(i, y)| x[0] * (x[1] / (x[2] + (45.0 + 5.0 * i))).exp() - y))
     }
-    /// No. 11, Gulf research and development, m = 99, with |yᵢ − x₂| where the paper has a
-    /// misprint.
+    /// No. 11, Gulf research and development, m = 99. The paper has a misprint: |yᵢ − x₂| is
+    /// correct.
     MGH11 {
         start: [5.0, 2.5, 0.15], low: [-INF; 3], high: [INF; 3], least: [], most: [],
         optimum: 0.0, at: [50.0, 25.0, 1.5],
@@ -209,8 +209,8 @@ problems! {
             (-(size.ln() * x[2]).exp() / x[0]).exp() - t
         }))
     }
-    /// No. 12, Box three-dimensional, m = 10; also zero at (10, 1, −1) and wherever x₁ = x₂ and x₃
-    /// = 0.
+    /// No. 12, Box three-dimensional, m = 10; f is also zero at (10, 1, −1), and wherever x₁ = x₂
+    /// and x₃ = 0.
     MGH12 {
         start: [0.0, 10.0, 20.0], low: [-INF; 3], high: [INF; 3], least: [], most: [],
         optimum: 0.0, at: [1.0, 10.0, 1.0],
@@ -238,8 +238,8 @@ problems! {
             (x[1] - x[3]) / 10f64.sqrt(),
         ])
     }
-    /// No. 15, Kowalik and Osborne; 3.0750560385e-4 as certified by NIST; a second minimum
-    /// 1.02734e-3 is at (∞, −14.07, −∞, −∞).
+    /// No. 15, Kowalik and Osborne; NIST certifies 3.0750560385e-4. A second minimum of 1.02734e-3
+    /// is at (∞, −14.07, −∞, −∞).
     MGH15 {
         start: [0.25, 0.39, 0.415, 0.39], low: [-INF; 4], high: [INF; 4], least: [], most: [],
         optimum: 3.07505e-4, at: [],
@@ -257,7 +257,7 @@ problems! {
             a * a + b * b
         }))
     }
-    /// No. 17, Osborne 1; 5.4648946975e-5 as certified by NIST.
+    /// No. 17, Osborne 1; NIST certifies 5.4648946975e-5.
     MGH17 {
         start: [0.5, 1.5, -1.0, 0.01, 0.02], low: [-INF; 5], high: [INF; 5], least: [], most: [],
         optimum: 5.46489e-5, at: [],
@@ -359,8 +359,8 @@ problems! {
             squares(x.iter().zip(to(10)).map(|(&x, i)| all + (-x.cos() + 1.0) * i - x.sin()))
         }
     }
-    /// No. 27, Brown almost-linear, n = 10; also zero at a second point; a local minimum 1 is at
-    /// (0, …, 0, 11).
+    /// No. 27, Brown almost-linear, n = 10; f is also zero at a second point, and has a local
+    /// minimum of 1 at (0, …, 0, 11).
     MGH27 {
         start: [0.5; 10], low: [-INF; 10], high: [INF; 10], least: [], most: [],
         optimum: 0.0, at: [1.0; 10],
@@ -421,14 +421,14 @@ problems! {
             squares(x.iter().map(|&x| x - mean - 1.0).chain([-mean - 1.0; 10]))
         }
     }
-    /// No. 33, linear of rank 1, n = 10, m = 20; wherever Σ j xⱼ = 3/41.
+    /// No. 33, linear of rank 1, n = 10, m = 20; every point with Σ j xⱼ = 3/41 is a minimum.
     MGH33 {
         start: [1.0; 10], low: [-INF; 10], high: [INF; 10], least: [], most: [],
         optimum: 190.0 / 41.0, at: [3.0 / 41.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         |x| squares(to(20).map(|i| weighted(x) * i - 1.0))
     }
-    /// No. 34, linear of rank 1 with zero columns and rows, n = 10, m = 20; wherever 2 x₂ + … + 9
-    /// x₉ = 3/37.
+    /// No. 34, linear of rank 1 with zero columns and rows, n = 10, m = 20; every point with 2 x₂ +
+    /// … + 9 x₉ = 3/37 is a minimum.
     MGH34 {
         start: [1.0; 10], low: [-INF; 10], high: [INF; 10], least: [], most: [],
         optimum: 227.0 / 37.0, at: [0.0, 1.5 / 37.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],

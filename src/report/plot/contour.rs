@@ -393,7 +393,7 @@ mod tests {
                     "{levels:?}"
                 );
             }
-            // the step decreases towards one stretch and increases after it
+            // the distance of two levels decreases up to one pair of levels, and increases after it
             let apart: Vec<f64> = levels.windows(2).map(|pair| pair[1] - pair[0]).collect();
             let rises = apart
                 .windows(2)

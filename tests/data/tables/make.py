@@ -5,7 +5,7 @@ import pyarrow as pa
 import pyarrow.feather as feather
 import pyarrow.parquet as parquet
 
-# (row number -> value) of each column; the decimals that Python prints determine every value
+# the values of each column; Python prints enough decimals to determine a value exactly
 ROWS = 11
 COLUMNS = {
     "club.loft": [0.1 + 0.017 * i for i in range(ROWS)],
@@ -69,7 +69,7 @@ for (name, bits) in zip(["club.loft", "club.mass", "strike.high", "strike.toe"],
     ends[name] = [0, 2**bits - 1]
 write("kinds.arrow", pa.table({name: pa.array(ends[name], kind) for name, kind in kinds.items()}))
 
-# refused tables
+# refused tables, and two tables with a row that has no drive ("null" and "nan")
 loft = COLUMNS["club.loft"][:4]
 refused = {
     "null": {"club.loft": loft, "air.density": [1.2, 1.2, None, 1.2]},
