@@ -3,8 +3,8 @@
 """Independent computation of the run of a ball on the ground: python3 run.py >
 ../data/independent_runs.json
 
-Shares no code with the program. In each impact a rigid sphere meets a surface that its crater tilts;
-two impulses act on it, one along the normal of this surface and one of friction. Hops are
+Shares no code with the program. In each impact a rigid sphere meets a surface that its crater
+tilts; two impulses act on it, one along the normal of this surface and one of friction. Hops are
 parabolas; sliding and rolling are integrated in small time steps. The flight is in a vacuum and
 lands at the height of the tee, so the landing is the mirror image of the launch.
 """
