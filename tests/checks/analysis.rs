@@ -315,7 +315,7 @@ fn independent_mae494_optimum_from_every_batch_of_sixteen() {
         let mut values = vec![];
         for batch in 0..4 {
             let mut start = setup;
-            // the batches differ only in their first start, which is shifted: the others are fixed
+            // each batch has another first start; the other starts are fixed
             start.swing.attack_angle = f64::from(batch) * 0.02;
             let found = optima(
                 &start,

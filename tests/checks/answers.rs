@@ -1,4 +1,5 @@
-//! Answers begin with the answer, fit a screen and its width, and name their setup.
+//! The text of a command begins with its result, fits the height and width of a screen, and names
+//! the setup.
 
 use crate::command_line::{Output, json, longdrive, number, on_one_line, widest};
 use crate::program;
@@ -160,7 +161,8 @@ fn every_answer_names_its_setup_and_its_settings() {
     assert!(compared.out.starts_with(&names), "{}", compared.out);
 }
 
-/// The best loft depends on shaft and strike, which follow from a measured launch.
+/// The best loft depends on shaft and strike. Both follow from a measured launch, so the answer for
+/// an average golfer advises to start from one.
 #[test]
 fn the_answer_for_an_average_names_the_command_for_an_own_loft() {
     let advice = "starts from your own launch";

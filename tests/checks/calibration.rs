@@ -1389,8 +1389,8 @@ fn impossible_measured_values_are_refused_with_their_row() {
     }
 }
 
-/// Wrong lengths are programming errors: they panic with both lengths. Non-finite numbers are an
-/// error value.
+/// Wrong lengths are programming errors: they panic with both lengths. Numbers that are not finite
+/// return an error.
 #[test]
 fn statistics_of_a_ragged_jacobian_panic_and_of_nan_are_refused() {
     let fitted = [FitRange {

@@ -898,7 +898,7 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
     );
     let carry = || number(&json(&["simulate", &file]).1["flight"]["carry"]);
     close(carry(), number(&found["value"]), 1.0, 1e-6, "carry");
-    // a stated method or step is in the file, which gives the same drive to the last digits
+    // a stated method or step is in the file, and the file gives the same drive to the last digits
     for stated in [&["--own-step"][..], &["--set", "flight.step=0.02s"]] {
         let (_, found) = json(&[&requested[..], stated].concat());
         close(

@@ -574,7 +574,7 @@ fn of_two_sweeps_at_once_into_one_file_one_is_refused_and_the_other_is_whole() {
             1,
             "{first:?} {second:?}"
         );
-        // the second process found the first one, or its file
+        // the second process finds the first one at work, or its finished file
         assert!(
             printed.contains("another sweep is writing it") || printed.contains("already exists"),
             "{printed}"

@@ -1,4 +1,5 @@
-//! Tables that `sweep --points` and `calibrate` read: the same heads, and notes on ignored columns.
+//! `sweep --points` and `calibrate` read tables with the same heads, and note the columns that they
+//! ignore.
 
 use crate::command_line::{json, longdrive, on_one_line};
 use crate::common::close;

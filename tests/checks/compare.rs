@@ -333,8 +333,8 @@ fn differences_of_flights_with_one_launch_condition_changed_agree_with_its_share
             .fold(0.0, f64::max);
         for name in names {
             let parameter = a.parameter(name).unwrap();
-            // the effect of the parameter from a to b, and from b to a: their mean is the share to
-            // third order
+            // changes of the value if only this parameter changes, from a to b and from b to a:
+            // half of their difference is the share to third order
             let flown = [(0, 1), (1, 0)].map(|(here, there)| {
                 let mut setup = split.setups[here];
                 setup

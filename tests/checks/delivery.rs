@@ -219,8 +219,8 @@ fn an_unidentified_change_does_not_change_the_launch() {
                     slopes[wrt.iter().position(|row| row == parameter).unwrap()] * change
                 })
                 .sum();
-            // the launch does not identify this direction; `changes` omits components of its unit
-            // vector below a tenth
+            // the launch does not identify this direction. `changes` omits the components of its
+            // unit vector below a tenth, and their effect on the launch remains
             let sigma = outcome.measurement_uncertainty().unwrap();
             assert!(
                 untold.variance_removed < 1e-9 && change.abs() < 1.5 * sigma,

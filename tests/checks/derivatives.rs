@@ -593,8 +593,8 @@ fn derivatives_need_little_stack() {
         .unwrap();
 }
 
-/// xᵃ with its first two derivatives, over every number: integer exponents at any base, others at 4
-/// and at 0.
+/// xᵃ with its first two derivatives, over every number type: integer exponents of any base, other
+/// exponents of 4 and of 0.
 #[test]
 fn exact_powers_of_negative_numbers_and_of_zero() {
     const NONE: f64 = f64::INFINITY;

@@ -199,7 +199,8 @@ fn varied_mass_has_a_budget() {
     );
 }
 
-/// A relation of the user: its value, and its multiplier as the derivative by its limit.
+/// The answer has the value of a relation that the user states. Its multiplier is the derivative of
+/// the best goal by its limit.
 #[test]
 fn differences_certify_the_price_of_a_relation() {
     let of = |limit: f64| {

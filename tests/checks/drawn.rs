@@ -795,7 +795,7 @@ fn exact_distances_of_the_arcs_and_the_edges_of_a_fairway() {
     }
 }
 
-/// Both runs are on the target line: one is dashed, and each end has its total.
+/// Both runs are on the target line: one of them is dashed, and the end of each has its total.
 #[test]
 fn two_runs_on_one_line_are_both_seen() {
     let landings = two_landings();

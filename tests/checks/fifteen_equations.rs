@@ -1,4 +1,4 @@
-//! The collision from Winfield & Tan's 15 equations in 15 unknowns, which verifies the three equations
+//! The collision by Winfield & Tan's 15 equations in 15 unknowns. It verifies the three equations
 //! of the library.
 
 use longdrive::impact::{Collision, Rebound};

@@ -81,7 +81,8 @@ fn exact_hop_shorter_than_a_step() {
 
 #[test]
 fn exact_terminal_fall_from_a_hill() {
-    // no spin, dropped: v = v_t tanh(g t/v_t), and it falls v_t²/g ln cosh(g t/v_t)
+    // a ball dropped without spin: at time t its speed is v_t tanh(g t/v_t), and it has fallen by
+    // v_t²/g ln cosh(g t/v_t)
     let mut setup = Setup::default();
     setup.set_law("linear").unwrap();
     (setup.ground.height, setup.flight.step) = (-100.0, 0.002);
@@ -170,8 +171,8 @@ fn order_of_value_and_gradient_in_the_step_is_four() {
             ]
         };
         let (coarse, fine) = (error(0.08), error(0.02));
-        // at its grid lines bearman-harvey has two continuous derivatives, and the derivatives of
-        // the law, on which the gradient depends, have one
+        // at its grid lines bearman-harvey has two continuous derivatives. The gradient depends on
+        // its first derivatives, which have one
         let of_gradient = if *law == "bearman-harvey" { 3.0 } else { 4.0 };
         for ((coarse, fine), exact) in coarse.into_iter().zip(fine).zip([4.0, of_gradient]) {
             let order = (coarse / fine).log(4.0);

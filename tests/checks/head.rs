@@ -16,8 +16,8 @@ const WEIGHT: [(&str, &str); 4] = [
     ("club.weight_1.high", "-18 mm"),
 ];
 
-/// One weight on a body, as two masses about their common centre: I + μ (s·s 1 − s sᵀ) with the
-/// reduced mass μ.
+/// Expected: a body and one weight as two masses about their common centre of mass, I + μ (s·s 1 −
+/// s sᵀ), with the vector s between them and the reduced mass μ.
 #[test]
 fn exact_head_with_a_weight_is_that_of_two_masses() {
     let setup = with(&WEIGHT);

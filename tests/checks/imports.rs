@@ -113,7 +113,8 @@ fn defined(files: &BTreeMap<String, Names>, module: &str, path: &str) -> String 
     if files.contains_key(&next) {
         return defined(files, &next, rest);
     }
-    // skip the re-export of a macro that this file defines: its path is the path sought
+    // a re-export with the path sought is that of a macro which this file defines: it leads to no
+    // other file
     let handed_on = files[module]
         .uses
         .iter()

@@ -301,7 +301,8 @@ fn stopped_work_writes_no_fit_lists_no_optimum_and_names_its_file() {
     );
 }
 
-/// The best of the searches that ended may have converged: stopped searches are reported beside it.
+/// The best of the searches that ended may have converged. The setup file still says that other
+/// searches were stopped.
 #[test]
 fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<()> {
     let setup = Setup::default();

@@ -364,7 +364,7 @@ fn same_setup_launch_and_flight_with_an_optimum_and_by_simulate() {
     for key in ["setup", "launch", "flight"] {
         assert_eq!(best[key], drive[key], "{key}");
     }
-    // the value was computed with its derivatives, which rounds differently
+    // the search computed the value together with its derivatives, which rounds differently
     close(
         number(&best["value"]),
         number(&best["flight"]["carry"]),

@@ -456,7 +456,6 @@ fn each_law_is_listed_with_authors_ball_range_and_source() {
     );
 }
 
-/// The text of a law names an open end of its range.
 #[test]
 fn a_range_without_an_upper_end_prints_as_at_least() {
     let fitted = Law::named("naruo-mizota").unwrap().properties().fitted;
@@ -582,7 +581,8 @@ fn cells_of_lyu() -> Vec<[Option<f64>; 4]> {
         .collect()
 }
 
-/// Lift of 13 balls, between which it differs by 0.02 to 0.03, and drag of one ball.
+/// The points are the drag of one ball, and the mean lift of 13 balls, whose lifts differ by 0.02
+/// to 0.03.
 #[test]
 fn published_points_of_lyu_scatter_about_its_law() {
     let points = cells_of_lyu();
@@ -658,8 +658,8 @@ fn a_plot_of_laws_shows_the_law_in_use_among_the_others() {
     }
 }
 
-/// All published laws and a user's table, also as a picture; unused and unknown options are
-/// refused.
+/// The plot has all published laws and a user's table, as data and as a picture. Unused and unknown
+/// options are refused.
 #[test]
 fn a_plot_of_laws_draws_all_of_them_and_refuses_other_options() {
     let folder = tempfile::tempdir().unwrap();

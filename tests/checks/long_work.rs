@@ -60,7 +60,7 @@ fn stopped_after(most: u64) -> (Solution, Option<Snapshot>) {
             stop.store(iteration.number >= most, Ordering::Relaxed)
         }),
         save: Some(Box::new(move |snapshot| {
-            // as it would be written to a file and read again
+            // the snapshot is written as text and read again, as from a file
             let text = serde_json::to_string(snapshot).unwrap();
             *keeper.borrow_mut() = Some(serde_json::from_str(&text).unwrap());
             Ok(())

@@ -240,7 +240,8 @@ fn parameters_and_outcomes_are_keys_and_have_names() {
     ));
 }
 
-/// A wrong range built in code is refused by the name of its parameter, before a search uses it.
+/// A wrong range that is built in code is refused before a search uses it, with the name of its
+/// parameter.
 #[test]
 fn impossible_ranges_are_refused_by_the_name_of_the_parameter() {
     let setup = Setup::default();

@@ -638,7 +638,8 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
     ] {
         assert!(page.contains(words), "no '{words}'");
     }
-    // a terminal has the same text, with hyphens that can be copied; a file has the typed text
+    // a terminal prints the same text, with hyphens that can be copied; in a file the text is as it
+    // was typed
     let output = longdrive(&["simulate", "--set", "swing.path=-2deg"]);
     assert!(
         output.out.contains('°') && !output.out.contains(" deg") && !output.out.contains('−'),

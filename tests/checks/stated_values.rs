@@ -372,8 +372,8 @@ fn coefficients_that_the_law_of_a_model_does_not_have_are_named() {
     );
 }
 
-/// Notes of a fit: it does not use the uncertainties of measured launches, and it compares totals
-/// on an assumed ground if no ground is stated.
+/// A fit notes that it does not use the uncertainties of measured launches, and that it compares
+/// totals on an assumed ground if none is stated.
 #[test]
 fn what_a_fit_assumes_or_does_not_use_is_named() {
     let folder = tempfile::tempdir().unwrap();

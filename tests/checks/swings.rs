@@ -135,7 +135,7 @@ fn independent_best_loft_of_the_average_over_attack_angles_by_simpsons_rule() {
 #[test]
 fn order_of_quadrature_and_of_sequences() {
     let mut setup = Setup::preset("mae494").unwrap();
-    // a mean is over the drives as computed, also in large steps
+    // the mean is over the computed drives, so large steps do not change the order of convergence
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let all = swings(
         &setup,

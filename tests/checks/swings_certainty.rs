@@ -77,7 +77,7 @@ impl Flown {
         parts.sum::<f64>() / share
     }
 
-    /// A goal by its definition.
+    /// The value of a goal by its definition.
     fn goal(&self, goal: &Goal) -> f64 {
         let one = |measure: &Measure| match measure {
             Measure::Mean(of) => self.mean(*of, &|x| x),
@@ -130,10 +130,10 @@ fn searched(setup: &Setup<f64>, goals: &[String], scenarios: Scenarios) -> Optim
 }
 
 /// The interval of the error estimate contains the truth for at least 95 % of 117 generated goals,
-/// and is small compared with the scatter of the outcome. The goals have one to five distributions,
-/// by Gauss's rules and by sequences. The truth is the value over 65,536 swings of another
-/// sequence. For goals without an edge over few parameters, it is the value by Gauss's rules with
-/// two and a half times as many nodes.
+/// and is small compared with the scatter of the outcome. One to five parameters vary, by Gauss's
+/// rules or by sequences. The truth is the value over 65,536 swings of another sequence. If a goal
+/// has no edge and few parameters vary, it is the value by Gauss's rules with two and a half times
+/// as many nodes.
 #[test]
 fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
     let mut random = Random::seeded(51);

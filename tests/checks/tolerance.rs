@@ -178,8 +178,8 @@ fn random_ranges(n: usize, setup: &Setup<f64>, part: f64) -> Vec<Vary> {
 }
 
 /// Asserts that the errors of all drives are at most a micrometre. `errors` returns the errors of
-/// the drives of a setup in ranges around it; half the width of a range is one of the fractions
-/// `parts` of the setup's value.
+/// drives with a setup's parameters varied over ranges. Each range extends to both sides of the
+/// setup's value, by one of the fractions `parts` of it.
 fn within_a_micrometre(
     parts: &[f64; 2],
     errors: impl Fn(&Setup<f64>, &[Vary]) -> Option<Errors> + Sync,

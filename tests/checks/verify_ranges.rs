@@ -133,8 +133,8 @@ fn differences_certify_derivatives_at_both_ends_of_every_range() {
     }
 }
 
-/// At the end of its range a parameter has only a one-sided slope. At a kink, the check does not
-/// compare this slope with the derivative, which is the mean of the slopes at both sides.
+/// At the end of its range a parameter has only a one-sided slope. The derivative at a kink is the
+/// mean of the slopes at both sides, so the check does not compare the two.
 #[test]
 fn differences_confirm_the_one_sided_slope_of_a_corner_at_the_end_of_a_range() {
     let mut setup = Setup::default();
@@ -158,7 +158,7 @@ fn differences_confirm_the_one_sided_slope_of_a_corner_at_the_end_of_a_range() {
     close(above, (little - none) / 1e-6, above, 1e-4, "slope");
 }
 
-/// A lateral distance that hardly depends on the parameter at the end of its range: one-sided
+/// The parameter is at the end of its range, and lateral hardly depends on it: one-sided
 /// differences are as accurate as central ones.
 #[test]
 fn differences_to_one_side_show_a_small_derivative() {

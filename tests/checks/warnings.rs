@@ -345,8 +345,8 @@ fn same_count_of_a_sweep_for_any_threads() {
     }
 }
 
-/// Spin ratio, Reynolds number and speed by their definitions, in lanes and in single drives, in
-/// wind, for values and for gradients.
+/// The validity limits of a batch (spin ratio, Reynolds number and speed) follow from their
+/// definitions: in lanes and in single drives, in wind, for values and for gradients.
 #[test]
 fn exact_validity_limits_of_a_batch_by_their_definitions() {
     let mut setup = Setup::default();

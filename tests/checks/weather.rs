@@ -719,7 +719,7 @@ fn contradictory_weather_settings_are_refused() {
         "{}",
         idle.err
     );
-    // a drive that is differentiated by the weather has the weather, too
+    // a setting of the temperature is also the weather of a drive that is differentiated by it
     let vary = [
         "gradient",
         &dense,
