@@ -419,8 +419,8 @@ fn messages_that_cannot_be_flown_give_the_reason() {
     );
 }
 
-/// The carries of these messages are in metres, and are read in yards. A message has no head, so the
-/// advice names its `Units`.
+/// The carries of these messages are in metres, and are read in yards. Messages have no heads, so
+/// the advice names `Units`.
 #[test]
 fn the_advice_on_a_wrong_unit_of_messages_names_their_units() {
     let message = r#"{"BallData": {"Speed": 160, "VLA": 12, "HLA": 0, "TotalSpin": 2500, "SpinAxis": 0,

@@ -845,8 +845,8 @@ fn exact_gusts_in_the_uncertainty_of_the_wind() {
     assert_eq!(sigma(&rough, "wind.speed"), 1.0_f64.hypot(8.0));
 }
 
-/// If the height of the centre of gravity is stated, a strike has only the uncertainty of the
-/// ball's mark on the face. If not, the uncertainty of the sweet spot is added.
+/// If the height of the centre of mass is stated, strikes are measured from the face centre, with
+/// the uncertainty of the ball's mark only. If not, the uncertainty of the sweet spot is added.
 #[test]
 fn the_uncertainty_of_a_strike_has_the_source_of_its_size() {
     let sigma = |setup: &Setup<f64>| {
