@@ -13,19 +13,20 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// The best design for the mean swing, and the accuracy of the goals at the best design.
+/// The best design for the mean swing, and the errors of the goals at the best design for all
+/// swings.
 #[derive(Clone, Debug)]
 pub struct SwingsAnalysis {
     /// The best design for the mean swing, or the reason why it was not found.
     pub nominal: std::result::Result<Nominal, String>,
-    /// The error of each goal at the best design (first the objective, then the limited goals),
-    /// estimated from other scenarios of the same distributions. Empty for recorded swings, which
-    /// have no other scenarios.
+    /// The error of each goal at the best design for all swings: first the objective, then the
+    /// limited goals. The errors are estimated from other scenarios of the same distributions.
+    /// Empty for recorded swings, which have no other scenarios, and if the goals have no value.
     pub errors: Vec<GoalError>,
 }
 
 impl SwingsAnalysis {
-    /// The error of the objective; `None` for recorded swings.
+    /// The error of the objective; `None` if [`errors`](Self::errors) is empty.
     pub fn error(&self) -> Option<&GoalError> {
         self.errors.first()
     }
@@ -46,12 +47,13 @@ pub struct Nominal {
 /// The error of a goal, estimated from other scenarios with the same design.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GoalError {
-    /// The error of the quadrature: twice the change of the goal with 1.5 times as many nodes.
+    /// The error of the quadrature, SI: twice the change of the goal if each parameter has 1.5
+    /// times as many nodes.
     Quadrature(f64),
-    /// The error of a sequence of swings.
+    /// The sampling error of a Sobol' sequence of swings.
     Sampling(SamplingError),
-    /// Unknown, for example because the ball does not fly in a swing of the other scenarios. The
-    /// text is the reason.
+    /// The reason why the error is unknown, for example that the ball does not fly in a swing of
+    /// the other scenarios.
     Unknown(String),
 }
 
@@ -66,14 +68,13 @@ pub struct SamplingError {
     pub sequences: usize,
 }
 
-/// Probability level of the quantile of Student's distribution: upper end of a 99 % interval.
+/// Cumulative probability of Student's t distribution at the upper end of a 99 % interval.
 const QUANTILE: f64 = 0.995;
 /// Safety factor of the quadrature error, for the neglected error of the finer rule.
 const SAFETY: f64 = 2.0;
 
-/// Computes the best design for the mean swing and the errors of the goals. A field contains the
-/// reason if the search for the mean swing does not converge, or if another scenario does not fly.
-/// `None` if `stop` became true before the end.
+/// Computes the best design for the mean swing, and the errors of the goals at the optimum `best`
+/// over `swings`. `None` if `stop` became true before the end.
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).
@@ -91,7 +92,7 @@ pub fn analyse_over_swings(
     }
 }
 
-/// Does the work of [`analyse_over_swings`]. If `stop` becomes true, the result is incomplete.
+/// [`analyse_over_swings`], with an incomplete result if `stop` becomes true.
 fn analysed(
     setup: &Setup<f64>,
     swings: &Swings,
@@ -133,7 +134,6 @@ fn analysed(
     })
 }
 
-/// `search` with other scenarios.
 fn over(search: &Search, scenarios: Scenarios) -> Search {
     Search {
         scenarios,
@@ -141,8 +141,10 @@ fn over(search: &Search, scenarios: Scenarios) -> Search {
     }
 }
 
-/// The quadrature or sampling error of each goal at the best design `x`. The other scenarios of a
-/// goal may contain a swing that does not fly; this concerns no goal with other scenarios.
+/// The error of each goal at the best design `x`, where the goals have the values `goals`. With
+/// Gauss's rule, a smooth goal is compared with a finer rule. Every other goal is compared with
+/// independent Sobol' sequences. If a swing of the finer rule does not fly, only the errors of the
+/// smooth goals are unknown; likewise for the sequences. Empty without distributions.
 fn errors_of(problem: &SearchProblem, swings: &Swings, x: &[f64], goals: &[f64]) -> Vec<GoalError> {
     let search = &problem.search;
     let of: Vec<&Goal> = search.goals().collect();

@@ -13,9 +13,9 @@ use toml::de::{DeTable, DeValue};
 const MOST_ROWS: u64 = 100_000;
 
 impl Swings {
-    /// Swings from a file. A file `.toml` has distributions and correlations. Any other file is a
-    /// table of recorded swings: a row for each swing, and column heads that are names of
-    /// parameters, as [`open_table`] reads them.
+    /// Swings from a file. A `.toml` file has distributions and correlations. Any other file is a
+    /// table of recorded swings, which [`open_table`] reads: a row for each swing, and names of
+    /// parameters as column heads.
     ///
     /// ```toml
     /// [distributions]
@@ -137,7 +137,8 @@ fn read(setup: &Setup<f64>, text: &str, file: &str) -> Result<Swings> {
     Swings::distributed(inputs, &correlations)
 }
 
-/// Distributions from a TOML table whose dotted keys are parameters.
+/// Adds the distributions of a TOML table to `inputs`. A dotted key such as `swing.speed` is a
+/// nested table; `before` is the part of the key outside the table, `swing.`.
 fn distributions(
     setup: &Setup<f64>,
     table: &DeTable<'_>,

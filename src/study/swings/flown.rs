@@ -48,7 +48,8 @@ pub(in crate::study) fn columns(
         .collect())
 }
 
-/// The outcomes of one swing.
+/// The outcomes of one swing, computed without a batch: for a search over one drive, and for a
+/// swing that has no outcomes in its batch.
 ///
 /// # Errors
 /// [`Error::NoFlight`] if the ball does not fly.
@@ -67,7 +68,8 @@ fn of_swing(
     Ok(found.into_iter().map(|outcome| outcome.value).collect())
 }
 
-/// Message that the ball does not fly in a scenario, with the values of the parameters that vary.
+/// Message that the ball does not fly in a scenario. It names the values of the scenario's
+/// parameters.
 pub(in crate::study) fn no_flight(scenarios: &Scenarios, point: &[f64], error: &Error) -> String {
     if scenarios.is_one_drive() {
         return error.to_string();

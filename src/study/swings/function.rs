@@ -11,8 +11,8 @@ use std::sync::atomic::AtomicBool;
 
 /// A goal over swings as a function of some design parameters, with derivatives up to second order.
 /// It can be the objective of any optimizer. Measures with a kink or jump (`lowest`, `highest`,
-/// `within`) are smoothed. The setup states the integration method and time step, which
-/// [`StepChoice`](crate::integration::StepChoice) can choose.
+/// `within`) are smoothed. The drives use the setup's integration method and time step; to choose
+/// them for a tolerance, see [`StepChoice::for_swings`].
 ///
 /// ```
 /// use longdrive::Setup;
@@ -36,9 +36,9 @@ pub struct GoalFunction {
 }
 
 impl StepChoice {
-    /// Selects integration method and time step for a goal over swings as a function of parameters.
-    /// Like [`for_function`](Self::for_function), but the drives also cover the ranges of the
-    /// swings. Interrupted once `stop` is true.
+    /// Selects integration method and time step for a goal over swings as a function of the
+    /// parameters `wrt`. Like [`for_function`](Self::for_function), but the drives with which steps
+    /// are tried also cover the ranges of the swings. Interrupted once `stop` is true.
     ///
     /// # Errors
     /// The errors of [`for_function`](Self::for_function); [`Error::Stopped`] after an interrupt.
@@ -56,7 +56,9 @@ impl StepChoice {
 }
 
 impl Integration {
-    /// A goal over swings.
+    /// A goal over swings as a function of the parameters `wrt`, with this method and time step. A
+    /// drive whose defect exceeds [`largest_defect`](Self::largest_defect) is repeated with shorter
+    /// steps.
     ///
     /// # Errors
     /// The errors of [`GoalFunction::new`].
@@ -76,8 +78,8 @@ impl GoalFunction {
     /// The goal as a function of the parameters `wrt`.
     ///
     /// # Errors
-    /// [`Error::Nothing`] without a parameter; [`Error::Unreadable`] for a parameter that the
-    /// swings vary; the errors of [`Setup::validate`].
+    /// [`Error::Nothing`] without a parameter; [`Error::Unreadable`] for a parameter that is in
+    /// both `wrt` and the swings; the errors of [`Setup::validate`].
     pub fn new(
         setup: &Setup<f64>,
         goal: &Goal,
@@ -106,7 +108,7 @@ impl GoalFunction {
         Ok(Self { problem })
     }
 
-    /// The parameters, in the order of the values and derivatives.
+    /// The parameters of the function, in the order of its arguments and derivatives.
     pub fn parameters(&self) -> &[&'static Parameter] {
         &self.problem.vary
     }

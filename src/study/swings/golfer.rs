@@ -11,7 +11,8 @@ pub enum Swings {
     Distributed {
         /// The parameters that vary, with their distributions.
         inputs: Vec<Uncertain>,
-        /// Lower triangular factor L of the correlation matrix L Lᵀ of the normal scores.
+        /// Lower triangular Cholesky factor L: L Lᵀ is the correlation matrix of the normal scores
+        /// of `inputs` (see [`Correlation`]).
         factor: Vec<Vec<f64>>,
     },
     /// Recorded swings with equal probability.
@@ -20,13 +21,14 @@ pub enum Swings {
         parameters: Vec<&'static Parameter>,
         /// Values of the parameters, SI, a row for each swing.
         rows: Vec<Vec<f64>>,
-        /// Remarks on the columns of the table that were not read.
+        /// Remarks on ignored columns of the table; empty without a table.
         remarks: Vec<Message>,
     },
 }
 
-/// Correlation of the normal scores of two parameters (a Gaussian copula). For normal distributions
-/// it is the correlation of the parameters themselves.
+/// Correlation of the normal scores of two parameters (a Gaussian copula). The normal score of a
+/// value with cumulative probability p is the standard normal quantile of p. For normal
+/// distributions the correlation of the scores is the correlation of the parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correlation {
     /// The two parameters.
@@ -87,11 +89,6 @@ impl Correlation {
     }
 }
 
-/// The correlation matrix of the normal scores of the inputs.
-///
-/// # Errors
-/// [`Error::Unreadable`] for a correlation of a parameter without a distribution, and for two
-/// correlations of the same parameters.
 fn correlation_matrix(inputs: &[Uncertain], correlations: &[Correlation]) -> Result<Vec<Vec<f64>>> {
     let n = inputs.len();
     let mut matrix: Vec<Vec<f64>> = (0..n)
@@ -230,8 +227,8 @@ impl Swings {
 /// diagonal. If A is not positive semidefinite, the error is the index of the row at which the
 /// factorization fails.
 fn factored(a: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, usize> {
-    /// A negative pivot above −`ROUNDING` counts as 0, because correlations are given with few
-    /// digits.
+    /// A negative pivot above −`ROUNDING` counts as 0: rounding can make a pivot of a singular
+    /// matrix negative.
     const ROUNDING: f64 = 1e-12;
     let n = a.len();
     let mut l = vec![vec![0.0; n]; n];
@@ -271,7 +268,7 @@ mod tests {
                 assert!((product - a[i][j]).abs() < 1e-15);
             }
         }
-        // three numbers cannot all have strong negative correlations
+        // no three variables have strong negative correlations in all pairs
         let opposite = [
             vec![1.0, -0.9, -0.9],
             vec![-0.9, 1.0, -0.9],

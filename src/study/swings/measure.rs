@@ -15,11 +15,12 @@ pub enum Measure {
     Deviation(Outcome),
     /// Root mean square of an outcome.
     RootMeanSquare(Outcome),
-    /// Mean of an outcome over this share of the drives, those with the lowest values: the
-    /// conditional value at risk. The search smooths it (after Chen & Harker 1993; Kanzow 1996;
+    /// Conditional value at risk: mean of an outcome over the drives with the lowest values, which
+    /// are this share of all drives. The search smooths it (after Chen & Harker 1993; Kanzow 1996;
     /// Smale 1987).
     Lowest(Outcome, f64),
-    /// Mean of an outcome over this share of the drives, those with the highest values.
+    /// Mean of an outcome over the drives with the highest values, which are this share of all
+    /// drives.
     Highest(Outcome, f64),
     /// Share of drives whose outcome is within this distance of 0. The search smooths the jump at
     /// either limit over one display unit.
@@ -79,8 +80,9 @@ impl Measure {
         )
     }
 
-    /// Exact measure, without smoothing, from a column of values for each of its outcomes. 0 for
-    /// `Parameter` and `One`, which have no outcomes; the search evaluates them itself.
+    /// The exact measure, without smoothing. `columns` has, for each outcome of the measure, its
+    /// values in all scenarios. The result is 0 for `Parameter` and `One`, which have no outcomes;
+    /// the search evaluates them itself.
     pub(in crate::study) fn exact(&self, columns: &[&[f64]], weights: &[f64]) -> f64 {
         let each = || columns[0].iter().copied().zip(weights.iter().copied());
         let mean = |f: &dyn Fn(f64) -> f64| each().map(|(x, weight)| weight * f(x)).sum::<f64>();
@@ -107,9 +109,10 @@ impl Measure {
         }
     }
 
-    /// Measure with smoothed kinks and jumps, from its outcomes in each scenario, with their
-    /// derivatives. An outcome without a Hessian counts with a Hessian of 0. 0 for `Parameter` and
-    /// `One`, which have no outcomes; the search evaluates them itself.
+    /// The measure with smoothed kinks and jumps, and its derivatives up to `order`. `drives` has
+    /// the measure's outcomes in each scenario. A missing Hessian of an outcome counts as 0. The
+    /// result is 0 for `Parameter` and `One`, which have no outcomes; the search evaluates them
+    /// itself.
     pub(in crate::study) fn smoothed(
         &self,
         drives: &[Vec<&Taylor>],
@@ -220,7 +223,7 @@ fn deviation(drives: &[(&Taylor, f64)], least: f64, is_second: bool) -> Taylor {
     root(&summed(squares, &mean.gradient, is_second), least)
 }
 
-/// `f`, with a Hessian of 0 if `is_second` and `f` has none.
+/// `f`; if `is_second` and `f` has no Hessian, with a Hessian of 0.
 fn with_hessian(f: &Taylor, is_second: bool) -> Taylor {
     let n = f.gradient.len();
     let mut of_order = f.clone();
@@ -250,7 +253,7 @@ fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
 /// The lowest share α of the values uₖ = ±fₖ. Its smoothed mean is the maximum over t of
 /// G(t) = t − 1/α Σ wₖ φ(t − uₖ) with φ(z) = (z + √(z² + 4ε²))/2. For ε → 0, it is the exact mean.
 struct LowestShare<'a> {
-    /// For each drive: its outcome, with derivatives if they are needed, and its weight.
+    /// Outcome, with derivatives up to the required order, and weight of each drive.
     drives: &'a [(&'a Taylor, f64)],
     /// 1 for the mean of the lowest share of the values, −1 for that of the highest share.
     sign: f64,
@@ -448,8 +451,8 @@ mod tests {
         }
     }
 
-    /// Compares each measure of ten numbers of equal weight, exact and smoothed, with its
-    /// definition.
+    /// Compares the exact and the smoothed form of each measure with its definition, for ten
+    /// numbers of equal weight.
     #[test]
     fn exact_measures_of_ten_numbers() {
         let values: Vec<f64> = taylors([0.7, -0.4])

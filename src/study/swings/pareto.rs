@@ -38,8 +38,9 @@ pub struct Pareto {
     pub points: Vec<ParetoPoint>,
     /// Index of the knee (see [`Front::knee`]); `None` if the front has no knee.
     pub knee: Option<usize>,
-    /// The largest distance of the front from the straight line between its ends, divided by the
-    /// length of the line, with both goals scaled to run from 0 to 1 between the ends.
+    /// The largest distance of the front from the straight line between its ends, towards better
+    /// values, divided by the length of the line. Both goals are scaled to run from 0 to 1 between
+    /// the ends.
     pub bend: f64,
     /// Values of the goals at the setup's own design; `None` if the ball does not fly in one of the
     /// swings.
@@ -64,7 +65,8 @@ pub struct ParetoPoint {
     pub slope: Option<f64>,
     /// The active bounds and constraints.
     pub active: Vec<Active>,
-    /// Change of the active set, or jump to another branch, at this point, if any.
+    /// Text on a change of the active set, or a jump to another branch of designs, at this point.
+    /// `None` if there is neither.
     pub event: Option<String>,
     /// True if the front is disconnected between the previous point and this one.
     pub is_after_gap: bool,
@@ -161,8 +163,8 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, follow: &Observers) -> R
 }
 
 impl ParetoSearch {
-    /// The search for the best first goal. The second goal is the last constraint, without
-    /// limits.
+    /// The search for the best value of the first goal. The second goal is its last constraint,
+    /// without limits, so that its values are computed too.
     fn first_goal(&self) -> Search {
         let [(first, sense), (second, _)] = self.goals.clone();
         let mut subject_to = self.subject_to.clone();
@@ -177,8 +179,8 @@ impl ParetoSearch {
         }
     }
 
-    /// A point of the front with its goals, which are computed even after an interrupt. `sign`
-    /// converts the slope of the minimized functions to the slope of the goals.
+    /// Converts a point of the optimizer's front. Its goals are computed even after an interrupt.
+    /// `sign` converts the slope of the minimized functions to the slope of the goals.
     fn point(&self, problem: &SearchProblem, point: FrontPoint, sign: f64) -> Result<ParetoPoint> {
         let values = problem.values_uninterrupted(&point.x)?;
         let active = self.active(&point.x, &point.active_set);
@@ -199,14 +201,13 @@ impl ParetoSearch {
         })
     }
 
-    /// The active bounds and constraints of a design.
     fn active(&self, x: &[f64], held: &ActiveSet) -> Vec<Active> {
         let is_lower = |i: usize| x[i] - self.vary[i].low <= self.vary[i].high - x[i];
         active(&self.vary, &self.subject_to, held, is_lower)
     }
 }
 
-/// The error for an end of the front that was not found, with the name of its goal.
+/// The error if an end of the front was not found. It names the goal that is best at this end.
 fn named(none: FrontError, search: &ParetoSearch, problem: &SearchProblem) -> Error {
     let FrontError::NoEnd { function, found } = none else {
         return none.into_error();

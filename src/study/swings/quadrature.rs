@@ -4,12 +4,12 @@ use nalgebra::{DMatrix, SymmetricEigen};
 /// Normal distributions are truncated at this many standard deviations. Only 6 of 100,000 swings
 /// are beyond, and many of these miss the ball.
 pub(super) const REACH: f64 = 4.0;
-/// Number of samples of a density on each interval on which it is smooth.
+/// Number of samples of a density on each interval in which the density is smooth.
 const SAMPLED: usize = 96;
 
-/// Nodes and weights of a Gauss rule from the recurrence of its orthogonal polynomials (Golub &
-/// Welsch 1969): the diagonal and the off-diagonal of the symmetric tridiagonal matrix. The weights
-/// sum to 1.
+/// Nodes and weights of a Gauss rule (Golub & Welsch 1969). `diagonal` and `beside` (off-diagonal)
+/// are the entries of the symmetric tridiagonal matrix of the recurrence of its orthogonal
+/// polynomials. The weights sum to 1.
 fn gauss(diagonal: &[f64], beside: &[f64]) -> Vec<(f64, f64)> {
     let n = diagonal.len();
     let mut jacobi = DMatrix::zeros(n, n);
@@ -137,8 +137,8 @@ mod tests {
     }
 
     /// The rules reproduce the mean and the next three central moments, which have closed forms.
-    /// The closed forms of the truncated normal distribution are as accurate as the library's error
-    /// function.
+    /// Those of the truncated normal distribution are only as accurate as the error function of
+    /// statrs.
     #[test]
     fn moments_of_each_rule_by_closed_forms() {
         let all = [
@@ -201,8 +201,8 @@ mod tests {
         }
     }
 
-    /// Compares a truncated normal distribution with Simpson's rule with 200,000 intervals, summed
-    /// without rounding.
+    /// The expected moments come from Simpson's rule with 200,000 intervals, summed without
+    /// rounding.
     #[test]
     fn independent_moments_of_a_normal_distribution_between_two_ends() {
         let found = moments(&Distribution::Truncated {

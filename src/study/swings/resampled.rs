@@ -42,8 +42,9 @@ pub struct Resampled {
 /// z₀.₉₇₅ + z₀.₈, normal quantiles for a confidence of 95 % and a power of 80 %.
 const POWER: f64 = 1.959_963_985 + 0.841_621_234;
 
-/// The optima of resamples of recorded swings. `None` if fewer than half of the searches converged,
-/// if all swings are equal, or if `stop` became true before the end.
+/// Confidence intervals of the optimum `best` by the bootstrap: searches over `rounds` resamples of
+/// its recorded swings, drawn with replacement. `None` if fewer than half of the searches
+/// converged, if all swings are equal, or if `stop` became true before the end.
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).
@@ -118,12 +119,13 @@ struct Round {
     /// Value of the objective at this optimum, with the swings of the resample; `None` if the ball
     /// does not fly in one of the swings.
     value: Option<f64>,
-    /// The gain of the best design over the setup's design, with the swings of the resample; `None`
-    /// if the ball does not fly in one of the swings.
+    /// How much better the best design for all swings is than the setup's design, with the swings
+    /// of the resample; `None` if the ball does not fly in one of the swings.
     gain: Option<f64>,
 }
 
-/// The search over a resample, started at the best design; `None` if it does not converge.
+/// Searches over the resample with these weights, from the best design for all swings. `None` if
+/// the search does not converge.
 fn searched_again(
     problem: &SearchProblem,
     best: &Optimum,
@@ -153,8 +155,8 @@ fn searched_again(
     })
 }
 
-/// The number of swings at which a mean gain is significant, from the gains over resamples of n
-/// swings. `None` if the mean gain is not positive.
+/// The number of swings at which the gain `mean` differs significantly from 0. `gains` are the
+/// gains over resamples of n swings. `None` if `mean` is not positive.
 fn swings_needed(mean: f64, gains: &[f64], n: usize) -> Option<u64> {
     let moments = Moments::of(gains.iter().copied());
     let deviation = moments.deviation().unwrap_or(f64::NAN);

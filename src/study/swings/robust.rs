@@ -131,23 +131,24 @@ pub struct Robust {
     pub search: Search,
     /// The models, each with its own best design.
     pub models: Vec<(Model, Optimum)>,
-    /// Loss of each model (row) with the best design of each model (column); `None` if a constraint
-    /// is violated or the ball does not fly in one of the swings.
+    /// Loss of each model (row) with the best design of each model (column), SI. `None` if the
+    /// design violates a constraint with the model of the row, or if the ball does not fly in one
+    /// of the swings.
     pub matrix: Vec<Vec<Option<f64>>>,
     /// Result of the search for the minimax design. Its variables are the design parameters and the
     /// greatest loss t.
     pub solution: Solution,
     /// The minimax design.
     pub design: Vec<f64>,
-    /// The first model's setup with this design.
+    /// The first model's setup with the minimax design.
     pub setup: Setup<f64>,
-    /// The values of each model's goals at this design: first the objective, then the limited
-    /// goals.
+    /// The values of each model's goals at the minimax design, SI: first the objective, then the
+    /// limited goals.
     pub goals: Vec<Vec<f64>>,
-    /// The loss of each model with this design.
+    /// The loss of each model with the minimax design, SI.
     pub losses: Vec<f64>,
-    /// Multiplier of each model's loss. The multipliers sum to 1, and are 0 for models whose
-    /// loss is below the greatest loss.
+    /// Multiplier of each model's constraint, loss ≤ greatest loss. The multipliers sum to 1. A
+    /// model whose loss is below the greatest loss has the multiplier 0.
     pub shares: Vec<f64>,
     /// The loss of each model with the design as set up; `None` if a constraint is violated or the
     /// ball does not fly in one of the swings.
@@ -167,10 +168,11 @@ pub struct ModelLimit<'a> {
     pub constraint: &'a Constraint,
     /// Exact value of the limited goal, with the multiplier.
     pub at: ConstraintValue,
-    /// Gradient of the limited goal by the design parameters and the greatest loss.
+    /// Gradient of the limited goal by the variables of the search: the design parameters, then
+    /// the greatest loss.
     pub slopes: &'a [f64],
-    /// Decrease of the greatest loss per unit by which the limit is relaxed. For an equality
-    /// constraint: per unit by which its limit is raised.
+    /// Decrease of the greatest loss per unit by which the limit is relaxed; for an equality
+    /// constraint, per unit by which the limit is raised.
     pub gain: f64,
 }
 
@@ -200,9 +202,10 @@ impl Robust {
         })
     }
 
-    /// Decrease of the greatest loss per unit by which a bound of a variable is widened (lower
-    /// bound, upper bound). It is the multiplier of the bound, minus what each model's own best
-    /// design gains from the wider bound, weighted by [`shares`](Self::shares).
+    /// Decrease of the greatest loss per unit by which the lower or the upper bound of a variable
+    /// is widened. The wider bound also improves the models' own best designs. The decrease is
+    /// therefore the multiplier of the bound, minus the mean multiplier of the bound at these
+    /// designs, weighted by [`shares`](Self::shares).
     pub fn bound_prices(&self, variable: usize) -> [f64; 2] {
         let price = |multipliers: fn(&Solution) -> &[f64]| {
             let of_bests = self.shares.iter().zip(&self.models);
@@ -225,7 +228,7 @@ impl Robust {
             own if self.search.subject_to[limit].is_equation() => {
                 own - self.shares[model] * of_best
             }
-            // at the model's own best design the opposite limit is active
+            // the model's own best design is at the opposite limit, which is not relaxed
             own if own * of_best < 0.0 => own.abs(),
             own => own.abs() - self.shares[model] * of_best.abs(),
         }
@@ -337,10 +340,6 @@ pub fn robust(
     })
 }
 
-/// The models, each with its own best design.
-///
-/// # Errors
-/// [`Error::NotConverged`] for a model without a best design.
 fn best_of_each(
     models: Vec<Model>,
     search: &Search,
@@ -375,10 +374,10 @@ fn shares(solution: &Solution, limits: usize) -> Vec<f64> {
     losses.map(|at| at.multiplier.max(0.0)).collect()
 }
 
-/// The best end of the searches for the minimax design.
+/// The solution of the best of `ends`, which is the first.
 ///
 /// # Errors
-/// [`Error::NotConverged`] if no point of the searches has a value.
+/// [`Error::NotConverged`] if no search reached a point at which the goals have values.
 fn least_loss(ends: Vec<LocalMinimum>) -> Result<Solution> {
     let best = ends.into_iter().next().ok_or(Error::Nothing {
         doing: "search from",
@@ -401,11 +400,10 @@ fn least_loss(ends: Vec<LocalMinimum>) -> Result<Solution> {
 /// model, the loss minus t, then the limited goals.
 struct Losses<'a> {
     search: &'a Search,
-    /// Problem of each model.
     problems: Vec<SearchProblem>,
     /// f*ₖ of each model.
     least: Vec<f64>,
-    /// f*ₖ of each model with smoothed kinks and jumps, from the model's own search.
+    /// f*ₖ of each model with the smoothed goal that its own search minimized.
     smoothed_least: Vec<f64>,
 }
 
@@ -427,7 +425,6 @@ impl<'a> Losses<'a> {
         })
     }
 
-    /// The loss of a model whose goals have these values.
     fn loss(&self, model: usize, goals: &[f64]) -> f64 {
         self.search.sense.sign() * goals[0] - self.least[model]
     }
@@ -494,13 +491,11 @@ impl<'a> Losses<'a> {
             .collect()
     }
 
-    /// The loss of each model, from the values of its goals.
     fn losses(&self, goals: &[Vec<f64>]) -> Vec<f64> {
         let all = goals.iter().enumerate();
         all.map(|(model, goals)| self.loss(model, goals)).collect()
     }
 
-    /// The domain of the variables (x, t) and of the functions.
     fn domain(&self) -> Result<Domain> {
         let Bounds { mut low, mut high } = self.problems[0].domain.variables.clone();
         low.push(f64::NEG_INFINITY);

@@ -43,7 +43,7 @@ pub struct Scenarios {
 
 /// Largest number of parameters integrated by Gauss's rules.
 const MOST_INTEGRATED: usize = 3;
-/// Number of nodes per parameter, for one, two and three parameters.
+/// Number of Gauss nodes per parameter, for one, two and three parameters.
 const NODES: [usize; MOST_INTEGRATED] = [32, 16, 8];
 /// Number of scenarios for more than three parameters.
 const SCENARIOS: usize = 512;
@@ -64,8 +64,9 @@ impl Rule {
         }
     }
 
-    /// Default rule for swings, by their number of parameters; with `count`, a sequence of `count`
-    /// scenarios.
+    /// The rule for distributed swings: with `count`, a sequence of `count` scenarios; without,
+    /// Gauss's rules for up to three parameters and a sequence for more. Recorded swings are the
+    /// scenarios themselves.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a `count`
@@ -119,7 +120,7 @@ impl Rule {
     }
 
     /// Refuses a rule without scenarios, or with more than [`MOST_SCENARIOS`] for this number of
-    /// parameters. The scenarios of [`Rule::Recorded`] exist already.
+    /// parameters. Recorded swings are not checked: [`Swings::recorded`] refuses an empty list.
     fn check_count(self, parameters: usize) -> Result<()> {
         let count = match self {
             Self::Quadrature(nodes) => nodes.saturating_pow(parameters as u32),
@@ -180,8 +181,8 @@ impl Scenarios {
     /// # Errors
     /// The errors of [`Uncertain::check`]; [`Error::Unreadable`] for [`Rule::Recorded`] with
     /// distributions, for another rule with recorded swings, for a rule without scenarios or with
-    /// more than 100,000, and for a value outside the parameter's allowed range. A `truncated`
-    /// distribution with bounds inside this range has no such values.
+    /// more than 100,000, and for a value outside the parameter's allowed range. To avoid such
+    /// values, give a `truncated` distribution with bounds inside this range.
     pub fn new(swings: &Swings, rule: Rule) -> Result<Self> {
         if let Swings::Distributed { inputs, .. } = swings {
             inputs.iter().try_for_each(Uncertain::check)?;
@@ -231,8 +232,8 @@ impl Scenarios {
     }
 
     /// Independent scramblings of Sobol's sequence over the same distributions, for estimates from
-    /// points that no search has used. Each sequence has at least as many points as there are
-    /// scenarios. Empty without distributions.
+    /// points that no search has used. Each has [`POINTS`] points, or the number of points of the
+    /// rule if this is a longer sequence. Empty without distributions.
     pub(in crate::study) fn sequences(&self) -> Vec<Result<Self>> {
         let Some(swings) = &self.distributed else {
             return vec![];
@@ -256,8 +257,8 @@ impl Scenarios {
             .collect()
     }
 
-    /// Bounds of the distribution of a parameter (by index), SI; they may be infinite. `None` for
-    /// recorded swings.
+    /// Bounds, SI, of the distribution of the parameter with index `of`; they may be infinite.
+    /// `None` without distributions.
     fn bounds(&self, of: usize) -> Option<[f64; 2]> {
         match &self.distributed {
             Some(Swings::Distributed { inputs, .. }) => Some(inputs[of].distribution.bounds()),
@@ -265,8 +266,9 @@ impl Scenarios {
         }
     }
 
-    /// The scenarios, followed by copies in which the parameters of `of` have the values of the
-    /// bounds of their distributions, in all combinations of lower and upper bounds. A parameter
+    /// The points of the scenarios, followed by copies for a function of the parameters with the
+    /// indices `of`. In a copy, each of these parameters has the value of a bound of its
+    /// distribution. There are copies for all combinations of lower and upper bounds. A parameter
     /// with an infinite bound keeps its values.
     pub(crate) fn with_bounds<'a>(&'a self, of: &[usize]) -> impl Iterator<Item = Vec<f64>> + 'a {
         let bounds = |k: &usize| Some((*k, self.bounds(*k)?));
@@ -279,8 +281,8 @@ impl Scenarios {
         } else {
             1_usize << bounded.len()
         };
-        // if all distributions of `of` are bounded, their values are the same in the copies of
-        // every scenario: copies of the first scenario are enough
+        // if all parameters of `of` are bounded, the copies of each scenario give them the same
+        // values, so that copies of the first scenario are enough
         let others = if unbounded.is_empty() {
             1
         } else {
@@ -299,8 +301,8 @@ impl Scenarios {
         self.points.iter().cloned().chain(cornered)
     }
 
-    /// True if the distribution of a parameter has an infinite bound: the parameter then has values
-    /// beyond the scenarios.
+    /// True if the distribution of the parameter with index `of` has an infinite bound: the
+    /// distribution then has values beyond those of the scenarios.
     pub(crate) fn is_unbounded(&self, of: usize) -> bool {
         self.bounds(of)
             .is_some_and(|bounds| bounds.iter().any(|bound| bound.is_infinite()))
@@ -318,14 +320,14 @@ impl Scenarios {
     }
 }
 
-/// Points with equal weights.
 fn equally_weighted(points: Vec<Vec<f64>>) -> (Vec<Vec<f64>>, Vec<f64>) {
     let weights = vec![1.0 / points.len() as f64; points.len()];
     (points, weights)
 }
 
-/// Point `k` of a scrambled Sobol' sequence. Its coordinates become normal scores within ±`REACH`,
-/// the scores are correlated, and each score becomes the value of its distribution.
+/// Point `k` of a scrambled Sobol' sequence. Its coordinates become independent normal scores
+/// within ±`REACH`, `factor` correlates the scores, and each score becomes a value of its
+/// distribution.
 fn sequence_point(inputs: &[Uncertain], factor: &[Vec<f64>], k: u64, seed: u32) -> Vec<f64> {
     let normal = Normal::standard();
     let beyond = normal.cdf(-REACH);
@@ -386,7 +388,7 @@ fn quadrature_points(
     points.into_iter().map(placed).unzip()
 }
 
-/// Value of a distributed number at this normal score.
+/// Value of the distribution whose normal score is `score`.
 fn at_score(input: &Uncertain, score: f64) -> f64 {
     match input.distribution {
         Distribution::Normal { mean, deviation } => mean + deviation * score,
@@ -394,7 +396,7 @@ fn at_score(input: &Uncertain, score: f64) -> f64 {
     }
 }
 
-/// L z.
+/// Correlated normal scores L z from independent scores z.
 fn correlated(factor: &[Vec<f64>], scores: &[f64]) -> Vec<f64> {
     factor
         .iter()

@@ -112,7 +112,6 @@ impl Strokes {
         Self::of_rows(&rows, &columns.unit, runs)
     }
 
-    /// True if the distance is within the range of the table.
     pub(in crate::study) fn reaches(&self, distance: f64) -> bool {
         self.distance[0] <= distance && distance <= self.distance[self.distance.len() - 1]
     }
@@ -179,13 +178,12 @@ impl Strokes {
     }
 }
 
-/// The columns of a table of strokes.
 struct StrokesColumns {
     /// Index of the column of distances.
     distance: usize,
-    /// Unit of the distances.
+    /// Unit of the column of distances.
     unit: String,
-    /// Size of this unit, m.
+    /// Size of `unit`, m.
     unit_size: f64,
     /// Index of the column of strokes.
     strokes: usize,
@@ -231,7 +229,7 @@ impl StrokesColumns {
     }
 }
 
-/// Parses a number, with a decimal comma unless the comma separates cells.
+/// Parses a number. A comma in it is a decimal comma, unless commas separate the cells.
 fn number(cell: &str, separator: u8) -> std::result::Result<f64, String> {
     let plain = match separator {
         b',' => cell.to_owned(),

@@ -4,7 +4,8 @@
 use super::scenarios::{Rule, Scenarios};
 use nalgebra::{DMatrix, DVector};
 
-/// Number of all scenarios per scenario in the subset.
+/// Ratio of the number of all scenarios to the number in the subset, if the subset is then large
+/// enough.
 const REDUCTION: usize = 16;
 /// Minimum number of scenarios in the subset.
 const LEAST: usize = 128;
@@ -41,8 +42,8 @@ fn moments(parameters: usize) -> usize {
 }
 
 /// Weights of the subset that reproduce the means, variances and covariances of the parameters over
-/// all scenarios. They are equal weights plus the smallest change (least squares). A mean over the
-/// subset is then exact for quadratic functions of the parameters.
+/// all scenarios. They are equal weights plus the smallest change, in the least-squares sense, that
+/// achieves this. A mean over the subset is then exact for quadratic functions of the parameters.
 fn subset_weights(subset: &[usize], scenarios: &Scenarios) -> Vec<f64> {
     /// Relative tolerance of singular values: parameters may be constant or linearly dependent.
     const ROUNDING: f64 = 1e-9;

@@ -11,8 +11,9 @@ use crate::study::cancellable::{LIMITS_NOT_CHECKED, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
-/// For each validity limit of the model: the share of the swings that exceed it, with the design of
-/// `setup`. Swings that do not land are not counted. `None` once `stop` is true.
+/// The share of the swings that exceed each validity limit of the model, with the design of
+/// `setup`. A swing that does not land counts as a swing within the limits. `None` once `stop` is
+/// true.
 fn exceeded_shares(
     setup: &Setup<f64>,
     scenarios: &Scenarios,
@@ -31,8 +32,8 @@ fn exceeded_shares(
     Some(share)
 }
 
-/// Warnings about a setup and its drives: for one drive the warnings of [`Setup::drive_warnings`],
-/// for a search over swings, warnings with the share of the swings.
+/// Warnings about a setup and its drives. One drive has the warnings of [`Setup::drive_warnings`].
+/// Over swings, each warning about drives names the share of the swings that it concerns.
 fn warnings(
     setup: &Setup<f64>,
     scenarios: &Scenarios,
@@ -51,10 +52,10 @@ fn warnings(
 }
 
 impl Optimum {
-    /// Warnings about the setup at the optimum and about its drives. If the totals before and after
-    /// the search are compared, a flat landing of the drive at the start gives a warning too.
-    /// Without an optimum, the warnings are about the setup only. Once `stop` is true, a warning
-    /// says that the swings were not checked.
+    /// Warnings about the setup at the optimum and about its drives. If the report compares the
+    /// totals before and after the search, a flat landing of the drive before the search gives a
+    /// warning too. If no drive of the search flies, the warnings are about the setup only. Once
+    /// `stop` is true, a warning says that the swings were not checked.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let mut of = self.search.outcomes();
         if self.compares_totals() {
@@ -92,7 +93,8 @@ impl Robust {
             let of_drives = warnings(&setup, &self.search.scenarios, &of, stop);
             let of_setup = setup.warnings();
             for message in of_drives {
-                // a warning about the setup does not name a model: it concerns all models
+                // a warning that does not come from the drives concerns all models, so that it
+                // names none
                 let message =
                     match of_setup.contains(&message) || message == LIMITS_NOT_CHECKED.into() {
                         true => message,
@@ -109,8 +111,8 @@ impl Robust {
 }
 
 impl Pareto {
-    /// Warnings about the drives at the points of the front, each with the number of points that it
-    /// is about. Once `stop` is true, a warning says that the drives were not checked.
+    /// Warnings about the drives at the points of the front. Each names the number of points that
+    /// it concerns. Once `stop` is true, a warning says that the drives were not checked.
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let Some(first) = self.points.first() else {
             return vec![];
