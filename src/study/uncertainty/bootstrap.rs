@@ -22,14 +22,14 @@ impl Interval {
         (self.low..=self.high).contains(&value)
     }
 
-    /// The interval of the number times a positive factor.
+    /// Estimate and ends times a positive factor.
     pub(super) fn scaled(self, factor: f64) -> Self {
         let [value, low, high] = [self.value, self.low, self.high].map(|end| factor * end);
         Self { value, low, high }
     }
 }
 
-/// The rows of a resample, by index.
+/// Indices of the rows of a resample: as many as `rows`, drawn with replacement.
 pub(in crate::study) fn resampled_rows(random: &mut Xoshiro256PlusPlus, rows: usize) -> Vec<usize> {
     // multiply-shift: uniform up to 2⁻⁶⁴
     let mut row = |_| ((u128::from(random.next_u64()) * rows as u128) >> 64) as usize;
@@ -44,7 +44,9 @@ pub(super) fn quantile(sorted: &[f64], p: f64) -> f64 {
     sorted[below] + part * (sorted[above] - sorted[below])
 }
 
-/// 95 % interval of an estimate: quantiles of its resamples, extended to contain the estimate.
+/// 95 % interval of the estimate `value`: from the 2.5 % to the 97.5 % quantile of the estimates
+/// `drawn` from resamples, extended to contain `value`. Both ends are `value` if no drawn estimate
+/// is finite.
 pub(in crate::study) fn bootstrap_interval(value: f64, mut drawn: Vec<f64>) -> Interval {
     drawn.retain(|value| value.is_finite());
     if drawn.is_empty() {

@@ -76,8 +76,8 @@ impl Distribution {
         }
     }
 
-    /// The distribution with this name and these numbers. `None` if the name is unknown, or if the
-    /// distribution needs another count of numbers.
+    /// The distribution with this name and these numbers, which are not checked. `None` if the name
+    /// is unknown, or if the number of numbers is wrong.
     fn named(name: &str, numbers: &[f64]) -> Option<Self> {
         Some(match (name, numbers) {
             ("normal", &[mean, deviation]) => Self::Normal { mean, deviation },
@@ -108,7 +108,6 @@ impl Distribution {
         })
     }
 
-    /// Reason why the distribution is invalid; `None` if it is valid.
     fn why_invalid(&self) -> Option<&'static str> {
         let numbers = self.numbers();
         let deviation = match *self {
@@ -144,7 +143,7 @@ impl Distribution {
             (0.0..=1.0).contains(&p),
             "a probability must be from 0 to 1, but it is {p}"
         );
-        // a checked width is positive, so the constructors below succeed
+        // the constructors below succeed if the widths are positive, as `check` requires
         match *self {
             Self::Normal { mean, deviation } => {
                 Normal::new(mean, deviation).map_or(f64::NAN, |d| d.inverse_cdf(p))
@@ -269,9 +268,9 @@ impl Distribution {
     }
 }
 
-/// The bounds of a truncated standard normal distribution, and the sign 1. If both bounds are above
-/// the mean, they are mirrored to below it, and the sign is −1: lower-tail probabilities keep full
-/// relative precision, upper-tail probabilities suffer cancellation.
+/// The bounds of a truncated standard normal distribution, with the sign 1. Bounds that are both
+/// above the mean are mirrored to below it, with the sign −1, because probabilities of the lower
+/// tail keep their full relative precision, but those of the upper tail suffer cancellation.
 fn below_the_mean([low, high]: [f64; 2]) -> ([f64; 2], f64) {
     if low > 0.0 {
         ([-high, -low], -1.0)
@@ -306,7 +305,7 @@ pub struct Uncertain {
 }
 
 impl Uncertain {
-    /// Normal distribution about the setup's value.
+    /// Normal distribution with the setup's value as its mean.
     pub fn normal(setup: &Setup<f64>, sigma: &Sigma) -> Self {
         let mean = setup.value(sigma.parameter).unwrap_or_default();
         Self {
@@ -318,7 +317,7 @@ impl Uncertain {
         }
     }
 
-    /// Range of 99.9 % of the values.
+    /// The range from the 0.05 % to the 99.95 % quantile.
     pub fn range(&self) -> Vary {
         let [low, high] = [0.0005, 0.9995].map(|share| self.distribution.quantile(share));
         Vary {
@@ -343,7 +342,7 @@ impl Uncertain {
     /// # Errors
     /// [`Error::Unreadable`] for invalid text; [`Error::OutOfRange`] if the mean of a normal
     /// distribution, or a bound of another distribution, is not an allowed value; the errors of
-    /// [`Setup::column`]. A parameter that is unset in the setup is no error.
+    /// [`Setup::column`]. The setup need not have a value of the parameter.
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source| Error::Unreadable {
             name: format!("the distribution {}", text.trim()),
@@ -371,7 +370,7 @@ impl Uncertain {
                 format!("there is no distribution \"{}\"; {how}", kind.trim()).into(),
             ));
         }
-        // the standard deviation is a difference, which is converted without the offset of its unit
+        // a standard deviation is a difference: convert it without the offset of its unit (°C)
         let is_difference = |at: usize| matches!(kind.trim(), "normal" | "truncated") && at == 1;
         let amounts = inside.split(',').enumerate().map(|(at, part)| {
             let read = if is_difference(at) {
@@ -396,7 +395,7 @@ impl Uncertain {
         }
     }
 
-    /// Checks the distribution and the allowed values of the parameter.
+    /// Checks the distribution, and that the parameter allows its values.
     ///
     /// # Errors
     /// The errors of [`Distribution::check`]; [`Error::OutOfRange`] if the mean of a normal

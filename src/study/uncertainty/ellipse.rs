@@ -1,8 +1,8 @@
 use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, Normal};
 
-/// Smallest ratio of the variances of an ellipse. With a smaller ratio the ellipse is a line, up to
-/// rounding.
+/// Smallest ratio of the variances along the two axes of an ellipse. If the ratio is smaller, the
+/// ellipse is a line, up to rounding.
 const FLAT: f64 = 1e-14;
 
 /// An ellipse that contains a given share of the landings.
@@ -54,9 +54,10 @@ pub enum EllipseSource {
 }
 
 impl LandingEllipse {
-    /// Ellipse for mean and covariance of lateral and carry. Share p of a bivariate normal
-    /// distribution has a squared Mahalanobis distance up to −2 ln(1 − p). Landings on a line are
-    /// univariate: quantiles (1 ± p)/2.
+    /// The ellipse around the mean that contains the share p of a bivariate normal distribution of
+    /// lateral and carry, m, with this covariance, m². In the ellipse, the squared Mahalanobis
+    /// distance is at most −2 ln(1 − p). Landings on a line have a univariate distribution: the
+    /// ends are its quantiles (1 ± p)/2.
     pub fn new(share: f64, [lateral, carry]: [f64; 2], covariance: [[f64; 2]; 2]) -> Self {
         let [[xx, xy], [_, yy]] = covariance;
         let eigen = nalgebra::Matrix2::new(xx, xy, xy, yy).symmetric_eigen();

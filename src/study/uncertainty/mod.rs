@@ -55,11 +55,12 @@ impl Uncertainty {
         self.part_of(|status| !matches!(status, Status::Landed | Status::OutOfRange))
     }
 
-    /// Warnings if many sampled values are not allowed or many drives do not land: the remaining
-    /// drives are not a sample of the distributions.
+    /// Warnings if many sampled values are not allowed, or if many drives do not land. The results
+    /// come from the other drives, which are then not a sample of the distributions.
     pub fn warnings(&self) -> Vec<Message> {
-        /// Largest fraction without a warning. An allowed range that ends 2 standard deviations
-        /// above the mean of a normal distribution excludes 2.3 %, which gives a warning.
+        /// Largest fraction of drives without a warning. Example: if the allowed range ends 2
+        /// standard deviations above the mean of a normal distribution, 2.3 % of the values are
+        /// outside, and there is a warning.
         const MANY: f64 = 0.02;
         let percent = |part: f64| significant(100.0 * part, 2);
         let outside = self.part_of(|status| status == Status::OutOfRange);
@@ -165,9 +166,8 @@ pub struct MeasureFirst {
     pub deviation: f64,
 }
 
-/// The parameter to measure first: the parameter with the largest first-order index, and the root
-/// of the mean variance that remains once this parameter is known. `None` if the outcome does not
-/// vary, or no index is positive.
+/// The parameter with the largest first-order index, and the root of the mean variance that remains
+/// once this parameter is known. `None` if the outcome does not vary, or if no index is positive.
 fn measure_first(sampled: &Statistics, inputs: &[Uncertain]) -> Option<MeasureFirst> {
     let share = |(at, indices): (usize, &Option<Indices>)| Some((at, indices.as_ref()?.first));
     let (first, share) = sampled
@@ -185,8 +185,9 @@ fn measure_first(sampled: &Statistics, inputs: &[Uncertain]) -> Option<MeasureFi
     let totals: Option<f64> = others
         .map(|(_, indices)| Some(indices.as_ref()?.total.value))
         .sum();
-    // the share of the variance that remains is 1 − `share`. The sum of the other total indices is
-    // an upper bound of 1 − `share`, and is more accurate if one index is close to 1
+    // The share of the variance that remains is 1 − `share`. The sum of the other total indices is
+    // an upper bound of it. If `share` is close to 1, the estimate of this sum is more accurate
+    // than that of 1 − `share`.
     let left = totals
         .filter(|most| *most < 1.0 - share.low)
         .unwrap_or(1.0 - share.value);
@@ -255,7 +256,6 @@ pub fn uncertainty(
     })
 }
 
-/// Refuses a sample of fewer than 2 points, and invalid or missing inputs.
 fn check(inputs: &[Uncertain], plan: SamplePlan) -> Result<()> {
     if plan.samples < 2 {
         let given = format!("a sample of {}", counted(plan.samples as u64, "point"));
@@ -280,12 +280,13 @@ struct SampledDrives<'a> {
     distributions: Vec<Distribution>,
     design: SaltelliDesign,
     at_means: Vec<Option<Taylor>>,
-    /// Results of each set of points, in blocks.
+    /// Results of each set of points of `design`, in blocks.
     blocks: Vec<Vec<Block>>,
 }
 
 impl SampledDrives<'_> {
-    /// A column of results of a set: outcomes come first, then derivatives.
+    /// A column of the results at a set of points. The columns are the outcomes, then, for set A
+    /// only, the derivatives of each outcome by each input.
     fn column(&self, set: usize, column: usize) -> Vec<Option<f64>> {
         self.blocks[set]
             .iter()
@@ -293,8 +294,8 @@ impl SampledDrives<'_> {
             .collect()
     }
 
-    /// Values of outcome `i` in a set, with directions unwrapped to within half a turn of the value
-    /// at the means, or of the first sample.
+    /// Values of outcome `i` at a set of points. Directions are unwrapped to within half a turn of
+    /// the value at the means of the parameters; without this value, of the first sampled value.
     fn unwrapped(&self, set: usize, i: usize) -> Vec<Option<f64>> {
         let first = || self.column(0, i).into_iter().flatten().next();
         let reference = self.at_means[i]
@@ -343,7 +344,7 @@ impl SampledDrives<'_> {
     }
 
     /// The contribution of each parameter to the variance of an outcome: its indices in `sampled`,
-    /// and their bound from the squared derivatives at the first set of points.
+    /// and the upper bound of its total index from the squared derivatives at the points of set A.
     fn contributions(
         &self,
         values: &[Vec<Option<f64>>],
@@ -381,7 +382,6 @@ impl SampledDrives<'_> {
         ratios.into_iter().enumerate().map(contribution).collect()
     }
 
-    /// Landing ellipses, if lateral and carry are among the outcomes.
     fn ellipses(&self) -> Vec<SampledEllipse> {
         let place = |wanted: Outcome| self.of.iter().position(|of| *of == wanted);
         let (Some(lateral), Some(carry)) = (place(Outcome::Lateral), place(Outcome::Carry)) else {
@@ -420,7 +420,8 @@ fn at_means(setup: &Setup<f64>, of: &[Outcome], inputs: &[Uncertain]) -> Vec<Opt
     of.iter().map(taylor).collect()
 }
 
-/// Covariance JΣJᵀ of two outcomes of independent parameters.
+/// Covariance J Σ Jᵀ of two outcomes to first order, for independent parameters with these
+/// variances. J is the Jacobian.
 pub(super) fn covariance(of: [&Taylor; 2], variances: &[f64]) -> [[f64; 2]; 2] {
     let product = |i: usize, j: usize| {
         let terms = of[i].gradient.iter().zip(&of[j].gradient).zip(variances);
@@ -434,7 +435,8 @@ pub(super) fn covariance(of: [&Taylor; 2], variances: &[f64]) -> [[f64; 2]; 2] {
     ]
 }
 
-/// Ellipses of landings [lateral, carry] from the sample and from the gradients at the means.
+/// Ellipses of landings [lateral, carry], m: first from the covariance of the sample, then from the
+/// gradients at the means. Empty for fewer than two landings.
 fn ellipses(
     landings: &[[f64; 2]],
     by_gradient: Option<(&Taylor, &Taylor)>,

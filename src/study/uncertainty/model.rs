@@ -13,7 +13,8 @@ use serde::{Serialize, Serializer};
 /// Size and seed of a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SamplePlan {
-    /// Points N of the base sample; N (d + 2) evaluations for d variables.
+    /// Number of points N of each of the sets A and B of a [`SaltelliDesign`]. A function of d
+    /// variables is evaluated at N (d + 2) points.
     pub samples: usize,
     /// Seed of the random numbers; equal seeds give bitwise equal results.
     pub seed: u64,
@@ -23,8 +24,8 @@ pub struct SamplePlan {
 const RESAMPLES: usize = 400;
 
 /// Sobol' indices of a variable: shares of the output's variance (Sobol' 1993; Homma & Saltelli
-/// 1996). Sampling noise can make an estimate negative or larger than 1. A single variable has both
-/// indices 1.
+/// 1996). Sampling noise can make an estimate negative or larger than 1. If there is only one
+/// variable, both of its indices are 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Indices {
     /// First-order index: mean share of variance removed by knowing this variable.
@@ -58,7 +59,6 @@ pub struct Statistics {
     pub left_out: usize,
 }
 
-/// Serializes the quantiles by their levels.
 fn by_level<S: Serializer>(
     quantiles: &[f64; 3],
     serializer: S,
@@ -70,7 +70,8 @@ fn by_level<S: Serializer>(
 /// with this variable from B.
 #[derive(Clone, Debug)]
 pub struct SaltelliDesign {
-    /// A, B, then A with variable 1 from B, A with variable 2 from B …; one row per point.
+    /// The sets of points: A, B, A with variable 1 from B, A with variable 2 from B, …. A point has
+    /// a value of each variable.
     pub points: Vec<Vec<Vec<f64>>>,
     seed: u64,
 }
@@ -105,8 +106,9 @@ impl SaltelliDesign {
         })
     }
 
-    /// Statistics of an output from its values at the points, in the order of the points; `None`
-    /// with fewer than two finite values.
+    /// Statistics of an output. `values` has its value at each of [`points`](Self::points), in the
+    /// same order; `None` where it does not exist. The result is `None` if A and B have fewer than
+    /// two finite values.
     ///
     /// # Panics
     /// If the number of values differs from the number of points in a set.
@@ -162,7 +164,8 @@ impl SaltelliDesign {
         })
     }
 
-    /// Estimates from all rows, each with its interval over bootstrap resamples of the rows.
+    /// The numbers of `estimate` for all rows, each with its bootstrap interval. `estimate` takes
+    /// row indices.
     fn bootstrap(
         &self,
         rows: usize,
@@ -187,9 +190,9 @@ impl SaltelliDesign {
             .collect()
     }
 
-    /// Mean of each column of `at_a` over the points of A, divided by the variance of an output with
-    /// these `values`. Bootstrap intervals use the same resample for mean and variance. `None` if
-    /// the output does not vary, or if no point of A has a value in the column.
+    /// For each column of `at_a`: its mean over the points of A, divided by the variance of the
+    /// output with the values `values`. Each bootstrap resample gives both mean and variance.
+    /// `None` if the output does not vary, or if no point of A has a value in the column.
     pub fn means_by_variance(
         &self,
         values: &[Vec<Option<f64>>],
@@ -246,7 +249,7 @@ impl SaltelliDesign {
         indices.chunks_exact(2).map(both).collect()
     }
 
-    /// Random stream of a resample, independent of the thread.
+    /// Random numbers of resample `stream`. They do not depend on the thread.
     fn random(&self, stream: u64) -> Xoshiro256PlusPlus {
         Xoshiro256PlusPlus::seed_from_u64(
             self.seed ^ (stream + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
@@ -254,8 +257,8 @@ impl SaltelliDesign {
     }
 }
 
-/// Rows of values f_A, f_B, f_AB1 …, one for each point at which all values are finite. The mean is
-/// subtracted: an offset would add noise to the products.
+/// Rows of values f_A, f_B, f_AB1 …, minus the mean: an offset would add noise to the products in
+/// [`shares`]. Rows with a value that is missing or not finite are omitted.
 fn complete_rows(values: &[Vec<Option<f64>>], mean: f64) -> Vec<Vec<f64>> {
     let centred = |value: f64| value.is_finite().then_some(value - mean);
     (0..values[0].len())
@@ -268,8 +271,8 @@ fn complete_rows(values: &[Vec<Option<f64>>], mean: f64) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// First-order and total index of each variable from rows f_A, f_B, f_AB1 …: estimators (b) and (f)
-/// of table 2 in Saltelli et al. (2010), the latter from Jansen (1999).
+/// First-order and total index of each variable from the rows `drawn` of values f_A, f_B, f_AB1 …:
+/// estimators (b) and (f) of table 2 in Saltelli et al. (2010), the latter from Jansen (1999).
 fn shares(rows: &[Vec<f64>], drawn: &[usize], inputs: usize) -> Vec<[f64; 2]> {
     let n = drawn.len() as f64;
     let (mut sum, mut squares) = (0.0, 0.0);
@@ -294,7 +297,6 @@ fn shares(rows: &[Vec<f64>], drawn: &[usize], inputs: usize) -> Vec<[f64; 2]> {
 /// up to rounding.
 const SAME: f64 = 64.0 * f64::EPSILON;
 
-/// Reports whether values differ by more than rounding.
 fn varies(values: &[f64]) -> bool {
     let [low, high] = extent(values.iter().copied());
     high - low > SAME * low.abs().max(high.abs())

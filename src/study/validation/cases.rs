@@ -50,7 +50,6 @@ pub struct Case {
     published: [Option<f64>; Compared::ALL.len()],
 }
 
-/// Serializes the published values by their quantities.
 fn by_quantity<S: Serializer>(
     published: &[Option<f64>],
     serializer: S,
@@ -70,7 +69,6 @@ impl Case {
     }
 }
 
-/// Cases of a set, in the order of the data file.
 pub(super) fn cases(set: &str) -> Result<Vec<Case>> {
     let unreadable = |source: Box<dyn std::error::Error + Send + Sync>| Error::Unreadable {
         name: format!("the published drives of {set}"),

@@ -16,7 +16,8 @@ use crate::parameters::Law;
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
-/// Temperatures of the colder and the warmer air for drives without a stated air, K: 15 and 35 °C.
+/// Temperatures, K, of colder and warmer air than the default of 25 °C: 15 and 35 °C. The drives
+/// whose source does not state the air are computed in both.
 pub const OTHER_TEMPERATURES: [f64; 2] = [288.15, 308.15];
 
 /// The error of a quantity for one drive.
@@ -96,7 +97,6 @@ pub struct LawScores {
     pub averaged: Option<f64>,
 }
 
-/// Serializes scores as a map with the names of their quantities as keys.
 fn by_quantity<S: Serializer>(
     scores: &[Score],
     serializer: S,
@@ -167,8 +167,8 @@ fn scores(set: &'static Set, own: Option<Law<f64>>) -> Result<SetScores> {
 }
 
 impl SetScores {
-    /// The errors of an aerodynamic law; `base` is the case with which the other cases are
-    /// compared.
+    /// The errors of an aerodynamic law. `base` is the case to whose carry the gains of a set are
+    /// relative; `None` for a set without gains.
     fn law_scores(&self, base: Option<&Case>, law: Law<f64>) -> Result<LawScores> {
         let scores = self.scores(base, law, None)?;
         let averaged = if self.set.is_averaged {
@@ -194,8 +194,8 @@ impl SetScores {
         })
     }
 
-    /// The errors of an aerodynamic law in each published quantity. A case without a stated air has
-    /// air of this temperature, by default 25 °C.
+    /// The errors of an aerodynamic law in each published quantity. A case whose source does not
+    /// state the air is computed at `temperature`, by default 25 °C.
     fn scores(
         &self,
         base: Option<&Case>,
@@ -227,8 +227,8 @@ impl SetScores {
             .collect())
     }
 
-    /// Bias of the first quantity for the mean of scattered drives; `None` if this mean cannot be
-    /// computed for a case.
+    /// Bias of the first quantity, carry, if each published value is compared with the mean of
+    /// drives scattered by [`SCATTER`]. `None` if this mean cannot be computed for a case.
     fn bias_of_scattered(&self, law: Law<f64>, scores: &[Score]) -> Option<f64> {
         let bias = scores.first()?.bias?;
         let less = self

@@ -10,9 +10,9 @@ use crate::study::{Search, optimum};
 use crate::units::{DEGREE, MPH, RPM};
 use std::collections::HashMap;
 
-/// Values of the quantities of a case, SI, computed with a law in the stated air, or else at sea
-/// level at `temperature` (25 °C by default). A quantity is missing if the ball does not fly or no
-/// optimum was found.
+/// Values, SI, of the compared quantities of a case, computed with a law. The air is the stated
+/// air, or else that of sea level at `temperature` (25 °C by default). A quantity is missing if the
+/// ball does not fly or no optimum was found.
 pub(super) fn predicted(
     set: &Set,
     case: &Case,
@@ -26,7 +26,8 @@ pub(super) fn predicted(
     };
     // use the published coefficients, even if the preset has others
     setup.law = law;
-    // carry error at this step: 1 µm; for the piecewise laws `usga-itr` and `nathan` 4 and 40 µm
+    // at this step the error of carry is 1 µm; with the piecewise laws `usga-itr` and `nathan` it
+    // is 4 and 40 µm
     (setup.method, setup.flight.step) = (Method::DormandPrince8, 0.1);
     let setup = in_air_of(case, setup, temperature);
     let found = match set.computation {
@@ -84,8 +85,8 @@ fn launched(mut setup: Setup<f64>, case: &Case) -> Setup<f64> {
     setup
 }
 
-/// Assumed standard deviations of drives behind an average, SI: ball speed 5.5 mph, launch angle
-/// 2°, spin 400 rpm, spin axis 9°, and wind 4 m/s from any direction.
+/// Assumed standard deviations, SI, of the drives of which a published value is the average: ball
+/// speed 5.5 mph, launch angle 2°, spin 400 rpm, spin axis 9°, and wind 4 m/s from any direction.
 pub const SCATTER: [(&str, f64); 6] = [
     ("launch.ball_speed", 5.5 * MPH),
     ("launch.launch_angle", 2.0 * DEGREE),
@@ -95,8 +96,9 @@ pub const SCATTER: [(&str, f64); 6] = [
     ("wind.downrange", 4.0 * std::f64::consts::FRAC_1_SQRT_2),
 ];
 
-/// Mean carry of drives scattered by [`SCATTER`], minus the carry of the average launch: to second
-/// order, half the second derivatives times the variances.
+/// Mean carry, m, of drives scattered by [`SCATTER`], minus the carry of the average launch. To
+/// second order it is half the sum of the second derivatives times the variances. `None` if the
+/// derivatives do not exist.
 pub(super) fn of_averaging(case: &Case, law: Law<f64>) -> Option<f64> {
     let mut setup = launched(in_air_of(case, Setup::default(), None), case);
     setup.law = law;
@@ -147,7 +149,6 @@ fn best(mut setup: Setup<f64>, case: &Case) -> Result<Vec<(Compared, f64)>> {
     Ok(drive.map_or(vec![], |drive| read(&drive, of)))
 }
 
-/// The quantities that a drive has.
 fn read(drive: &Drive<f64>, of: [(Compared, Outcome); 3]) -> Vec<(Compared, f64)> {
     of.into_iter()
         .filter_map(|(compared, outcome)| Some((compared, outcome.value(drive)?)))
