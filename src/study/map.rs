@@ -19,7 +19,7 @@ pub struct Map {
     pub plane: Plane,
     /// Reason why the first node without a value has no value; `None` if every node has a value.
     pub missing: Option<Message>,
-    /// Gradients at a coarser grid of points.
+    /// Gradients at the points of a coarser grid.
     pub slopes: Vec<Slope>,
 }
 
@@ -41,8 +41,8 @@ impl Map {
     }
 }
 
-/// Threshold for differences, relative to the value or in display units. Smaller differences are
-/// rounding.
+/// Largest range of values that counts as rounding, relative to the largest magnitude or to one
+/// display unit, whichever is larger.
 const ROUNDING: f64 = 1e-9;
 
 /// Gradient at a point of a map, SI.
@@ -127,8 +127,8 @@ pub fn map(
     })
 }
 
-/// Gradients at the centres of equal cells. Centres without a gradient are omitted: the ball does
-/// not fly, or the drive lies at a corner.
+/// Gradients at the centres of equal cells. A centre without a gradient is omitted: there the ball
+/// does not fly, or the outcome has a kink.
 fn slopes(gradients: &Evaluator, ranges: [Vary; 2], cells: usize) -> Vec<Slope> {
     (0..cells * cells)
         .into_par_iter()
@@ -146,7 +146,6 @@ fn slopes(gradients: &Evaluator, ranges: [Vary; 2], cells: usize) -> Vec<Slope> 
         .collect()
 }
 
-/// Refuses equal parameters, ranges of a single value, and fewer than 2 nodes.
 fn check(across: &Vary, up: &Vary, fineness: Fineness) -> Result<()> {
     let refuse = |vary: &Vary, reason: &str| {
         Err(Error::SearchRange {

@@ -6,7 +6,7 @@ use crate::parameters::Setup;
 /// A drive with its path and a name.
 #[derive(Clone, Debug)]
 pub struct NamedDrive {
-    /// The name: "as set up", "optimum".
+    /// The name, such as "as set up" or "optimum".
     pub name: String,
     /// The drive.
     pub drive: Drive<f64>,

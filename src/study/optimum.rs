@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   setup, Search ──▶ SearchProblem ──▶ local searches from starts ──▶ best end
-//!   one drive:  best end ──▶ compared with a sample of the ranges, and improved from it
+//!   one drive:  best end ──▶ compared with drives at sample points, searches from better points
 //!   swings:     ends ──▶ goals without smoothing
 //! ```
 
@@ -38,13 +38,13 @@ pub struct Optimum {
     /// The drive at the optimum, for a search over one drive; `None` if no drive of the search
     /// flies.
     pub drive: Option<Drive<f64>>,
-    /// The setup that the search was given.
+    /// The setup as given to the search.
     pub start: Setup<f64>,
     /// The setup with which the optimum is compared: `start`, unless
     /// [`compared_with`](Self::compared_with) replaced it. A varied parameter may have no value.
     pub set_up: Setup<f64>,
-    /// The drive of `set_up`, for a search over one drive; `None` if the club does not strike the
-    /// ball.
+    /// The drive of `set_up`, for a search over one drive; `None` if it cannot be computed, for
+    /// example because the club does not strike the ball.
     pub drive_as_set_up: Option<Drive<f64>>,
     /// Comparison of the optimum of one drive with points sampled from the ranges; `None` after a
     /// local search, and after an interrupted search.
@@ -52,8 +52,8 @@ pub struct Optimum {
     /// The values of the goals over the swings at the setup's own design. `None` if the ball does
     /// not fly in one of the swings, and for a search over one drive.
     pub as_set_up: Option<Vec<f64>>,
-    /// The share of the swings whose ball ends where the table of strokes is extrapolated; `None`
-    /// without a table, and after an interrupted search.
+    /// The share of the swings after which the distance to the hole is outside the range of the
+    /// table of strokes; `None` without a table, and after an interrupted search.
     pub beyond_strokes: Option<f64>,
 }
 
@@ -68,8 +68,8 @@ impl Optimum {
         }
     }
 
-    /// True if carry and total before and after the search are compared: the search is for one of
-    /// them, and the ball runs after it lands.
+    /// True if reports compare both carry and total before and after the search: the objective is
+    /// one of them, and the ball runs after it lands.
     pub fn compares_totals(&self) -> bool {
         let is_distance = [Outcome::Carry, Outcome::Total].map(Some);
         let run = self
@@ -79,10 +79,6 @@ impl Optimum {
         is_distance.contains(&self.search.of.outcome()) && run.is_some_and(|run| run != 0.0)
     }
 
-    /// Refuses the result of a search that did not converge.
-    ///
-    /// # Errors
-    /// [`Error::NotConverged`] without a converged optimum.
     pub(crate) fn check_converged(&self) -> Result<()> {
         if self.solution.status == Status::Converged {
             return Ok(());
@@ -93,7 +89,7 @@ impl Optimum {
         })
     }
 
-    /// The problem of a search over one drive, at its optimum.
+    /// The problem of a search over one drive, with the setup at the optimum.
     ///
     /// # Errors
     /// [`Error::NotConverged`] without a converged optimum; [`Error::Unreadable`] for a search over
@@ -158,7 +154,7 @@ pub struct Optima {
 }
 
 impl Optima {
-    /// True if the search was asked for several starts. A start from the sample does not count.
+    /// True if several starts were requested. The start from a point of the sample does not count.
     pub fn has_several_starts(&self) -> bool {
         let from_sample = self.best.sample.is_some_and(|sample| sample.improved);
         self.starts > 1 + usize::from(from_sample)
@@ -185,8 +181,8 @@ impl Optima {
     }
 }
 
-/// Message on the progress of searches; `None` if none was interrupted. `only` is the message on a
-/// single search.
+/// Message on the progress of searches; `None` if none was interrupted. `only` returns the message
+/// on a single search.
 pub(super) fn stopped_of(
     stopped: usize,
     all: usize,
@@ -301,8 +297,8 @@ pub fn optima(
     study.all(locals, starts, sample)
 }
 
-/// Like [`optima`], without a sample of the ranges. The goals are evaluated without derivatives, so
-/// that they can be compared bit by bit with the goals of other designs.
+/// Like [`optima`], without a sample of the ranges. The goals at the ends are evaluated again,
+/// without derivatives, so that they are bitwise comparable with the goals of other designs.
 ///
 /// # Errors
 /// The errors of [`optima`].
@@ -320,7 +316,6 @@ pub(super) fn local_optima(
     study.all(locals, count, None)
 }
 
-/// Runs searches from several starts and returns their results.
 fn searched(
     setup: &Setup<f64>,
     search: &Search,
@@ -346,8 +341,8 @@ struct Study {
     /// The values of the goals over the swings at the setup's own design; `None` as in
     /// [`Optimum::as_set_up`].
     as_set_up: Option<Vec<f64>>,
-    /// True if the outcomes of one drive are evaluated again at the end of a search, without
-    /// derivatives, which changes their rounding.
+    /// True if the goals of one drive are evaluated again at the end of a search, without
+    /// derivatives. Their rounding depends on the order of the derivatives.
     is_evaluated_again: bool,
 }
 
@@ -373,8 +368,8 @@ impl Study {
         minimize_observed(&self.problem, domain, start, &search.options, observer)
     }
 
-    /// Compares the end of a search with a sample of the ranges, and improves it by searches from
-    /// points of the sample. `None` for a search over swings, and after an interrupt.
+    /// Compares `end` with a sample of the ranges, and replaces it if a search from a point of the
+    /// sample finds a better solution. `None` for a search over swings, and after an interrupt.
     fn improved(
         &self,
         end: &mut Solution,
@@ -431,8 +426,8 @@ impl Study {
         })
     }
 
-    /// Goals without smoothing at the end of a search, also after an interrupt. `None` if the ball
-    /// does not fly in one of the drives.
+    /// Goals without smoothing at the end of a search, computed even after an interrupt. `None` if
+    /// the ball does not fly in one of the drives.
     fn goals(&self, solution: &Solution) -> Option<Vec<f64>> {
         let value = solution.value?;
         let search = &self.problem.search;

@@ -26,8 +26,9 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// Flies a setup with two of its parameters at the nodes of a grid, with the gradients unless
-    /// `order` is [`Order::Value`]. The setup need not have values for these two parameters.
+    /// Flies a setup with the parameters `across` and `up` at the nodes of a grid. Gradients are
+    /// computed unless `order` is [`Order::Value`]. The setup need not have values of the two
+    /// parameters.
     ///
     /// # Errors
     /// The errors of [`Batch::new`].
@@ -80,8 +81,9 @@ impl Plane {
         ]
     }
 
-    /// Position of the node with the largest value of outcome `of` among the positions that `may`
-    /// allows, with that value. `None` if no such node has a value.
+    /// The largest value of the outcome with index `of` over the nodes at positions that `may`
+    /// allows. Returns the position of the node, SI, and the value; `None` if no allowed node has a
+    /// value.
     pub fn largest(&self, of: usize, may: impl Fn([f64; 2]) -> bool) -> Option<([f64; 2], f64)> {
         let values = self.values.get(of)?.iter().enumerate();
         let known = values

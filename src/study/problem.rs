@@ -4,8 +4,8 @@
 //!   x ──▶ each scenario's drive with exact derivatives ──▶ goals: smoothed measures of the drives
 //! ```
 //!
-//! One drive is one scenario. If its goals are outcomes they need no measures, and the drive's
-//! derivatives are the derivatives of the goals.
+//! One drive is one scenario. If the goals are outcomes of one drive, they need no measures: the
+//! derivatives of the outcomes are the derivatives of the goals.
 
 use super::cancellable::{each_until, stopped};
 use super::goal::Goal;
@@ -32,11 +32,9 @@ pub(super) struct SearchProblem {
     pub set_up: Setup<f64>,
     /// The setup with a value for every varied parameter.
     setup: Setup<f64>,
-    /// The search.
     pub search: Search,
-    /// The varied parameters.
     pub vary: Vec<&'static Parameter>,
-    /// The outcomes of a drive. If `is_of_outcomes`, each goal is one of the outcomes, in order.
+    /// The outcomes of a drive that the goals need. If `is_of_outcomes`, outcome k is goal k.
     of: Vec<Outcome>,
     /// True if every goal is an outcome of one drive.
     is_of_outcomes: bool,
@@ -44,19 +42,21 @@ pub(super) struct SearchProblem {
     drives: Vec<Evaluator>,
     /// Indices of the scenarios for which second derivatives are computed, in ascending order.
     subset: Vec<usize>,
-    /// Number of scenarios that each scenario in `subset` represents.
+    /// Number of scenarios that each scenario in `subset` represents, usually not an integer.
     multiplicities: Vec<f64>,
     /// The last computed second derivatives of the drives in `subset`.
     second_derivatives: Mutex<Option<Arc<SecondDerivatives>>>,
     /// Interrupt flag: once true, no more drives are computed, and evaluations that need them fail.
     pub stop: Arc<AtomicBool>,
+    /// Ranges of the varied parameters, and limits of the constraints.
     pub domain: Domain,
 }
 
 /// Second derivatives of the drives in [`SearchProblem::subset`].
 struct SecondDerivatives {
+    /// Values of the varied parameters.
     at: Vec<f64>,
-    /// A Hessian for each drive and outcome.
+    /// For each drive and outcome, the Hessian times the multiplicity of the drive.
     of_drives: Vec<Vec<Vec<Vec<f64>>>>,
 }
 
@@ -77,8 +77,8 @@ impl SearchProblem {
         Ok(problem)
     }
 
-    /// The problem of a search that may have no varied parameter, to compute the values of its
-    /// goals.
+    /// Like [`new`](Self::new), but the search may have no varied parameter. Such a problem only
+    /// computes values of goals.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).
@@ -95,8 +95,8 @@ impl SearchProblem {
             }
         }
         let begun = Vary::initialised(setup, &search.vary)?;
-        // second derivatives of a goal with a kink or jump come from the few drives near the kink
-        // or jump: no subset of the drives represents them
+        // the second derivatives of a goal with a kink or jump depend on the few drives near it: a
+        // subset of the drives does not represent these
         let (subset, multiplicities) = if search.goals().any(Goal::has_edge) {
             let count = scenarios.points.len();
             ((0..count).collect(), vec![1.0; count])
@@ -136,7 +136,6 @@ impl SearchProblem {
         self
     }
 
-    /// True if the search is interrupted.
     pub fn is_stopped(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
     }
@@ -164,7 +163,7 @@ impl SearchProblem {
         Batch::new(&self.setup, &self.vary, &self.of, &[])
     }
 
-    /// The goals from the outcomes of one drive.
+    /// Values of the goals at `x`, for a search over one drive. `outcomes` are those of the drive.
     pub fn goals_of(&self, x: &[f64], outcomes: Vec<f64>) -> Vec<f64> {
         if self.is_of_outcomes {
             return outcomes;
@@ -196,7 +195,10 @@ impl SearchProblem {
         }
     }
 
-    /// The outcomes of these scenarios, with derivatives up to an order.
+    /// The outcomes of the scenarios with these indices, with derivatives up to an order.
+    ///
+    /// # Errors
+    /// The reason why the ball does not fly in the first such scenario, or that `stop` is true.
     fn flown(
         &self,
         scenarios: &[usize],
@@ -276,7 +278,8 @@ impl SearchProblem {
         }
     }
 
-    /// A term of a goal that depends on the parameters only; `None` if it depends on drives.
+    /// Value and derivatives of a measure that depends on the parameters only; `None` for a measure
+    /// of drives.
     fn of_the_design(&self, measure: &Measure, x: &[f64], order: Order) -> Option<Taylor> {
         let (value, place) = match measure {
             Measure::One => (1.0, None),
@@ -307,8 +310,8 @@ impl SearchProblem {
         })
     }
 
-    /// Values of the goals at `x` from the outcomes of the scenarios, with smoothed kinks and
-    /// jumps.
+    /// The goals at `x` with smoothed kinks and jumps, and their derivatives up to an order.
+    /// `flown` has the outcomes of each scenario.
     fn measured(
         &self,
         x: &[f64],
@@ -338,8 +341,8 @@ impl SearchProblem {
         self.search.goals().map(goal).collect()
     }
 
-    /// Exact values of the goals at `x`, without smoothing, from a column of values for each
-    /// outcome.
+    /// Exact values of the goals at `x`, without smoothing. `columns` has, for each outcome, its
+    /// values in all scenarios.
     fn exact(&self, x: &[f64], columns: &[Vec<f64>], weights: &[f64]) -> Vec<f64> {
         let term = |(weight, measure): &(f64, Measure)| {
             let value = self
@@ -363,9 +366,10 @@ impl SearchProblem {
         places.map(|place| &columns[place][..]).collect()
     }
 
-    /// Exact values of the goals at `x`: first the objective, then the limited goals. A goal with a
-    /// kink or jump is evaluated over the swings of [`sequences`](Scenarios::sequences) if the ball
-    /// flies in all of these swings; other goals are evaluated over the scenarios.
+    /// Exact values of the goals at `x` over the scenarios: first the objective, then the limited
+    /// goals. A goal with a kink or jump is evaluated over the swings of
+    /// [`sequences`](Scenarios::sequences) instead, if there are any and the ball flies in all of
+    /// them.
     ///
     /// # Errors
     /// [`Error::NoFlight`] if the ball does not fly in one of the scenarios;
@@ -374,7 +378,7 @@ impl SearchProblem {
         self.reported(&self.moved(x)?, x, &self.stop)
     }
 
-    /// Like [`values`](Self::values), also after an interrupt.
+    /// Like [`values`](Self::values), but without a check of the interrupt flag.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
@@ -423,7 +427,8 @@ impl SearchProblem {
         sequences.map(one).collect()
     }
 
-    /// Values of the varied parameters in the setup as given.
+    /// Values of the varied parameters in the setup as given. A parameter without a value has the
+    /// value that counts where it is unset, or NaN.
     pub fn own(&self) -> Vec<f64> {
         let own = |parameter: &&'static Parameter| {
             self.set_up
@@ -434,7 +439,7 @@ impl SearchProblem {
         self.vary.iter().map(own).collect()
     }
 
-    /// Values of the goals for the report, without smoothing.
+    /// Values of the goals of a setup with this design, as [`values`](Self::values) defines them.
     fn reported(&self, setup: &Setup<f64>, design: &[f64], stop: &AtomicBool) -> Result<Vec<f64>> {
         let scenarios = &self.search.scenarios;
         let flown = columns(setup, &self.of, scenarios, stop)?;
@@ -513,10 +518,10 @@ impl SearchProblem {
         ))
     }
 
-    /// The objective and the constraint functions from the goals over the scenarios with these
-    /// weights, with smoothed kinks and jumps. Values and gradients use all drives. Hessians use
-    /// the products of the outcome gradients of all drives, but the second derivatives only of the
-    /// drives in `subset`.
+    /// The objective and the constraint functions over the scenarios with these weights, with
+    /// smoothed kinks and jumps. Values and gradients use all drives. In the Hessians, the terms
+    /// with products of gradients use all drives too; the terms with second derivatives use only
+    /// the drives in `subset`.
     pub fn weighted(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
         if let ([drive], true) = (self.drives.as_slice(), self.is_of_outcomes) {
             let goals = drive.at(x).map_err(|error| error.to_string())?;

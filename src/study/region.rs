@@ -1,4 +1,4 @@
-//! The region of a map with nearly the optimum's value, within bounds and constraints.
+//! The region of a map whose drives meet all constraints and are nearly as good as the optimum.
 
 use super::optimum::Optimum;
 use super::plane::Plane;
@@ -19,13 +19,13 @@ pub struct Region {
     pub up: Vary,
     /// Nodes in each direction.
     pub columns: usize,
-    /// Excess at each node; it is at most 0 in the region. It is the larger of loss/allowed loss
-    /// − 1 and the largest constraint violation, which is divided by the range of the constraint's
+    /// Excess at each node, at most 0 in the region: the maximum of loss/allowed loss − 1 and the
+    /// violations of the constraints. Each violation is divided by the range of the constraint's
     /// goal over the map. `None` if the drive does not fly.
     pub misses: Vec<Option<f64>>,
     /// Signed violation of the equality constraint at each node. The region lies on the line on
-    /// which the violation is 0. `None` without an equality constraint, or if it holds on the whole
-    /// grid.
+    /// which the violation is 0. `None` without an equality constraint, or if the constraint holds
+    /// on the whole grid.
     pub equation: Option<Vec<Option<f64>>>,
 }
 
@@ -38,17 +38,18 @@ const FINE: usize = 97;
 /// region.
 const LOOKS: usize = 8;
 
-/// A region is resolved if it fills at least this fraction of the grid's width.
+/// A region is resolved if it fills more than this fraction of the grid in both directions.
 const FILLED: f64 = 0.55;
 
-/// Rounding tolerance of an equation, relative to the objective.
+/// Rounding tolerance of an equality constraint, relative to the largest objective on the grid.
 const ROUNDING: f64 = 1e-12;
 
 impl Region {
     /// The region around an optimum over two of the parameters that its search varied.
     ///
-    /// `None` if the optimum has no value, if two equality constraints fix both parameters, or if
-    /// no node of the finest grid lies in the region.
+    /// `None` if the optimum has no value, if the search does not vary both parameters, if a range
+    /// is a single value, if two equality constraints fix both parameters, or if no node of the
+    /// finest grid lies in the region.
     ///
     /// # Errors
     /// The errors of [`Batch::new`](crate::batch::Batch::new);
@@ -174,8 +175,8 @@ impl Region {
     }
 }
 
-/// Excess of a constraint at each node, divided by the range of its goal: at most 0 if the
-/// constraint is met. For an equality constraint, the signed violation.
+/// Excess of a constraint at each node: at most 0 if the constraint is met. For an equality
+/// constraint, the signed violation. Both are divided by the range of the goal's values.
 fn missed(constraint: &Constraint, values: &[Option<f64>]) -> Vec<Option<f64>> {
     let [low, high] = extent(values.iter().flatten().copied());
     let range = high - low;

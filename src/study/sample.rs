@@ -1,5 +1,5 @@
-//! Checks the optimum of one drive: compares it with drives at sample points of the ranges. These
-//! drives are computed without derivatives.
+//! Checks the optimum of one drive: compares it with drives at sample points of the ranges, which
+//! are computed without derivatives.
 
 use super::problem::SearchProblem;
 use crate::error::Result;
@@ -31,14 +31,14 @@ const AT_ONCE: usize = 16;
 /// Largest number of searches from points of a sample.
 const SEARCHES: usize = 3;
 
-/// If less than one in this number of points is feasible, the feasible region may be disconnected.
+/// If fewer than one in this number of points are feasible, a further search starts at the best of
+/// them: the feasible region may be disconnected.
 const ONE_IN: usize = 8;
 
-/// Compares `end`, the end of a search, with a sample of the ranges. Replaces `end` by a better
-/// solution of `search`, if any. `search` starts from the points that are better than the best
-/// solution so far. If few points are feasible, `search` also starts from the best point, because
-/// the feasible region may be disconnected. `None` if the search was interrupted before all points
-/// were evaluated.
+/// Compares the end of a search with a sample of the ranges. `search` starts from the points that
+/// are better than the best solution so far; if few points are feasible, in any case from the best
+/// point (see [`ONE_IN`]). `end` becomes the best solution. `None` if the search was interrupted
+/// before all points were evaluated.
 pub(super) fn resample(
     problem: &SearchProblem,
     end: &mut Solution,
@@ -91,7 +91,7 @@ struct SampledPoint {
 }
 
 /// The points of the sample whose drives have every outcome; `None` if the search was interrupted
-/// before all were evaluated.
+/// before all points of the sample were evaluated.
 fn fly(problem: &SearchProblem) -> Result<Option<Vec<SampledPoint>>> {
     // omit the first start, which is the setup's own
     let sample = starts(&problem.domain, &problem.start(), 1 + POINTS)?.split_off(1);
@@ -118,15 +118,13 @@ fn fly(problem: &SearchProblem) -> Result<Option<Vec<SampledPoint>>> {
 
 /// Rank of a point: constraint violation first, then the objective.
 struct Merit {
-    /// True if the point meets every constraint.
     is_feasible: bool,
     /// The largest violation of a constraint, divided by the range of its goal over the sample.
     violation: f64,
-    /// The function minimized.
+    /// The objective times [`Sense::sign`](super::Sense::sign), which is minimized.
     objective: f64,
 }
 
-/// Scales for the comparison of [`Merit`]s.
 struct MeritScale<'a> {
     problem: &'a SearchProblem,
     /// The range of each limited goal over the sample.
@@ -163,7 +161,7 @@ impl<'a> MeritScale<'a> {
     }
 
     fn of_solution(&self, solution: &Solution) -> Merit {
-        /// Rounding error of an active constraint.
+        /// Largest violation, divided by the range of the goal, that counts as rounding.
         const MET: f64 = 1e-8;
         let Some(objective) = solution.value else {
             return Merit {

@@ -119,10 +119,10 @@ impl Search {
         self.goals().flat_map(Goal::outcomes).collect()
     }
 
-    /// Main outcome of the search: the objective for one drive, or the first outcome of the
-    /// objective for swings.
+    /// The first outcome in the objective, which for one drive usually is the objective;
+    /// [`Outcome::Carry`] if the objective contains none.
     pub fn outcome(&self) -> Outcome {
-        // an objective parsed from text contains an outcome
+        // an objective without an outcome was not parsed from text
         self.of
             .outcomes()
             .first()
@@ -130,11 +130,10 @@ impl Search {
             .unwrap_or(Outcome::Carry)
     }
 
-    /// Refuses a search over swings or for a sum of outcomes, for studies of an outcome of one
-    /// drive.
+    /// Refuses a search that a study of one drive cannot treat.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for such a search.
+    /// [`Error::Unreadable`] for a search over swings, and for a goal that is not a single outcome.
     pub fn refuse_swings(&self) -> Result<()> {
         if self.is_of_outcomes() {
             return Ok(());

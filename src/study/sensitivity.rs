@@ -9,16 +9,16 @@ use crate::parameters::{Parameter, Setup};
 use crate::units::{Message, Quantity};
 use serde::Serialize;
 
-/// Sensitivity of an optimum to a parameter that is not varied.
+/// Sensitivity of an optimum to a parameter that the search does not vary.
 #[derive(Clone, Debug)]
 pub struct Sensitivity {
     /// The parameter, p.
     pub parameter: &'static Parameter,
-    /// d f*/dp, rate of the optimal value, SI.
+    /// d f*/dp: derivative of the optimal value f*, SI.
     pub value: f64,
-    /// d² f*/dp².
+    /// d² f*/dp², SI.
     pub curvature: f64,
-    /// d x*/dp of each varied parameter.
+    /// d x*/dp: derivative of the optimal value of each varied parameter, SI.
     pub optimum: Vec<f64>,
 }
 
@@ -123,7 +123,7 @@ impl Change {
                 );
                 return Err(unreadable(reason.into()));
             }
-            // a relative change has the sign of the value
+            // +10 % of a negative value makes it more negative
             delta *= own.signum();
         }
         if !delta.is_finite() {
@@ -150,22 +150,22 @@ pub struct PredictedEvent {
 pub struct Changed {
     /// The change.
     pub change: Change,
-    /// Predicted value, first order, SI.
+    /// Predicted objective, to first order, SI.
     pub first_order: f64,
-    /// Predicted value, second order, SI.
+    /// Predicted objective, to second order, SI.
     pub second_order: f64,
-    /// Predicted optimum, first order.
+    /// Predicted values of the varied parameters, to first order, SI.
     pub predicted: Vec<f64>,
     /// Optimum of the new search.
     pub resolved: Optimum,
-    /// First change of the active set that the first-order prediction gives, if any.
+    /// First change of the active set in the first-order prediction; `None` if there is none.
     pub event: Option<PredictedEvent>,
     /// Changes of the active set found by the new search.
     pub differences: Vec<Message>,
 }
 
-/// Effect of a change on an optimum. `integrated` selects the integration method and time step for
-/// the changed setup, because the drives of the new search may need a shorter step.
+/// Effect of a change on an optimum. `integrated` returns the changed setup with an integration
+/// method and time step for the new search, whose drives may need shorter steps.
 ///
 /// # Errors
 /// The errors of [`sensitivity`], of `integrated`, and of the new search.

@@ -104,8 +104,8 @@ pub fn refuse_given_twice(parameters: impl IntoIterator<Item = &'static Paramete
     Err(Error::unreadable(name, "it is given twice; keep one"))
 }
 
-/// Parses an amount of a parameter to SI: with a unit (`read` parses it as a value or as a
-/// difference), or as a percentage of the parameter's value.
+/// Parses an amount of a parameter, in SI. `read` parses an amount with a unit, as a value or as a
+/// difference. A percentage that `read` refuses is relative to the parameter's value.
 pub(super) fn amount_of(
     setup: &Setup<f64>,
     parameter: &Parameter,
@@ -133,12 +133,13 @@ enum DefaultSigma {
     Of(f64, &'static str),
     /// A fraction of the parameter's value.
     Part(f64),
-    /// Uncertainty of the mean wind, m/s, in addition to its gusts.
+    /// Standard uncertainty of the mean wind, m/s. The root of the sum of squares with the gusts is
+    /// the standard uncertainty of the wind.
     Wind(f64),
 }
 
-/// Roughness length for gusts in a setup with uniform wind, m: open country with low vegetation (EN
-/// 1991-1-4, terrain category II).
+/// Roughness length, m, that determines the gusts in a setup without `wind.roughness`: open country
+/// with low vegetation (EN 1991-1-4, terrain category II).
 const OPEN_COUNTRY: f64 = 0.05;
 
 /// Standard uncertainty of the height of the sweet spot on the face, m.
@@ -147,15 +148,16 @@ const SWEET_SPOT: f64 = 3e-3;
 /// σ_v/σ_u: ratio of gusts across and along the wind (Panofsky & Dutton 1984: 1.92/2.39).
 const ACROSS: f64 = 0.8;
 
-/// Standard deviations from drive to drive of the wind to the right, of the wind downrange, and of
-/// the wind speed, m/s. Turbulence intensity at the reference height: 1/ln(z_ref/z₀).
+/// Standard deviations, m/s, by gusts from drive to drive: of the wind to the right, of the wind
+/// downrange, and of the wind speed. Along the wind they are the wind speed times the turbulence
+/// intensity at the reference height, 1/ln(z_ref/z₀).
 fn gusts(setup: &Setup<f64>) -> [f64; 3] {
     let wind = &setup.wind;
     let Wind {
         right, downrange, ..
     } = in_effect(setup).wind;
     let heights = wind.reference_height / wind.roughness.unwrap_or(OPEN_COUNTRY);
-    // below the roughness elements the profile is not valid: limit the intensity to 1
+    // at heights near the roughness length the profile is not valid: limit the intensity to 1
     let intensity = heights.max(std::f64::consts::E).ln().recip();
     let component = |own: f64, other: f64| intensity * own.hypot(ACROSS * other);
     [
@@ -186,7 +188,7 @@ const WIND: &str =
 const TURF: &str = "assumed: fairways differ, and no one has calibrated them; a tour drive's total \
                     is then within about 10 yd";
 
-/// Default uncertainties, for a single drive measured on a calm range.
+/// Default uncertainties, for a single drive that was measured on a driving range.
 const DEFAULTS: &[(&str, DefaultSigma, &str)] = &[
     ("swing.speed", DefaultSigma::Of(0.5, "mph"), MONITOR),
     ("swing.attack_angle", DefaultSigma::Of(0.3, "deg"), MONITOR),
@@ -241,8 +243,8 @@ const DEFAULTS: &[(&str, DefaultSigma, &str)] = &[
     ("aero.cl_slope", DefaultSigma::Part(0.1), LAW_LIFT),
 ];
 
-/// The given uncertainties, then defaults for the other parameters; defaults of the ground are
-/// added only for outcomes of the roll-out.
+/// The given uncertainties, then the defaults of other parameters. Parameters that affect only the
+/// run have defaults only if an outcome in `of` needs the run.
 ///
 /// # Errors
 /// [`Error::Unreadable`] for a parameter that is given twice.

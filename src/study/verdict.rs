@@ -54,8 +54,8 @@ pub(super) fn only_in(these: &[Active], others: &[Active]) -> Vec<Active> {
         .collect()
 }
 
-/// The active bounds and constraints of `held`. `is_lower` is true for a variable whose lower bound
-/// is active, false if the upper bound is active.
+/// The active bounds and constraints of `held`. For a variable at a bound, `is_lower` returns true
+/// at the lower and false at the upper bound.
 pub(super) fn active(
     vary: &[Vary],
     constraints: &[Constraint],
@@ -81,7 +81,6 @@ pub(super) fn active(
     bounds.chain(limits).collect()
 }
 
-/// Name of the status of a search.
 pub(super) fn status_name(status: Status) -> &'static str {
     match status {
         Status::Undefined => "no-flight",
@@ -89,9 +88,9 @@ pub(super) fn status_name(status: Status) -> &'static str {
     }
 }
 
-/// Text on the constraints that the final point of a search violates, with the values `goals`,
-/// which are not smoothed. If these values meet all limits, the text has the smoothed values of the
-/// search.
+/// Text on the constraints that the final point of a search violates. Its numbers are the exact
+/// values `goals`. If these are missing or meet all limits, the numbers are the smoothed values of
+/// the search.
 pub(super) fn violated(
     constraints: &[Constraint],
     found: &Solution,
@@ -126,7 +125,6 @@ pub(super) fn violated(
     Message::joined(missed, " and ")
 }
 
-/// Text on the limits that the nearest design over swings violates.
 pub(super) fn violated_by_design(
     constraints: &[Constraint],
     found: &Solution,
@@ -144,7 +142,6 @@ impl LocalOptimum {
 }
 
 impl Optimum {
-    /// The names of all statuses.
     #[cfg(test)]
     pub(crate) fn statuses() -> Vec<&'static str> {
         Status::ALL.map(status_name).to_vec()
@@ -233,7 +230,6 @@ impl Optimum {
             ))
     }
 
-    /// Text on the constraints that the drive at the end of the search violates.
     fn violated_by_drive(&self) -> Message {
         let tried = self.sample.map_or(String::new(), |sample| {
             format!(
@@ -262,8 +258,8 @@ impl Optimum {
         .message(self.undefined_at_start())
     }
 
-    /// Reason why the drive at the start does not fly. The optimizer only stores the text of the
-    /// reason; a new computation of the drive gives the reason with units.
+    /// Reason why the drive at the start does not fly. The optimizer stores only its text. A new
+    /// computation of the drive gives the reason as a message whose values can change units.
     fn undefined_at_start(&self) -> Message {
         let start = self.solution.undefined_at_start.as_deref();
         let text = start.unwrap_or_default();
@@ -275,7 +271,7 @@ impl Optimum {
             .unwrap_or_else(|| text.into())
     }
 
-    /// Message about parameters that do not affect the outcome of one drive, if any.
+    /// Message about varied parameters that do not affect the objective; `None` if all affect it.
     fn idle_parameters(&self) -> Option<Message> {
         let of = &self.search.of.expression;
         let idle = self.idle();
@@ -324,11 +320,11 @@ impl Optimum {
         }
     }
 
-    /// True if the varied parameter `i` does not affect the objective. To second order, the
-    /// objective changes over the range of the parameter:
+    /// True if the varied parameter `i` has a negligible effect on the objective. To second order,
+    /// the objective then changes over the range of the parameter
     ///
     /// - for one drive, only by rounding;
-    /// - over swings, by less than 1 mm, or by less than 1e-6 of its value if it is not a length.
+    /// - over swings, by at most 1 mm, or by at most 1e-6 of its value if it is not a length.
     ///
     /// The optimal value of such a parameter is arbitrary, or lies at a bound.
     pub fn is_idle(&self, i: usize) -> bool {
@@ -349,7 +345,6 @@ impl Optimum {
         width(i) > 0.0 && (slope.abs() + bends) * width(i) <= negligible
     }
 
-    /// The names of the varied parameters that do not affect the objective.
     fn idle(&self) -> Vec<&'static str> {
         let vary = self.search.vary.iter().enumerate();
         vary.filter(|(i, _)| self.is_idle(*i))
@@ -357,7 +352,8 @@ impl Optimum {
             .collect()
     }
 
-    /// True if the objective changes over the ranges, to second order, by rounding only.
+    /// True if the objective is constant over the ranges: to second order, it changes by rounding
+    /// only.
     fn is_flat(&self) -> bool {
         const ROUNDING: f64 = 1e-10;
         let width = |i: usize| self.search.vary[i].high - self.search.vary[i].low;
@@ -371,8 +367,8 @@ impl Optimum {
         slopes.chain(bends).all(|change| change.abs() < ROUNDING)
     }
 
-    /// Message on the point at which the search began instead of the setup's own values, because
-    /// the ball does not fly with these; `None` if the search began at the setup's own values.
+    /// Message on the point at which the search began, if the ball does not fly with the setup's
+    /// own values; `None` if the search began at these.
     pub fn moved_start(&self) -> Option<String> {
         let why = self.solution.undefined_at_start.as_ref();
         let why = why.filter(|_| !self.solution.initial_point.is_empty())?;
