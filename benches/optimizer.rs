@@ -14,7 +14,8 @@ use problems::Case;
 use std::cell::{Cell, RefCell};
 use std::time::{Duration, Instant};
 
-/// Number of timed searches of each problem; the fastest counts, because machines are shared.
+/// Number of timed searches of each problem. The fastest counts, because other programs disturb the
+/// machine.
 const TIMES: u32 = 30;
 /// Largest number of variables of a small problem.
 const FEW: usize = 4;

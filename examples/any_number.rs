@@ -1,5 +1,5 @@
-//! The physics over another number: the third derivative of carry by loft with num-dual's
-//! `Dual3_64`, and the cubic Taylor polynomial compared with a drive.
+//! The physics with another number type: the third derivative of carry by loft with num-dual's
+//! `Dual3_64`, and the cubic Taylor polynomial of carry compared with drives.
 //!
 //! `cargo run --release --example any_number`
 

@@ -14,7 +14,7 @@ fn main() -> longdrive::Result<()> {
     let rows = jacobian(&setup, &outcomes, &wrt)?;
     for (outcome, row) in outcomes.iter().zip(&rows) {
         println!("{} = {}", outcome.name(), outcome.show(row.value));
-        // the five parameters whose change by 1 % changes the outcome most
+        // the five parameters with the largest effect of a change by 1 %
         let effect = |k: usize| (row.gradient[k] * setup.value(wrt[k]).unwrap_or(0.0)).abs();
         let mut order: Vec<usize> = (0..wrt.len()).collect();
         order.sort_by(|a, b| effect(*b).total_cmp(&effect(*a)));

@@ -151,8 +151,8 @@ def slsqp(oracle):
 
 
 def trust_constr(oracle):
-    """Runs trust-constr with gtol = 0: only the tests of its trust region and of its barrier
-    parameter end a search.
+    """Runs trust-constr with gtol = 0, so that only the tests of trust region and barrier parameter
+    end a search.
 
     The gtol test checks the gradient of the Lagrangian with least-squares multipliers, but neither
     complementarity nor the barrier parameter. With gtol = 1e-10 a search stops far from the optimum
@@ -204,7 +204,7 @@ def solve(program, solver, problem, pipe):
 
 
 def run(context, program, solver, problem):
-    """The outcome of the last repetition, with the time of the fastest one."""
+    """The outcome of the last repetition, with the time of the fastest repetition."""
     receive, send = context.Pipe(duplex=False)
     process = context.Process(target=solve, args=(program, solver, problem, send))
     process.start()

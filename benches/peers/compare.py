@@ -34,8 +34,8 @@ TITLES = {
     "W&T": "23 optima, Winfield & Tan",
     "W&T-1um": "the 23 at 1 µm",
 }
-# number of operations in a run whose instructions are counted. An operation of T6 computes
-# GRID_POINTS points, or SAMPLED_POINTS points if the peer computes only every 25th attack angle
+# number of operations of each task in a run under valgrind, which counts instructions. An operation
+# of T6 computes GRID_POINTS points, or SAMPLED_POINTS if the peer computes every 25th attack angle
 OPERATIONS = {
     "T1": 10,
     "T2": 10,
@@ -51,8 +51,8 @@ OPERATIONS = {
 }
 GRID_POINTS, SAMPLED_POINTS = 2000, 80
 
-# limits of docs/performance.md, in clock cycles: a single drive (least, most), and a point of the
-# grid
+# lower bounds of the computation time (Limits in docs/performance.md), clock cycles: of a single
+# drive, as a range, and of a point of the grid
 LATENCY, GRID_CYCLES = (28700, 33100), 5050
 
 # expected results of every task, with the method and step of the preset
@@ -88,16 +88,16 @@ def lines(command, patience=600):
 
 
 class Peer:
-    """A program that does tasks: a command that times a task, and a command that counts the
-    instructions of a task."""
+    """A program that does tasks. `timed` is the command that times a task, `counted` the command
+    whose instructions valgrind counts (None: they are not counted)."""
 
     def __init__(self, name, tasks, timed, counted=None, is_sampled=False, note=""):
         self.name, self.tasks, self.timed, self.counted = name, tasks, timed, counted
         self.is_sampled, self.note = is_sampled, note
 
     def count(self, task):
-        """Instructions of an operation: the difference between a run with N operations and a run
-        with none, over N."""
+        """Instructions of an operation, for T6 of a point: the difference between a run with N
+        operations and a run with none, divided by N."""
         if self.counted is None or task not in OPERATIONS or not shutil.which("valgrind"):
             return None
         n = OPERATIONS[task]

@@ -50,8 +50,8 @@ done
 if [ -e /usr/include/ceres/jet.h ]; then compile g++ ceres-jet ceres.cpp -DNDEBUG -I/usr/include/eigen3; fi
 gcc -O2 -march=native cpp/machine.c -o "$build/machine"
 
-# the library at level 3 with thin local LTO, as cargo compiles it for a package that depends on it;
-# the program with its own release profile, as it is installed
+# the library with optimization level 3 and thin local LTO, as cargo compiles it for a package that
+# depends on it; the program with the release profile of this repository, as it is installed
 cargo build --release --locked --target-dir target --config profile.release.lto=false --config profile.release.package.longdrive.opt-level=3
 cargo build --release --locked --target-dir target --package longdrive --bin longdrive
 

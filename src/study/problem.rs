@@ -224,10 +224,10 @@ impl SearchProblem {
             .collect()
     }
 
-    /// Second derivatives of the drives in `subset` near `x`, each times the number of scenarios that
-    /// the drive represents. They are computed at the nearest point of a grid over the ranges. Near
-    /// an optimum they are therefore computed only once, and do not depend on the points evaluated
-    /// before.
+    /// Second derivatives of the drives in `subset` near `x`, each times the number of scenarios
+    /// that the drive represents. They are computed at the nearest point of a grid over the ranges,
+    /// so that near an optimum they are computed only once, and do not depend on the points
+    /// evaluated before.
     fn second_derivatives(&self, x: &[f64]) -> std::result::Result<Arc<SecondDerivatives>, String> {
         let nearest: Vec<f64> = (0..x.len()).map(|i| self.on_the_grid(i, x[i])).collect();
         let lock = || {

@@ -10,12 +10,13 @@ use std::process::{Command, Stdio};
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
-/// Time limit of a solver, s. A solver that exceeds it counts as failed.
+/// Time limit of a repetition. A solver that exceeds it in the first repetition counts as failed;
+/// in a later one, its earlier outcome counts.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Repetitions; the fastest counts.
+/// Number of times that a solver solves a problem; the fastest counts.
 const REPETITIONS: usize = 3;
 
-/// Runs in the child process: prints the outcome of each repetition.
+/// The work of the child process: prints the outcome of each repetition as a line of JSON.
 pub fn solve(solver: &str, problem: &str) -> Result<(), Box<dyn Error>> {
     let peer = PEERS
         .iter()
@@ -53,7 +54,7 @@ pub fn solve(solver: &str, problem: &str) -> Result<(), Box<dyn Error>> {
 }
 
 /// Runs the child process. Returns the outcome of its last repetition, with the time of the fastest
-/// one.
+/// repetition.
 pub fn run(solver: &str, problem: &str) -> Result<Outcome, Box<dyn Error>> {
     let mut child = Command::new(std::env::current_exe()?)
         .args(["--solve", solver, problem])

@@ -120,9 +120,9 @@ fn active_set(case: &Case, x: &[f64], at: &Evaluation) -> (Vec<Active>, f64) {
     (active, worst)
 }
 
-/// Stationarity and complementarity with the best multipliers, in three passes. Each pass divides
-/// every component by the size of its largest term in the previous pass. The pass with the smallest
-/// residual counts.
+/// Stationarity and complementarity with the best multipliers of three passes of least squares.
+/// Each pass divides every component of the balance by the size of its largest term in the previous
+/// pass. The pass with the smallest residual counts.
 fn multipliers_fit(active: &[Active], gradient: &[f64], value: f64) -> (f64, f64) {
     let n = gradient.len();
     let least = value.abs().max(1.0);
@@ -168,7 +168,7 @@ mod tests {
         judge(cases.iter().find(|case| case.name == name).unwrap(), x).residual()
     }
 
-    /// HS35: the published optimum (4/3, 7/9, 4/9), on its constraint.
+    /// The published optimum of HS35 is (4/3, 7/9, 4/9); its constraint is active there.
     #[test]
     fn an_optimum_passes_and_its_neighbours_do_not() {
         let at = [4.0 / 3.0, 7.0 / 9.0, 4.0 / 9.0];

@@ -2,8 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Minimises |A z − b| with z ≥ 0, except for the unknowns that are `free`. Columns are normalised
-/// inside.
+/// Minimises |A z − b| with zⱼ ≥ 0 for each j that is not `free`. It normalises the columns of A
+/// internally.
 pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool]) -> DVector<f64> {
     let columns = a.ncols();
     let sizes: Vec<f64> = (0..columns).map(|j| a.column(j).norm()).collect();
@@ -35,7 +35,7 @@ pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool]) -> DVector<f64> 
     DVector::from_fn(columns, |j, _| z[j] / size(j))
 }
 
-/// Solves least squares over the passive columns (those whose unknown is not held at 0). If an
+/// Solves least squares over the passive columns; the unknowns of the other columns are 0. If an
 /// unknown that is not `free` would become negative, its column leaves the passive set.
 fn descend(
     a: &DMatrix<f64>,

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-/// Counts the points at which a problem is evaluated: value, gradient, constraints and Hessians at
+/// A problem, with a count of the points at which it is evaluated: all functions and derivatives at
 /// one x count once.
 pub struct Oracle<'a> {
     pub case: &'a Case,
@@ -45,12 +45,11 @@ impl<'a> Oracle<'a> {
             .clone()
     }
 
-    /// Points evaluated.
     pub fn evaluations(&self) -> usize {
         self.known.borrow().len()
     }
 
-    /// Time spent in evaluations.
+    /// Time spent in [`read`](Self::read).
     pub fn spent(&self) -> Duration {
         self.spent.get()
     }
@@ -70,7 +69,7 @@ pub fn evaluate(case: &Case, x: &[f64]) -> Evaluation {
     })
 }
 
-/// The published start, moved into the bounds, for every solver.
+/// The published start, moved into the bounds. Every solver starts here.
 pub fn start(case: &Case) -> Vec<f64> {
     case.start
         .iter()
@@ -79,8 +78,8 @@ pub fn start(case: &Case) -> Vec<f64> {
         .collect()
 }
 
-/// One limit of a constraint c, as sign · (c − limit) = 0 or ≤ 0: for solvers without two-sided
-/// limits.
+/// A limit of a constraint c for solvers without two-sided limits: sign · (c − limit) = 0 for an
+/// equality, ≤ 0 for an inequality.
 #[derive(Clone, Copy)]
 pub struct Row {
     pub constraint: usize,

@@ -8,9 +8,10 @@ pub struct Outcome {
     pub problem: String,
     /// The status that the solver reports; the judge does not read it.
     pub status: String,
-    /// The last point of the solver; empty if the solver failed.
+    /// The last point of the solver, `None` for a number that is not finite; empty if the solver
+    /// failed.
     pub x: Vec<Option<f64>>,
-    /// Points evaluated.
+    /// Number of points at which the problem was evaluated.
     pub evaluations: usize,
     pub iterations: Option<u64>,
     /// The solver's own time in seconds, without evaluations: the fastest of the repetitions.
@@ -31,7 +32,7 @@ impl Outcome {
         }
     }
 
-    /// The last point of the solver, with NaN for each number that is `null` in JSON.
+    /// The last point of the solver, with NaN for each number that is not finite.
     pub fn point(&self) -> Vec<f64> {
         self.x.iter().map(|x| x.unwrap_or(f64::NAN)).collect()
     }

@@ -51,7 +51,7 @@ impl Record<'_> {
             .sum()
     }
 
-    /// Median over the problems of the ratio of `of(outcome)`: this solver's to the other solver's.
+    /// Median over `problems` of the ratio of `of(outcome)` of this solver to that of `other`.
     fn ratio(&self, other: &Self, problems: &[&str], of: impl Fn(&Outcome) -> f64) -> f64 {
         let both = problems
             .iter()
@@ -215,7 +215,7 @@ fn problems(cases: &[Case], records: &[Record]) -> Result<String, Box<dyn Error>
     Ok(table)
 }
 
-/// Every outcome with its judgement.
+/// Every outcome with its judgement, as lines of JSON.
 fn lines(records: &[Record]) -> Result<String, Box<dyn Error>> {
     let mut lines = String::new();
     for run in records.iter().flat_map(|record| record.runs.values()) {

@@ -22,7 +22,7 @@
 constexpr double DEG = M_PI / 180, LAM0 = 10 * DEG, EPS0 = 0;
 static volatile double g_zero = 0;  // keeps the compiler from computing the inputs' results in advance
 
-// the compiler must compute every component of the result, also if nobody reads it
+// makes the compiler compute every component of the result, although nothing reads it
 template <class R> static inline void keep(const R& r) { __asm__ volatile("" : : "r"(&r) : "memory"); }
 
 static inline double now() { timespec t; clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t); return t.tv_sec + 1e-9 * t.tv_nsec; }
@@ -61,11 +61,12 @@ struct Bench {
     emit(name, once ? 0 : fastest(work), show(result));
   }
 
-  // T6: loft 0..25 deg x attack -10..10 deg, 1000 x 1000 points; a row is one loft. row(lam, first,
-  // stride, add) computes one row at every stride-th attack angle from `first` on, and calls add(j,
-  // carry, dlam, deps). Timed: every 25th row. Instructions are counted in rows 250 and 750, from
-  // first = stride/2 on. Value: the check sum over every 25th row and column. "grad": the check sum
-  // without the row of loft 0, where the ball does not spin and carry has a kink.
+  // T6: loft 0..25 deg x attack -10..10 deg, 1000 x 1000 points; a row is one loft.
+  // row(lam, first, stride, add) computes a row at every stride-th attack angle from `first` on,
+  // and calls add(j, carry, dlam, deps) for each. Every 25th row is timed. Instructions are counted
+  // in rows 250 and 750, from first = stride/2 on. The value in the output is the check sum over
+  // every 25th row and column. "grad" is the check sum without the row of loft 0, where the ball
+  // does not spin and carry has a kink.
   template <class RowOp> void grid(int stride, RowOp row) const {
     if (!wants("T6")) return;
     const int N = 1000, every = 25;

@@ -1,11 +1,11 @@
-// Measures the clock rate by a chain of dependent multiplications of 3 cycles each. Then the bounds
-// of the tasks, in cycles: latencies of sqrtsd and of a fused multiply-add; with AVX-512 also the
-// cycles between two vsqrtpd of 8 lanes.
+// Measures the clock rate with a chain of dependent multiplications, each of 3 cycles. Then
+// measures, in cycles, what bounds the tasks from below: the latencies of sqrtsd and of a fused
+// multiply-add; with AVX-512 also the time between two independent vsqrtpd of 8 lanes.
 #include <immintrin.h>
 #include <stdio.h>
 #include <time.h>
 static double now() { struct timespec t; clock_gettime(CLOCK_MONOTONIC, &t); return t.tv_sec + 1e-9 * t.tv_nsec; }
-// n per second, the fastest of many
+// rate, 1/s, of n operations, in the fastest of 300 runs
 #define RATE(n, ...) ({ double best = 1e9; for (int r = 0; r < 300; r++) { double a = now(); __VA_ARGS__; double d = now() - a; if (d < best) best = d; } (n) / best; })
 int main() {
   const long N = 200000;

@@ -1,4 +1,5 @@
-// T5 for the C++ peers: projected Newton with the exact Hessian (active set, backtracking) in two variables.
+// T5 for the C++ peers: projected Newton method in two variables, with exact Hessian, active set
+// and backtracking.
 #pragma once
 #include <algorithm>
 #include <cmath>

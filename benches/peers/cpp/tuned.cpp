@@ -1,5 +1,5 @@
-// Derivatives worked out by hand. The scalar program does T1, T2 and T6. With -DVEC=v4, v8 or V2
-// (-DTWO_VECTORS) the lanes of a vector are attack angles, and the program does T6 only.
+// Derivatives worked out by hand. The scalar program does T1, T2 and T6. With -DVEC=v4, -DVEC=v8,
+// or -DTWO_VECTORS -DVEC=V2, the lanes of a vector are attack angles, and the program does T6 only.
 #include "tuned.hpp"
 #include "harness.hpp"
 #ifdef TWO_VECTORS

@@ -1,6 +1,7 @@
 // Hand-derived carry + exact gradient (no AD), written once for scalar double and for GCC vectors of 4 / 8 doubles.
 //  * spin factor by recurrence, one exp per time node (two per step)
-//  * tangents through the closed 2x2 Jacobian of the acceleration + spin forcing column (d w0/d eps = 0)
+//  * tangents by the closed-form 2x2 Jacobian of the acceleration by the velocity; the tangent by
+//    lam has another term, from the spin, which does not depend on eps
 //  * landing by quintic Hermite + implicit function theorem
 #pragma once
 #include <immintrin.h>

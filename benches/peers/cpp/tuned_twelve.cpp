@@ -1,6 +1,6 @@
-// T4 by the chain rule. The twelve parameters change the flight only through vx0, vz0, w0, k and
-// delta: the flight has 5 tangents, in one vector of 8 lanes. The impact has dual numbers with 12
-// tangents.
+// T4 by the chain rule. The flight depends on the twelve parameters only through vx, vz and w0 at
+// launch, kq and delta. It therefore has 5 tangents, in one vector of 8 lanes. The impact has dual
+// numbers with 12 tangents.
 #include "dual.hpp"
 typedef double W8 __attribute__((vector_size(64)));
 struct DV { double v; W8 d; DV() {} DV(double x) : v(x), d{} {} DV(double x, W8 d) : v(x), d(d) {} };

@@ -32,8 +32,8 @@ def bench(f, budget=0.8, clock=time.process_time):
         best = min(best, (clock() - t) / per)
         if time.perf_counter() > end: return best
 def pgnorm(x, g, carry):
-    """projected gradient of carry/carry*: |P(x + g/carry) - x|, largest component (g = d carry / d
-    rad)"""
+    """largest component of the projected gradient |P(x + g/carry) - x|, where P projects on BOUNDS
+    and g is the gradient of carry, m/rad"""
     return max(abs(min(hi, max(lo, a + gi / carry)) - a) for a, gi, (lo, hi) in zip(x, g, BOUNDS))
 def want(task): return len(sys.argv) < 2 or sys.argv[1] == task
 ONCE = len(sys.argv) > 2

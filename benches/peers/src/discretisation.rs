@@ -1,4 +1,4 @@
-//! Cost and error of the discretisation.
+//! Computation time and error by method and step of the integration.
 
 use crate::clock;
 use crate::grid;
@@ -19,8 +19,8 @@ const LADDERS: [[f64; 7]; 2] = [
 ];
 /// Largest allowed error of carry, m, in the rows 'at 1 µm' of docs/performance.md.
 const MICROMETRE: f64 = 1e-6;
-/// Number of trial steps for the rows 'at 1 µm'. Their lengths are equidistant, up to
-/// `LONGEST_STEP`.
+/// Number of steps that are tried for the rows 'at 1 µm': the multiples of `LONGEST_STEP`/`STEPS`
+/// up to `LONGEST_STEP`.
 const STEPS: u32 = 200;
 /// Longest tried step, s.
 const LONGEST_STEP: f64 = 2.0;
@@ -74,8 +74,8 @@ fn times(by: &Discretisation, budget: f64) -> Result<[f64; 3]> {
     Ok(seconds)
 }
 
-/// The methods, fastest first, each with its largest trial step for which this and all shorter
-/// trial steps have errors within 1 µm.
+/// The methods, fastest first, each with its largest step for which it and all shorter tried steps
+/// have errors of at most 1 µm. A method without such a step is omitted.
 fn choose(
     error: impl Fn(&Discretisation) -> Result<f64>,
     time: impl Fn(&Discretisation) -> Result<f64>,
@@ -105,9 +105,8 @@ fn choose(
         .collect())
 }
 
-/// The methods and steps with an error of at most 1 µm, the fastest first. The list for single
-/// drives has the errors of the two measured drives; the list for the grid (task T6) has the errors
-/// over the grid.
+/// The methods and steps with an error of carry of at most 1 µm, fastest first: in the list
+/// `single` for the drives of [`PLACES`], in the list `grid` for the points of task T6.
 pub fn one_micrometre() -> Result<Value> {
     let exact = taylors(&reference(), Order::Value)?;
     let single = choose(
@@ -121,7 +120,7 @@ pub fn one_micrometre() -> Result<Value> {
     )
 }
 
-/// Errors and times by method and step.
+/// Calls `row` with the errors and times of each method and step of the work–precision table.
 pub fn work_precision(mut row: impl FnMut(Value)) -> Result<()> {
     let exact = taylors(&reference(), Order::Second)?;
     for (method, ladder) in METHODS.iter().zip(LADDERS) {

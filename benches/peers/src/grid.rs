@@ -12,9 +12,9 @@ const AXES: [&str; 2] = [
     "swing.attack_angle=-10deg..10deg:1000",
 ];
 const SIDE: u64 = 1000;
-/// Stride of the rows and columns that enter the check sum, and of the timed rows.
+/// Every 25th row is timed. Every 25th column of these rows enters the check sum.
 const EVERY: u64 = 25;
-/// The rows whose instructions are counted.
+/// The rows of the grid for which valgrind counts instructions.
 const COUNTED: [u64; 2] = [250, 750];
 /// Number of repetitions of a row; the fastest counts.
 const REPEATS: usize = 5;
@@ -88,7 +88,7 @@ impl Rows {
         self.batch.evaluate(row * SIDE, black_box(points))
     }
 
-    /// Computes the counted rows `count` times.
+    /// Computes the rows [`COUNTED`] `count` times.
     pub fn repeat(&self, count: u64) {
         for _ in 0..count {
             for row in COUNTED {
@@ -126,7 +126,7 @@ impl Rows {
     }
 }
 
-/// Computation time per point, s, and the check sums of the whole grid, in one complete call on one
+/// Computation time per point, s, and the check sums, if one call computes the whole grid on one
 /// thread.
 pub fn whole(by: &Discretisation) -> Result<(f64, Sums)> {
     let setup = mae494(by)?;

@@ -19,7 +19,7 @@ const USAGE: &str = "usage: peers [--method M] [--step S] [--peer NAME] [TASK [o
        peers work-precision                errors and times by method and step
        peers start NAME TASK COMMAND...    T7: seconds of a process";
 
-/// Seconds for the batches of a task.
+/// CPU time for the timed batches of a task, s.
 const BUDGET: f64 = 0.4;
 
 fn main() -> Result<(), Box<dyn Error>> {

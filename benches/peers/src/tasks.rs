@@ -13,7 +13,8 @@ pub const SINGLE: [&str; 10] = [
     "T1", "T2", "T3", "T4", "T5", "all", "3-D", "3-D-all", "W&T", "W&T-1um",
 ];
 
-/// The twelve parameters of T4: loft, attack, M, m, R, I_b, d, I_yy, e, V, ρ, δ.
+/// The twelve parameters of T4. In the other peers they are lam, eps, M, m, R, Ib, d, Iyy, e, V,
+/// rho, delta.
 const TWELVE: [&str; 12] = [
     "club.loft",
     "swing.attack_angle",
@@ -87,9 +88,10 @@ const TABLE_2: [f64; 13] = [
     -10.0, -5.0, -4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 10.0,
 ];
 
-/// The optima of Winfield & Tan: the optimum over both angles, searched from 10° of loft and 0° of
-/// attack angle, and the optima of their tables. Each search of a table starts from the previous
-/// optimum.
+/// The task that computes the 23 optima of Winfield & Tan: those of their two tables, then the
+/// optimum over both angles, searched from 10° of loft and 0° of attack angle. Each search of a
+/// table starts from the previous optimum. `within` is a tolerance of carry, m, for which method
+/// and step are chosen; without it they are the preset's.
 fn winfield_tan(within: Option<f64>) -> Result<Ready> {
     let mut setup = Setup::preset("winfield-tan")?;
     let vary = ["club.loft=2deg..18deg", "swing.attack_angle=-10deg..30deg"];
@@ -133,14 +135,14 @@ fn winfield_tan(within: Option<f64>) -> Result<Ready> {
     }))
 }
 
-/// Result of a task.
 pub enum Answer {
     Drive(Taylor),
     Optimum(Box<Optimum>),
 }
 
 impl Answer {
-    /// The result as a value, its derivatives (or the position of an optimum, deg), and a note.
+    /// Value, derivatives and a note. The derivatives are the gradient, then the upper triangle of
+    /// the Hessian; for an optimum, they are replaced by its position, deg.
     pub fn parts(self) -> (f64, Vec<f64>, String) {
         match self {
             Self::Drive(taylor) => {
@@ -168,11 +170,11 @@ impl Answer {
     }
 }
 
-/// The operation of a task, which may be repeated.
+/// Computes a task once. Timing calls it repeatedly.
 type Ready = Box<dyn Fn() -> Result<Answer>>;
 
-/// The operation that computes a task of a single drive; `None` for another task. The arguments are
-/// checked here, not at each repetition.
+/// The operation of a task of a single drive; `None` for any other task. Arguments are checked
+/// here, so that the operation does not check them at each repetition.
 pub fn ready(task: &str, by: &Discretisation) -> Result<Option<Ready>> {
     match task {
         "W&T" => return winfield_tan(None).map(Some),

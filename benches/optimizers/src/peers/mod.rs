@@ -14,7 +14,6 @@ pub const TOLERANCE: f64 = 1e-10;
 /// Tolerance for solvers that stop when the decrease of f is small. The decrease is of second order
 /// in the error of x.
 pub const FALL: f64 = 1e-14;
-/// Largest number of iterations.
 pub const ITERATIONS: u64 = 1000;
 
 /// Last point of a solver.

@@ -110,7 +110,7 @@ impl NlpProblem for Program<'_, '_> {
 pub fn solve(oracle: &Oracle) -> Result<End, String> {
     let options = SolverOptions {
         tol: TOLERANCE,
-        // this tolerance is also the largest relaxation of the bounds
+        // ripopt also relaxes the bounds by up to this tolerance
         constr_viol_tol: TOLERANCE,
         compl_inf_tol: TOLERANCE,
         max_iter: ITERATIONS as usize,

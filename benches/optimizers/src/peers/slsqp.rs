@@ -56,7 +56,7 @@ pub fn solve(oracle: &Oracle) -> Result<End, String> {
     })
 }
 
-/// The constraints of a case, with two inequalities for each equality.
+/// The constraints of a case as inequalities, two for each equality.
 fn inequalities(case: &Case) -> Vec<Row> {
     let (equalities, mut constraints) = rows(case);
     for row in equalities {
@@ -69,7 +69,6 @@ fn inequalities(case: &Case) -> Vec<Row> {
     constraints
 }
 
-/// The value and the gradient of a constraint.
 fn constraint(oracle: &Oracle, row: &Row) -> impl Fn(&[f64], Option<&mut [f64]>, &mut ()) -> f64 {
     move |x, gradient, ()| {
         oracle.read(x, |at| {
