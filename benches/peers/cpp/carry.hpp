@@ -1,9 +1,9 @@
 // What every C++ peer with automatic differentiation computes: the carry of the mae494 drive in a
 // vertical plane. The template parameters are number types. T: type of differentiated variables; C:
-// type of the other parameters (double for T1-T3, T for T4). x is up, z is downrange. RK4 integrates
-// velocities and positions in steps of 0.01 s. Newton's method finds the landing on the quintic
-// Hermite polynomial of the last step. longdrive has degree 7; at this step both give the same carry
-// to 1e-12 m.
+// type of the other parameters (double for T1-T3, T for T4). x is up, z is downrange. RK4
+// integrates velocities and positions in steps of 0.01 s. Newton's method finds the landing on the
+// quintic Hermite polynomial of the last step. longdrive has degree 7; at this step both give the
+// same carry to 1e-12 m.
 #pragma once
 #include <cmath>
 static inline double tovalue(double x) { return x; }

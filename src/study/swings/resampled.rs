@@ -119,8 +119,8 @@ struct Round {
     /// Value of the objective at this optimum, with the swings of the resample; `None` if the ball
     /// does not fly in one of the swings.
     value: Option<f64>,
-    /// How much better the best design for all swings is than the setup's design, with the swings
-    /// of the resample; `None` if the ball does not fly in one of the swings.
+    /// Gain of the objective, with the swings of the resample, from the setup's design to the best
+    /// design for all swings; `None` if the ball does not fly in one of the swings.
     gain: Option<f64>,
 }
 

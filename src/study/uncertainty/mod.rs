@@ -185,9 +185,8 @@ fn measure_first(sampled: &Statistics, inputs: &[Uncertain]) -> Option<MeasureFi
     let totals: Option<f64> = others
         .map(|(_, indices)| Some(indices.as_ref()?.total.value))
         .sum();
-    // The share of the variance that remains is 1 − `share`. The sum of the other total indices is
-    // an upper bound of it. If `share` is close to 1, the estimate of this sum is more accurate
-    // than that of 1 − `share`.
+    // the share 1 − `share` of the variance remains. The sum of the other total indices is an upper
+    // bound of it, and its estimate is more accurate than 1 − `share` if `share` is close to 1
     let left = totals
         .filter(|most| *most < 1.0 - share.low)
         .unwrap_or(1.0 - share.value);
