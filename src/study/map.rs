@@ -113,7 +113,8 @@ pub fn map(
         return Err(Error::NoFlight {
             status: "no-flight",
             reason: Message::from(format!(
-                "no flight: no drive of the map has a {}; at its lower left corner: ",
+                "no flight: {} has no value anywhere on the map; at the lower left corner of the \
+                 map: ",
                 of.name()
             ))
             .message(reason),

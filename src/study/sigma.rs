@@ -185,8 +185,8 @@ const HUMIDITY: &str = "assumed: humidity within 10 %";
 const BEARING: &str = "assumed: wind direction within 10 deg";
 const WIND: &str =
     "assumed: mean wind within 1 m/s, and gusts with σ_u/u = 1/ln(z_ref/z₀) (docs/sources.md)";
-const TURF: &str = "assumed: fairways differ, and no one has calibrated them; a tour drive's total \
-                    is then within about 10 yd";
+const TURF: &str = "assumed: fairways differ, and no measurement has calibrated these values; the \
+                    total of a tour drive is then known within about 10 yd";
 
 /// Default uncertainties, for a single drive that was measured on a driving range.
 const DEFAULTS: &[(&str, DefaultSigma, &str)] = &[

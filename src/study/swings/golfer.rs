@@ -148,7 +148,7 @@ impl Swings {
         let factor = factored(&matrix).map_err(|i| Error::Unreadable {
             name: "the correlations".into(),
             source: format!(
-                "no distribution has all of them: those of {} contradict the others (the matrix is \
+                "those of {} contradict the others: no distribution has them all (the matrix is \
                  not positive semidefinite); make them smaller",
                 inputs[i].parameter.name
             )

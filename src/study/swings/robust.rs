@@ -302,10 +302,10 @@ pub fn robust(
     let starts = losses.starts(&designs, count)?;
     let is_stopped = || follow.interrupt.load(Ordering::Relaxed);
     if starts.is_empty() && !is_stopped() {
-        let message = "the search for one design for all models has no start: with each design \
-                       that was tried, a swing does not fly with one of the models (tried: the \
-                       best designs, their mean, the setup's own design, and designs spread over \
-                       the ranges); vary fewer parameters, or over smaller ranges";
+        let message = "the search for one design for all models has no start: no design that \
+                       was tried lets the ball fly in every swing with every model (tried: the \
+                       best design of each model, their mean, the setup's own design, and designs \
+                       spread over the ranges); vary fewer parameters, or over smaller ranges";
         return Err(Error::NotConverged {
             status: "no-flight",
             message: message.into(),

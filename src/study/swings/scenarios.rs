@@ -132,7 +132,7 @@ impl Rule {
         }
         let source = format!(
             "it gives {count} scenarios, and a search takes 1 to {MOST_SCENARIOS}; give another \
-             number of nodes or points, or vary fewer parameters"
+             number of nodes or points, or give fewer parameters a distribution"
         );
         Err(Error::unreadable("the rule of the scenarios", source))
     }
