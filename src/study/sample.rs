@@ -1,5 +1,5 @@
-//! Checks the optimum of one drive: compares it with drives at sample points of the ranges, which
-//! are computed without derivatives.
+//! Checks the optimum of one drive: compares it with drives at sample points of the ranges. The
+//! drives of the sample are computed without derivatives.
 
 use super::problem::SearchProblem;
 use crate::error::Result;

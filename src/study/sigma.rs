@@ -188,7 +188,7 @@ const WIND: &str =
 const TURF: &str = "assumed: fairways differ, and no measurement has calibrated these values; the \
                     total of a tour drive is then known within about 10 yd";
 
-/// Default uncertainties, for a single drive that was measured on a driving range.
+/// Default uncertainties, for a single drive that was measured on a driving range in calm air.
 const DEFAULTS: &[(&str, DefaultSigma, &str)] = &[
     ("swing.speed", DefaultSigma::Of(0.5, "mph"), MONITOR),
     ("swing.attack_angle", DefaultSigma::Of(0.3, "deg"), MONITOR),

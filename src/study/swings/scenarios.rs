@@ -64,9 +64,9 @@ impl Rule {
         }
     }
 
-    /// The rule for distributed swings: with `count`, a sequence of `count` scenarios; without,
-    /// Gauss's rules for up to three parameters and a sequence for more. Recorded swings are the
-    /// scenarios themselves.
+    /// The rule for some swings. [`Rule::Recorded`] for recorded swings; for distributed swings a
+    /// sequence of `count` scenarios. Without `count`, up to three distributed parameters have
+    /// Gauss's rules, and more have a sequence.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a `count`
@@ -120,7 +120,7 @@ impl Rule {
     }
 
     /// Refuses a rule without scenarios, or with more than [`MOST_SCENARIOS`] for this number of
-    /// parameters. Recorded swings are not checked: [`Swings::recorded`] refuses an empty list.
+    /// parameters. [`Rule::Recorded`] is not checked: it makes no scenarios of its own.
     fn check_count(self, parameters: usize) -> Result<()> {
         let count = match self {
             Self::Quadrature(nodes) => nodes.saturating_pow(parameters as u32),

@@ -16,8 +16,8 @@ use crate::parameters::Law;
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
-/// Temperatures, K, of air colder and warmer than the default of 25 °C, for drives whose source does
-/// not state the air: 15 and 35 °C.
+/// Temperatures, K, of air colder and warmer than the default of 25 °C, for drives whose source
+/// does not state the air: 15 and 35 °C.
 pub const OTHER_TEMPERATURES: [f64; 2] = [288.15, 308.15];
 
 /// The error of a quantity for one drive.
