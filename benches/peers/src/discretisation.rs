@@ -106,7 +106,7 @@ fn choose(
 }
 
 /// The methods and steps with an error of carry of at most 1 µm, fastest first: in the list
-/// `single` for the drives of [`PLACES`], in the list `grid` for the points of task T6.
+/// `single` for the drives of `PLACES`, in the list `grid` for the points of task T6.
 pub fn one_micrometre() -> Result<Value> {
     let exact = taylors(&reference(), Order::Value)?;
     let single = choose(

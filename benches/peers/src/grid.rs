@@ -88,7 +88,7 @@ impl Rows {
         self.batch.evaluate(row * SIDE, black_box(points))
     }
 
-    /// Computes the rows [`COUNTED`] `count` times.
+    /// Computes the rows of `COUNTED` `count` times.
     pub fn repeat(&self, count: u64) {
         for _ in 0..count {
             for row in COUNTED {

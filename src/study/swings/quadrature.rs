@@ -88,8 +88,8 @@ fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> Ve
         .collect()
 }
 
-/// Gauss rule of a distribution: values with weights that sum to 1, exact for polynomials up to
-/// degree 2 n − 1 with n nodes.
+/// Gauss rule of a distribution: values with weights that sum to 1. With n nodes it is exact for
+/// polynomials up to degree 2 n − 1. A normal distribution is truncated at ±`REACH`.
 pub(super) fn rule(distribution: &Distribution, nodes: usize) -> Vec<(f64, f64)> {
     let bell =
         |mean: f64, deviation: f64| move |x: f64| (-0.5 * ((x - mean) / deviation).powi(2)).exp();

@@ -64,9 +64,9 @@ impl Rule {
         }
     }
 
-    /// The rule for some swings. [`Rule::Recorded`] for recorded swings; for distributed swings a
-    /// sequence of `count` scenarios. Without `count`, up to three distributed parameters have
-    /// Gauss's rules, and more have a sequence.
+    /// The rule for some swings: [`Rule::Recorded`] for recorded swings, and a sequence of `count`
+    /// scenarios for distributed swings. Without `count`, up to three distributed parameters are
+    /// integrated by Gauss's rules, and more than three by a sequence.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a `count`
