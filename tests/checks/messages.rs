@@ -55,7 +55,7 @@ fn one_thing_is_in_the_singular() {
         (
             &["verify", "--of", "carry", "--wrt", "club.loft"],
             0,
-            "of the differences of its carry by 1 parameter, 0 would pass",
+            "of the finite differences of its carry by 1 parameter, 0 would pass",
         ),
         (
             &fast,
