@@ -61,7 +61,7 @@ pub(crate) fn arrow_error_text(error: &arrow_schema::ArrowError) -> String {
         // an I/O error without a code comes from a decoder
         ArrowError::IoError(_, error) if error.raw_os_error().is_some() => read_error_text(error),
         ArrowError::MemoryError(_) => {
-            "there is no memory for it; write smaller record batches".into()
+            "a record batch does not fit into memory; write smaller ones".into()
         }
         _ => format!("a record batch is damaged; {DAMAGED}"),
     }

@@ -8,7 +8,7 @@ use longdrive::units::{Quantity, counted_of};
 pub struct Degrees {
     range: Option<(f64, f64)>,
     count: u64,
-    /// True if one of these values is outside of the range also when it is read in degrees.
+    /// True if a counted value is outside of the range in degrees too, not only in radians.
     is_beyond: bool,
 }
 

@@ -36,7 +36,8 @@ const TILT_CLAMP: [f64; 2] = [0.7, 0.6];
 const FLAT: f64 = 70.0 / 180.0 * PI;
 /// Coefficients, s/m and s²/m², of e/e_g = 1 + e₁ u + e₂ u² (eq. 20): Penner (2002), p. 933.
 const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];
-/// Start of the smooth clamp of u, the speed of the impact along the normal of the crater, m/s.
+/// Speed at which the smooth clamp of u begins, m/s. u is the speed of the ball along the normal of
+/// its crater.
 const CLAMP_SPEED: f64 = 18.0;
 /// Width of the smooth clamp of u, m/s: the clamped u ends at the minimum of e, 20.8 m/s.
 const CLAMP_WIDTH: f64 = 2.0 * (-RESTITUTION[0] / (2.0 * RESTITUTION[1]) - CLAMP_SPEED);

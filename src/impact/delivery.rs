@@ -4,7 +4,8 @@ use crate::parameters::Swing;
 /// Motion of the club head at impact in the ground frame, and the axes of the head frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Delivery<T> {
-    /// Velocity, m/s, of the head's centre of mass or of the centre of its face (`speed_of`).
+    /// Velocity, m/s, of the point of the head that `speed_of` names: the centre of mass or the
+    /// centre of the face.
     pub velocity: Vector<T>,
     /// Angular velocity of the head, rad/s.
     pub closure: Vector<T>,

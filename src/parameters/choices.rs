@@ -89,7 +89,7 @@ pub enum Method {
 }
 
 variant_names! {
-    /// Name in `flight.method`.
+    /// The value of `flight.method` that selects the method.
     Method {
         Rk4 = "rk4",
         DormandPrince8 = "dp8",

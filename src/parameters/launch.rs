@@ -114,8 +114,8 @@ impl Setup<f64> {
             .collect()
     }
 
-    /// The launch condition with this name without prefix, such as `ball_speed`; `None` if there is
-    /// no such condition.
+    /// The launch condition with this short name, such as `ball_speed` for `launch.ball_speed`;
+    /// `None` if there is no such condition.
     pub fn launch_condition(&self, name: &str) -> Option<&'static super::Parameter> {
         self.parameter(&format!("{GROUP}{name}")).ok()
     }

@@ -325,7 +325,7 @@ pub fn merge(manifests: &[Manifest]) -> Result<Summary> {
         if first.part.question != manifest.part.question {
             return Err(Error::Together {
                 given: format!("the parts {} and {}", first.part.part, manifest.part.part),
-                reason: "they belong to different sweeps; merge the parts of one".into(),
+                reason: "they belong to different sweeps; merge the parts of one sweep".into(),
             });
         }
         by_number.insert(manifest.part.part, manifest);

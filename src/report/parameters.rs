@@ -66,7 +66,7 @@ pub struct ParameterReport {
 pub struct ChoiceReport {
     /// The dotted name.
     pub choice: &'static str,
-    /// The name in the setup; `null` if the ground has the numbers of no turf.
+    /// The name in the setup; `null` if the numbers of the ground are not those of a named turf.
     pub value: Option<&'static str>,
     /// The name by default.
     pub default: Option<&'static str>,

@@ -148,7 +148,7 @@ pub fn usual_loss(best: &Optimum) -> f64 {
     }
 }
 
-/// Number of drives computed on an ellipse.
+/// Number of drives computed on the ellipse of a flatness.
 const AROUND: usize = 24;
 
 /// The flatness of an optimum for a stated loss of the outcome, SI.

@@ -208,7 +208,7 @@ impl Column {
         self.is_in_assumed_degrees && self.content != Content::Note
     }
 
-    /// True for a parameter of swing, strike, club or impact.
+    /// True for a parameter of the groups swing, strike, club and impact.
     pub fn is_of_the_strike(&self) -> bool {
         matches!(self.content, Content::Input(parameter) if parameter.is_of_strike())
     }

@@ -609,8 +609,7 @@ fn the_while_loop_is_compared_only_where_it_has_a_difference() {
         let printed = longdrive(&["verify", "mae494", "--set", set, "--wrt", wrt]);
         let words = on_one_line(&printed.out);
         assert!(
-            !words.contains("scale is –")
-                && !words.contains("is that of d carry/d air.viscosity"),
+            !words.contains("scale is –") && !words.contains("is that of d carry/d air.viscosity"),
             "{words}"
         );
         assert_eq!(

@@ -149,7 +149,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
         append(&unfinished_file(&part), b"0.1,0.2,lan");
         append(&sidecar(&part), b"{\"rows\":99");
 
-        // refused without --resume, and with other arguments
+        // a started sweep is refused without --resume, and with other arguments
         let (status, printed) = finish(start(many, &part, &[]));
         assert_eq!(status, Some(2));
         assert!(printed.contains("--resume continues it"), "{printed}");

@@ -71,8 +71,8 @@ fn other_swings_without_a_flight_do_not_suppress_a_design() {
     }
 }
 
-/// A varied weight that the setup does not have has no mass in the design as set up. Its mass is
-/// not the middle of its range.
+/// The setup has no weight 1, and its mass is varied. The design as set up is then without the
+/// weight; it does not have a weight with the middle mass of the range.
 #[test]
 fn the_setup_as_set_up_omits_unset_parameters() {
     let base = json(&[&TWO[..], &["--vary=club.loft=10deg..11deg"]].concat()).1;

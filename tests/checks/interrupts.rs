@@ -121,7 +121,7 @@ impl AtWork {
     }
 }
 
-/// Output of a command that is interrupted once it works.
+/// Output of a command that is interrupted as soon as it computes.
 pub fn interrupted(args: &[&str]) -> Output {
     let mut program = AtWork::new(args);
     program.wait_until(AtWork::has_computed);

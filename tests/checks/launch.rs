@@ -54,7 +54,7 @@ fn exact_parabola_and_its_derivatives_by_the_launch() {
         1e-9,
         "by launch angle",
     );
-    // without air a spin has no effect; a launch has no club, so no derivative by the club speed
+    // without air a spin has no effect
     assert!(carry.gradient[2].abs() < 1e-12);
     assert!(
         setup

@@ -785,7 +785,7 @@ fn a_page_of_a_calibration_plots_measured_over_computed_values() {
         let (measured, difference) = (number(&row["measured"]), number(&row["difference"]));
         crate::common::close(drawn[i][0], measured + difference, 200.0, 1e-12, "computed");
         crate::common::close(drawn[i][1], measured, 200.0, 1e-12, "measured");
-        // the data of a bar are two points and a gap
+        // the data of a bar are two points and NaN
         let half = 0.5 * (bars[3 * i + 1][1] - bars[3 * i][1]);
         crate::common::close(
             half,

@@ -1,5 +1,5 @@
-//! Plots and the page: pictures agree with the computed data, files are complete in themselves, and
-//! bad input is refused.
+//! Plots and the page of `report`: pictures agree with the computed data, a file needs no other
+//! file, and bad input is refused.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;

@@ -1,4 +1,5 @@
-//! Options with short names set one parameter each, as `--set` does; words select parameters.
+//! Options such as `--speed`, which set one parameter each, as `--set` does, and words that select
+//! the listed parameters, as in `parameters wind`.
 
 use crate::command_line::{json, longdrive, number, on_one_line};
 use serde_json::Value;

@@ -10,11 +10,11 @@ use crate::units::RPM;
 use grid::{DRAG, LIFT, SPEEDS, SPINS};
 use std::sync::LazyLock;
 
-/// Widths of the lower and the upper clamp of the speed beyond the grid, m/s. The lower clamps of
-/// speed and spin are narrow, because the coefficients are steep there: at 13.7 m/s and 2000 rpm
-/// the lift halves within 200 rpm.
+/// Beyond the grid, the speed is clamped smoothly: within this width beyond the lower and the upper
+/// end, m/s. The lower width is small, because the coefficients are steep there: at 13.7 m/s and
+/// 2000 rpm the lift halves within 200 rpm.
 const SPEED_OVER: [f64; 2] = [1.0, 4.0];
-/// Width of both clamps of the spin beyond the grid, rpm.
+/// Width of the smooth clamps of the spin beyond both ends of the grid, rpm.
 const SPIN_OVER: f64 = 100.0;
 
 /// Measured speeds, m/s. The last column of the grid, 88.1 m/s, is not measured: its drag is that

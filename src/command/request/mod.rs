@@ -120,8 +120,8 @@ impl Request {
             setup.replace_spin(setup.parameter(&setting.parameter)?);
             self.note_replaced(&setup, &before, setting);
         }
-        // reset parameters with the value `none`. Do not use `set`, which requires a value of the
-        // parameters that then determine them: these may be columns of a table
+        // Settings with the value `none` reset parameters. `set` would refuse some of them: it
+        // requires the values of other parameters, which may be columns of a table.
         let (resets, settings): (Vec<_>, Vec<_>) =
             settings.into_iter().partition(|setting| setting.is_reset());
         setup.set_all(

@@ -262,7 +262,7 @@ fn sentences(checked: &Checked) -> Vec<String> {
     } = checked;
     let mut lines = vec![match checked.is_complete() {
         true => format!(
-            "complete: {} of {} with the instructions {}, {bytes} bytes",
+            "complete: {} of {}, {bytes} bytes, computed with the processor instructions {}",
             counted(*present, "part"),
             counted(*rows, "drive"),
             definition.instructions

@@ -19,7 +19,7 @@ use tempfile::TempPath;
 
 /// Minimum time between two lines of the journal.
 const OFTEN: Duration = Duration::from_secs(1);
-/// Minimum number of blocks between two lines of the journal.
+/// Minimum number of blocks of rows between two lines of the journal.
 const BLOCKS: u64 = 16;
 
 /// The output file of a sweep that can be resumed: `FILE.part` until all rows are present, then

@@ -177,7 +177,8 @@ impl Ladder {
                 .largest_tolerance
                 .is_none_or(|largest| tolerance <= largest * size)
         };
-        // one-sided differences resolve a derivative that has a kink at this point
+        // if the derivative has a kink at this point, a one-sided difference is more accurate than
+        // a central one
         let estimates = [Side::Both, Side::Above, Side::Below]
             .map(|side| self.slope(side, least / TOLERANCE_FACTOR));
         let estimates = || estimates.iter().flatten().copied();

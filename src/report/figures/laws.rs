@@ -213,7 +213,8 @@ impl LawPlot {
         layers
     }
 
-    /// The points of [`measured`] near the constant of the plot (see [`NEAR`]).
+    /// The measured points of a law at about the spin ratio or Reynolds number that the plot holds
+    /// constant (see [`NEAR`]).
     fn measured_points(&self, law: &Law<f64>) -> Vec<[f64; 2]> {
         let [low, high] = self.range;
         let which = self.of as usize;
@@ -277,8 +278,8 @@ impl LawPlot {
     }
 }
 
-/// The segments of a curve within the law's range, or outside of it, separated by NaN. Segments of
-/// the two kinds meet at the ends of the range.
+/// The segments of a curve, separated by NaN: those inside the law's range if `within`, otherwise
+/// those outside. Segments of the two kinds meet at the ends of the range.
 fn pieces(curve: &[([f64; 2], bool)], within: bool) -> Vec<[f64; 2]> {
     let mut points: Vec<[f64; 2]> = vec![];
     for (k, (at, is_in)) in curve.iter().enumerate() {

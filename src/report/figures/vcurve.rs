@@ -66,7 +66,8 @@ fn curve(row: &DerivativeRow, points: &[CurvePoint]) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The meaning of the curves. `exact` is the number of differences that equal the exact derivative.
+/// The text that explains the curves. `exact` is the number of finite differences that equal the
+/// exact derivative.
 fn note(has_loops: bool, exact: usize) -> String {
     let mut note = "To the right of its lowest point the error of a difference grows with the \
                     square of the step (truncation), to the left with the inverse of the step \

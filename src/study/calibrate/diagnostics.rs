@@ -24,8 +24,9 @@ impl Calibration {
             .collect()
     }
 
-    /// Warning that the rows of a table with launch and club columns are read as deliveries. `None`
-    /// if a parameter of swing, club, strike or impact is fitted.
+    /// Warning that launch columns are not used: rows that have launch and club columns are flown
+    /// from the club. `None` if a parameter of swing, club, strike or impact is fitted, which needs
+    /// the club.
     fn club_warning(&self, table: &ShotTable) -> Option<Message> {
         let [launch, club] = table.launch_beside_club.as_ref()?;
         let is_of_flight = self

@@ -105,7 +105,8 @@ impl FitPlan {
             };
             if table.shots.iter().any(is_stationary) {
                 return refuse(format!(
-                    "{} cannot be fitted, because a row states that carry is stationary in it",
+                    "{} cannot be fitted: a row states that its carry is the largest over this \
+                     angle",
                     parameter.name
                 ));
             }

@@ -31,7 +31,7 @@ const REACHED: &str = "the swings reach";
 /// An optimization problem with the constraints of a design.
 #[derive(Clone, Debug)]
 pub struct Design {
-    /// The problem with the bounds and constraints of the rules.
+    /// The search, with the bounds and constraints that the Rules of Golf add.
     pub search: Search,
     /// All constraints: rules, conditions, and the user's limits.
     pub constraints: Vec<DesignConstraint>,
@@ -155,9 +155,9 @@ impl Design {
         });
     }
 
-    /// Checks a rule on the outcome `of` of the head: at all swings if the swings change the head,
-    /// otherwise at the setup. Returns `None`, without a check, if the varied parameters change the
-    /// head: the search then needs a constraint.
+    /// Checks a rule on an outcome of the head: at all swings if the swings change the head,
+    /// otherwise at the setup. If the varied parameters change the head, the rule becomes a
+    /// constraint of the search: nothing is checked, and the result is `None`.
     ///
     /// # Errors
     /// [`Error::Rule`] for a broken rule; [`Error::Unreadable`] if both swings and varied

@@ -184,7 +184,7 @@ fn errors_of(problem: &SearchProblem, swings: &Swings, x: &[f64], goals: &[f64])
 }
 
 /// The 99 % interval of a goal from independent estimates: Student's interval about the mean of the
-/// estimates, extended to the reported value.
+/// estimates, extended until it contains the reported value.
 fn interval(goal: &Goal, value: f64, others: &[f64]) -> Interval {
     let n = others.len() as f64;
     let moments = Moments::of(others.iter().copied());

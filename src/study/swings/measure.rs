@@ -250,8 +250,11 @@ fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
     std::array::from_fn(|k| above[k] - below[k])
 }
 
-/// The lowest share α of the values uₖ = ±fₖ. Its smoothed mean is the maximum over t of
-/// G(t) = t − 1/α Σ wₖ φ(t − uₖ) with φ(z) = (z + √(z² + 4ε²))/2. For ε → 0, it is the exact mean.
+/// The mean of the lowest share α of the values of weighted drives. Drive k has the value uₖ, which
+/// is ± its outcome, and the weight wₖ.
+///
+/// The smoothed mean is the maximum over t of G(t) = t − 1/α Σ wₖ φ(t − uₖ), with
+/// φ(z) = (z + √(z² + 4ε²))/2. For ε → 0, it is the exact mean.
 struct LowestShare<'a> {
     /// Outcome, with derivatives up to the required order, and weight of each drive.
     drives: &'a [(&'a Taylor, f64)],

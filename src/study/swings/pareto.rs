@@ -163,8 +163,8 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, follow: &Observers) -> R
 }
 
 impl ParetoSearch {
-    /// The search for the best value of the first goal. The second goal is its last constraint,
-    /// without limits, so that its values are computed too.
+    /// The search for the best value of the first goal. The second goal is added as a constraint
+    /// that nothing can break, so that its values are computed too.
     fn first_goal(&self) -> Search {
         let [(first, sense), (second, _)] = self.goals.clone();
         let mut subject_to = self.subject_to.clone();

@@ -49,7 +49,7 @@ pub struct SampledEllipse {
 pub enum EllipseSource {
     /// The gradients at the means of the parameters.
     Gradient,
-    /// The sample.
+    /// The whole sample.
     Sample,
 }
 
