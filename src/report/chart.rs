@@ -159,8 +159,15 @@ impl Report for ChartReport<'_> {
         let columns = columns(chart);
         let numbers = columns.len();
         let heads = columns.into_iter().map(|column| column.label);
-        let head = heads.chain(["active".into()]);
-        let rows = chart.points.iter().map(|point| row(chart, point, system));
+        let is_active = |point: &ChartPoint| !point.active.is_empty() || point.event.is_some();
+        // without an active bound in the whole chart, the last column would be empty
+        let column_count = numbers + usize::from(chart.points.iter().any(is_active));
+        let head = heads.chain(["active".into()]).take(column_count);
+        let rows = chart.points.iter().map(|point| {
+            let mut cells = row(chart, point, system);
+            cells.truncate(column_count);
+            cells
+        });
         document.add(DocumentTable::new(head, rows).right(0..numbers));
         for why in chart.begun.iter().chain(&chart.ended) {
             document.paragraph(why.in_units(system));

@@ -384,6 +384,19 @@ fn differences_confirm_sensitivity_and_windows_as_json() {
 }
 
 #[test]
+fn a_chart_has_a_column_of_active_bounds_only_if_one_is_active() {
+    let attack = ["chart", "--along", "swing.attack_angle=-5deg..5deg"];
+    for (loft, is_active) in [
+        ("club.loft=4deg..20deg", false),
+        ("club.loft=8deg..20deg", true),
+    ] {
+        let printed = longdrive(&[&attack[..], &["--vary", loft]].concat());
+        let has_column = printed.out.lines().any(|line| line.ends_with(" active"));
+        assert_eq!(has_column, is_active, "{loft}: {}", printed.out);
+    }
+}
+
+#[test]
 fn chart_as_json_csv_and_table() {
     let args = [
         "chart",
