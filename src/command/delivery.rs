@@ -428,20 +428,28 @@ fn optimize_over(swings: &Path, setup: Vec<String>) -> String {
     command_line(&arguments.collect::<Vec<_>>())
 }
 
-/// Prints a note on the default prior uncertainty of each parameter.
+/// Prints the default priors, a note for all priors from one source.
 fn note_assumed(unknowns: &[Unknown]) {
-    for unknown in unknowns {
-        if let Some(source) = unknown.source {
-            let shown = |value: f64| parameter_text(unknown.parameter, value, system());
-            let (name, value, sigma) = (
-                unknown.parameter.name,
-                shown(unknown.prior),
-                parameter_difference_text(unknown.parameter, unknown.sigma, system()),
-            );
-            note(&format!(
-                "prior: {name} = {value} ± {sigma} (one standard deviation); {source}"
-            ));
+    let mut sources: Vec<&str> = vec![];
+    for source in unknowns.iter().filter_map(|unknown| unknown.source) {
+        if !sources.contains(&source) {
+            sources.push(source);
         }
+    }
+    let prior = |unknown: &Unknown| {
+        let value = parameter_text(unknown.parameter, unknown.prior, system());
+        let sigma = parameter_difference_text(unknown.parameter, unknown.sigma, system());
+        format!("{} = {value} ± {sigma}", unknown.parameter.name)
+    };
+    for source in sources {
+        let from_source = unknowns
+            .iter()
+            .filter(|unknown| unknown.source == Some(source));
+        let priors: Vec<String> = from_source.map(prior).collect();
+        note(&format!(
+            "prior, ± one standard deviation: {}; {source}",
+            priors.join(", ")
+        ));
     }
 }
 
