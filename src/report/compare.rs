@@ -237,24 +237,8 @@ fn add_shares(
         return;
     }
 
-    let mut remarks = vec![];
-    if !without.is_empty() {
-        let causes = names(without.iter().map(|share| share.cause));
-        remarks.push(format!("without a share: {causes}"));
-    }
-    let at_once = names(
-        with.iter()
-            .map(|share| share.cause)
-            .filter(|cause| cause.is_discrete()),
-    );
-    if !at_once.is_empty() {
-        remarks.push(format!(
-            "changed in one step, halfway between a and b, since there are no values between: \
-             {at_once}"
-        ));
-    }
+    let mut remarks = share_remarks(&without, &with);
     remarks.extend(remainder_text(difference, split, system));
-
     if with.is_empty() {
         let remarks = remarks.into_iter().map(Line::item);
         document.list([Line::item(title)].into_iter().chain(remarks));
@@ -277,6 +261,25 @@ fn add_shares(
         table.remark(remark);
     }
     document.add(table);
+}
+
+/// Remarks on the causes `without` a share of a difference, and on those `with` a share that changed
+/// in one step.
+fn share_remarks(without: &[&Share], with: &[&Share]) -> Vec<String> {
+    let mut remarks = vec![];
+    if !without.is_empty() {
+        let causes = names(without.iter().map(|share| share.cause));
+        remarks.push(format!("without a share: {causes}"));
+    }
+    let causes = with.iter().map(|share| share.cause);
+    let at_once = names(causes.filter(|cause| cause.is_discrete()));
+    if !at_once.is_empty() {
+        remarks.push(format!(
+            "changed in one step, halfway between a and b, since there are no values between: \
+             {at_once}"
+        ));
+    }
+    remarks
 }
 
 /// The part of a difference that belongs to no share, with the reason. `None` if this part is

@@ -2,7 +2,7 @@ use super::figures::{ALTERNATIVE, best, figures};
 use crate::parameters::{Law, TABLE_LAW};
 use crate::report::document::{Detail, Document, DocumentTable};
 use crate::report::shown::NONE;
-use crate::study::validation::{Case, Compared, LawScores, OTHER_TEMPERATURES, SetScores};
+use crate::study::validation::{Case, Compared, LawScores, OTHER_TEMPERATURES, Score, SetScores};
 use crate::units::{System, counted, fixed, signed};
 
 /// The first quantity of most sets. The table names the quantity only for the other sets.
@@ -128,41 +128,43 @@ fn one(document: &mut Document, set: &SetScores, system: System) {
     }
     head.push("law");
     let rows = set.laws.iter().map(|law| {
-        let mut cells = vec![];
-        for score in &law.scores {
-            cells.push(
-                score
-                    .bias
-                    .map_or(NONE.into(), |bias| difference(score.of, bias, system)),
-            );
-            cells.push(
-                score
-                    .mean_absolute_error
-                    .map_or(NONE.into(), |mean| shown(score.of, mean, system)),
-            );
-        }
-        if is_averaged {
-            cells.push(
-                law.averaged
-                    .map_or(NONE.into(), |bias| difference(first(set), bias, system)),
-            );
-        }
-        let biases = law.bias_in_other_air.map(|other| [other.cold, other.warm]);
-        for bias in biases.into_iter().flatten() {
-            cells.push(bias.map_or(NONE.into(), |bias| difference(first(set), bias, system)));
-        }
-        let computed = law.scores.first().map_or(0, |score| score.residuals.len());
-        let is_published = |case: &&Case| case.published(first(set)).is_some();
-        let of = set.cases.iter().filter(is_published).count();
-        let part = if computed < of {
-            format!(" ({computed} of {of} drives)")
-        } else {
-            String::new()
+        let mut cells = errors_of(law, system);
+        let bias_text = |bias: Option<f64>| {
+            bias.map_or(NONE.into(), |bias| difference(first(set), bias, system))
         };
-        cells.push(format!("{}{part}", law.law));
+        if is_averaged {
+            cells.push(bias_text(law.averaged));
+        }
+        if let Some(other) = &law.bias_in_other_air {
+            cells.extend([other.cold, other.warm].map(bias_text));
+        }
+        cells.push(law_with_count(set, law));
         cells
     });
     document.add(DocumentTable::new(head, rows));
+}
+
+/// The bias and the mean absolute error of a law, for each compared quantity.
+fn errors_of(law: &LawScores, system: System) -> Vec<String> {
+    let errors = |score: &Score| {
+        let bias = score.bias.map(|bias| difference(score.of, bias, system));
+        let mean = score.mean_absolute_error;
+        [bias, mean.map(|mean| shown(score.of, mean, system))]
+    };
+    let errors = law.scores.iter().flat_map(errors);
+    errors.map(|text| text.unwrap_or(NONE.into())).collect()
+}
+
+/// The name of a law, with the number of its drives if it cannot fly all of a set.
+fn law_with_count(set: &SetScores, law: &LawScores) -> String {
+    let computed = law.scores.first().map_or(0, |score| score.residuals.len());
+    let is_published = |case: &&Case| case.published(first(set)).is_some();
+    let of = set.cases.iter().filter(is_published).count();
+    if computed < of {
+        format!("{} ({computed} of {of} drives)", law.law)
+    } else {
+        law.law.into()
+    }
 }
 
 fn first(set: &SetScores) -> Compared {
