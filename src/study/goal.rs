@@ -151,9 +151,9 @@ impl Constraint {
     }
 
     /// True if a value is within the limits, up to the rounding of a search: 1e-6 · max(|value|,
-    /// 1).
+    /// one display unit).
     pub fn is_met(&self, value: f64) -> bool {
-        let rounding = 1e-6 * value.abs().max(1.0);
+        let rounding = limit_rounding(value, (&self.goal).into());
         (self.low - rounding..=self.high + rounding).contains(&value)
     }
 
@@ -176,4 +176,9 @@ impl Constraint {
             ),
         })
     }
+}
+
+/// The violation up to which a search meets a limit, SI: 1e-6 · max(|value|, one display unit).
+pub(super) fn limit_rounding(value: f64, unit: DisplayUnit) -> f64 {
+    1e-6 * value.abs().max(unit.size())
 }

@@ -508,3 +508,13 @@ fn a_file_that_names_no_preset_is_refused() {
     let title = on_one_line(&output.out);
     assert!(title.contains("mine.toml (tour-average)"), "{title}");
 }
+
+/// A volume 0.2 % above its limit exceeds it; 1e-6 m³ would be a whole cm³.
+#[test]
+fn a_limit_of_a_small_quantity_is_met_within_a_millionth_of_its_value() {
+    let setup = Setup::default();
+    let volume = Constraint::read_relation(&setup, "volume: 80 cm^2*club.cg_depth <= 460 cm^3");
+    let volume = volume.unwrap();
+    assert!(volume.is_met(460e-6) && volume.is_met(460e-6 * (1.0 + 1e-7)));
+    assert!(!volume.is_met(461e-6));
+}

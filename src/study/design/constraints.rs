@@ -2,10 +2,8 @@
 
 use super::rules::GolfRule;
 use crate::study::Optimum;
+use crate::study::goal::limit_rounding;
 use crate::units::DisplayUnit;
-
-/// A constraint counts as met if it is violated by at most this fraction of its `step`.
-const MET: f64 = 1e-6;
 
 /// A constraint on a design: a rule of golf, a physical condition or a user's limit.
 #[derive(Clone, Debug)]
@@ -60,7 +58,8 @@ impl DesignConstraint {
         let margin_of = |value: f64| (value - self.range[0]).min(self.range[1] - value);
         // a violated constraint has no multiplier
         let price_of = |value: Option<f64>, multiplier: f64| {
-            let is_met = value.is_none_or(|value| margin_of(value) >= -MET * self.step);
+            let is_met =
+                value.is_none_or(|value| margin_of(value) >= -limit_rounding(value, self.unit));
             (multiplier > 0.0 && is_met).then_some(multiplier)
         };
         let (value, price) = match self.enforcement {
