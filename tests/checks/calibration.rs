@@ -451,6 +451,11 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
             vec!["row 2", "column club.loft", "outside its range"],
         ),
         (
+            "club.loft [deg],carry [yd],swing.path [deg]\n10,200,0\n,210,95\n",
+            &fit,
+            vec!["row 2", "column swing.path", "outside its range"],
+        ),
+        (
             "carry [yd],club.loft [deg]\n200,10\n,11\n",
             &fit,
             vec!["row 2", "nothing is measured"],

@@ -209,9 +209,10 @@ pub fn calibrate(
         ..plan.options.clone()
     };
     let from = starting_points(&mut problem, &domain, &own, plan.starts, observer)?;
+    let made = from.len();
     let mut searches =
         RepeatedSearches::run(&mut problem, &domain, &own, from, &options, observer)?;
-    let starts = searches.by_end(plan.starts);
+    let starts = searches.by_end(made);
     let stopped = searches.stopped();
     let is_minimum = searches.is_minimum();
     verdict::set_status_of_searches(
@@ -351,7 +352,7 @@ impl RepeatedSearches {
     }
 
     /// Counts the completed searches that reached the smallest sum of squares, and the others by
-    /// status. `made` is the number of planned starts.
+    /// status. `made` is the number of starts of the first searches.
     fn by_end(&self, made: usize) -> Starts {
         let best = self.fits[0].cost;
         let is_same = |fit: &&Fit| (fit.cost - best).abs() <= 1e-6 * best.abs().max(1e-12);

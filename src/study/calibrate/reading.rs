@@ -357,6 +357,7 @@ impl Reading {
         let has_no_club = self.club == ClubColumns::Read && self.has_no_club(record);
         let mut row = ReadRow::new(row);
         let mut at_shot = self.setup;
+        let mut missing: Option<RowError> = None;
         for (at, column) in self.columns.iter().enumerate() {
             match column.content {
                 Content::Input(parameter) if column.is_stated_air() => {
@@ -378,7 +379,8 @@ impl Reading {
                     let here = || Some(column.head.clone());
                     let Some(value) = self.cell(record, column.content)? else {
                         let why = "the cell is empty; every row needs a value in each column that is an input";
-                        return Err(RowError::incomplete(here(), why));
+                        missing.get_or_insert_with(|| RowError::incomplete(here(), why));
+                        continue;
                     };
                     at_shot
                         .set_value(parameter, Some(value))
@@ -390,6 +392,10 @@ impl Reading {
                 }
                 _ => {}
             }
+        }
+        // an invalid cell refuses the table, an empty one only leaves the row out
+        if let Some(missing) = missing {
+            return Err(missing);
         }
         if let Some(stated) = stated {
             self.add_launch(&mut row, &mut at_shot, stated)?;
