@@ -10,7 +10,7 @@ use crate::optimize::Domain;
 use crate::optimize::sensitivity::{ActiveSet, reduced_hessian};
 use crate::parameters::Parameter;
 use crate::statistics::extent;
-use crate::units::{Quantity, YARD};
+use crate::units::{DisplayUnit, Quantity, YARD};
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::brent::BrentRoot;
 use nalgebra::DMatrix;
@@ -169,9 +169,21 @@ pub fn flatness(best: &Optimum, loss: f64) -> Result<Flatness> {
 ///
 /// # Errors
 /// [`Error::NotConverged`] without a converged optimum; [`Error::Optimizer`] for a loss that is not
-/// above 0; [`Error::Unreadable`] for a search over swings.
+/// above 0 and finite; [`Error::Unreadable`] for a search over swings.
 pub fn windows(best: &Optimum, loss: f64) -> Result<Vec<Window>> {
     LossAround::new(best, loss)?.windows()
+}
+
+/// # Errors
+/// [`Error::Optimizer`] for a loss that is not above 0 and finite.
+pub(super) fn check_loss(best: &Optimum, loss: f64) -> Result<()> {
+    if loss > 0.0 && loss.is_finite() {
+        return Ok(());
+    }
+    let shown = DisplayUnit::from(&best.search.of).show(loss);
+    Err(Error::Optimizer(format!(
+        "the allowed loss is {shown}; it must be finite and above 0"
+    )))
 }
 
 /// Computes the losses of drives around an optimum.
@@ -184,9 +196,7 @@ struct LossAround<'a> {
 
 impl<'a> LossAround<'a> {
     fn new(best: &'a Optimum, loss: f64) -> Result<Self> {
-        if !(loss > 0.0 && loss.is_finite()) {
-            return Err(Error::Optimizer(format!("the loss {loss} must be above 0")));
-        }
+        check_loss(best, loss)?;
         let problem = best.problem()?;
         Ok(Self {
             values: problem.evaluator()?,

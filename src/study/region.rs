@@ -1,5 +1,6 @@
 //! The region of a map whose drives meet all constraints and are nearly as good as the optimum.
 
+use super::flatness::check_loss;
 use super::optimum::Optimum;
 use super::plane::Plane;
 use super::{Constraint, Vary};
@@ -53,9 +54,11 @@ impl Region {
     ///
     /// # Errors
     /// The errors of [`Batch::new`](crate::batch::Batch::new);
+    /// [`Error::Optimizer`](crate::Error::Optimizer) for a loss that is not above 0 and finite;
     /// [`Error::Unreadable`](crate::Error::Unreadable) for a search over swings.
     pub fn around(best: &Optimum, across: Vary, up: Vary, loss: f64) -> Result<Option<Self>> {
         best.search.refuse_swings()?;
+        check_loss(best, loss)?;
         let place = |of: &Vary| {
             best.search
                 .parameters()

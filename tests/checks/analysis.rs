@@ -3,8 +3,8 @@
 use crate::common::{LARGE_STEPS, close};
 use longdrive::optimize::{Bounds, Observer, Observers, Solution, Status};
 use longdrive::study::{
-    Change, ChartObserver, Constraint, Fineness, Goal, Optimum, Search, Sense, Vary, change, chart,
-    flatness, map, optima, optimum, sensitivities, sensitivity,
+    Change, ChartObserver, Constraint, Fineness, Goal, Optimum, Region, Search, Sense, Vary,
+    change, chart, flatness, map, optima, optimum, sensitivities, sensitivity,
 };
 use longdrive::{Drive, Error, Outcome, Setup};
 
@@ -728,4 +728,24 @@ fn no_starts_and_no_nodes_are_refused() {
         );
     }
     assert_eq!(nodes(2).unwrap().plane.values[0].len(), 4);
+}
+
+#[test]
+fn a_loss_that_is_not_above_0_and_finite_is_refused_with_its_unit() {
+    let best = best(&Setup::default(), &search(&Setup::default(), &BOX, &[]));
+    let [across, up] = [best.search.vary[0], best.search.vary[1]];
+    for loss in [0.0, -0.9144, f64::NAN, f64::INFINITY] {
+        let refusals = [
+            flatness(&best, loss).unwrap_err().to_string(),
+            Region::around(&best, across, up, loss)
+                .unwrap_err()
+                .to_string(),
+        ];
+        for refusal in refusals {
+            assert!(
+                refusal.contains(" yd; it must be finite and above 0"),
+                "{refusal}"
+            );
+        }
+    }
 }
