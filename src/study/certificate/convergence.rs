@@ -37,6 +37,15 @@ const REFERENCE: u32 = 4096;
 const BESIDE_THE_REFERENCE: u32 = 2048;
 const ROUNDING_FACTOR: f64 = 10.0;
 
+/// Reason for no result in a logarithmic wind.
+pub(super) const LOG_WIND: &str = "the logarithmic wind changes within half a metre above the \
+                                   ground, and most of the compared time steps cross this layer \
+                                   in one step";
+const STEPS_TOO_LONG: &str = "the time steps from which the order is measured are too long for \
+                              this flight, or for the decay of its spin";
+const NO_REFERENCE: &str = "a flight with short time steps, to which the others are compared, \
+                            failed";
+
 /// Thresholds for the relative errors of the value and of the gradient. Smaller errors count as
 /// rounding.
 const ROUNDING: [f64; 2] = [1e-12, 1e-11];
@@ -97,10 +106,10 @@ pub struct Convergence {
     pub would_show: [bool; 2],
 }
 
-/// Convergence of outcomes and of their derivatives by `wrt` with decreasing time step. Empty in a
-/// logarithmic wind: the wind changes within half a metre above the ground, and these steps cross
-/// this layer in one step. Steps longer than 1 s or than the spin decay time are skipped. Also
-/// empty if too few steps remain, or if `goes_on` returns false.
+/// Convergence of outcomes and of their derivatives by `wrt` with decreasing time step. Steps
+/// longer than 1 s or than the spin decay time are skipped. The inner error is the reason why the
+/// order cannot be measured: a logarithmic wind, too few remaining steps, or a reference flight
+/// that failed. Empty if `goes_on` returns false.
 ///
 /// # Errors
 /// The errors of [`jacobian`].
@@ -109,22 +118,25 @@ pub(super) fn convergence(
     of: &[Outcome],
     wrt: &[&'static Parameter],
     goes_on: &dyn Fn() -> bool,
-) -> Result<Vec<Convergence>> {
+) -> Result<std::result::Result<Vec<Convergence>, &'static str>> {
     if setup.wind.roughness.is_some() {
-        return Ok(vec![]);
+        return Ok(Err(LOG_WIND));
     }
     let drive = Drive::new(setup)?;
     let Some(time) = fine_flight_time(setup, drive.landed()?.flight_time) else {
-        return Ok(vec![]);
+        return Ok(Err(NO_REFERENCE));
     };
     let decay_rate = initial_spin_decay_rate(setup, &drive);
+    // the landing lies in the middle of the last step, so that no step ends close to the landing
+    let step = |steps: u32| time / (f64::from(steps) - 0.5);
+    let is_short = |steps: u32| step(steps) <= 1.0 && step(steps) * decay_rate <= 1.0;
+    if !is_short(BESIDE_THE_REFERENCE) {
+        return Ok(Err(STEPS_TOO_LONG));
+    }
     let at = |level: usize, steps: u32| {
         let mut setup = *setup;
-        // the landing lies in the middle of the last step, so that no step ends close to the
-        // landing
-        setup.flight.step = time / (f64::from(steps) - 0.5);
-        let is_short = setup.flight.step <= 1.0 && setup.flight.step * decay_rate <= 1.0;
-        if !is_short || !goes_on() {
+        setup.flight.step = step(steps);
+        if !is_short(steps) || !goes_on() {
             return None;
         }
         Some(SteppedDrive {
@@ -136,13 +148,16 @@ pub(super) fn convergence(
     };
     let scales = wrt.iter().map(|parameter| scale(setup, parameter));
     let comparison = StepComparison::new(setup, &drive, scales.collect(), &at);
-    let Some(comparison) = comparison.filter(|_| goes_on()) else {
-        return Ok(vec![]);
+    if !goes_on() {
+        return Ok(Ok(vec![]));
+    }
+    let convergences = |comparison: StepComparison<'_>| {
+        let outcomes = of.iter().enumerate();
+        outcomes
+            .map(|(i, of)| comparison.convergence(i, *of))
+            .collect()
     };
-    let outcomes = of.iter().enumerate();
-    Ok(outcomes
-        .map(|(i, of)| comparison.convergence(i, *of))
-        .collect())
+    Ok(comparison.map(convergences))
 }
 
 /// Outcomes with derivatives, computed with one time step.
@@ -167,17 +182,19 @@ struct StepComparison<'a> {
 }
 
 impl<'a> StepComparison<'a> {
-    /// Flies with the step sizes of all levels, after the reference flights. `None` if a reference
-    /// flight fails, or if flights succeed at too few levels to measure an order.
+    /// Flies with the step sizes of all levels, after the reference flights.
+    ///
+    /// # Errors
+    /// The reason, if a reference flight fails, or if flights succeed at too few levels to measure
+    /// an order.
     fn new(
         setup: &'a Setup<f64>,
         drive: &'a Drive<f64>,
         scales: Vec<f64>,
         fly: &dyn Fn(usize, u32) -> Option<SteppedDrive>,
-    ) -> Option<Self> {
-        let reference = fly(0, REFERENCE);
-        let beside = fly(0, BESIDE_THE_REFERENCE);
-        let (reference, beside) = (reference?.taylors, beside?.taylors);
+    ) -> std::result::Result<Self, &'static str> {
+        let reference = fly(0, REFERENCE).ok_or(NO_REFERENCE)?.taylors;
+        let beside = fly(0, BESIDE_THE_REFERENCE).ok_or(NO_REFERENCE)?.taylors;
         let has_joins = setup.law.properties().continuous_derivatives.is_some();
         let levels = if has_joins {
             LEVELS_ACROSS_JOINS
@@ -188,8 +205,11 @@ impl<'a> StepComparison<'a> {
             .flat_map(|level| levels.steps(level).map(move |steps| (level, steps)))
             .filter_map(|(level, steps)| fly(level, steps))
             .collect();
-        let coarsest = flown.iter().map(|flown| flown.level).min()?;
-        (coarsest + MEASURED <= levels.count).then_some(Self {
+        let coarsest = flown.iter().map(|flown| flown.level).min();
+        if coarsest.is_none_or(|level| level + MEASURED > levels.count) {
+            return Err(STEPS_TOO_LONG);
+        }
+        Ok(Self {
             setup,
             drive,
             scales,
@@ -310,4 +330,27 @@ fn errors(found: &Taylor, reference: &Taylor, size: f64, scales: &[f64]) -> [Vec
         vec![(found.value - reference.value) / size],
         of_gradient.collect(),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reason_without_convergence_tells_a_failed_reference_from_too_long_steps() {
+        let setup = Setup::default();
+        let drive = Drive::new(&setup).unwrap();
+        let reason = |fly: &dyn Fn(usize, u32) -> Option<SteppedDrive>| {
+            StepComparison::new(&setup, &drive, vec![], fly).err()
+        };
+        let reference_only = |level: usize, steps: u32| {
+            (steps >= BESIDE_THE_REFERENCE).then(|| SteppedDrive {
+                level,
+                step: 1.0 / f64::from(steps),
+                taylors: vec![],
+            })
+        };
+        assert_eq!(reason(&|_, _| None), Some(NO_REFERENCE));
+        assert_eq!(reason(&reference_only), Some(STEPS_TOO_LONG));
+    }
 }

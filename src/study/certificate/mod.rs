@@ -15,6 +15,7 @@ mod step;
 pub use agreement::Agreement;
 pub use continuity::Continuity;
 pub use convergence::Convergence;
+use convergence::LOG_WIND;
 use detection::LandingTerms;
 pub use detection::{DetectionTest, PlantedError};
 pub use landing::AtLanding;
@@ -164,8 +165,12 @@ impl Certificate {
         if goes_on() {
             self.continuity = continuity::continuity(setup, of, pair, &goes_on)?;
         }
+        let mut no_convergence = "";
         if goes_on() {
-            self.convergence = convergence::convergence(setup, of, pair, &goes_on)?;
+            match convergence::convergence(setup, of, pair, &goes_on)? {
+                Ok(found) => self.convergence = found,
+                Err(reason) => no_convergence = reason,
+            }
         }
         if !work.is_stopped() {
             self.step = step::step_errors(setup, of, wrt)?;
@@ -175,13 +180,48 @@ impl Certificate {
             (_, true) => Some("an outcome has a corner here"),
             _ => None,
         };
-        let empty = [
-            self.landing.is_empty(),
-            self.continuity.is_empty(),
-            self.convergence.is_empty(),
-        ];
-        self.not_examined = not_examined(empty, prevented, setup.wind.roughness.is_some());
+        self.not_examined = self.not_examined(prevented, setup, no_convergence);
         Ok(())
+    }
+
+    /// The checks of the flight that have no result, each with the reason: `prevented`, if there is
+    /// a reason for all of them. `no_convergence` is the reason for the convergence.
+    fn not_examined(
+        &self,
+        prevented: Option<&'static str>,
+        setup: &Setup<f64>,
+        no_convergence: &'static str,
+    ) -> Vec<NotExamined> {
+        let checks = [
+            (
+                "the landing as an implicit function",
+                self.landing.is_empty(),
+                match setup.wind.roughness {
+                    Some(_) => LOG_WIND,
+                    None => {
+                        "the check lowers the ground by 2000 m, below the range of ground.height"
+                    }
+                },
+            ),
+            (
+                "smoothness where the number of time steps changes",
+                self.continuity.is_empty(),
+                "the number of time steps stays the same if the first parameter changes by up to \
+                 a tenth of its value, or of a typical value",
+            ),
+            (
+                "convergence with the time step",
+                self.convergence.is_empty(),
+                no_convergence,
+            ),
+        ];
+        let not_examined = checks.into_iter().filter(|(_, is_empty, _)| *is_empty);
+        not_examined
+            .map(|(check, _, reason)| NotExamined {
+                check: check.into(),
+                reason: prevented.unwrap_or(reason),
+            })
+            .collect()
     }
 
     /// True if every planted error was detected in every row.
@@ -311,52 +351,6 @@ fn rows_by_parameter(
         Ok(rows)
     });
     Ok(by_parameter.collect::<Result<Vec<_>>>()?.concat())
-}
-
-/// The checks of the flight that have no result, each with the reason. `empty` is in the order
-/// landing, continuity, convergence; `prevented` is the common reason, if any: an interruption or a
-/// corner.
-fn not_examined(
-    empty: [bool; 3],
-    prevented: Option<&'static str>,
-    has_log_wind: bool,
-) -> Vec<NotExamined> {
-    let without_log_wind = |otherwise: &'static str| match has_log_wind {
-        true => {
-            "the logarithmic wind changes within half a metre above the ground, and most of the \
-             compared time steps cross this layer in one step"
-        }
-        false => otherwise,
-    };
-    let checks = [
-        (
-            "the landing as an implicit function",
-            without_log_wind(
-                "the check lowers the ground by 2000 m, below the range of ground.height",
-            ),
-        ),
-        (
-            "smoothness where the number of time steps changes",
-            "the number of time steps stays the same if the first parameter changes by up to a \
-             tenth of its value, or of a typical value",
-        ),
-        (
-            "convergence with the time step",
-            without_log_wind(
-                "the time steps from which the order is measured are too long for this flight, or \
-                 for the decay of its spin",
-            ),
-        ),
-    ];
-    checks
-        .into_iter()
-        .zip(empty)
-        .filter(|(_, is_empty)| *is_empty)
-        .map(|((check, reason), _)| NotExamined {
-            check: check.into(),
-            reason: prevented.unwrap_or(reason),
-        })
-        .collect()
 }
 
 /// Separates the outcomes that have derivatives from the missing outcomes.
