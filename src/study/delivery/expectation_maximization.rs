@@ -6,8 +6,8 @@ use super::result::{Delivered, Explained};
 use super::unknown::Unknown;
 use crate::derivative::{Evaluator, Order, Taylor};
 use crate::drive::Outcome;
-use crate::error::Result;
-use nalgebra::{DMatrix, DVector};
+use crate::error::{Error, Result};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// Maximum number of iterations.
 const ITERATIONS: usize = 100;
@@ -42,6 +42,16 @@ fn differences(
         .collect())
 }
 
+/// Cholesky factorization of a matrix that is positive definite if its elements are finite.
+///
+/// # Errors
+/// [`Error::Delivery`] if it is not positive definite.
+pub(super) fn positive_definite(matrix: DMatrix<f64>) -> Result<Cholesky<f64, Dyn>> {
+    matrix.cholesky().ok_or_else(|| Error::Delivery {
+        reason: "the launches have no finite derivatives by the mean swing".into(),
+    })
+}
+
 /// Information in the shots about their swings, linearized about a mean swing, in units of the
 /// prior standard uncertainties.
 pub(super) struct SwingInformation {
@@ -60,7 +70,7 @@ impl SwingInformation {
     ///
     /// # Errors
     /// The errors of [`Evaluator::at`] if the mean swing, with the club of a shot, does not strike
-    /// the ball.
+    /// the ball; [`Error::Delivery`] if a derivative is not finite.
     pub(super) fn new(
         shots: &[&Delivered],
         of: &[Outcome],
@@ -111,11 +121,8 @@ impl SwingInformation {
         let residuals = DVector::from_fn(size, |k, _| {
             (differences[k] - launches.bias[places[k]]) / sigma(k)
         });
-        // `errors` is positive definite (the identity plus a covariance), so its inverse exists
-        let weighted = errors.try_inverse().map_or_else(
-            || slopes.transpose(),
-            |inverse| slopes.transpose() * inverse,
-        );
+        // `errors` is positive definite: the identity plus a covariance
+        let weighted = positive_definite(errors)?.solve(&slopes).transpose();
         let mut information = &weighted * &slopes;
         let mut score = weighted * residuals;
         self.information += slopes.transpose() * slopes / self.count;

@@ -1,4 +1,4 @@
-use super::expectation_maximization::SwingInformation;
+use super::expectation_maximization::{SwingInformation, positive_definite};
 use super::linearized::{LinearizedLaunches, moments};
 use super::result::Delivered;
 use super::shots::ShotDelivery;
@@ -266,17 +266,22 @@ fn converged(
             prior_factor,
             is_converged,
         };
-        return Ok(solution.population(shots, &of, unknowns));
+        return solution.population(shots, &of, unknowns);
     }
 }
 
 impl ConvergedDistribution {
-    fn population(&self, shots: &[&Delivered], of: &[Outcome], unknowns: &[Unknown]) -> Population {
+    fn population(
+        &self,
+        shots: &[&Delivered],
+        of: &[Outcome],
+        unknowns: &[Unknown],
+    ) -> Result<Population> {
         let n = unknowns.len();
         let (covariance, unidentified) = (&self.covariance, &self.directions.unidentified);
-        let (count, sampling) = (shots.len() as f64, self.sampling_variances());
-        let left = (DMatrix::identity(n, n) + &self.information.information).try_inverse();
-        let left = left.unwrap_or_else(|| DMatrix::zeros(n, n));
+        let (count, sampling) = (shots.len() as f64, self.sampling_variances()?);
+        let posterior = DMatrix::identity(n, n) + &self.information.information;
+        let left = positive_definite(posterior)?.inverse();
         let deviation = |i: usize| covariance[(i, i)].max(0.0).sqrt();
         let one = |(i, unknown): (usize, &Unknown)| {
             let variance = covariance[(i, i)];
@@ -300,7 +305,7 @@ impl ConvergedDistribution {
             true => 1.0,
             false => covariance[(i, j)] / (deviation(i) * deviation(j)),
         };
-        Population {
+        Ok(Population {
             spreads: unknowns.iter().enumerate().map(one).collect(),
             correlations: (0..n)
                 .map(|i| (0..n).map(|j| correlation(i, j)).collect())
@@ -313,18 +318,16 @@ impl ConvergedDistribution {
             },
             is_converged: self.is_converged,
             predicted: predicted(shots, of, &self.information, &self.launches),
-        }
+        })
     }
 
     /// Variance of each parameter's estimate from shot to shot, along the identified directions. It
     /// includes the launch monitor's errors.
-    fn sampling_variances(&self) -> DVector<f64> {
+    fn sampling_variances(&self) -> Result<DVector<f64>> {
         let along = &self.directions.identified;
-        let size = along.ncols();
-        let of_instruments =
-            (along.transpose() * self.information.mean_information() * along).try_inverse();
-        let of_instruments = of_instruments.unwrap_or_else(|| DMatrix::zeros(size, size));
-        (along * (&self.spread + of_instruments) * along.transpose()).diagonal()
+        let information = along.transpose() * self.information.mean_information() * along;
+        let of_instruments = positive_definite(information)?.inverse();
+        Ok((along * (&self.spread + of_instruments) * along.transpose()).diagonal())
     }
 }
 
