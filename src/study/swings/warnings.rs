@@ -11,9 +11,8 @@ use crate::study::cancellable::{LIMITS_NOT_CHECKED, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
-/// The share of the swings that exceed each validity limit of the model, with the design of
-/// `setup`. A swing that does not land counts as a swing within the limits. `None` once `stop` is
-/// true.
+/// Of the swings that land, the share that exceeds each validity limit of the model, with the
+/// design of `setup`. `None` once `stop` is true.
 fn exceeded_shares(
     setup: &Setup<f64>,
     scenarios: &Scenarios,
@@ -25,9 +24,15 @@ fn exceeded_shares(
         exceeded_in_flight(&setup, of, stop)
     };
     let drives: Vec<Option<ExceededLimits>> = each_until(&scenarios.points, stop, looked_at)?;
+    let landed: Vec<(ExceededLimits, f64)> = drives
+        .into_iter()
+        .zip(&scenarios.weights)
+        .filter_map(|(drive, weight)| Some((drive?, *weight)))
+        .collect();
+    let all: f64 = landed.iter().map(|(_, weight)| weight).sum();
     let mut share = ExceededLimits::<f64>::default();
-    for (drive, weight) in drives.into_iter().zip(&scenarios.weights) {
-        share.add(drive.unwrap_or_default(), *weight);
+    for (drive, weight) in landed {
+        share.add(drive, weight / all);
     }
     Some(share)
 }
