@@ -14,7 +14,7 @@ use super::swings::{Measure, Strokes};
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
 use crate::parameters::Setup;
-use crate::units::{Amount, Quantity};
+use crate::units::{Amount, DisplayUnit, Quantity};
 use std::ops::Range;
 
 const SIGNS: [&str; 5] = ["<=", ">=", "==", "≤", "≥"];
@@ -370,7 +370,7 @@ impl Scope<'_> {
     }
 
     fn goal(&self, piece: Piece<'_>) -> Result<Goal> {
-        let expression = match self {
+        let (expression, terms) = match self {
             Self::Drive => {
                 let of = Outcome::named(piece.text).map_err(|error| {
                     piece
@@ -378,10 +378,15 @@ impl Scope<'_> {
                 })?;
                 return Ok(of.into());
             }
-            Self::Swings(_) => piece.text,
-            Self::Relation { name, .. } => name,
+            Self::Swings(strokes) => {
+                let terms = self.sum(piece, |piece| swings_term(piece, *strokes))?;
+                (piece.text, terms)
+            }
+            Self::Relation { setup, name } => {
+                let terms = self.sum(piece, |piece| relation_term(setup, piece))?;
+                (*name, terms)
+            }
         };
-        let terms = self.sum(piece)?;
         let quantity = terms[0].quantity.unwrap_or(Quantity::NUMBER);
         let unit = terms[0].unit;
         let is_constant = terms.iter().all(|term| term.measure == Measure::One);
@@ -400,7 +405,11 @@ impl Scope<'_> {
     }
 
     /// Parses the terms of a sum, which must have the same kind of quantity.
-    fn sum(&self, piece: Piece<'_>) -> Result<Vec<Term>> {
+    fn sum(
+        &self,
+        piece: Piece<'_>,
+        read_term: impl Fn(Piece<'_>) -> Result<Term>,
+    ) -> Result<Vec<Term>> {
         let mut terms: Vec<Term> = vec![];
         for (sign, piece) in summands(piece) {
             if piece.text.is_empty() {
@@ -411,11 +420,7 @@ impl Scope<'_> {
                         .into(),
                 }));
             }
-            let mut term = match self {
-                Self::Relation { setup, .. } => relation_term(setup, piece)?,
-                Self::Swings(strokes) => swings_term(piece, *strokes)?,
-                Self::Drive => swings_term(piece, None)?,
-            };
+            let mut term = read_term(piece)?;
             term.weight *= sign;
             let first = terms.first().unwrap_or(&term).quantity;
             let Some(first) = first else {
@@ -525,10 +530,11 @@ fn swings_term(piece: Piece<'_>, strokes: Option<&Strokes>) -> Result<Term> {
         Some(call) => call.measure(strokes)?,
         None => Measure::Mean(head_outcome(piece, call)?),
     };
+    let DisplayUnit { quantity, unit } = measure.unit();
     let term = Term {
         weight: 1.0,
-        quantity: Some(measure.quantity()),
-        unit: measure.unit(),
+        quantity: Some(quantity),
+        unit,
         measure,
     };
     match weight {
@@ -549,7 +555,7 @@ fn weighted(piece: Piece<'_>, weight: &str, term: Term) -> Result<Term> {
         let weight = of.quantity().read_difference(weight).ok()?;
         Some((weight, of))
     };
-    let is_number = term.measure.quantity().si.is_empty();
+    let is_number = term.measure.unit().quantity.si.is_empty();
     let found = is_number.then(|| Outcome::ALL.iter().copied().find_map(amount));
     if let Some((weight, of)) = found.flatten() {
         return Ok(Term {

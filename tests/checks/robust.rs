@@ -432,3 +432,12 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
         assert!(price.abs() > 1e-3, "{limit}: {price}");
     }
 }
+
+#[test]
+fn a_search_for_several_models_without_a_start_is_refused() {
+    let setup = Setup::default();
+    let other = Model::read(&setup, "swing.attack_angle=-4 deg").unwrap();
+    let models = vec![Model::as_set_up(&setup), other];
+    let error = robust(models, search(&setup), 0, &Observers::default()).unwrap_err();
+    assert!(matches!(error, Error::Nothing { .. }), "{error}");
+}

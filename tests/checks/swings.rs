@@ -11,6 +11,7 @@ use longdrive::study::uncertainty::{Distribution, Uncertain};
 use longdrive::study::{Constraint, Goal, Optimum, Search, Sense, Vary, optimum};
 use longdrive::{Drive, Error, Outcome, Setup};
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 /// Swings with these distributions, without correlations.
 pub fn swings(setup: &Setup<f64>, distributions: &[&str]) -> Swings {
@@ -1100,5 +1101,64 @@ fn a_share_of_swings_beyond_the_table_of_strokes_is_not_rounded_up() {
     assert!(
         more.contains(&format!("the balls of 0.4 % {ends}")),
         "{more}"
+    );
+}
+
+#[test]
+fn recorded_swings_without_one_value_for_each_parameter_are_refused() {
+    let setup = Setup::default();
+    let parameters = ["swing.speed", "swing.path"].map(|name| setup.variable(name).unwrap());
+    for row in [vec![45.0], vec![45.0, 0.0, 0.0]] {
+        let rows = vec![vec![45.0, 0.0], row];
+        let error = Swings::recorded(parameters.to_vec(), rows).unwrap_err();
+        let error = error.to_string();
+        assert!(
+            error.contains("recorded swing 2") && error.contains("for 2 parameters"),
+            "{error}"
+        );
+    }
+}
+
+/// Two swings with the same strike, outside of every face. The ball of the second does not land.
+#[test]
+fn the_share_of_swings_beyond_a_limit_is_a_share_of_those_that_land() {
+    let mut setup = Setup::default();
+    setup.set("strike.toe", "70 mm").unwrap();
+    let attack = vec![setup.variable("swing.attack_angle").unwrap()];
+    let recorded = Swings::recorded(attack, vec![vec![0.0], vec![-0.7]]).unwrap();
+    let search = Search {
+        of: Goal::read("mean(ball_speed)", None).unwrap(),
+        vary: vec![Vary::read(&setup, "swing.path=-1deg..1deg").unwrap()],
+        scenarios: Scenarios::new(&recorded, Rule::Recorded).unwrap(),
+        ..Search::largest(Outcome::BallSpeed)
+    };
+    let best = optimum(&setup, search, Observer::default()).unwrap();
+    let warnings = best.warnings(&AtomicBool::new(false));
+    let about_face = "100 % of the swings: the strike lies outside";
+    assert!(
+        warnings
+            .iter()
+            .any(|warning| warning.to_string().contains(about_face)),
+        "{warnings:?}"
+    );
+}
+
+/// With one node, the finer rule must have another number of nodes: with the same one, the error
+/// would be 0.
+#[test]
+fn the_error_of_a_goal_over_one_node_is_above_0() {
+    let setup = Setup::default();
+    let all = swings(&setup, &["swing.attack_angle=uniform(-6deg, 6deg)"]);
+    let best = searched(
+        &setup,
+        "mean(carry)",
+        &["club.loft=4deg..30deg"],
+        Scenarios::new(&all, Rule::Quadrature(1)).unwrap(),
+    );
+    let analysis = analyse_over_swings(&setup, &all, &best, &Arc::default());
+    let errors = analysis.unwrap().unwrap().errors;
+    assert!(
+        matches!(errors[..], [GoalError::Quadrature(error)] if error > 0.0),
+        "{errors:?}"
     );
 }

@@ -2,7 +2,7 @@ use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::repeated::first_repeated;
 use crate::study::uncertainty::Uncertain;
-use crate::units::Message;
+use crate::units::{Message, counted};
 
 /// Variation of a golfer's swings.
 #[derive(Clone, Debug, PartialEq)]
@@ -160,8 +160,9 @@ impl Swings {
     /// Recorded swings.
     ///
     /// # Errors
-    /// [`Error::Nothing`] without a swing or a parameter; [`Error::Unreadable`] for a value that is
-    /// missing (NaN) or outside the allowed range.
+    /// [`Error::Nothing`] without a swing or a parameter; [`Error::Unreadable`] for a row that does
+    /// not have one value for each parameter, and for a value that is missing (NaN) or outside the
+    /// allowed range.
     pub fn recorded(parameters: Vec<&'static Parameter>, rows: Vec<Vec<f64>>) -> Result<Self> {
         if parameters.is_empty() || rows.is_empty() {
             return Err(Error::Nothing {
@@ -170,20 +171,27 @@ impl Swings {
             });
         }
         for (k, row) in rows.iter().enumerate() {
+            let name = || format!("recorded swing {}", k + 1);
+            if row.len() != parameters.len() {
+                let source = format!(
+                    "it has {} for {}; give one value for each parameter",
+                    counted(row.len() as u64, "value"),
+                    counted(parameters.len() as u64, "parameter")
+                );
+                return Err(Error::unreadable(name(), source));
+            }
             for (parameter, value) in parameters.iter().zip(row) {
-                let name = format!("recorded swing {}", k + 1);
                 if value.is_nan() {
                     let source = format!(
                         "{} is missing; fill its cell, or leave the row out",
                         parameter.name
-                    )
-                    .into();
-                    return Err(Error::Unreadable { name, source });
+                    );
+                    return Err(Error::unreadable(name(), source));
                 }
                 parameter
                     .check(*value)
                     .map_err(|source| Error::Unreadable {
-                        name,
+                        name: name(),
                         source: Box::new(source),
                     })?;
             }

@@ -54,21 +54,15 @@ impl Measure {
         }
     }
 
-    /// Kind of quantity of the measure.
-    pub fn quantity(&self) -> Quantity {
+    /// Physical quantity of the measure, with its display unit.
+    pub fn unit(&self) -> DisplayUnit {
         match self {
-            Self::Within(..) | Self::Strokes(..) | Self::One => Quantity::NUMBER,
-            Self::Parameter(parameter) => parameter.quantity,
-            _ => self.outcomes()[0].quantity(),
-        }
-    }
-
-    /// Display unit of the measure.
-    pub fn unit(&self) -> &'static str {
-        match self {
-            Self::Within(..) | Self::Strokes(..) | Self::One => "",
-            Self::Parameter(parameter) => parameter.unit,
-            _ => self.outcomes()[0].unit(),
+            Self::Within(..) | Self::Strokes(..) | Self::One => DisplayUnit {
+                quantity: Quantity::NUMBER,
+                unit: "",
+            },
+            Self::Parameter(parameter) => (*parameter).into(),
+            _ => self.outcomes()[0].into(),
         }
     }
 

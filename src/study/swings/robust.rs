@@ -347,7 +347,7 @@ fn best_of_each(
     follow: &Observers,
 ) -> Result<Vec<(Model, Optimum)>> {
     let best = |model: Model| {
-        let optima = local_optima(&model.setup, search, count.max(1), follow)?;
+        let optima = local_optima(&model.setup, search, count, follow)?;
         if let Some(interrupted) = optima.interrupted() {
             return Err(Error::NotConverged {
                 status: Status::Interrupted.name(),
@@ -468,7 +468,7 @@ impl<'a> Losses<'a> {
         let mean: Vec<f64> = (0..self.search.vary.len())
             .map(|i| designs.iter().map(|x| x[i]).sum::<f64>() / designs.len() as f64)
             .collect();
-        let spread = starts(&first.domain, &first.start(), count.max(1))?;
+        let spread = starts(&first.domain, &first.start(), count)?;
         let loss = |model: usize, x: &[f64]| {
             let goals = self.problems[model].values(x).ok()?;
             Some(self.loss(model, &goals))

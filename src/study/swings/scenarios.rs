@@ -137,10 +137,10 @@ impl Rule {
         Err(Error::unreadable("the rule of the scenarios", source))
     }
 
-    /// Gauss's rule with 1.5 times as many nodes; `None` for any other rule.
+    /// Gauss's rule with half as many nodes more, at least one more; `None` for any other rule.
     pub(super) fn finer(self) -> Option<Self> {
         match self {
-            Self::Quadrature(nodes) => Some(Self::Quadrature(nodes + nodes / 2)),
+            Self::Quadrature(nodes) => Some(Self::Quadrature(nodes + (nodes / 2).max(1))),
             _ => None,
         }
     }
