@@ -167,8 +167,11 @@ fn gusts(setup: &Setup<f64>) -> [f64; 3] {
     ]
 }
 
-const MONITOR: &str = "assumed: the uncertainty of launch monitors for the ball (0.5 mph, 0.3 \
-                       deg), also for the club";
+const CLUB_SPEED: &str = "assumed: the club speed is known within 0.5 mph; `delivery` takes 1.5 \
+                          mph for a launch monitor";
+const CLUB_ANGLE: &str = "assumed: as for the ball's launch angle, 0.3 deg; `delivery` takes 1 deg \
+                          for a launch monitor";
+const LOFT: &str = "assumed: as for the ball's launch angle, 0.3 deg";
 const BALL: &str = "assumed: the uncertainty of launch monitors for the ball, as in `calibrate` \
                     for columns without sigma";
 const STRIKE: &str = "assumed: a mark on the face, read to a millimetre";
@@ -190,11 +193,15 @@ const TURF: &str = "assumed: fairways differ, and no measurement has calibrated 
 
 /// Default uncertainties, for a single drive that was measured on a driving range in calm air.
 const DEFAULTS: &[(&str, DefaultSigma, &str)] = &[
-    ("swing.speed", DefaultSigma::Of(0.5, "mph"), MONITOR),
-    ("swing.attack_angle", DefaultSigma::Of(0.3, "deg"), MONITOR),
-    ("swing.path", DefaultSigma::Of(0.3, "deg"), MONITOR),
-    ("swing.face_angle", DefaultSigma::Of(0.3, "deg"), MONITOR),
-    ("club.loft", DefaultSigma::Of(0.3, "deg"), MONITOR),
+    ("swing.speed", DefaultSigma::Of(0.5, "mph"), CLUB_SPEED),
+    (
+        "swing.attack_angle",
+        DefaultSigma::Of(0.3, "deg"),
+        CLUB_ANGLE,
+    ),
+    ("swing.path", DefaultSigma::Of(0.3, "deg"), CLUB_ANGLE),
+    ("swing.face_angle", DefaultSigma::Of(0.3, "deg"), CLUB_ANGLE),
+    ("club.loft", DefaultSigma::Of(0.3, "deg"), LOFT),
     (
         "club.cg_high",
         DefaultSigma::Of(1e3 * SWEET_SPOT, "mm"),
