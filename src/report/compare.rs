@@ -313,7 +313,7 @@ fn cell(cause: Cause, setup: &Setup<f64>, system: System) -> String {
             stated(parameter, setup, system)
         }
         Cause::Law | Cause::Golfer | Cause::SpeedOf | Cause::Launch => {
-            cause.choice_in(setup).into()
+            cause.choice_in(setup).unwrap_or_default().into()
         }
         Cause::Alternatives(alternatives) => {
             let line = |parameter: &&'static Parameter| {

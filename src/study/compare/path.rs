@@ -45,17 +45,19 @@ impl Cause {
     }
 
     /// The choice in a setup, by name: the law (or the file of the user's table), the golfer, the
-    /// point of the head, or for the launch `given` or `struck by a club`.
-    pub fn choice_in(self, setup: &Setup<f64>) -> &'static str {
+    /// point of the head, or for the launch `given` or `struck by a club`. `None` for a cause that
+    /// consists of numbers.
+    pub fn choice_in(self, setup: &Setup<f64>) -> Option<&'static str> {
         match self {
-            Self::Golfer => setup.golfer.name(),
-            Self::SpeedOf => setup.speed_of.name(),
-            Self::Law => setup
-                .law
-                .table()
-                .map_or(setup.law.name(), |table| table.file.as_str()),
-            _ if setup.launch.is_given() => "given",
-            _ => "struck by a club",
+            Self::Golfer => Some(setup.golfer.name()),
+            Self::SpeedOf => Some(setup.speed_of.name()),
+            Self::Law => {
+                let table = setup.law.table();
+                Some(table.map_or(setup.law.name(), |table| table.file.as_str()))
+            }
+            Self::Launch if setup.launch.is_given() => Some("given"),
+            Self::Launch => Some("struck by a club"),
+            Self::Continuous(_) | Self::Discrete(_) | Self::Alternatives(_) => None,
         }
     }
 
@@ -66,7 +68,7 @@ impl Cause {
                 CauseValue::Number(setup.value(parameter).into())
             }
             Self::Law | Self::Golfer | Self::SpeedOf | Self::Launch => {
-                CauseValue::Choice(self.choice_in(setup))
+                CauseValue::Choice(self.choice_in(setup).unwrap_or_default())
             }
             Self::Alternatives(alternatives) => {
                 let given = alternatives.given_in(setup).into_iter();

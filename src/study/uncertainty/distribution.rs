@@ -133,8 +133,8 @@ impl Distribution {
         )
     }
 
-    /// Quantile for a probability 0 < p < 1, for a distribution that [`check`](Self::check)
-    /// accepts.
+    /// Quantile for a probability 0 ≤ p ≤ 1, for a distribution that [`check`](Self::check)
+    /// accepts. For 0 and 1 it is a bound of the support.
     ///
     /// # Panics
     /// If `p` is not a probability.

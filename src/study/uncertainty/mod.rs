@@ -17,6 +17,7 @@ pub use bootstrap::Interval;
 pub use delta::{DeltaMoments, delta_method};
 pub use distribution::{Distribution, Uncertain};
 pub use ellipse::{EllipseSource, LandingEllipse, LandingPoint, SampledEllipse};
+use model::mean;
 pub use model::{Indices, SaltelliDesign, SamplePlan, Statistics};
 
 use crate::batch::{Batch, Block, CHUNK, Status, StatusCounts};
@@ -350,15 +351,6 @@ impl SampledDrives<'_> {
         squares: &[Vec<Option<f64>>],
         sampled: Option<&Statistics>,
     ) -> Vec<Contribution> {
-        let mean = |squares: &[Option<f64>]| {
-            let (sum, count) = squares
-                .iter()
-                .flatten()
-                .fold((0.0, 0.0), |(sum, count), square| {
-                    (sum + square, count + 1.0)
-                });
-            sum / count
-        };
         let ratios = self.design.means_by_variance(values, squares);
         let contribution = |(k, ratio): (usize, Option<Interval>)| {
             let Uncertain {
@@ -366,7 +358,7 @@ impl SampledDrives<'_> {
                 distribution,
             } = self.inputs[k];
             let indices = sampled.and_then(|sampled| sampled.indices[k]);
-            let mean_square = mean(&squares[k]);
+            let mean_square = mean(squares[k].iter().copied());
             let bound = ratio
                 .map(|ratio| ratio.scaled(distribution.poincare()))
                 .filter(|bound| mean_square.is_finite() && bound.high.is_finite());

@@ -207,18 +207,9 @@ impl SaltelliDesign {
         let ratios = |drawn: &[usize]| -> Vec<f64> {
             let moments = Moments::of(drawn.iter().flat_map(|row| outputs(*row)));
             let variance = moments.deviation().unwrap_or(f64::NAN).powi(2);
-            let ratio = |column: &Vec<Option<f64>>| {
-                let (mut sum, mut count) = (0.0, 0.0);
-                drawn
-                    .iter()
-                    .filter_map(|row| column[*row])
-                    .for_each(|value| {
-                        sum += value;
-                        count += 1.0;
-                    });
-                sum / count / variance
-            };
-            at_a.iter().map(ratio).collect()
+            at_a.iter()
+                .map(|column| mean(drawn.iter().map(|row| column[*row])) / variance)
+                .collect()
         };
         let finite = |ratio: Interval| ratio.value.is_finite().then_some(ratio);
         self.bootstrap(rows, ratios)
@@ -291,6 +282,14 @@ fn shares(rows: &[Vec<f64>], drawn: &[usize], inputs: usize) -> Vec<[f64; 2]> {
     sums.into_iter()
         .map(|share| share.map(|sum| sum / n / variance))
         .collect()
+}
+
+/// Mean of the values that exist; NaN if there are none.
+pub(super) fn mean(values: impl Iterator<Item = Option<f64>>) -> f64 {
+    let (sum, count) = values
+        .flatten()
+        .fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
+    sum / count
 }
 
 /// Relative tolerance: values that differ by less than this fraction of the largest value are equal
