@@ -7,7 +7,7 @@ use super::domain::Bounds;
 pub(crate) const LONGEST: f64 = 1.0 / 16.0;
 /// Shortest step, as a fraction of the range.
 const SHORTEST: f64 = 1.0 / 65_536.0;
-/// Largest distance of the predicted from the corrected optimum, in units of the variables' ranges.
+/// Largest distance of the predicted from the corrected optimum, in units of the variables' scales.
 /// If the distance is larger, the step is halved.
 pub(crate) const TOO_FAR: f64 = 0.02;
 /// Distance of the predicted from the corrected optimum below which the next step is doubled.
@@ -89,21 +89,13 @@ pub(crate) fn predicted(x: &[f64], rates: &[f64], change: f64, bounds: &Bounds) 
     bounds.project(&moved)
 }
 
-/// Distance of two points in the maximum norm, in units of the variables' ranges.
+/// Distance of two points in the maximum norm, in units of the variables' scales at `x`.
 pub(crate) fn relative_distance(x: &[f64], predicted: &[f64], bounds: &Bounds) -> f64 {
-    let parts = x
-        .iter()
-        .zip(predicted)
-        .enumerate()
-        .map(|(i, (x, predicted))| {
-            let width = bounds.high[i] - bounds.low[i];
-            if width > 0.0 {
-                (x - predicted).abs() / width
-            } else {
-                0.0
-            }
-        });
-    parts.fold(0.0, f64::max)
+    let scales = bounds.scale(x);
+    let pairs = x.iter().zip(predicted).zip(scales);
+    pairs
+        .map(|((x, predicted), scale)| (x - predicted).abs() / scale)
+        .fold(0.0, f64::max)
 }
 
 /// Locates a change between two points by bisection. Returns a point after the change, where
@@ -138,4 +130,21 @@ pub(crate) fn locate_change<P>(
         }
     }
     after
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_relative_distances_in_finite_and_infinite_ranges() {
+        let distance = |low: f64, high: f64, x: f64, predicted: f64| {
+            let bounds = Bounds::new(vec![low], vec![high]).unwrap();
+            relative_distance(&[x], &[predicted], &bounds)
+        };
+        assert_eq!(distance(0.0, 4.0, 1.0, 2.0), 0.25);
+        assert_eq!(distance(f64::NEG_INFINITY, f64::INFINITY, 0.5, 2.0), 1.5);
+        assert_eq!(distance(0.0, f64::INFINITY, 8.0, 2.0), 0.75);
+        assert_eq!(distance(1.0, 1.0, 1.0, 1.0), 0.0);
+    }
 }

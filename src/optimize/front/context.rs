@@ -23,9 +23,6 @@ const UNIQUE_WITHIN: f64 = 1e-7;
 const FLAT: f64 = 1e-9;
 /// Message for an interrupted front.
 pub(super) const PART_MISSING: &str = "interrupted: a part of the front is missing";
-/// Smallest deviation of a front with a knee from the straight line between its ends, relative to
-/// the length of that line.
-pub(super) const STRAIGHT: f64 = 0.01;
 
 /// Problem made of weighted sums of two functions: the objective and the last constraint function
 /// of another problem. One sum is the objective; a second sum replaces the last constraint.

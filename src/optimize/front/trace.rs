@@ -1,7 +1,7 @@
 //! Traces the front from one end to the other, and spreads points evenly along it.
 
 use super::compromise::{Compromise, FrontPlane};
-use super::context::{FrontContext, PART_MISSING, SAME, STRAIGHT, span_of};
+use super::context::{FrontContext, PART_MISSING, SAME, span_of};
 use super::result::{Front, FrontEvent};
 use crate::error::Result;
 use crate::optimize::continuation::{AdaptiveStep, TOO_FAR, locate_change};
@@ -13,6 +13,13 @@ const LOCATED: f64 = 1e-9;
 
 /// Reason for a front with a missing part.
 const NO_COMPROMISE: &str = "no compromise was found in a part of the front";
+
+/// Distance on s from the end of the front within which a trace has reached the end.
+const END_REACHED: f64 = 0.01;
+
+/// Smallest deviation of a front with a knee from the straight line between its ends, relative to
+/// the length of that line.
+const STRAIGHT: f64 = 0.01;
 
 /// A point is a kink of the front if the slopes on its two sides differ by more than this fraction.
 const KINK: f64 = 1e-3;
@@ -92,7 +99,8 @@ fn trace_from_both_ends(
     let context = plane.context;
     let mut path = trace(plane, first, 1.0);
     let reaches_second = path.points.last().is_some_and(|place| {
-        context.distance(&place.point.x, &second.point.x) <= TOO_FAR && place.at >= 1.0 - STRAIGHT
+        context.distance(&place.point.x, &second.point.x) <= TOO_FAR
+            && place.at >= 1.0 - END_REACHED
     });
     if reaches_second {
         // replace the traced end by the result of the second function's minimisation
