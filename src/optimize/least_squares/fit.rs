@@ -407,15 +407,20 @@ impl FitState {
         let undamped = self
             .step(bounds, LEAST_DAMPING)
             .map_or(0.0, |step| step.predicted_reduction);
-        if undamped <= 1e3 * NOISE * self.at.cost || self.damping <= FIRST_DAMPING {
+        let is_rounding = undamped <= 1e3 * NOISE * self.at.cost;
+        if is_rounding || self.damping <= FIRST_DAMPING {
             let part = if self.at.cost > 0.0 {
                 undamped / self.at.cost
             } else {
                 0.0
             };
+            let note = match is_rounding {
+                true => ", which is less than its rounding error",
+                false => "",
+            };
             let message = format!(
-                "the sum of squares is at its smallest: a step could lower it by {part:.1e} of its \
-                 value at most, which is less than its rounding error"
+                "the sum is at its smallest: a step could lower it by {part:.1e} of its value at \
+                 most{note}"
             );
             return SearchVerdict::new(FitStatus::Converged, message);
         }
