@@ -118,7 +118,7 @@ impl SearchVerdict {
             })
         };
         let message = format!(
-            "the objective has a kink in variable {variable} at {at:e}: its derivative is {} below \
+            "the objective has a kink in variable x[{variable}] at {at:e}: its derivative is {} below \
              and {} above, and is nowhere 0; KKT residual {residual:.1e}",
             side(slope_below),
             side(slope_above)
@@ -135,8 +135,8 @@ impl SearchVerdict {
             multiplier,
         } = pair;
         let message = format!(
-            "the gradient of constraint {constraint} is almost parallel to the axis of variable \
-             {variable}, which lies on its bound: the KKT conditions hold only with a multiplier of \
+            "the gradient of constraint c[{constraint}] is almost parallel to the axis of variable \
+             x[{variable}], which lies on its bound: the KKT conditions hold only with a multiplier of \
              {multiplier:.1e}, and so do not prove an optimum; KKT residual {residual:.1e}. Remove \
              that bound or start elsewhere"
         );
@@ -231,7 +231,7 @@ pub(super) fn unbounded_test(
         return None;
     }
     let message = format!(
-        "the objective is unbounded below: it is {value:.1e} with variable {} at {:.1e}, still \
+        "the objective is unbounded below: it is {value:.1e} with variable x[{}] at {:.1e}, still \
          falls there, and no bound or constraint lies ahead; give that variable a bound",
         outward.variable, outward.at
     );

@@ -390,7 +390,7 @@ mod tests {
         let found = fit(&huge, &free, &[1.0], &FitOptions::default()).unwrap();
         assert_eq!(found.status, FitStatus::Undefined, "{}", found.message);
         assert!(
-            found.message.contains("residual 2 is 1e300"),
+            found.message.contains("residual r[1] is 1e300"),
             "{}",
             found.message
         );

@@ -51,8 +51,7 @@ impl GaussNewtonPoint {
                     "has the derivative"
                 };
                 return Err(format!(
-                    "residual {} {what} {entry:e}, too large for a sum of squares",
-                    at + 1
+                    "residual r[{at}] {what} {entry:e}, too large for a sum of squares"
                 ));
             }
         }
