@@ -35,7 +35,7 @@ impl Measured {
 
 fn measured(case: &Case) -> Measured {
     let domain = Domain::new(case.low.to_vec(), case.high.to_vec())
-        .and_then(|domain| domain.subject_to(case.least.to_vec(), case.most.to_vec()))
+        .and_then(|domain| domain.with_constraints(case.least.to_vec(), case.most.to_vec()))
         .expect("a domain of a published problem");
     let search = |problem: &dyn Fn(&[f64]) -> Result<Evaluation, String>| {
         minimize(&problem, &domain, case.start, &Options::default()).expect("a published problem")

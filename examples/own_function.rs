@@ -25,7 +25,7 @@ impl Functions for Can {
 fn main() -> longdrive::Result<()> {
     for highest in [f64::INFINITY, 1.0] {
         let sizes = Domain::new(vec![0.1, 0.1], vec![10.0, highest])?;
-        let litre = sizes.subject_to(vec![1.0], vec![1.0])?;
+        let litre = sizes.with_constraints(vec![1.0], vec![1.0])?;
         let can = minimize(&Exact(Can), &litre, &[1.0, 0.7], &Options::default())?;
         println!(
             "height up to {highest} dm: {} ({}, {} iterations)",

@@ -86,7 +86,7 @@ fn regress_allocations_in_an_iteration_within_bounds() {
             // Clarabel's own memory is not counted
             continue;
         }
-        let evaluations = (second.evaluations - first.evaluations) * evaluation;
+        let evaluations = (second.effort.evaluations - first.effort.evaluations) * evaluation;
         let own = after - before - evaluations;
         assert!(
             own <= PER_ITERATION,

@@ -37,7 +37,7 @@ impl Bounds {
             let is_range = low <= high && *low < f64::INFINITY && *high > f64::NEG_INFINITY;
             if !is_range {
                 return Err(Error::Optimizer(format!(
-                    "the limits of number {i} are {low} .. {high}; the lower limit must be below \
+                    "the limits [{i}] are {low} .. {high}; the lower limit must be below \
                      inf, the upper limit above -inf, and the lower must not exceed the upper"
                 )));
             }
@@ -123,7 +123,7 @@ impl Domain {
     ///
     /// # Errors
     /// Errors of [`Bounds::new`].
-    pub fn subject_to(self, low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
+    pub fn with_constraints(self, low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
         Ok(Self {
             constraints: Bounds::new(low, high)?,
             ..self

@@ -20,7 +20,7 @@ use num_dual::Dual64;
 /// }
 ///
 /// let radius_and_height = Domain::new(vec![0.1, 0.1], vec![10.0, 10.0]).unwrap();
-/// let domain = radius_and_height.subject_to(vec![1.0], vec![1.0]).unwrap();
+/// let domain = radius_and_height.with_constraints(vec![1.0], vec![1.0]).unwrap();
 /// let can = minimize(&Exact(Can), &domain, &[1.0, 1.0], &Options::default()).unwrap();
 /// // height = diameter: r = (1/2π)^⅓, h = 2 r
 /// let r = (0.5 / std::f64::consts::PI).cbrt();

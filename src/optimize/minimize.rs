@@ -172,9 +172,8 @@ fn fix_on_bound(
     let mut end = run(problem, &fixed, &found.x, &remaining, observer)?;
     end.iterations += found.iterations;
     end.effort += found.effort;
-    end.evaluations = end.effort.evaluations;
     if end.status != Status::Converged {
-        let (iterations, residual) = (end.iterations, Some(found.kkt_residual));
+        let (iterations, residual) = (end.iterations, Some(found.kkt_residual()));
         let SearchVerdict { status, message } = match end.status {
             Status::Interrupted => SearchVerdict::interrupted(iterations, residual),
             Status::IterationLimit => SearchVerdict::iteration_limit(iterations, residual),
@@ -184,7 +183,6 @@ fn fix_on_bound(
             status,
             message,
             iterations,
-            evaluations: end.evaluations,
             effort: end.effort,
             ..found
         });
@@ -192,7 +190,7 @@ fn fix_on_bound(
     end.lower_multipliers[i] = slope.max(0.0);
     end.upper_multipliers[i] = (-slope).max(0.0);
     end.gradient[i] = slope;
-    end.message += &format!("; variable {i} lies on its bound, where the objective has a kink");
+    end.message += &format!("; variable x[{i}] lies on its bound, where the objective has a kink");
     Ok(Solution {
         kink: Some(kink),
         initial_point: found.initial_point,

@@ -206,7 +206,7 @@ fn distinct_optima(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimu
             Some(local) => {
                 local.starts.push(number);
                 // keep the more accurate of two equal optima
-                if solution.kkt_residual < local.solution.kkt_residual {
+                if solution.kkt_residual() < local.solution.kkt_residual() {
                     local.solution = solution;
                 }
             }

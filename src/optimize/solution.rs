@@ -32,16 +32,12 @@ pub struct Solution {
     pub constraints: Vec<ConstraintValue>,
     /// Jacobian ∂cⱼ/∂xᵢ, a row for each constraint.
     pub jacobian: Vec<Vec<f64>>,
-    /// Relative KKT residual (see [`status`](super::status)): the largest of its three components.
-    pub kkt_residual: f64,
-    /// Components of the KKT residual.
+    /// Components of the KKT residual (see [`status`](super::status)).
     pub residual: KktResidual,
     /// Kink of f at the point, if the search ended at a kink.
     pub kink: Option<Kink>,
     /// Iterations taken.
     pub iterations: u64,
-    /// Number of evaluations of the functions with their derivatives.
-    pub evaluations: u64,
     /// Work counters.
     pub effort: Effort,
     /// First iterate: the start, or the best of several other points if f is undefined at the
@@ -64,6 +60,11 @@ pub struct ConstraintValue {
 }
 
 impl Solution {
+    /// Relative KKT residual: the largest of its three components.
+    pub fn kkt_residual(&self) -> f64 {
+        self.residual.largest()
+    }
+
     /// True if the dimensions fit this domain.
     pub(super) fn fits(&self, domain: &Domain) -> bool {
         let (n, m) = (domain.variables.dimension(), domain.constraints.dimension());
@@ -104,7 +105,6 @@ impl Solution {
             verdict.unwrap_or_else(|| SearchVerdict::iteration_limit(iterations, largest));
         let Some(search) = search else {
             return Self {
-                evaluations: undefined_evaluations,
                 effort: Effort {
                     evaluations: undefined_evaluations,
                     ..Effort::default()
@@ -140,11 +140,9 @@ impl Solution {
                 .map(|constraint| constraint.gradient)
                 .collect(),
             x,
-            kkt_residual: residual.largest(),
             residual,
             kink,
             iterations,
-            evaluations: effort.evaluations,
             effort,
             initial_point,
             undefined_at_start,
@@ -175,11 +173,9 @@ impl Solution {
             upper_multipliers: vec![0.0; n],
             constraints: vec![],
             jacobian: vec![],
-            kkt_residual: f64::MAX,
             residual: none,
             kink: None,
             iterations: 0,
-            evaluations: 0,
             effort: Effort::default(),
             initial_point: vec![],
             undefined_at_start: None,

@@ -156,7 +156,7 @@ impl Report for RobustReport<'_> {
             found.status(),
             verdict(found, self.allowed, system),
             counted(found.solution.iterations, "iteration"),
-            counted(found.solution.evaluations, "evaluation"),
+            counted(found.solution.effort.evaluations, "evaluation"),
             counted(found.models.len() as u64, "model")
         ));
         document.list(models(found, system));

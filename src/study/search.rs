@@ -163,7 +163,7 @@ impl Search {
         let (low, high) = self.vary.iter().map(|vary| (vary.low, vary.high)).unzip();
         let limits = self.subject_to.iter();
         let (least, most) = limits.map(|limit| (limit.low, limit.high)).unzip();
-        Domain::new(low, high)?.subject_to(least, most)
+        Domain::new(low, high)?.with_constraints(least, most)
     }
 
     /// Refuses a search without a parameter to vary, and a search that varies a parameter twice.

@@ -30,7 +30,7 @@ impl Functions for Valley {
 fn disc() -> Domain {
     Domain::new(vec![-5.0; 2], vec![5.0; 2])
         .unwrap()
-        .subject_to(vec![f64::NEG_INFINITY], vec![1.5])
+        .with_constraints(vec![f64::NEG_INFINITY], vec![1.5])
         .unwrap()
 }
 
@@ -136,7 +136,7 @@ impl Problem for InBlocks {
 #[test]
 fn no_block_starts_after_cancellation_and_the_search_ends_with_a_complete_point() {
     let whole = whole();
-    let evaluations = usize::try_from(whole.evaluations).unwrap();
+    let evaluations = usize::try_from(whole.effort.evaluations).unwrap();
     for raised_in in (1..10 * evaluations).step_by(3) {
         let flag = Arc::new(AtomicBool::new(false));
         let problem = InBlocks {

@@ -30,7 +30,7 @@ impl Functions for Valley {
 fn disc(n: usize) -> Domain {
     Domain::new(vec![-2.0; n], vec![2.0; n])
         .unwrap()
-        .subject_to(vec![0.0], vec![1.5])
+        .with_constraints(vec![0.0], vec![1.5])
         .unwrap()
 }
 

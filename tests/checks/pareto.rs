@@ -77,7 +77,7 @@ fn between(functions: impl Functions, low: [f64; 2], high: [f64; 2], count: usiz
     let free = (vec![f64::NEG_INFINITY], vec![f64::INFINITY]);
     let domain = Domain::new(low.to_vec(), high.to_vec())
         .unwrap()
-        .subject_to(free.0, free.1)
+        .with_constraints(free.0, free.1)
         .unwrap();
     let options = Options::default();
     front(
@@ -171,7 +171,7 @@ fn same_points_of_a_front_stopped_within_any_evaluation() {
     let free = (vec![f64::NEG_INFINITY], vec![f64::INFINITY]);
     let domain = Domain::new(vec![-5.0; 2], vec![5.0; 2])
         .unwrap()
-        .subject_to(free.0, free.1)
+        .with_constraints(free.0, free.1)
         .unwrap();
     let options = Options::default();
     let stopped_in = |evaluation: usize| {

@@ -30,7 +30,7 @@ fn tolerance(case: &Case) -> f64 {
 
 fn domain(case: &Case) -> Domain {
     Domain::new(case.low.to_vec(), case.high.to_vec())
-        .and_then(|domain| domain.subject_to(case.least.to_vec(), case.most.to_vec()))
+        .and_then(|domain| domain.with_constraints(case.least.to_vec(), case.most.to_vec()))
         .unwrap()
 }
 

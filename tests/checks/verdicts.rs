@@ -19,7 +19,7 @@ fn solve(
     let (least, most) = limits.iter().copied().unzip();
     let domain = Domain::new(low, high)
         .unwrap()
-        .subject_to(least, most)
+        .with_constraints(least, most)
         .unwrap();
     let found = minimize(problem, &domain, start, &Options::default()).unwrap();
     assert!(
@@ -236,7 +236,7 @@ fn contradictions_by_very_little_are_infeasible_in_few_iterations() {
                 found.message
             );
             assert!(
-                found.iterations <= 40 && found.kkt_residual.is_finite(),
+                found.iterations <= 40 && found.kkt_residual().is_finite(),
                 "{} iterations",
                 found.iterations
             );

@@ -161,7 +161,7 @@ impl Answer {
                 let place = best.solution.x.iter().map(|x| x.to_degrees()).collect();
                 let note = format!(
                     "{} evaluations, {}",
-                    best.solution.evaluations,
+                    best.solution.effort.evaluations,
                     best.solution.status.name()
                 );
                 (best.value().unwrap_or(f64::NAN), place, note)

@@ -203,7 +203,7 @@ fn effort(optimum: &Optimum) -> String {
     format!(
         "{}, {}{swings}",
         counted(optimum.solution.iterations, "iteration"),
-        counted(optimum.solution.evaluations, "evaluation")
+        counted(optimum.solution.effort.evaluations, "evaluation")
     )
 }
 

@@ -286,7 +286,7 @@ pub(super) fn footer(findings: &Findings) -> Markup {
             p {
                 "The search: " (found.status()) ": " (both(|system| found.message().in_units(system))) " \
                     ("
-                (counted(found.solution.iterations, "iteration")) ", " (counted(found.solution.evaluations, "evaluation")) ")."
+                (counted(found.solution.iterations, "iteration")) ", " (counted(found.solution.effort.evaluations, "evaluation")) ")."
             }
         }
         p {

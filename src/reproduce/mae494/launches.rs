@@ -227,7 +227,7 @@ impl FlightAlone {
         )?;
         let domain = match self.least_carry {
             None => domain,
-            Some(carry) => domain.subject_to(vec![carry], vec![f64::INFINITY])?,
+            Some(carry) => domain.with_constraints(vec![carry], vec![f64::INFINITY])?,
         };
         let middle: Vec<f64> = (0..3)
             .map(|i| 0.5 * (domain.variables.low[i] + domain.variables.high[i]))

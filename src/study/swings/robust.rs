@@ -506,7 +506,7 @@ impl<'a> Losses<'a> {
             low.zip([0.0].into_iter().chain(high)).collect::<Vec<_>>()
         };
         let (least, most) = self.problems.iter().flat_map(of).unzip();
-        Domain::new(low, high)?.subject_to(least, most)
+        Domain::new(low, high)?.with_constraints(least, most)
     }
 }
 

@@ -7,7 +7,7 @@ use ::longdrive::optimize::{Domain, Options, minimize};
 pub fn solve(oracle: &Oracle) -> Result<End, String> {
     let case = oracle.case;
     let domain = Domain::new(case.low.to_vec(), case.high.to_vec())
-        .and_then(|domain| domain.subject_to(case.least.to_vec(), case.most.to_vec()))
+        .and_then(|domain| domain.with_constraints(case.least.to_vec(), case.most.to_vec()))
         .map_err(|e| e.to_string())?;
     let options = Options {
         max_iterations: ITERATIONS,
