@@ -11,8 +11,7 @@ use crate::optimize::Status;
 use crate::parameters::Vary;
 use crate::report::{OptimumReport, OverSwings, Reply, optimize_document};
 use crate::study::swings::{
-    Correlation, Rule, Scenarios, Strokes, Swings, analyse_over_swings,
-    resampled as optima_of_resamples,
+    Correlation, Rule, Scenarios, Strokes, Swings, analyse_over_swings, bootstrap_optimum,
 };
 use crate::study::uncertainty::Uncertain;
 use crate::study::{Constraint, Goal, Optima, Search, Sense};
@@ -211,7 +210,7 @@ pub fn optimize_and_write(
         analysis = analyse_over_swings(&setup, &swings, best, &stop)?;
         if let Swings::Recorded { .. } = swings {
             let seed = u64::from(args.swings.seed.unwrap_or(0));
-            resampled = optima_of_resamples(&setup, best, RESAMPLES, seed, &stop)?;
+            resampled = bootstrap_optimum(&setup, best, RESAMPLES, seed, &stop)?;
         }
     }
     let mut warnings = best.warnings(&stop);

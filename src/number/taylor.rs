@@ -93,10 +93,10 @@ impl Taylor {
     }
 
     /// Chain rule: g(f) with its derivatives, from g, g′ and g″ at f.
-    pub(crate) fn chained(&self, [value, slope, bend]: [f64; 3]) -> Self {
+    pub(crate) fn chained(&self, [value, slope, curvature]: [f64; 3]) -> Self {
         let d = &self.gradient;
         let row = |(i, row): (usize, &Vec<f64>)| {
-            let entry = |(j, second): (usize, &f64)| slope * second + bend * d[i] * d[j];
+            let entry = |(j, second): (usize, &f64)| slope * second + curvature * d[i] * d[j];
             row.iter().enumerate().map(entry).collect()
         };
         Self {

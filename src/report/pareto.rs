@@ -112,7 +112,7 @@ impl<'a> ParetoReport<'a> {
             goals: goals.collect(),
             points: points.collect(),
             knee: found.knee,
-            bend: found.bend.into(),
+            bend: found.relative_bulge.into(),
             as_set_up: found.as_set_up.map(|goals| goals.map(JsonNumber::from)),
             dominated: found.dominated,
             swings: has_swings.then(|| ScenariosReport::new(&found.search.scenarios)),
@@ -132,7 +132,7 @@ impl ParetoPointReport {
             role: role(found, place),
             bounds: ByName::of_bounds(&point.active),
             active: active.map(|active| active.name.clone()).collect(),
-            event: point.event.clone(),
+            event: point.event_text.clone(),
         }
     }
 }
@@ -174,7 +174,7 @@ fn front(found: &Pareto, system: System) -> DocumentTable {
     let rows = found.points.iter().enumerate().map(|(place, point)| {
         let mut words: Vec<String> = role(found, place).into_iter().collect();
         words.extend(point.active.iter().map(Active::to_string));
-        words.extend(point.event.as_ref().map(|event| format!("<- {event}")));
+        words.extend(point.event_text.as_ref().map(|event| format!("<- {event}")));
         let values = [
             shown::goal(first, point.goals[0], system),
             shown::goal(second, point.goals[1], system),
@@ -233,7 +233,7 @@ fn notes(found: &Pareto, system: System) -> Vec<String> {
             "the knee is point {}, the farthest from the straight line between the ends: by {} % \
              of the length of this line, with each goal scaled by its difference between the ends",
             knee + 1,
-            significant(100.0 * found.bend, 2)
+            significant(100.0 * found.relative_bulge, 2)
         )),
         None => notes.extend(found.no_knee()),
     }
@@ -290,7 +290,7 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
             .map(Active::to_string)
             .collect::<Vec<_>>()
             .join("; ");
-        let event = point.event.clone().unwrap_or_default();
+        let event = point.event_text.clone().unwrap_or_default();
         let words = [role(found, place).unwrap_or_default(), active, event];
         numbers.chain(words).collect()
     });

@@ -121,7 +121,7 @@ impl ModelReport {
             value: best.value().into(),
             optimum: ByName::of_varied(&found.search.vary, &best.solution.x),
             loss: found.losses[k].into(),
-            share: found.shares[k].into(),
+            share: found.loss_multipliers[k].into(),
             losses: found.matrix[k]
                 .iter()
                 .copied()
@@ -219,7 +219,7 @@ fn models(found: &Robust, system: System) -> Vec<Line> {
     let mut lines = vec![Line::flush("models")];
     for (k, (model, best)) in found.models.iter().enumerate() {
         let value = shown::goal_or_dash(goal, best.value(), system);
-        let decides = if found.shares[k] > LEAST_SHARE {
+        let decides = if found.loss_multipliers[k] > LEAST_SHARE {
             "; its loss decides the robust design"
         } else {
             ""

@@ -8,7 +8,7 @@ use super::shown;
 use crate::optimize::Status;
 use crate::study::Optimum;
 use crate::study::swings::{
-    GoalError, Nominal, Resampled, Rule, SamplingError, Scenarios, SwingsAnalysis,
+    BootstrapOptimum, GoalError, Nominal, Rule, SamplingError, Scenarios, SwingsAnalysis,
 };
 use crate::units::{System, counted};
 use serde::Serialize;
@@ -19,7 +19,7 @@ pub struct OverSwings {
     /// The best design for the mean swing, and the errors of the goals.
     pub analysis: Option<SwingsAnalysis>,
     /// The optima of resamples of recorded swings.
-    pub resampled: Option<Resampled>,
+    pub resampled: Option<BootstrapOptimum>,
 }
 
 /// The swings of a search as JSON.
@@ -80,7 +80,7 @@ pub struct StudiesReport {
     pub beyond_strokes: Option<f64>,
     /// The optima of resamples of recorded swings, and the number of swings needed to distinguish
     /// the best design from the design before the search; `null` without resamples.
-    pub resampled: Option<Resampled>,
+    pub resampled: Option<BootstrapOptimum>,
 }
 
 /// The best design for the mean swing.
@@ -318,7 +318,7 @@ fn sampling(best: &Optimum, analysis: Option<&SwingsAnalysis>, system: System) -
 }
 
 /// The intervals of the best design from resamples of recorded swings.
-fn resampled(best: &Optimum, found: &Resampled, system: System) -> Vec<String> {
+fn resampled(best: &Optimum, found: &BootstrapOptimum, system: System) -> Vec<String> {
     let goal = &best.search.of;
     let design = found.design.iter();
     let mut notes: Vec<String> = design

@@ -144,9 +144,9 @@ fn ridge(plane: &Plane) -> Vec<[f64; 2]> {
             values.get(column.checked_sub(1)?)?.as_ref()?,
             values.get(column + 1)?.as_ref()?,
         );
-        let bend = left - 2.0 * top + right;
-        let part = if bend < 0.0 {
-            0.5 * (left - right) / bend
+        let curvature = left - 2.0 * top + right;
+        let part = if curvature < 0.0 {
+            0.5 * (left - right) / curvature
         } else {
             0.0
         };

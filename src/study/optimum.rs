@@ -9,7 +9,7 @@
 use super::cancellable::stopped;
 use super::goal::Constraint;
 use super::problem::SearchProblem;
-use super::sample::{Sample, resample};
+use super::sample::{Sample, compare_with_sample};
 use super::search::Search;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
@@ -351,7 +351,7 @@ impl Study {
         let problem = SearchProblem::new(setup, search, interrupt)?;
         let mut as_set_up = None;
         if !problem.search.scenarios.is_one_drive() {
-            as_set_up = problem.as_set_up().ok();
+            as_set_up = problem.goals_as_set_up().ok();
             if as_set_up.is_none() && problem.is_stopped() {
                 return Err(stopped("the search began"));
             }
@@ -386,7 +386,7 @@ impl Study {
             };
             self.minimized(start, observer)
         };
-        resample(&self.problem, end, again)
+        compare_with_sample(&self.problem, end, again)
     }
 
     fn found(self, solution: Solution, sample: Option<Sample>) -> Result<Optimum> {
@@ -445,7 +445,7 @@ impl Study {
         goals: Option<Vec<f64>>,
         sample: Option<Sample>,
     ) -> Result<Optimum> {
-        let setup = self.problem.moved(&solution.x)?;
+        let setup = self.problem.setup_at(&solution.x)?;
         let mut drive = None;
         let mut beyond_strokes = None;
         let start = self.problem.set_up;

@@ -35,7 +35,7 @@ pub(super) struct SearchProblem {
     pub search: Search,
     pub vary: Vec<&'static Parameter>,
     /// The outcomes of a drive that the goals need. If `is_of_outcomes`, outcome k is goal k.
-    of: Vec<Outcome>,
+    outcomes: Vec<Outcome>,
     /// True if every goal is an outcome of one drive.
     is_of_outcomes: bool,
     /// An evaluator for each scenario.
@@ -72,7 +72,7 @@ impl SearchProblem {
         let problem = Self::of_goals(setup, search, stop)?;
         if problem.search.scenarios.is_one_drive() {
             let start = problem.domain.variables.project(&problem.start());
-            problem.moved(&start)?.validate()?;
+            problem.setup_at(&start)?.validate()?;
         }
         Ok(problem)
     }
@@ -88,10 +88,10 @@ impl SearchProblem {
         let scenarios = &search.scenarios;
         refuse_distributed(&search)?;
         let is_of_outcomes = search.is_of_outcomes();
-        let mut of: Vec<Outcome> = vec![];
+        let mut outcomes: Vec<Outcome> = vec![];
         for outcome in search.outcomes() {
-            if is_of_outcomes || !of.contains(&outcome) {
-                of.push(outcome);
+            if is_of_outcomes || !outcomes.contains(&outcome) {
+                outcomes.push(outcome);
             }
         }
         let begun = Vary::initialised(setup, &search.vary)?;
@@ -105,7 +105,7 @@ impl SearchProblem {
         };
         let evaluator = |point: &Vec<f64>| {
             let setup = begun.with_values(&scenarios.parameters, point)?;
-            Evaluator::new(&setup, &of, &vary, Order::Second)
+            Evaluator::new(&setup, &outcomes, &vary, Order::Second)
         };
         // report the error of the first scenario, independently of the threads
         let drives = each_until(&scenarios.points, stop, evaluator)
@@ -117,7 +117,7 @@ impl SearchProblem {
             setup: begun,
             search,
             vary,
-            of,
+            outcomes,
             is_of_outcomes,
             drives,
             subset,
@@ -149,18 +149,18 @@ impl SearchProblem {
 
     /// The setup with the varied parameters set to `x`. The swing is the setup's own, not the swing
     /// of a scenario.
-    pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
+    pub fn setup_at(&self, x: &[f64]) -> Result<Setup<f64>> {
         self.setup.with_values(&self.vary, x)
     }
 
     /// Evaluator of the goals' outcomes without derivatives, for a search over one drive.
     pub fn evaluator(&self) -> Result<Evaluator> {
-        Evaluator::new(&self.setup, &self.of, &self.vary, Order::Value)
+        Evaluator::new(&self.setup, &self.outcomes, &self.vary, Order::Value)
     }
 
     /// Batch of the goals' outcomes, for a search over one drive.
     pub fn batch(&self) -> Result<Batch> {
-        Batch::new(&self.setup, &self.vary, &self.of, &[])
+        Batch::new(&self.setup, &self.vary, &self.outcomes, &[])
     }
 
     /// Values of the goals at `x`, for a search over one drive. `outcomes` are those of the drive.
@@ -169,7 +169,7 @@ impl SearchProblem {
             return outcomes;
         }
         let columns: Vec<Vec<f64>> = outcomes.into_iter().map(|value| vec![value]).collect();
-        self.exact(x, &columns, &[1.0])
+        self.exact_goals(x, &columns, &[1.0])
     }
 
     /// The objective and the constraint functions at `x`, with derivatives by the varied parameters
@@ -177,7 +177,7 @@ impl SearchProblem {
     /// those that involve the additional parameter are computed; the others are 0.
     pub fn evaluate_with(&self, x: &[f64], parameter: &'static Parameter) -> Result<Evaluation> {
         let wrt: Vec<_> = self.vary.iter().copied().chain([parameter]).collect();
-        let goals = derivative::towards_last(&self.moved(x)?, &self.of, &wrt)?;
+        let goals = derivative::towards_last(&self.setup_at(x)?, &self.outcomes, &wrt)?;
         Ok(self.as_functions(goals))
     }
 
@@ -199,7 +199,7 @@ impl SearchProblem {
     ///
     /// # Errors
     /// The reason why the ball does not fly in the first such scenario, or that `stop` is true.
-    fn flown(
+    fn outcomes_at(
         &self,
         scenarios: &[usize],
         x: &[f64],
@@ -240,7 +240,7 @@ impl SearchProblem {
             return Ok(known);
         }
         let computed = |at: &[f64]| {
-            let mut flown = self.flown(&self.subset, at, Order::Second, &self.stop)?;
+            let mut flown = self.outcomes_at(&self.subset, at, Order::Second, &self.stop)?;
             for (outcomes, factor) in flown.iter_mut().zip(&self.multiplicities) {
                 let entries = outcomes
                     .iter_mut()
@@ -312,7 +312,7 @@ impl SearchProblem {
 
     /// The goals at `x` with smoothed kinks and jumps, and their derivatives up to an order.
     /// `flown` has the outcomes of each scenario.
-    fn measured(
+    fn smoothed_goals(
         &self,
         x: &[f64],
         flown: &[Vec<Taylor>],
@@ -327,7 +327,7 @@ impl SearchProblem {
                 let outcomes = measure.outcomes();
                 let places: Vec<usize> = outcomes
                     .iter()
-                    .filter_map(|of| self.of.iter().position(|it| it == of))
+                    .filter_map(|of| self.outcomes.iter().position(|it| it == of))
                     .collect();
                 let drives: Vec<Vec<&Taylor>> = flown
                     .iter()
@@ -343,7 +343,7 @@ impl SearchProblem {
 
     /// Exact values of the goals at `x`, without smoothing. `columns` has, for each outcome, its
     /// values in all scenarios.
-    fn exact(&self, x: &[f64], columns: &[Vec<f64>], weights: &[f64]) -> Vec<f64> {
+    fn exact_goals(&self, x: &[f64], columns: &[Vec<f64>], weights: &[f64]) -> Vec<f64> {
         let term = |(weight, measure): &(f64, Measure)| {
             let value = self
                 .of_the_design(measure, x, Order::Value)
@@ -362,7 +362,7 @@ impl SearchProblem {
     fn columns_of<'a>(&self, outcomes: &[Outcome], columns: &'a [Vec<f64>]) -> Vec<&'a [f64]> {
         let places = outcomes
             .iter()
-            .filter_map(|of| self.of.iter().position(|it| it == of));
+            .filter_map(|of| self.outcomes.iter().position(|it| it == of));
         places.map(|place| &columns[place][..]).collect()
     }
 
@@ -375,7 +375,7 @@ impl SearchProblem {
     /// [`Error::NoFlight`] if the ball does not fly in one of the scenarios;
     /// [`Error::NotConverged`] once stopped.
     pub fn values(&self, x: &[f64]) -> Result<Vec<f64>> {
-        self.reported(&self.moved(x)?, x, &self.stop)
+        self.goals_of_setup(&self.setup_at(x)?, x, &self.stop)
     }
 
     /// Like [`values`](Self::values), but without a check of the interrupt flag.
@@ -383,7 +383,7 @@ impl SearchProblem {
     /// # Errors
     /// The errors of [`values`](Self::values).
     pub fn values_uninterrupted(&self, x: &[f64]) -> Result<Vec<f64>> {
-        self.reported(&self.moved(x)?, x, &AtomicBool::new(false))
+        self.goals_of_setup(&self.setup_at(x)?, x, &AtomicBool::new(false))
     }
 
     /// Values of the goals at the setup's own design. A varied parameter without a value in the
@@ -391,8 +391,8 @@ impl SearchProblem {
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
-    pub fn as_set_up(&self) -> Result<Vec<f64>> {
-        self.reported(&self.set_up, &self.own(), &self.stop)
+    pub fn goals_as_set_up(&self) -> Result<Vec<f64>> {
+        self.goals_of_setup(&self.set_up, &self.values_as_set_up(), &self.stop)
     }
 
     /// Exact values of the goals of a setup with the design `x`, with `weights` for the scenarios.
@@ -405,8 +405,8 @@ impl SearchProblem {
         x: &[f64],
         weights: &[f64],
     ) -> Result<Vec<f64>> {
-        let flown = columns(setup, &self.of, &self.search.scenarios, &self.stop)?;
-        Ok(self.exact(x, &flown, weights))
+        let flown = columns(setup, &self.outcomes, &self.search.scenarios, &self.stop)?;
+        Ok(self.exact_goals(x, &flown, weights))
     }
 
     /// Values of the goals at `x`, over each of the [`sequences`](Scenarios::sequences).
@@ -414,12 +414,12 @@ impl SearchProblem {
     /// # Errors
     /// The errors of [`values`](Self::values).
     pub fn replications(&self, x: &[f64]) -> Result<Vec<Vec<f64>>> {
-        let setup = self.moved(x)?;
+        let setup = self.setup_at(x)?;
         let one = |sequence: Result<Scenarios>| {
             let sequence = sequence?;
-            Ok(self.exact(
+            Ok(self.exact_goals(
                 x,
-                &columns(&setup, &self.of, &sequence, &self.stop)?,
+                &columns(&setup, &self.outcomes, &sequence, &self.stop)?,
                 &sequence.weights,
             ))
         };
@@ -429,7 +429,7 @@ impl SearchProblem {
 
     /// Values of the varied parameters in the setup as given. A parameter without a value has the
     /// value that counts where it is unset, or NaN.
-    pub fn own(&self) -> Vec<f64> {
+    pub fn values_as_set_up(&self) -> Vec<f64> {
         let own = |parameter: &&'static Parameter| {
             self.set_up
                 .value(parameter)
@@ -440,16 +440,21 @@ impl SearchProblem {
     }
 
     /// Values of the goals of a setup with this design, as [`values`](Self::values) defines them.
-    fn reported(&self, setup: &Setup<f64>, design: &[f64], stop: &AtomicBool) -> Result<Vec<f64>> {
+    fn goals_of_setup(
+        &self,
+        setup: &Setup<f64>,
+        design: &[f64],
+        stop: &AtomicBool,
+    ) -> Result<Vec<f64>> {
         let scenarios = &self.search.scenarios;
-        let flown = columns(setup, &self.of, scenarios, stop)?;
-        let mut values = self.exact(design, &flown, &scenarios.weights);
+        let flown = columns(setup, &self.outcomes, scenarios, stop)?;
+        let mut values = self.exact_goals(design, &flown, &scenarios.weights);
         if !self.search.goals().any(Goal::has_edge) {
             return Ok(values);
         }
-        let mut all: Vec<Vec<f64>> = vec![vec![]; self.of.len()];
+        let mut all: Vec<Vec<f64>> = vec![vec![]; self.outcomes.len()];
         for sequence in scenarios.sequences() {
-            let more = match columns(setup, &self.of, &sequence?, stop) {
+            let more = match columns(setup, &self.outcomes, &sequence?, stop) {
                 Err(Error::NoFlight { .. }) => return Ok(values),
                 more => more?,
             };
@@ -459,7 +464,7 @@ impl SearchProblem {
         }
         let count = all[0].len();
         if count > 0 {
-            let over_all = self.exact(design, &all, &vec![1.0 / count as f64; count]);
+            let over_all = self.exact_goals(design, &all, &vec![1.0 / count as f64; count]);
             let with_edge = values
                 .iter_mut()
                 .zip(over_all)
@@ -478,7 +483,7 @@ impl SearchProblem {
     /// once `stop` is true.
     pub fn goals_until(&self, x: &[f64], order: Order, stop: &AtomicBool) -> Result<Vec<Taylor>> {
         let all: Vec<usize> = (0..self.drives.len()).collect();
-        let flown = self.flown(&all, x, order, stop);
+        let flown = self.outcomes_at(&all, x, order, stop);
         let flown = flown.map_err(|reason| match stop.load(Ordering::Relaxed) {
             true => stopped("all swings were flown"),
             false => Error::NoFlight {
@@ -486,7 +491,7 @@ impl SearchProblem {
                 reason: reason.into(),
             },
         })?;
-        Ok(self.measured(x, &flown, &self.search.scenarios.weights, order))
+        Ok(self.smoothed_goals(x, &flown, &self.search.scenarios.weights, order))
     }
 
     /// Share of the scenarios in which the ball ends at a distance outside of a table of strokes;
@@ -500,7 +505,7 @@ impl SearchProblem {
             return Ok(None);
         }
         let scenarios = &self.search.scenarios;
-        let flown = columns(&self.moved(x)?, &self.of, scenarios, &self.stop)?;
+        let flown = columns(&self.setup_at(x)?, &self.outcomes, scenarios, &self.stop)?;
         let ends: Vec<_> = tables
             .iter()
             .map(|(strokes, _)| self.columns_of(&strokes.outcomes, &flown))
@@ -529,9 +534,9 @@ impl SearchProblem {
         }
         let all: Vec<usize> = (0..self.drives.len()).collect();
         let flown = if self.subset.len() == all.len() {
-            self.flown(&all, x, Order::Second, &self.stop)?
+            self.outcomes_at(&all, x, Order::Second, &self.stop)?
         } else {
-            let mut flown = self.flown(&all, x, Order::First, &self.stop)?;
+            let mut flown = self.outcomes_at(&all, x, Order::First, &self.stop)?;
             let known = self.second_derivatives(x)?;
             for (k, of_drive) in self.subset.iter().zip(&known.of_drives) {
                 flown[*k]
@@ -541,7 +546,7 @@ impl SearchProblem {
             }
             flown
         };
-        Ok(self.as_functions(self.measured(x, &flown, weights, Order::Second)))
+        Ok(self.as_functions(self.smoothed_goals(x, &flown, weights, Order::Second)))
     }
 }
 

@@ -23,7 +23,7 @@ pub struct Region {
     /// Excess at each node, at most 0 in the region: the maximum of loss/allowed loss − 1 and the
     /// violations of the constraints. Each violation is divided by the range of the constraint's
     /// goal over the map. `None` if the drive does not fly.
-    pub misses: Vec<Option<f64>>,
+    pub excess: Vec<Option<f64>>,
     /// Signed violation of the equality constraint at each node. The region lies on the line on
     /// which the violation is 0. `None` without an equality constraint, or if the constraint holds
     /// on the whole grid.
@@ -37,7 +37,7 @@ const FINE: usize = 97;
 
 /// Maximum number of grids. Each grid covers the part of the previous grid that contains the
 /// region.
-const LOOKS: usize = 8;
+const MOST_GRIDS: usize = 8;
 
 /// A region is resolved if it fills more than this fraction of the grid in both directions.
 const FILLED: f64 = 0.55;
@@ -86,10 +86,10 @@ impl Region {
                 [columns; 2],
                 Order::Value,
             )?;
-            Ok(Self::judged(best, value, loss, &plane))
+            Ok(Self::from_plane(best, value, loss, &plane))
         };
         let (mut across, mut up) = (across, up);
-        for _ in 0..LOOKS {
+        for _ in 0..MOST_GRIDS {
             let (x, y) = look(across, up, COARSE)?.extent(top);
             let part = |all: &Vary, part: &Vary| (part.high - part.low) / (all.high - all.low);
             let is_seen = part(&across, &x) > FILLED && part(&up, &y) > FILLED;
@@ -100,18 +100,18 @@ impl Region {
         }
         let region = look(across, up, FINE)?;
         Ok(Some(region)
-            .filter(|region| region.misses.iter().flatten().any(|missed| *missed <= 0.0)))
+            .filter(|region| region.excess.iter().flatten().any(|excess| *excess <= 0.0)))
     }
 
-    fn judged(best: &Optimum, value: f64, loss: f64, plane: &Plane) -> Self {
+    fn from_plane(best: &Optimum, value: f64, loss: f64, plane: &Plane) -> Self {
         let sign = best.search.sense.sign();
-        let mut misses: Vec<Option<f64>> = plane.values[0]
+        let mut excess: Vec<Option<f64>> = plane.values[0]
             .iter()
             .map(|found| Some(sign * ((*found)? - value) / loss - 1.0))
             .collect();
         let mut equation = None;
         for (constraint, values) in best.search.subject_to.iter().zip(&plane.values[1..]) {
-            let missed = missed(constraint, values);
+            let of_constraint = excess_of(constraint, values);
             if constraint.is_equation() {
                 // an equality constraint that holds on the whole plane excludes no point
                 let rounding = ROUNDING * largest_magnitude(plane.values[0].iter().flatten());
@@ -120,12 +120,12 @@ impl Region {
                     .flatten()
                     .any(|value| (value - constraint.low).abs() > rounding)
                 {
-                    equation = Some(missed);
+                    equation = Some(of_constraint);
                 }
                 continue;
             }
-            for (most, missed) in misses.iter_mut().zip(missed) {
-                *most = most.zip(missed).map(|(most, missed)| most.max(missed));
+            for (most, other) in excess.iter_mut().zip(of_constraint) {
+                *most = most.zip(other).map(|(most, other)| most.max(other));
             }
         }
         let Plane {
@@ -139,22 +139,22 @@ impl Region {
             across,
             up,
             columns,
-            misses,
+            excess,
             equation,
         }
     }
 
     /// Smallest ranges that contain the region, the optimum, and a margin of one node.
     fn extent(&self, top: [f64; 2]) -> (Vary, Vary) {
-        let rows = self.misses.len() / self.columns;
+        let rows = self.excess.len() / self.columns;
         let step = |vary: &Vary, count: usize| (vary.high - vary.low) / (count - 1) as f64;
         let steps = [step(&self.across, self.columns), step(&self.up, rows)];
-        let held = |missed: &Option<f64>| missed.is_some_and(|missed| missed <= 0.0);
+        let is_within = |excess: &Option<f64>| excess.is_some_and(|excess| excess <= 0.0);
         let nodes = self
-            .misses
+            .excess
             .iter()
             .enumerate()
-            .filter(|(_, missed)| held(missed));
+            .filter(|(_, excess)| is_within(excess));
         let places = nodes.map(|(node, _)| {
             let (column, row) = (node % self.columns, node / self.columns);
             [
@@ -180,7 +180,7 @@ impl Region {
 
 /// Excess of a constraint at each node: at most 0 if the constraint is met. For an equality
 /// constraint, the signed violation. Both are divided by the range of the goal's values.
-fn missed(constraint: &Constraint, values: &[Option<f64>]) -> Vec<Option<f64>> {
+fn excess_of(constraint: &Constraint, values: &[Option<f64>]) -> Vec<Option<f64>> {
     let [low, high] = extent(values.iter().flatten().copied());
     let range = high - low;
     let range = if range > 0.0 && range.is_finite() {
@@ -188,7 +188,7 @@ fn missed(constraint: &Constraint, values: &[Option<f64>]) -> Vec<Option<f64>> {
     } else {
         1.0
     };
-    let missed = |value: f64| {
+    let excess = |value: f64| {
         if constraint.is_equation() {
             value - constraint.low
         } else {
@@ -197,6 +197,6 @@ fn missed(constraint: &Constraint, values: &[Option<f64>]) -> Vec<Option<f64>> {
     };
     values
         .iter()
-        .map(|value| value.map(|value| missed(value) / range))
+        .map(|value| value.map(|value| excess(value) / range))
         .collect()
 }

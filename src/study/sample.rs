@@ -39,7 +39,7 @@ const ONE_IN: usize = 8;
 /// are better than the best solution so far; if few points are feasible, in any case from the best
 /// point (see [`ONE_IN`]). `end` becomes the best solution. `None` if the search was interrupted
 /// before all points were evaluated.
-pub(super) fn resample(
+pub(super) fn compare_with_sample(
     problem: &SearchProblem,
     end: &mut Solution,
     mut search: impl FnMut(&[f64]) -> Result<Solution>,

@@ -337,12 +337,15 @@ impl Optimum {
         };
         let width = |i: usize| self.search.vary[i].high - self.search.vary[i].low;
         let solution = &self.solution;
-        let (Some(slope), Some(bends)) = (solution.gradient.get(i), solution.hessian.get(i)) else {
+        let (Some(slope), Some(curvatures)) = (solution.gradient.get(i), solution.hessian.get(i))
+        else {
             return false;
         };
-        let bends = bends.iter().enumerate();
-        let bends: f64 = bends.map(|(j, bend)| (bend * width(j)).abs()).sum();
-        width(i) > 0.0 && (slope.abs() + bends) * width(i) <= negligible
+        let curvatures = curvatures.iter().enumerate();
+        let curvatures: f64 = curvatures
+            .map(|(j, curvature)| (curvature * width(j)).abs())
+            .sum();
+        width(i) > 0.0 && (slope.abs() + curvatures) * width(i) <= negligible
     }
 
     fn idle(&self) -> Vec<&'static str> {
@@ -360,11 +363,13 @@ impl Optimum {
         let slopes = self.solution.gradient.iter().enumerate();
         let slopes = slopes.map(|(i, slope)| slope * width(i));
         let rows = self.solution.hessian.iter().enumerate();
-        let bends = rows.flat_map(|(i, row)| {
+        let curvatures = rows.flat_map(|(i, row)| {
             let row = row.iter().enumerate();
-            row.map(move |(j, bend)| bend * width(i) * width(j))
+            row.map(move |(j, curvature)| curvature * width(i) * width(j))
         });
-        slopes.chain(bends).all(|change| change.abs() < ROUNDING)
+        slopes
+            .chain(curvatures)
+            .all(|change| change.abs() < ROUNDING)
     }
 
     /// Message on the point at which the search began, if the ball does not fly with the setup's

@@ -143,7 +143,7 @@ fn exact_front_of_two_distances() {
     let knee = &found.points[found.knee.unwrap()];
     close(knee.values[0], length / 4.0, 1.0, 1e-8, "knee");
     close(knee.slope.unwrap(), -1.0, 1.0, 1e-8, "slope at the knee");
-    close(found.bend, 0.25, 1.0, 1e-9, "bend");
+    close(found.relative_bulge, 0.25, 1.0, 1e-9, "bend");
     let spread: Vec<_> = found
         .points
         .iter()
@@ -283,7 +283,7 @@ fn concave_and_straight_fronts_have_no_knee() {
     let hollow = between(Hollow, [-2.0; 2], [2.0; 2], 11);
     assert_eq!((hollow.points.len(), hollow.knee), (11, None));
     // the front is convex only close to its ends
-    assert!(hollow.bend < 1e-3, "{}", hollow.bend);
+    assert!(hollow.relative_bulge < 1e-3, "{}", hollow.relative_bulge);
     for point in &hollow.points {
         close(point.x[0], point.x[1], 1.0, 1e-7, "on the diagonal");
     }

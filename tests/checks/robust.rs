@@ -48,11 +48,17 @@ fn independent_loft_of_the_smallest_greatest_loss_of_two_models_by_a_grid() {
         1e-8,
         "both lose the same",
     );
-    close(best.shares[0] + best.shares[1], 1.0, 1.0, 1e-8, "shares");
+    close(
+        best.loss_multipliers[0] + best.loss_multipliers[1],
+        1.0,
+        1.0,
+        1e-8,
+        "shares",
+    );
     assert!(
-        best.shares.iter().all(|share| *share > 0.01),
+        best.loss_multipliers.iter().all(|share| *share > 0.01),
         "{:?}",
-        best.shares
+        best.loss_multipliers
     );
     let models = [setup, Model::read(&setup, change).unwrap().setup];
     let carry = |model: &Setup<f64>, loft: f64| {

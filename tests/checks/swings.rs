@@ -5,7 +5,8 @@ use crate::common::close;
 use longdrive::derivative::{Order, Taylor, hessian};
 use longdrive::optimize::Observer;
 use longdrive::study::swings::{
-    GoalError, GoalFunction, Rule, Scenarios, Strokes, Swings, analyse_over_swings, resampled,
+    GoalError, GoalFunction, Rule, Scenarios, Strokes, Swings, analyse_over_swings,
+    bootstrap_optimum,
 };
 use longdrive::study::uncertainty::{Distribution, Uncertain};
 use longdrive::study::{Constraint, Goal, Optimum, Search, Sense, Vary, optimum};
@@ -305,7 +306,7 @@ fn sampled_interval_of_the_best_loft_from_recorded_swings() {
         let recorded = Swings::recorded(vec![parameter], rows.collect()).unwrap();
         let scenarios = Scenarios::new(&recorded, Rule::Recorded).unwrap();
         let best = searched(&setup, "mean(carry)", &["club.loft=4deg..30deg"], scenarios);
-        let found = resampled(&setup, &best, 40, 0, &Arc::default())
+        let found = bootstrap_optimum(&setup, &best, 40, 0, &Arc::default())
             .unwrap()
             .unwrap();
         let (_, design) = found.design[0];

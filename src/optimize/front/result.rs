@@ -15,7 +15,7 @@ pub struct Front {
     pub knee: Option<usize>,
     /// Largest distance of the front from the straight line between its ends, towards smaller
     /// values, relative to the length of that line; both functions are scaled from 0 to 1.
-    pub bend: f64,
+    pub relative_bulge: f64,
     /// Number of dominated points that were removed.
     pub dominated: usize,
     /// Reason why a part of the front is missing; `None` if the front is complete.

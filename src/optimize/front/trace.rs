@@ -82,7 +82,7 @@ pub(super) fn trace_front(
     Ok(Front {
         points: points.into_iter().map(|place| place.point).collect(),
         knee,
-        bend: 0.5 * (1.0 - smallest_sum),
+        relative_bulge: 0.5 * (1.0 - smallest_sum),
         dominated,
         ended,
         interrupted,

@@ -259,9 +259,9 @@ fn region_layers(region: &Region, name: &str) -> Vec<Layer> {
     let Some(equation) = &region.equation else {
         // drives that do not fly are outside of the region
         let beyond = region
-            .misses
+            .excess
             .iter()
-            .map(|missed| Some(missed.unwrap_or(1.0)))
+            .map(|excess| Some(excess.unwrap_or(1.0)))
             .collect::<Vec<_>>();
         let rings = of(&beyond).below(0.0);
         let region = Layer::Region {
@@ -272,8 +272,8 @@ fn region_layers(region: &Region, name: &str) -> Vec<Layer> {
         };
         return vec![region];
     };
-    let misses = of(&region.misses);
-    let is_in = |at: &[f64; 2]| misses.at(*at).is_some_and(|missed| missed <= 0.0);
+    let excess = of(&region.excess);
+    let is_in = |at: &[f64; 2]| excess.at(*at).is_some_and(|excess| excess <= 0.0);
     let line = of(equation).line_at(0.0).into_iter();
     let points: Vec<_> = line
         .map(|at| if is_in(&at) { at } else { [f64::NAN; 2] })

@@ -80,6 +80,6 @@ fn values(
         ..Search::largest(Outcome::Carry)
     };
     Ok(SearchProblem::of_goals(setup, search, stop)?
-        .as_set_up()
+        .goals_as_set_up()
         .ok())
 }

@@ -100,7 +100,7 @@ fn analysed(
     stop: &Arc<AtomicBool>,
 ) -> Result<SwingsAnalysis> {
     let search = &best.search;
-    let mean_swing = over(search, Scenarios::mean(swings));
+    let mean_swing = with_scenarios(search, Scenarios::mean(swings));
     let mean_swing = SearchProblem::new(setup, mean_swing, stop)?;
     let all_swings = SearchProblem::new(setup, search.clone(), stop)?;
     let observer = Observer {
@@ -128,13 +128,13 @@ fn analysed(
     Ok(SwingsAnalysis {
         nominal: nominal.map_err(|error| error.to_string()),
         errors: match best.goals.as_deref() {
-            Some(goals) => errors_of(&all_swings, swings, &best.solution.x, goals),
+            Some(goals) => goal_errors(&all_swings, swings, &best.solution.x, goals),
             None => vec![],
         },
     })
 }
 
-fn over(search: &Search, scenarios: Scenarios) -> Search {
+fn with_scenarios(search: &Search, scenarios: Scenarios) -> Search {
     Search {
         scenarios,
         ..search.clone()
@@ -145,7 +145,12 @@ fn over(search: &Search, scenarios: Scenarios) -> Search {
 /// Gauss's rule, a smooth goal is compared with a finer rule. Every other goal is compared with
 /// independent Sobol' sequences. If a swing of the finer rule does not fly, only the errors of the
 /// smooth goals are unknown; likewise for the sequences. Empty without distributions.
-fn errors_of(problem: &SearchProblem, swings: &Swings, x: &[f64], goals: &[f64]) -> Vec<GoalError> {
+fn goal_errors(
+    problem: &SearchProblem,
+    swings: &Swings,
+    x: &[f64],
+    goals: &[f64],
+) -> Vec<GoalError> {
     let search = &problem.search;
     let of: Vec<&Goal> = search.goals().collect();
     let has_smooth_goal = !of.iter().all(|goal| goal.has_edge());
@@ -153,7 +158,11 @@ fn errors_of(problem: &SearchProblem, swings: &Swings, x: &[f64], goals: &[f64])
         Some(rule) if has_smooth_goal => {
             let scenarios = Scenarios::new(swings, rule);
             let problem = scenarios.and_then(|finer| {
-                SearchProblem::new(&problem.set_up, over(search, finer), &problem.stop)
+                SearchProblem::new(
+                    &problem.set_up,
+                    with_scenarios(search, finer),
+                    &problem.stop,
+                )
             });
             Some(problem.and_then(|problem| problem.values(x)))
         }

@@ -168,7 +168,7 @@ fn summed<'a>(
     is_second: bool,
 ) -> Taylor {
     let mut all: Option<Taylor> = None;
-    for (f, [value, slope, bend]) in terms {
+    for (f, [value, slope, curvature]) in terms {
         let n = f.gradient.len();
         let sum = all.get_or_insert_with(|| Taylor::zero(n, if is_second { n } else { 0 }));
         let change = |i: usize| f.gradient[i] - centre.get(i).copied().unwrap_or_default();
@@ -177,7 +177,7 @@ fn summed<'a>(
             sum.gradient[i] += slope * change(i);
         }
         for (i, row) in sum.hessian.iter_mut().enumerate() {
-            let along = bend * change(i);
+            let along = curvature * change(i);
             row.iter_mut()
                 .enumerate()
                 .for_each(|(j, second)| *second += along * change(j));
@@ -266,9 +266,9 @@ impl LowestShare<'_> {
     fn mean(&self, is_second: bool) -> Taylor {
         let t = self.threshold();
         let terms = self.drives.iter().map(|(f, weight)| {
-            let [value, slope, bend] = self.smoothed_positive_part(t - self.sign * f.value);
+            let [value, slope, curvature] = self.smoothed_positive_part(t - self.sign * f.value);
             // derivatives of −φ(t − u) by f
-            let by_f = [-value, self.sign * slope, -bend];
+            let by_f = [-value, self.sign * slope, -curvature];
             (*f, by_f.map(|part| weight / self.share * part))
         });
         let mut mean = summed(terms, &[], is_second);
@@ -325,23 +325,25 @@ impl LowestShare<'_> {
     /// Adds the term of the Hessian that arises because t changes with the variables x:
     /// (∂²G/∂t∂x)(∂²G/∂t∂x)ᵀ / (−∂²G/∂t²).
     fn add_threshold_change(&self, t: f64, hessian: &mut [Vec<f64>]) {
-        let bends: Vec<f64> = self
+        let curvatures: Vec<f64> = self
             .drives
             .iter()
             .map(|(f, weight)| {
                 weight / self.share * self.smoothed_positive_part(t - self.sign * f.value)[2]
             })
             .collect();
-        let bend: f64 = bends.iter().sum();
+        let curvature: f64 = curvatures.iter().sum();
         // ±∂²G/∂t∂x; the sign cancels in the product
         let mixed = |i: usize| {
-            let drives = bends.iter().zip(self.drives);
-            drives.map(|(bend, (f, _))| bend * f.gradient[i]).sum()
+            let drives = curvatures.iter().zip(self.drives);
+            drives
+                .map(|(curvature, (f, _))| curvature * f.gradient[i])
+                .sum()
         };
         let mixed: Vec<f64> = (0..hessian.len()).map(mixed).collect();
         for (row, across) in hessian.iter_mut().zip(&mixed) {
             for (second, along) in row.iter_mut().zip(&mixed) {
-                *second += across * along / bend;
+                *second += across * along / curvature;
             }
         }
     }

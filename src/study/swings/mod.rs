@@ -9,6 +9,7 @@
 //! ```
 
 mod analysis;
+mod bootstrap_optimum;
 mod file;
 pub(super) mod flown;
 mod function;
@@ -16,7 +17,6 @@ mod golfer;
 mod measure;
 mod pareto;
 mod quadrature;
-mod resampled;
 mod robust;
 mod scenarios;
 mod strokes;
@@ -24,11 +24,11 @@ pub(super) mod subset;
 mod warnings;
 
 pub use analysis::{GoalError, Nominal, SamplingError, SwingsAnalysis, analyse_over_swings};
+pub use bootstrap_optimum::{BootstrapOptimum, bootstrap_optimum};
 pub use function::GoalFunction;
 pub use golfer::{Correlation, Swings};
 pub use measure::Measure;
 pub use pareto::{Pareto, ParetoPoint, ParetoSearch, pareto};
-pub use resampled::{Resampled, resampled};
 pub use robust::{Model, ModelLimit, Robust, robust};
 pub use scenarios::{Rule, Scenarios};
 pub use strokes::Strokes;

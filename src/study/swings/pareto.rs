@@ -41,7 +41,7 @@ pub struct Pareto {
     /// The largest distance of the front from the straight line between its ends, towards better
     /// values, divided by the length of the line. Both goals are scaled to run from 0 to 1 between
     /// the ends.
-    pub bend: f64,
+    pub relative_bulge: f64,
     /// Values of the goals at the setup's own design; `None` if the ball does not fly in one of the
     /// swings.
     pub as_set_up: Option<[f64; 2]>,
@@ -67,7 +67,7 @@ pub struct ParetoPoint {
     pub active: Vec<Active>,
     /// Text on a change of the active set, or a jump to another branch of designs, at this point.
     /// `None` if there is neither.
-    pub event: Option<String>,
+    pub event_text: Option<String>,
     /// True if the front is disconnected between the previous point and this one.
     pub is_after_gap: bool,
     /// The setup with this design.
@@ -114,7 +114,7 @@ impl Pareto {
 pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, follow: &Observers) -> Result<Pareto> {
     let [(_, sense), (_, against)] = search.goals;
     let problem = SearchProblem::new(setup, search.first_goal(), &follow.interrupt)?;
-    let own = problem.as_set_up();
+    let own = problem.goals_as_set_up();
     if own.is_err() && follow.interrupt.load(Ordering::Relaxed) {
         return Err(stopped("the search began"));
     }
@@ -138,7 +138,7 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, follow: &Observers) -> R
     let Front {
         points,
         knee,
-        bend,
+        relative_bulge,
         dominated,
         ended,
         interrupted,
@@ -154,7 +154,7 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, follow: &Observers) -> R
         search,
         points,
         knee,
-        bend,
+        relative_bulge,
         as_set_up,
         dominated,
         ended,
@@ -184,20 +184,20 @@ impl ParetoSearch {
     fn point(&self, problem: &SearchProblem, point: FrontPoint, sign: f64) -> Result<ParetoPoint> {
         let values = problem.values_uninterrupted(&point.x)?;
         let active = self.active(&point.x, &point.active_set);
-        let event = point.event.as_ref().map(|event| match event {
+        let event_text = point.event.as_ref().map(|event| match event {
             FrontEvent::Jump => "from here on another branch of designs is better".to_owned(),
             FrontEvent::Changed { before } => {
                 ChartEvent::between(&self.active(&point.x, before), &active).to_string()
             }
         });
         Ok(ParetoPoint {
-            setup: problem.moved(&point.x)?,
+            setup: problem.setup_at(&point.x)?,
             goals: [values[0], values[values.len() - 1]],
             slope: point.slope.map(|slope| sign * slope),
             is_after_gap: point.event == Some(FrontEvent::Jump),
             design: point.x,
             active,
-            event,
+            event_text,
         })
     }
 

@@ -149,7 +149,7 @@ pub struct Robust {
     pub losses: Vec<f64>,
     /// Multiplier of each model's constraint, loss ≤ greatest loss. The multipliers sum to 1. A
     /// model whose loss is below the greatest loss has the multiplier 0.
-    pub shares: Vec<f64>,
+    pub loss_multipliers: Vec<f64>,
     /// The loss of each model with the design as set up; `None` if a constraint is violated or the
     /// ball does not fly in one of the swings.
     pub as_set_up: Vec<Option<f64>>,
@@ -205,10 +205,10 @@ impl Robust {
     /// Decrease of the greatest loss per unit by which the lower or the upper bound of a variable
     /// is widened. The wider bound also improves the models' own best designs. The decrease is
     /// therefore the multiplier of the bound, minus the mean multiplier of the bound at these
-    /// designs, weighted by [`shares`](Self::shares).
+    /// designs, weighted by [`loss_multipliers`](Self::loss_multipliers).
     pub fn bound_prices(&self, variable: usize) -> [f64; 2] {
         let price = |multipliers: fn(&Solution) -> &[f64]| {
-            let of_bests = self.shares.iter().zip(&self.models);
+            let of_bests = self.loss_multipliers.iter().zip(&self.models);
             let gained =
                 of_bests.map(|(share, (_, best))| share * multipliers(&best.solution)[variable]);
             multipliers(&self.solution)[variable] - gained.sum::<f64>()
@@ -226,11 +226,11 @@ impl Robust {
         let of_best = of_best.map_or(0.0, |best| best.multiplier);
         match at.multiplier {
             own if self.search.subject_to[limit].is_equation() => {
-                own - self.shares[model] * of_best
+                own - self.loss_multipliers[model] * of_best
             }
             // the model's own best design is at the opposite limit, which is not relaxed
             own if own * of_best < 0.0 => own.abs(),
-            own => own.abs() - self.shares[model] * of_best.abs(),
+            own => own.abs() - self.loss_multipliers[model] * of_best.abs(),
         }
     }
 
@@ -325,9 +325,9 @@ pub fn robust(
     let design = solution.x[..search.vary.len()].to_vec();
     let goals = losses.goals(&design)?;
     Ok(Robust {
-        setup: losses.problems[0].moved(&design)?,
+        setup: losses.problems[0].setup_at(&design)?,
         losses: losses.losses(&goals),
-        shares: shares(&solution, search.subject_to.len()),
+        loss_multipliers: loss_multipliers(&solution, search.subject_to.len()),
         models,
         matrix,
         solution,
@@ -369,7 +369,7 @@ fn best_of_each(
 
 /// The multiplier of each model's loss. The first of the 1 + `limits` constraints of a model limits
 /// its loss.
-fn shares(solution: &Solution, limits: usize) -> Vec<f64> {
+fn loss_multipliers(solution: &Solution, limits: usize) -> Vec<f64> {
     let losses = solution.constraints.iter().step_by(1 + limits);
     losses.map(|at| at.multiplier.max(0.0)).collect()
 }
@@ -452,7 +452,7 @@ impl<'a> Losses<'a> {
     /// The loss of each model with the design as set up; `None` as in [`matrix`](Self::matrix).
     fn as_set_up(&self) -> Vec<Option<f64>> {
         let own = |model: usize| {
-            let goals = self.problems[model].as_set_up().ok()?;
+            let goals = self.problems[model].goals_as_set_up().ok()?;
             self.feasible_loss(model, &goals)
         };
         (0..self.problems.len()).map(own).collect()

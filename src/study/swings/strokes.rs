@@ -18,7 +18,7 @@ pub struct Strokes {
     /// Expected strokes at the distances.
     strokes: Vec<f64>,
     /// Second derivatives of the spline at the distances.
-    bend: Vec<f64>,
+    second_derivatives: Vec<f64>,
     /// Outcomes that give the ball's final position: downrange and to the right.
     pub(in crate::study) outcomes: [Outcome; 2],
 }
@@ -54,7 +54,7 @@ impl Strokes {
             }
         }
         let (distance, strokes): (Vec<f64>, Vec<f64>) = rows.iter().copied().unzip();
-        let bend = natural(&distance, &strokes);
+        let second_derivatives = natural(&distance, &strokes);
         let outcomes = if runs {
             [Outcome::Total, Outcome::LateralTotal]
         } else {
@@ -63,7 +63,7 @@ impl Strokes {
         Ok(Self {
             distance,
             strokes,
-            bend,
+            second_derivatives,
             outcomes,
         })
     }
@@ -131,7 +131,7 @@ impl Strokes {
         // linear beyond the ends, where the second derivative is 0
         let inside = x.clamp(low, high);
         let (a, b) = ((high - inside) / width, (inside - low) / width);
-        let (p, q) = (self.bend[i], self.bend[i + 1]);
+        let (p, q) = (self.second_derivatives[i], self.second_derivatives[i + 1]);
         let value = a * self.strokes[i]
             + b * self.strokes[i + 1]
             + ((a * a * a - a) * p + (b * b * b - b) * q) * width * width / 6.0;
@@ -243,19 +243,19 @@ fn number(cell: &str, separator: u8) -> std::result::Result<f64, String> {
 /// The second derivatives of the natural cubic spline.
 fn natural(x: &[f64], y: &[f64]) -> Vec<f64> {
     let n = x.len();
-    let (mut bend, mut left) = (vec![0.0; n], vec![0.0; n]);
+    let (mut second_derivatives, mut left) = (vec![0.0; n], vec![0.0; n]);
     for i in 1..n - 1 {
         let part = (x[i] - x[i - 1]) / (x[i + 1] - x[i - 1]);
-        let pivot = part * bend[i - 1] + 2.0;
-        bend[i] = (part - 1.0) / pivot;
+        let pivot = part * second_derivatives[i - 1] + 2.0;
+        second_derivatives[i] = (part - 1.0) / pivot;
         let change = (y[i + 1] - y[i]) / (x[i + 1] - x[i]) - (y[i] - y[i - 1]) / (x[i] - x[i - 1]);
         left[i] = (6.0 * change / (x[i + 1] - x[i - 1]) - part * left[i - 1]) / pivot;
     }
-    bend[n - 1] = 0.0;
+    second_derivatives[n - 1] = 0.0;
     for i in (0..n - 1).rev() {
-        bend[i] = bend[i] * bend[i + 1] + left[i];
+        second_derivatives[i] = second_derivatives[i] * second_derivatives[i + 1] + left[i];
     }
-    bend
+    second_derivatives
 }
 
 #[cfg(test)]
@@ -291,8 +291,8 @@ mod tests {
                 assert!((a[k] - b[k]).abs() < 1e-8, "{x} {k}: {a:?} {b:?}");
             }
         }
-        let [value, slope, bend] = strokes.at(470.0);
-        assert!(bend == 0.0 && (value - (4.4 + 20.0 * slope)).abs() < 1e-12);
+        let [value, slope, curvature] = strokes.at(470.0);
+        assert!(curvature == 0.0 && (value - (4.4 + 20.0 * slope)).abs() < 1e-12);
     }
 
     #[test]

@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[cfg_attr(test, schemars(rename = "ResampledReport"))]
-pub struct Resampled {
+pub struct BootstrapOptimum {
     /// The 95 % interval of each varied parameter.
     #[serde(rename = "optimum", serialize_with = "by_name")]
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, Interval>"))]
@@ -48,13 +48,13 @@ const POWER: f64 = 1.959_963_985 + 0.841_621_234;
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).
-pub fn resampled(
+pub fn bootstrap_optimum(
     setup: &Setup<f64>,
     best: &Optimum,
     rounds: usize,
     seed: u64,
     stop: &Arc<AtomicBool>,
-) -> Result<Option<Resampled>> {
+) -> Result<Option<BootstrapOptimum>> {
     let points = &best.search.scenarios.points;
     if points.iter().all(|point| *point == points[0]) {
         return Ok(None);
@@ -68,7 +68,7 @@ pub fn resampled(
         if is_stopped() {
             return None;
         }
-        searched_again(&problem, best, resample(points.len(), seed, stream), stop)
+        search_resample(&problem, best, resample(points.len(), seed, stream), stop)
     };
     let found: Vec<Round> = (0..rounds as u64)
         .into_par_iter()
@@ -87,12 +87,12 @@ pub fn resampled(
         found.iter().filter_map(|round| round.value).collect(),
     );
     let gains: Vec<f64> = found.iter().filter_map(|round| round.gain).collect();
-    let own = problem.as_set_up().ok().filter(|_| gains.len() >= 2);
+    let own = problem.goals_as_set_up().ok().filter(|_| gains.len() >= 2);
     let mean = own.map(|own| -best.search.sense.sign() * (value - own[0]));
     if is_stopped() {
         return Ok(None);
     }
-    Ok(Some(Resampled {
+    Ok(Some(BootstrapOptimum {
         design: design.collect(),
         goal,
         rounds: found.len(),
@@ -126,7 +126,7 @@ struct Round {
 
 /// Searches over the resample with these weights, from the best design for all swings. `None` if
 /// the search does not converge.
-fn searched_again(
+fn search_resample(
     problem: &SearchProblem,
     best: &Optimum,
     weights: Vec<f64>,
@@ -135,10 +135,11 @@ fn searched_again(
     let x = &best.solution.x;
     let objective = |goals: Result<Vec<f64>>| Some(goals.ok()?[0]);
     let value = |x: &[f64]| {
-        let setup = problem.moved(x).ok()?;
+        let setup = problem.setup_at(x).ok()?;
         objective(problem.weighted_values(&setup, x, &weights))
     };
-    let own = objective(problem.weighted_values(&problem.set_up, &problem.own(), &weights));
+    let own =
+        objective(problem.weighted_values(&problem.set_up, &problem.values_as_set_up(), &weights));
     let sign = best.search.sense.sign();
     let gain = value(x).zip(own).map(|(best, own)| -sign * (best - own));
     let weighted = |x: &[f64]| problem.weighted(x, &weights);
