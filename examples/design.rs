@@ -53,7 +53,7 @@ fn main() -> Result<()> {
         let price = state.price.map(|price| {
             format!(
                 ", {:+.3} yd for each 100 g cm^2 of the limit",
-                price * constraint.step / 0.9144
+                price * constraint.reported_change / 0.9144
             )
         });
         println!(

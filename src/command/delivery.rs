@@ -275,7 +275,7 @@ fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<V
     let measured = |unknown: Unknown| match setup.value(unknown.parameter) {
         Some(value) if is_setting(&unknown) => Unknown {
             range: unknown.range,
-            ..unknown.measured_as(value)
+            ..unknown.with_measured_prior(value)
         },
         _ => unknown,
     };
@@ -457,7 +457,8 @@ fn note_assumed(unknowns: &[Unknown]) {
 fn note_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
     for unknown in unknowns {
         let name = unknown.parameter.name;
-        let measured = unknown.measured_as(setup.value(unknown.parameter).unwrap_or_default());
+        let measured =
+            unknown.with_measured_prior(setup.value(unknown.parameter).unwrap_or_default());
         let sigma = parameter_difference_text(unknown.parameter, measured.sigma, system());
         let source = measured.source.unwrap_or("as given");
         note(&format!(

@@ -34,18 +34,20 @@ pub struct Checkpoint {
 #[derive(Debug, Serialize, Deserialize)]
 struct CheckpointContent {
     /// Text that identifies the problem.
-    question: String,
-    runs: BTreeMap<usize, SavedSearch>,
+    #[serde(rename = "question")]
+    problem: String,
+    #[serde(rename = "runs")]
+    searches: BTreeMap<usize, SavedSearch>,
 }
 
 impl Checkpoint {
-    /// Opens a checkpoint file, or creates it if it does not exist. `question` identifies the
+    /// Opens a checkpoint file, or creates it if it does not exist. `problem` identifies the
     /// problem: a text that is different for every problem.
     ///
     /// # Errors
     /// [`Error::Checkpoint`] if the file cannot be read or written, is not a checkpoint, or belongs
     /// to another problem.
-    pub fn open(path: &Path, question: &str) -> Result<Self> {
+    pub fn open(path: &Path, problem: &str) -> Result<Self> {
         let refuse = |reason: String| Error::Checkpoint {
             file: path.display().to_string(),
             reason,
@@ -70,11 +72,11 @@ impl Checkpoint {
                 )
             })?,
             None => CheckpointContent {
-                question: question.into(),
-                runs: BTreeMap::new(),
+                problem: problem.into(),
+                searches: BTreeMap::new(),
             },
         };
-        if content.question != question {
+        if content.problem != problem {
             let reason = "it belongs to another question (setup, search or options differ); name \
                           another file, or remove this one to start again";
             return Err(refuse(reason.into()));
@@ -90,16 +92,16 @@ impl Checkpoint {
 
     /// Saved state of search `number`; `None` if nothing was saved.
     pub fn saved(&self, number: usize) -> Option<SavedSearch> {
-        self.lock().runs.get(&number).cloned()
+        self.lock().searches.get(&number).cloned()
     }
 
-    /// Saves `run`, the state of search `number`.
+    /// Saves `search`, the state of search `number`.
     ///
     /// # Errors
     /// [`Error::Checkpoint`] if the file cannot be written.
-    pub fn save(&self, number: usize, run: SavedSearch) -> Result<()> {
+    pub fn save(&self, number: usize, search: SavedSearch) -> Result<()> {
         let mut content = self.lock();
-        content.runs.insert(number, run);
+        content.searches.insert(number, search);
         self.write(&content, true)
     }
 

@@ -58,7 +58,7 @@ impl AdaptiveStep {
     ///
     /// # Errors
     /// The error of the corrector, if the step is already the shortest.
-    pub fn judge<P, E>(
+    pub fn accept_or_halve<P, E>(
         &mut self,
         corrected: Result<(P, f64), E>,
         is_interrupted: bool,

@@ -16,7 +16,7 @@ const MOST_CROSSINGS: u32 = 10;
 /// quarter of the previous step.
 const FIRST_STEP: f64 = 0.25;
 /// Maximum number of steps along −∇f in one attempt.
-const STEPS: u32 = 8;
+const STEP_LENGTHS: u32 = 8;
 
 /// An active bound and the constraint whose huge multiplier it balances.
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +32,7 @@ impl SearchState {
     pub fn redundant_bound(&self) -> Option<RedundantBound> {
         let slope = self.scaling.largest(&self.point.f.objective.gradient);
         let most = HUGE * slope.max(self.scaling.initial_size.min(1.0) * f64::EPSILON);
-        let normal_force = |i: usize, j: usize| {
+        let scaled_product = |i: usize, j: usize| {
             let constraint = &self.point.f.constraints[j];
             (self.multipliers[j] * constraint.gradient[i] * self.scaling.scale[i]).abs()
         };
@@ -40,8 +40,8 @@ impl SearchState {
             (0..self.point.x.len()).filter(|&i| self.scaling.is_at_a_bound(&self.point, i));
         let pairs = bounds.flat_map(|i| (0..self.multipliers.len()).map(move |j| (i, j)));
         let (variable, constraint) = pairs
-            .filter(|&(i, j)| normal_force(i, j) > most)
-            .max_by(|a, b| normal_force(a.0, a.1).total_cmp(&normal_force(b.0, b.1)))?;
+            .filter(|&(i, j)| scaled_product(i, j) > most)
+            .max_by(|a, b| scaled_product(a.0, a.1).total_cmp(&scaled_product(b.0, b.1)))?;
         Some(RedundantBound {
             variable,
             constraint,
@@ -73,7 +73,7 @@ impl SearchState {
             .collect();
         let (value, violation) = (self.point.f.objective.value, self.violation());
         let mut step = FIRST_STEP;
-        for _ in 0..STEPS {
+        for _ in 0..STEP_LENGTHS {
             let moved: Vec<f64> = self
                 .point
                 .x

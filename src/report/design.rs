@@ -13,7 +13,7 @@ use crate::study::Optimum;
 use crate::study::design::{ConstraintState, Design, DesignConstraint, Enforcement, Improvement};
 use crate::units::{System, signed};
 
-/// Threshold of rounding errors, as a fraction of `DesignConstraint::step`. A smaller value is
+/// Threshold of rounding errors, as a fraction of `DesignConstraint::reported_change`. A smaller value is
 /// displayed as 0.
 const ROUNDING: f64 = 1e-6;
 
@@ -165,7 +165,7 @@ impl Designed<'_> {
             price,
         } = state;
         let show = |value: f64| {
-            let value = if value.abs() < ROUNDING * constraint.step {
+            let value = if value.abs() < ROUNDING * constraint.reported_change {
                 0.0
             } else {
                 value
@@ -180,7 +180,7 @@ impl Designed<'_> {
             }
             (Enforcement::Value(_), _, Some(_)) => "met; not varied".into(),
             (_, Some(price), _) => {
-                let amount = change_of(self.best.search.sense, price * constraint.step);
+                let amount = change_of(self.best.search.sense, price * constraint.reported_change);
                 let is_upper = value.is_some_and(|value| {
                     constraint.range[1] - value <= value - constraint.range[0]
                 });
@@ -188,10 +188,10 @@ impl Designed<'_> {
                 let gain = signed(amount, shown::goal_difference(goal, amount, system));
                 format!(
                     "{gain} for each {} that the limit is {way}",
-                    constraint.unit.show(constraint.step)
+                    constraint.unit.show(constraint.reported_change)
                 )
             }
-            (_, None, Some(margin)) if *margin < -ROUNDING * constraint.step => {
+            (_, None, Some(margin)) if *margin < -ROUNDING * constraint.reported_change => {
                 format!("violated by {}", show(-margin))
             }
             (_, None, Some(margin)) => format!("{} to spare", show(margin.max(0.0))),

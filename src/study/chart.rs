@@ -335,7 +335,7 @@ impl Follower<'_> {
         to: f64,
         stride: &mut AdaptiveStep,
     ) -> std::result::Result<Option<ChartPoint>, Message> {
-        let corrected = stride.judge(self.next(here, to), self.observer.is_interrupted());
+        let corrected = stride.accept_or_halve(self.next(here, to), self.observer.is_interrupted());
         let none_beyond = |error| {
             let parameter = self.along.parameter;
             let place = parameter.append_value("no optimum was found beyond ".into(), here.at);
@@ -427,8 +427,9 @@ impl Follower<'_> {
             // without a sensitivity (at a change of the active set) predict no change
             Err(_) => vec![0.0; self.search.vary.len()],
         };
-        let ends = |end: fn(&Vary) -> f64| self.search.vary.iter().map(end).collect::<Vec<_>>();
-        let bounds = Bounds::new(ends(|vary| vary.low), ends(|vary| vary.high))?;
+        let ranges = self.search.vary.iter().map(|vary| (vary.low, vary.high));
+        let (low, high) = ranges.unzip();
+        let bounds = Bounds::new(low, high)?;
         let predicted = predicted(&here.best.solution.x, &rates, to - here.at, &bounds);
         let mut setup = here.best.setup;
         setup.set_value(self.along.parameter, Some(to))?;

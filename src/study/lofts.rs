@@ -30,7 +30,12 @@ pub fn lofts(setup: &Setup<f64>, other: &Setup<f64>) -> Result<Option<Plane>> {
     let vary = |name: &str, axis: usize| -> Result<Vary> {
         let parameter = setup.variable(name)?;
         let values = [setup, other].map(|setup| setup.value(parameter).unwrap_or_default());
-        Ok(steps(parameter, values, NODES[axis], LEAST_STEPS[axis]))
+        Ok(range_around(
+            parameter,
+            values,
+            NODES[axis],
+            LEAST_STEPS[axis],
+        ))
     };
     let (across, up) = (vary("swing.attack_angle", 0)?, vary("club.loft", 1)?);
     let plane = Plane::fly(setup, &LOFT_OUTCOMES, across, up, NODES, Order::Value)?;
@@ -41,7 +46,7 @@ pub fn lofts(setup: &Setup<f64>, other: &Setup<f64>) -> Result<Option<Plane>> {
 /// A range of `count` values in equal steps, around the two `values` (rad). The step is the
 /// smallest multiple of `least` degrees for which the range contains both. The range may exceed
 /// that of the parameter; drives there have no outcomes.
-fn steps(parameter: &'static Parameter, values: [f64; 2], count: usize, least: f64) -> Vary {
+fn range_around(parameter: &'static Parameter, values: [f64; 2], count: usize, least: f64) -> Vary {
     let [low, high] = [f64::min, f64::max].map(|end| end(values[0], values[1]) / DEGREE);
     let steps = (count - 1) as f64;
     let start = |step: f64| step * ((0.5 * (low + high) / step).round() - (0.5 * steps).floor());

@@ -446,7 +446,7 @@ fn order_of_the_flight_is_not_one_more() {
     assert_eq!(found.len(), of.len());
     for outcome in found {
         assert!(
-            outcome.verdict == Verdict::Pass && outcome.would_show == [true; 2],
+            outcome.verdict == Verdict::Pass && outcome.would_detect_higher_order == [true; 2],
             "{outcome:?}"
         );
     }
@@ -509,7 +509,7 @@ fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
         let shown = found
             .convergence
             .iter()
-            .filter(|it| it.would_show != [false; 2])
+            .filter(|it| it.would_detect_higher_order != [false; 2])
             .count();
         assert!(shown >= 4, "{preset} by {by}: {shown}");
     }

@@ -12,7 +12,7 @@ pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool]) -> DVector<f64> 
     let mut z = DVector::zeros(columns);
     let mut passive = free.to_vec();
     let mut refused = vec![false; columns];
-    descend(&unit, b, free, &mut passive, &mut z);
+    solve_passive(&unit, b, free, &mut passive, &mut z);
     for _ in 0..10 * (columns + 1) {
         let pull = unit.transpose() * (b - &unit * &z);
         let floor = 1e-14 * b.norm();
@@ -23,7 +23,7 @@ pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool]) -> DVector<f64> 
         let before = (b - &unit * &z).norm();
         let (kept, kept_passive) = (z.clone(), passive.clone());
         passive[next] = true;
-        descend(&unit, b, free, &mut passive, &mut z);
+        solve_passive(&unit, b, free, &mut passive, &mut z);
         if (b - &unit * &z).norm() < before {
             refused.fill(false);
         } else {
@@ -37,7 +37,7 @@ pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool]) -> DVector<f64> 
 
 /// Solves least squares over the passive columns; the unknowns of the other columns are 0. If an
 /// unknown that is not `free` would become negative, its column leaves the passive set.
-fn descend(
+fn solve_passive(
     a: &DMatrix<f64>,
     b: &DVector<f64>,
     free: &[bool],

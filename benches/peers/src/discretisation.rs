@@ -2,7 +2,7 @@
 
 use crate::clock;
 use crate::grid;
-use crate::tasks::{Discretisation, mae494, ready, two};
+use crate::tasks::{Discretisation, mae494, operation, two};
 use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::{Outcome, Result};
 use serde_json::{Value, json};
@@ -67,7 +67,7 @@ fn errors(found: &[Taylor], exact: &[Taylor]) -> [f64; 3] {
 fn times(by: &Discretisation, budget: f64) -> Result<[f64; 3]> {
     let mut seconds = [f64::NAN; 3];
     for (seconds, task) in seconds.iter_mut().zip(["T1", "T2", "T3"]) {
-        if let Some(operation) = ready(task, by)? {
+        if let Some(operation) = operation(task, by)? {
             *seconds = clock::fastest(budget, operation);
         }
     }

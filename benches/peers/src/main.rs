@@ -54,7 +54,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn time(peer: &str, task: &str, by: &Discretisation, once: bool) -> Result<(), Box<dyn Error>> {
-    if let Some(operation) = tasks::ready(task, by)? {
+    if let Some(operation) = tasks::operation(task, by)? {
         let (value, derivatives, note) = operation()?.parts();
         let seconds = if once {
             0.0
@@ -74,7 +74,7 @@ fn time(peer: &str, task: &str, by: &Discretisation, once: bool) -> Result<(), B
 }
 
 fn repeat(task: &str, by: &Discretisation, count: u64) -> Result<(), Box<dyn Error>> {
-    if let Some(operation) = tasks::ready(task, by)? {
+    if let Some(operation) = tasks::operation(task, by)? {
         for _ in 0..count {
             black_box(operation()?);
         }

@@ -92,7 +92,7 @@ const TABLE_2: [f64; 13] = [
 /// optimum over both angles, searched from 10° of loft and 0° of attack angle. Each search of a
 /// table starts from the previous optimum. `within` is a tolerance of carry, m, for which method
 /// and step are chosen; without it they are the preset's.
-fn winfield_tan(within: Option<f64>) -> Result<Ready> {
+fn winfield_tan(within: Option<f64>) -> Result<Operation> {
     let mut setup = Setup::preset("winfield-tan")?;
     let vary = ["club.loft=2deg..18deg", "swing.attack_angle=-10deg..30deg"];
     let vary = vary
@@ -171,11 +171,11 @@ impl Answer {
 }
 
 /// Computes a task once. Timing calls it repeatedly.
-type Ready = Box<dyn Fn() -> Result<Answer>>;
+type Operation = Box<dyn Fn() -> Result<Answer>>;
 
 /// The operation of a task of a single drive; `None` for any other task. Arguments are checked
 /// here, so that the operation does not check them at each repetition.
-pub fn ready(task: &str, by: &Discretisation) -> Result<Option<Ready>> {
+pub fn operation(task: &str, by: &Discretisation) -> Result<Option<Operation>> {
     match task {
         "W&T" => return winfield_tan(None).map(Some),
         "W&T-1um" => return winfield_tan(Some(1e-6)).map(Some),

@@ -180,7 +180,7 @@ fn trace(plane: &FrontPlane<'_>, from: Compromise, end: f64) -> TracedPath {
         && !plane.context.is_interrupted()
     {
         let found = plane.next(&here, end * step.to(travelled(&here), 1.0));
-        let (next, distance) = match step.judge(found, plane.context.is_interrupted()) {
+        let (next, distance) = match step.accept_or_halve(found, plane.context.is_interrupted()) {
             Ok(Some(found)) => found,
             Ok(None) => continue,
             Err(error) => return ended_for(points, format!("{NO_COMPROMISE}: {error}")),

@@ -16,7 +16,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// 2004, eq. 3.14: between 1e-6 for a good start and 1 for a poor start).
 const FIRST_DAMPING: f64 = 1e-3;
 /// Relative reduction of F that is within the rounding of the residuals.
-const NOISE: f64 = 1e-15;
+const SUM_ROUNDING: f64 = 1e-15;
 /// Largest damping; with more damping, steps are within rounding of zero.
 const MOST_DAMPING: f64 = 1e20;
 /// Smallest damping. JᵀJ of the scaled columns is accurate to about 1e-16; with less damping,
@@ -269,7 +269,7 @@ struct FitState {
 impl FitState {
     fn new(at: GaussNewtonPoint, bounds: &Bounds) -> Self {
         let mut scale = vec![0.0; at.x.len()];
-        at.lengthen(&mut scale);
+        at.raise_scale(&mut scale);
         Self {
             cosine: at.cosine(bounds),
             initial_point: at.x.clone(),
@@ -331,7 +331,7 @@ impl FitState {
                 self.grow_damping();
                 continue;
             };
-            if step.predicted_reduction <= NOISE * self.at.cost || step.to == self.at.x {
+            if step.predicted_reduction <= SUM_ROUNDING * self.at.cost || step.to == self.at.x {
                 return Some(self.no_gain_verdict(bounds));
             }
             match self.try_step(step, bounds, options, evaluate, observer) {
@@ -370,7 +370,7 @@ impl FitState {
                     self.damping *= (1.0 - (2.0 * gain - 1.0).powi(3)).max(1.0 / 3.0);
                     self.damping = self.damping.max(LEAST_DAMPING);
                     self.growth = 2.0;
-                    next.lengthen(&mut self.scale);
+                    next.raise_scale(&mut self.scale);
                     self.cosine = next.cosine(bounds);
                     self.at = next;
                     return Ok(true);
@@ -407,7 +407,7 @@ impl FitState {
         let undamped = self
             .step(bounds, LEAST_DAMPING)
             .map_or(0.0, |step| step.predicted_reduction);
-        let is_rounding = undamped <= 1e3 * NOISE * self.at.cost;
+        let is_rounding = undamped <= 1e3 * SUM_ROUNDING * self.at.cost;
         if is_rounding || self.damping <= FIRST_DAMPING {
             let part = if self.at.cost > 0.0 {
                 undamped / self.at.cost

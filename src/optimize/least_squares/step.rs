@@ -76,10 +76,10 @@ impl GaussNewtonPoint {
         })
     }
 
-    /// Raises each entry of `longest` to the length of its Jacobian column (Moré 1978: scales never
+    /// Raises each entry of `scale` to the length of its Jacobian column (Moré 1978: scales never
     /// shrink).
-    pub fn lengthen(&self, longest: &mut [f64]) {
-        for (i, length) in longest.iter_mut().enumerate() {
+    pub fn raise_scale(&self, scale: &mut [f64]) {
+        for (i, length) in scale.iter_mut().enumerate() {
             *length = length.max(self.curvature[(i, i)].sqrt());
         }
     }

@@ -63,8 +63,8 @@ fn value_warning(estimate: &Estimate) -> Option<Message> {
     let (parameter, name) = (estimate.parameter, estimate.parameter.name);
     let show = |value: f64| parameter.show(Some(value));
     if estimate.is_at_bound && estimate.is_determined {
-        let ends = [parameter.range.low, parameter.range.high];
-        let advice = match ends.contains(&estimate.value) {
+        let bounds = [parameter.range.low, parameter.range.high];
+        let advice = match bounds.contains(&estimate.value) {
             true => "the end of its allowed values: the fitted model does not describe the data",
             false => {
                 "the end of its range: beyond it the sum of squares would decrease further; give \

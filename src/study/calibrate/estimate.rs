@@ -190,8 +190,8 @@ pub fn calibrate(
         vary.check()?;
     }
     let fitted: Vec<_> = plan.fit.iter().map(|vary| vary.parameter).collect();
-    let ends = |end: fn(&Vary) -> f64| plan.fit.iter().map(end).collect::<Vec<_>>();
-    let domain = Domain::new(ends(|vary| vary.low), ends(|vary| vary.high))?;
+    let (low, high) = plan.fit.iter().map(|vary| (vary.low, vary.high)).unzip();
+    let domain = Domain::new(low, high)?;
     let own: Vec<f64> = fitted
         .iter()
         .filter_map(|parameter| setup.value(parameter))

@@ -341,7 +341,7 @@ impl Reading {
     /// True for outcomes that count as measured values. In a table of launches whose deliveries are
     /// to be found, these are the outcomes of the launch. In any other table they are all outcomes,
     /// but not the launch conditions from which the balls fly.
-    fn is_used(&self, outcome: Outcome) -> bool {
+    fn is_measurement(&self, outcome: Outcome) -> bool {
         match self.club {
             ClubColumns::Ignored => !(self.is_launched && CONDITIONS.contains(&outcome)),
             ClubColumns::Read => outcome.group() == OutcomeGroup::Launch,
@@ -387,7 +387,7 @@ impl Reading {
                         .map_err(|error| RowError::new(here(), error.to_string()))?;
                     row.shot.inputs.push((parameter, value));
                 }
-                Content::Outcome(outcome) if self.is_used(outcome) => {
+                Content::Outcome(outcome) if self.is_measurement(outcome) => {
                     self.add_measurement(&mut row, record, column, outcome, is_straight)?;
                 }
                 _ => {}
@@ -654,7 +654,7 @@ impl Reading {
     }
 
     /// Remarks on assumed standard uncertainties, and the origin of the least known one.
-    pub fn assumed(&self, shots: &[MeasuredShot]) -> (Vec<Message>, SigmaOrigin) {
+    pub fn assumed_sigmas(&self, shots: &[MeasuredShot]) -> (Vec<Message>, SigmaOrigin) {
         let has = |content: Content| self.column(content).is_some();
         let measured = || shots.iter().flat_map(|shot| &shot.measured);
         let is_measured = |outcome| measured().any(|measured| measured.outcome == outcome);
@@ -662,7 +662,7 @@ impl Reading {
         let mut remarks = vec![];
         for column in &self.columns {
             match column.content {
-                Content::Outcome(outcome) if !self.is_used(outcome) => {}
+                Content::Outcome(outcome) if !self.is_measurement(outcome) => {}
                 // no row has this measurement
                 Content::Outcome(outcome) if !is_measured(outcome) => {}
                 Content::Outcome(outcome) if !has(Content::Sigma(outcome)) => {

@@ -323,7 +323,7 @@ impl ShotRows {
         let ends = next.map(|next| next.first_shot).chain([self.shots.len()]);
         for (section, end) in self.sections.iter().zip(ends) {
             let shots = &self.shots[section.first_shot..end];
-            let (of_section, origin_of_section) = section.reading.assumed(shots);
+            let (of_section, origin_of_section) = section.reading.assumed_sigmas(shots);
             origin = origin.max(origin_of_section);
             for remark in of_section {
                 if !assumed.contains(&remark) {

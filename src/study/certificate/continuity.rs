@@ -1,4 +1,4 @@
-use super::scale::{scale, size};
+use super::scale::{scale, size_of_terms};
 use crate::derivative::check::Verdict;
 use crate::derivative::{Order, Taylor, evaluate};
 use crate::drive::{Drive, Outcome};
@@ -92,7 +92,7 @@ pub(super) fn continuity(
         .collect();
     let drive = Drive::new(setup)?;
     let continuity = |(i, of): (usize, &Outcome)| {
-        let size = size(*of, setup, &drive);
+        let size = size_of_terms(*of, setup, &drive);
         let pairs = [0, 1, 2].map(|order| {
             let [before, after] = [&before, &after].map(|side| {
                 side.iter()

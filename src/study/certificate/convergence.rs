@@ -1,5 +1,5 @@
 use super::order::{Errors, MEASURED, MeasuredOrder, measure, measure_largest};
-use super::scale::{scale, size};
+use super::scale::{scale, size_of_terms};
 use crate::aerodynamics::AerodynamicLaw;
 use crate::derivative::check::{NEGLIGIBLE, Verdict};
 use crate::derivative::{Taylor, jacobian};
@@ -103,7 +103,7 @@ pub struct Convergence {
     /// Sensitivity of the test, for value and gradient: true if the errors would fail the test of
     /// an order that is higher by one.
     #[serde(skip)]
-    pub would_show: [bool; 2],
+    pub would_detect_higher_order: [bool; 2],
 }
 
 /// Convergence of outcomes and of their derivatives by `wrt` with decreasing time step. Steps
@@ -221,7 +221,7 @@ impl<'a> StepComparison<'a> {
     }
 
     fn convergence(&self, i: usize, of: Outcome) -> Convergence {
-        let size = size(of, self.setup, self.drive);
+        let size = size_of_terms(of, self.setup, self.drive);
         let errors_of =
             |taylors: &[Taylor]| errors(&taylors[i], &self.reference[i], size, &self.scales);
         let sample = |flown: &SteppedDrive| {
@@ -267,7 +267,8 @@ impl<'a> StepComparison<'a> {
             limited_by_law: law_derivatives.filter(|_| expected != of_smooth_law),
             verdict: Verdict::of(falls_short == [false; 2]),
             falls_short,
-            would_show: measure_with(1).map(|measured| measured.is_some_and(|it| it.falls_short)),
+            would_detect_higher_order: measure_with(1)
+                .map(|measured| measured.is_some_and(|it| it.falls_short)),
         }
     }
 }

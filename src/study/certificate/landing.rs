@@ -7,7 +7,7 @@
 //! ```
 
 use super::rows::{demand, in_few_steps};
-use super::scale::{scale, size};
+use super::scale::{scale, size_of_terms};
 use crate::derivative::check::{Check, Ladder};
 use crate::derivative::jacobian;
 use crate::drive::{Drive, Outcome};
@@ -69,7 +69,7 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
     } else {
         Ladder::judge_on_a_corner
     };
-    let sizes = AT_LANDING.map(|of| size(of, &setup, &drive));
+    let sizes = AT_LANDING.map(|of| size_of_terms(of, &setup, &drive));
     let mut all = vec![];
     for (k, parameter) in wrt.iter().enumerate() {
         let at = setup.value(parameter).unwrap_or_default();

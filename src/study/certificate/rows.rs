@@ -1,5 +1,5 @@
 use super::agreement::{Agreement, by_num_dual};
-use super::scale::{scale, size};
+use super::scale::{scale, size_of_terms};
 use crate::aerodynamics::AerodynamicLaw;
 use crate::derivative::check::{Check, Demand, FEW_STEPS, Ladder, STEPS, Verdict, taylor_slopes};
 use crate::derivative::{Evaluator, Order, Taylor, evaluate};
@@ -193,7 +193,9 @@ impl<'a> Neighbours<'a> {
         ladders
             .into_iter()
             .zip(self.of)
-            .map(|(ladder, of)| ladder.with_rounding_size(size(*of, self.setup, self.drive)))
+            .map(|(ladder, of)| {
+                ladder.with_rounding_size(size_of_terms(*of, self.setup, self.drive))
+            })
             .collect()
     }
 

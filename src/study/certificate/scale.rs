@@ -48,7 +48,7 @@ fn usual(parameter: &Parameter) -> f64 {
 /// - for an angular velocity, the spin, and after an impact also m R v/I with mass m, radius R,
 ///   speed v and moment of inertia I of the ball;
 /// - for an angle or a number, 1.
-pub(super) fn size(of: Outcome, setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
+pub(super) fn size_of_terms(of: Outcome, setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
     let launch = &drive.launch;
     let made_of = match (&drive.flight, of.quantity()) {
         (Flight::Landed(landed), Quantity::LENGTH) => landed.carry.hypot(landed.lateral),

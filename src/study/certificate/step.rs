@@ -1,7 +1,7 @@
 //! Truncation error of outcomes and derivatives. The certificate checks derivatives of the
 //! integrated flight, which differs from the exact flight by this error.
 
-use super::scale::{scale, size};
+use super::scale::{scale, size_of_terms};
 use crate::derivative::jacobian;
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
@@ -16,10 +16,10 @@ const SHORTER: f64 = 8.0;
 
 /// Errors of a derivative are relative to the derivative times the parameter's scale, or to this
 /// fraction of the outcome's size if that is larger.
-const LEAST: f64 = 1e-6;
+const LEAST_RELATIVE_SLOPE: f64 = 1e-6;
 
 /// Relative derivative error that triggers a warning.
-const WORTH_A_WORD: f64 = 1e-6;
+const WARNED_ERROR: f64 = 1e-6;
 
 /// The truncation error of an outcome and of its derivatives, from a comparison with a shorter time
 /// step.
@@ -54,7 +54,7 @@ impl StepError {
     pub fn warning(&self) -> Option<Message> {
         let error = self
             .derivative_error
-            .filter(|error| *error > WORTH_A_WORD)?;
+            .filter(|error| *error > WARNED_ERROR)?;
         let parameter = self.parameter?;
         let (of, by, step) = (self.of.name(), parameter.name, 1e3 * self.steps[0]);
         let warning = format!(
@@ -84,12 +84,16 @@ pub(super) fn step_errors(
     let drive = Drive::new(setup)?;
     let (found, exact) = (jacobian(setup, of, wrt)?, jacobian(&finer, of, wrt)?);
     let error = |(i, of): (usize, &Outcome)| {
-        let size = size(*of, setup, &drive);
+        let size = size_of_terms(*of, setup, &drive);
         let slopes = found[i].gradient.iter().zip(&exact[i].gradient).zip(wrt);
         let off = slopes.map(|((found, exact), parameter)| {
             let scale = scale(setup, parameter);
             let (off, slope) = ((found - exact).abs() * scale, exact.abs() * scale);
-            (*parameter, off / slope.max(LEAST * size), off / size)
+            (
+                *parameter,
+                off / slope.max(LEAST_RELATIVE_SLOPE * size),
+                off / size,
+            )
         });
         let off: Vec<_> = off.collect();
         let worst = off.iter().max_by(|a, b| a.1.total_cmp(&b.1));

@@ -1,7 +1,7 @@
 //! Maximum-likelihood mean and covariance of swings by expectation maximization (Dempster, Laird &
 //! Rubin 1977).
 
-use super::linearized::{LinearizedLaunches, moments, values};
+use super::linearized::{LinearizedLaunches, moments, swing_at};
 use super::result::{Delivered, Explained};
 use super::unknown::Unknown;
 use crate::derivative::{Evaluator, Order, Taylor};
@@ -79,7 +79,7 @@ impl SwingInformation {
         launches: &LinearizedLaunches,
     ) -> Result<Self> {
         let n = unknowns.len();
-        let (at, count) = (values(unknowns, mean), shots.len() as f64);
+        let (at, count) = (swing_at(unknowns, mean), shots.len() as f64);
         let mut all = Self {
             groups: vec![],
             information: DMatrix::zeros(n, n),

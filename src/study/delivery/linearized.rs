@@ -27,7 +27,7 @@ pub(super) struct LinearizedLaunches {
 
 /// Values of `unknowns`, SI. `scores` are the distances of these values from the prior means, in
 /// prior standard uncertainties.
-pub(super) fn values(unknowns: &[Unknown], scores: &DVector<f64>) -> Vec<f64> {
+pub(super) fn swing_at(unknowns: &[Unknown], scores: &DVector<f64>) -> Vec<f64> {
     unknowns
         .iter()
         .zip(scores.iter())
@@ -51,7 +51,8 @@ impl LinearizedLaunches {
     ) -> Result<Self> {
         let wrt: Vec<_> = unknowns.iter().map(|unknown| unknown.parameter).collect();
         let (n, count) = (unknowns.len(), of.len());
-        let at_mean = Evaluator::new(setup, of, &wrt, Order::First)?.at(&values(unknowns, mean))?;
+        let at_mean =
+            Evaluator::new(setup, of, &wrt, Order::First)?.at(&swing_at(unknowns, mean))?;
         let slopes = DMatrix::from_fn(count, n, |k, i| at_mean[k].gradient[i] * unknowns[i].sigma);
         let strike = Evaluator::new(setup, of, &wrt, Order::Value)?;
         let eigen = covariance.clone().symmetric_eigen();
@@ -68,7 +69,7 @@ impl LinearizedLaunches {
                 let quantile = |i| sobol::coordinate(k / 2, i, 0).clamp(1e-6, 1.0 - 1e-6);
                 let change =
                     &root * DVector::from_fn(n, |i, _| side * normal.inverse_cdf(quantile(i)));
-                let found = strike.at(&values(unknowns, &(mean + &change))).ok()?;
+                let found = strike.at(&swing_at(unknowns, &(mean + &change))).ok()?;
                 let changed = |k: usize| of[k].change(at_mean[k].value, found[k].value);
                 let changed = DVector::from_fn(count, |k, _| changed(k));
                 let rest = &changed - &slopes * change;

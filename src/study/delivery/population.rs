@@ -133,7 +133,7 @@ impl Population {
         }
         let mut best: Option<(f64, Self)> = None;
         for prior_factor in PRIOR_FACTORS {
-            let found = converged(setup, &shots, unknowns, prior_factor);
+            let found = iterate(setup, &shots, unknowns, prior_factor);
             let found = match (found, &best) {
                 (Ok(found), _) => found,
                 (Err(error), None) if prior_factor == PRIOR_FACTORS[PRIOR_FACTORS.len() - 1] => {
@@ -212,7 +212,7 @@ struct ConvergedDistribution {
 /// directions multiplied by `prior_factor`. Linearizes the launches about the mean and maximizes
 /// the likelihood, again and again, until mean and covariance no longer change, or
 /// [`ITERATIONS`] times.
-fn converged(
+fn iterate(
     setup: &Setup<f64>,
     shots: &[&Delivered],
     unknowns: &[Unknown],

@@ -105,7 +105,7 @@ fn shot_delivery(
         {
             // a measured club value is uncertain: it becomes the prior
             Some(unknown) => {
-                *unknown = unknown.measured_as(value);
+                *unknown = unknown.with_measured_prior(value);
                 measured_unknowns.push(parameter);
             }
             None => own.set_value(parameter, Some(value))?,

@@ -64,7 +64,7 @@ impl Unknown {
     /// The unknown with a measured value as prior. An uncertainty that the user gave stays. A
     /// default uncertainty becomes that of a launch monitor, if this is known. The search range is
     /// widened to include the range around the value.
-    pub fn measured_as(self, value: f64) -> Self {
+    pub fn with_measured_prior(self, value: f64) -> Self {
         let Self {
             parameter,
             sigma,

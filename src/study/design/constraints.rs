@@ -21,7 +21,7 @@ pub struct DesignConstraint {
     /// Physical quantity of the value, with its display unit.
     pub unit: DisplayUnit,
     /// Change of the limit, SI. Reports state the effect of this change on the goal.
-    pub step: f64,
+    pub reported_change: f64,
 }
 
 /// How a constraint is enforced.

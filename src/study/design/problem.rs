@@ -151,7 +151,7 @@ impl Design {
             enforcement,
             range,
             unit: rule.unit(),
-            step: rule.quantity().read(rule.step).unwrap_or(1.0),
+            reported_change: rule.quantity().read(rule.reported_change).unwrap_or(1.0),
         });
     }
 
@@ -370,7 +370,7 @@ impl Design {
             enforcement: Enforcement::Limit(k),
             range: [limit.low, limit.high],
             unit,
-            step: unit.size(),
+            reported_change: unit.size(),
         });
     }
 

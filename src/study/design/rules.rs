@@ -18,7 +18,7 @@ pub struct GolfRule {
     /// Tolerance of the test, if any.
     pub tolerance: Option<&'static str>,
     /// Change of the limit, with unit. Reports state the effect of this change on the goal.
-    pub step: &'static str,
+    pub reported_change: &'static str,
     /// Source.
     pub source: &'static str,
     /// Advice for a setup that breaks the rule.
@@ -51,7 +51,7 @@ pub static RULES: [GolfRule; 5] = [
         is_greatest: true,
         limit: "5900 g cm^2",
         tolerance: Some("100 g cm^2"),
-        step: "100 g cm^2",
+        reported_change: "100 g cm^2",
         source: "Equipment Rules, part 2, 4b: about the vertical axis through the centre of \
                  gravity",
         hint: "",
@@ -62,7 +62,7 @@ pub static RULES: [GolfRule; 5] = [
         is_greatest: true,
         limit: "460 cm^3",
         tolerance: Some("10 cm^3"),
-        step: "10 cm^3",
+        reported_change: "10 cm^3",
         source: "Equipment Rules, part 2, 4b",
         hint: "",
     },
@@ -72,7 +72,7 @@ pub static RULES: [GolfRule; 5] = [
         is_greatest: true,
         limit: "0.822",
         tolerance: Some("0.008"),
-        step: "0.01",
+        reported_change: "0.01",
         source: "Equipment Rules, part 2, 4c: as a restitution; the test of today measures the \
                  time of contact, 239 + 18 µs",
         hint: " (the restitution of tour-average and lpga-average was tested on no club: it is \
@@ -86,7 +86,7 @@ pub static RULES: [GolfRule; 5] = [
         is_greatest: true,
         limit: "45.93 g",
         tolerance: None,
-        step: "0.1 g",
+        reported_change: "0.1 g",
         source: "Equipment Rules, part 4: at most 1.620 oz",
         hint: "",
     },
@@ -96,7 +96,7 @@ pub static RULES: [GolfRule; 5] = [
         is_greatest: false,
         limit: "21.335 mm",
         tolerance: None,
-        step: "0.1 mm",
+        reported_change: "0.1 mm",
         source: "Equipment Rules, part 4: a diameter of at least 42.67 mm",
         hint: "",
     },

@@ -7,16 +7,16 @@ pub(super) const REACH: f64 = 4.0;
 /// Number of samples of a density on each interval in which the density is smooth.
 const SAMPLED: usize = 96;
 
-/// Nodes and weights of a Gauss rule (Golub & Welsch 1969). `diagonal` and `beside` (off-diagonal)
+/// Nodes and weights of a Gauss rule (Golub & Welsch 1969). `diagonal` and `off_diagonal`
 /// are the entries of the symmetric tridiagonal matrix of the recurrence of its orthogonal
 /// polynomials. The weights sum to 1.
-fn gauss(diagonal: &[f64], beside: &[f64]) -> Vec<(f64, f64)> {
+fn gauss(diagonal: &[f64], off_diagonal: &[f64]) -> Vec<(f64, f64)> {
     let n = diagonal.len();
     let mut jacobi = DMatrix::zeros(n, n);
     for (k, entry) in diagonal.iter().enumerate() {
         jacobi[(k, k)] = *entry;
     }
-    for (k, entry) in beside.iter().enumerate().take(n - 1) {
+    for (k, entry) in off_diagonal.iter().enumerate().take(n - 1) {
         (jacobi[(k, k + 1)], jacobi[(k + 1, k)]) = (*entry, *entry);
     }
     let eigen = SymmetricEigen::new(jacobi);
@@ -30,8 +30,8 @@ fn gauss(diagonal: &[f64], beside: &[f64]) -> Vec<(f64, f64)> {
 /// Gauss–Legendre rule for a uniform distribution between two bounds.
 fn legendre([low, high]: [f64; 2], nodes: usize) -> Vec<(f64, f64)> {
     let entry = |k: f64| k / (4.0 * k * k - 1.0).sqrt();
-    let beside: Vec<f64> = (1..nodes).map(|k| entry(k as f64)).collect();
-    let rule = gauss(&vec![0.0; nodes], &beside);
+    let off_diagonal: Vec<f64> = (1..nodes).map(|k| entry(k as f64)).collect();
+    let rule = gauss(&vec![0.0; nodes], &off_diagonal);
     rule.into_iter()
         .map(|(node, weight)| (low + (high - low) * (0.5 + 0.5 * node), weight))
         .collect()
@@ -41,8 +41,8 @@ fn legendre([low, high]: [f64; 2], nodes: usize) -> Vec<(f64, f64)> {
 /// which the density is smooth. The recurrence is computed from many samples of the density
 /// (Stieltjes; Gautschi 1982).
 fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> Vec<(f64, f64)> {
-    let ends = [parts[0][0], parts[parts.len() - 1][1]];
-    let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+    let bounds = [parts[0][0], parts[parts.len() - 1][1]];
+    let (middle, half) = (0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[1] - bounds[0]));
     let sampled = parts
         .iter()
         .filter(|[low, high]| low < high)
@@ -63,26 +63,30 @@ fn rule_of(parts: &[[f64; 2]], density: &dyn Fn(f64) -> f64, nodes: usize) -> Ve
             .map(|(((_, w), p), q)| w * p * q)
             .sum::<f64>()
     };
-    let (mut before, mut here) = (vec![0.0; sampled.len()], vec![1.0; sampled.len()]);
-    let (mut diagonal, mut beside) = (vec![], vec![]);
-    let (mut size, mut ratio) = (dot(&here, &here), 0.0);
+    let (mut previous, mut current) = (vec![0.0; sampled.len()], vec![1.0; sampled.len()]);
+    let (mut diagonal, mut off_diagonal) = (vec![], vec![]);
+    let (mut size, mut ratio) = (dot(&current, &current), 0.0);
     for _ in 0..nodes {
-        let moved: Vec<f64> = sampled.iter().zip(&here).map(|((x, _), p)| x * p).collect();
-        let centre = dot(&moved, &here) / size;
+        let moved: Vec<f64> = sampled
+            .iter()
+            .zip(&current)
+            .map(|((x, _), p)| x * p)
+            .collect();
+        let centre = dot(&moved, &current) / size;
         let next: Vec<f64> = moved
             .iter()
-            .zip(&here)
-            .zip(&before)
-            .map(|((moved, here), before)| moved - centre * here - ratio * before)
+            .zip(&current)
+            .zip(&previous)
+            .map(|((moved, current), previous)| moved - centre * current - ratio * previous)
             .collect();
-        (before, here) = (here, next);
-        let of_next = dot(&here, &here);
+        (previous, current) = (current, next);
+        let of_next = dot(&current, &current);
         ratio = of_next / size;
         size = of_next;
         diagonal.push(centre);
-        beside.push(ratio.sqrt());
+        off_diagonal.push(ratio.sqrt());
     }
-    gauss(&diagonal, &beside)
+    gauss(&diagonal, &off_diagonal)
         .into_iter()
         .map(|(x, weight)| (middle + half * x, weight))
         .collect()
@@ -95,8 +99,8 @@ pub(super) fn rule(distribution: &Distribution, nodes: usize) -> Vec<(f64, f64)>
         |mean: f64, deviation: f64| move |x: f64| (-0.5 * ((x - mean) / deviation).powi(2)).exp();
     match *distribution {
         Distribution::Normal { mean, deviation } => {
-            let ends = [mean - REACH * deviation, mean + REACH * deviation];
-            rule_of(&[ends], &bell(mean, deviation), nodes)
+            let bounds = [mean - REACH * deviation, mean + REACH * deviation];
+            rule_of(&[bounds], &bell(mean, deviation), nodes)
         }
         Distribution::Uniform { low, high } => legendre([low, high], nodes),
         Distribution::Triangular { low, mode, high } => rule_of(

@@ -240,7 +240,7 @@ pub fn uncertainty(
         .flatten()
         .for_each(|block| status_counts.add(block));
     let sample = SampledDrives {
-        of,
+        outcomes: of,
         inputs,
         distributions,
         design,
@@ -275,7 +275,7 @@ fn check(inputs: &[Uncertain], plan: SamplePlan) -> Result<()> {
 
 /// The results of the drives at the points of a [`SaltelliDesign`].
 struct SampledDrives<'a> {
-    of: &'a [Outcome],
+    outcomes: &'a [Outcome],
     inputs: &'a [Uncertain],
     distributions: Vec<Distribution>,
     design: SaltelliDesign,
@@ -305,7 +305,7 @@ impl SampledDrives<'_> {
             .unwrap_or_default();
         self.column(set, i)
             .into_iter()
-            .map(|value| Some(self.of[i].unwrap_angle(value?, reference)))
+            .map(|value| Some(self.outcomes[i].unwrap_angle(value?, reference)))
             .collect()
     }
 
@@ -316,7 +316,7 @@ impl SampledDrives<'_> {
         let squared = |slope: Option<f64>| slope.map(|slope| slope * slope);
         let inputs = self.inputs.len();
         let squares: Vec<Vec<_>> = (0..inputs)
-            .map(|k| self.column(0, self.of.len() + i * inputs + k))
+            .map(|k| self.column(0, self.outcomes.len() + i * inputs + k))
             .map(|slopes| slopes.into_iter().map(squared).collect())
             .collect();
         let sampled = self.design.statistics(&values);
@@ -328,7 +328,7 @@ impl SampledDrives<'_> {
             .map(|taylor| delta_method(taylor, &self.distributions))
             .filter(|(first, _)| exists(first));
         OutcomeUncertainty {
-            of: self.of[i],
+            of: self.outcomes[i],
             varies: sampled
                 .as_ref()
                 .is_none_or(|sampled| sampled.deviation.value > 0.0),
@@ -374,7 +374,7 @@ impl SampledDrives<'_> {
     }
 
     fn ellipses(&self) -> Vec<SampledEllipse> {
-        let place = |wanted: Outcome| self.of.iter().position(|of| *of == wanted);
+        let place = |wanted: Outcome| self.outcomes.iter().position(|of| *of == wanted);
         let (Some(lateral), Some(carry)) = (place(Outcome::Lateral), place(Outcome::Carry)) else {
             return vec![];
         };

@@ -149,7 +149,7 @@ pub fn validation(own: Option<Law<f64>>) -> Result<Vec<SetScores>> {
 }
 
 fn scores(set: &'static Set, own: Option<Law<f64>>) -> Result<SetScores> {
-    let mut cases = cases::cases(set.rows)?;
+    let mut cases = cases::cases(set.data_name)?;
     // the gain of carry is relative to the first case
     let base = (set.computation.compared() == [Compared::Gain]).then(|| cases.remove(0));
     let mut found = SetScores {

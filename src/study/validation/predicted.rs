@@ -37,7 +37,7 @@ pub(super) fn predicted(
                 (Compared::Apex, Outcome::ApexHeight),
                 (Compared::Descent, Outcome::DescentAngle),
             ];
-            read(&drive, of)
+            quantities_of(&drive, of)
         }),
         Computation::Altitude | Computation::AltitudeAlone => base.map_or(vec![], |base| {
             let launched = if set.computation == Computation::Altitude {
@@ -54,11 +54,11 @@ pub(super) fn predicted(
                 .into_iter()
                 .collect()
         }),
-        Computation::FaceToPath => curve(setup, case)
+        Computation::FaceToPath => curve_of(setup, case)
             .map(|curve| (Compared::Curve, curve))
             .into_iter()
             .collect(),
-        Computation::Optimum => best(setup, case)?,
+        Computation::Optimum => at_best_loft(setup, case)?,
     };
     Ok(found.into_iter().collect())
 }
@@ -118,7 +118,7 @@ pub(super) fn of_averaging(case: &Case, law: Law<f64>) -> Option<f64> {
 }
 
 /// Lateral distance of the landing point from the initial direction, m, + right.
-fn curve(mut setup: Setup<f64>, case: &Case) -> Option<f64> {
+fn curve_of(mut setup: Setup<f64>, case: &Case) -> Option<f64> {
     setup.swing.face_angle = case.face_to_path?;
     let drive = Drive::new(&setup).ok()?;
     let [carry, lateral, direction] =
@@ -128,7 +128,7 @@ fn curve(mut setup: Setup<f64>, case: &Case) -> Option<f64> {
 }
 
 /// Quantities of the drive at the loft of longest carry.
-fn best(mut setup: Setup<f64>, case: &Case) -> Result<Vec<(Compared, f64)>> {
+fn at_best_loft(mut setup: Setup<f64>, case: &Case) -> Result<Vec<(Compared, f64)>> {
     if let (Some(speed), Some(attack)) = (case.club_speed, case.attack_angle) {
         (setup.swing.speed, setup.swing.attack_angle) = (speed, attack);
     }
@@ -146,10 +146,10 @@ fn best(mut setup: Setup<f64>, case: &Case) -> Result<Vec<(Compared, f64)>> {
         (Compared::LaunchAngle, Outcome::LaunchAngle),
         (Compared::Spin, Outcome::Spin),
     ];
-    Ok(drive.map_or(vec![], |drive| read(&drive, of)))
+    Ok(drive.map_or(vec![], |drive| quantities_of(&drive, of)))
 }
 
-fn read(drive: &Drive<f64>, of: [(Compared, Outcome); 3]) -> Vec<(Compared, f64)> {
+fn quantities_of(drive: &Drive<f64>, of: [(Compared, Outcome); 3]) -> Vec<(Compared, f64)> {
     of.into_iter()
         .filter_map(|(compared, outcome)| Some((compared, outcome.value(drive)?)))
         .collect()

@@ -59,7 +59,7 @@ pub struct Set {
     pub preset: Option<&'static str>,
     /// Name of the set's rows in the data file.
     #[serde(skip)]
-    pub(super) rows: &'static str,
+    pub(super) data_name: &'static str,
 }
 
 const NOT_STATED: &str = "not stated";
@@ -100,7 +100,7 @@ pub static SETS: [Set; 14] = [
         is_averaged: true,
         is_measured: true,
         preset: None,
-        rows: "pga-driver",
+        data_name: "pga-driver",
     },
     Set {
         name: "lpga-driver",
@@ -112,7 +112,7 @@ pub static SETS: [Set; 14] = [
         is_averaged: true,
         is_measured: true,
         preset: None,
-        rows: "lpga-driver",
+        data_name: "lpga-driver",
     },
     Set {
         name: "pga-radar",
@@ -128,7 +128,7 @@ pub static SETS: [Set; 14] = [
         is_averaged: true,
         is_measured: true,
         preset: None,
-        rows: "pga-radar",
+        data_name: "pga-radar",
     },
     Set {
         name: "pga-clubs",
@@ -141,7 +141,7 @@ pub static SETS: [Set; 14] = [
         is_averaged: false,
         is_measured: true,
         preset: None,
-        rows: "pga-clubs",
+        data_name: "pga-clubs",
     },
     Set {
         name: "lpga-clubs",
@@ -154,7 +154,7 @@ pub static SETS: [Set; 14] = [
         is_averaged: false,
         is_measured: true,
         preset: None,
-        rows: "lpga-clubs",
+        data_name: "lpga-clubs",
     },
     Set {
         name: "robots",
@@ -170,7 +170,7 @@ pub static SETS: [Set; 14] = [
         is_averaged: false,
         is_measured: true,
         preset: None,
-        rows: "robots",
+        data_name: "robots",
     },
     Set {
         name: "altitude",
@@ -185,7 +185,7 @@ pub static SETS: [Set; 14] = [
         is_averaged: false,
         is_measured: false,
         preset: None,
-        rows: "altitude",
+        data_name: "altitude",
     },
     Set {
         name: "altitude-alone",
@@ -197,7 +197,7 @@ pub static SETS: [Set; 14] = [
         is_averaged: false,
         is_measured: false,
         preset: None,
-        rows: "altitude",
+        data_name: "altitude",
     },
     Set {
         name: "face-to-path",
@@ -210,7 +210,7 @@ pub static SETS: [Set; 14] = [
         is_averaged: false,
         is_measured: false,
         preset: None,
-        rows: "face-to-path",
+        data_name: "face-to-path",
     },
     Set {
         name: "chart-launches",
@@ -223,7 +223,7 @@ pub static SETS: [Set; 14] = [
         is_averaged: false,
         is_measured: false,
         preset: None,
-        rows: "chart-launches",
+        data_name: "chart-launches",
     },
     Set {
         name: "chart-optima",
@@ -237,7 +237,7 @@ pub static SETS: [Set; 14] = [
         is_averaged: false,
         is_measured: false,
         preset: Some("tour-average"),
-        rows: "chart-optima",
+        data_name: "chart-optima",
     },
     Set {
         name: "chart-optima-centred",
@@ -250,7 +250,7 @@ pub static SETS: [Set; 14] = [
         is_averaged: false,
         is_measured: false,
         preset: Some("modern-driver"),
-        rows: "chart-optima",
+        data_name: "chart-optima",
     },
     Set {
         name: "chart-optima-impact",
@@ -263,7 +263,7 @@ pub static SETS: [Set; 14] = [
         is_averaged: false,
         is_measured: false,
         preset: Some("lpga-average"),
-        rows: "chart-optima",
+        data_name: "chart-optima",
     },
     Set {
         name: "simulations",
@@ -277,6 +277,6 @@ pub static SETS: [Set; 14] = [
         is_averaged: false,
         is_measured: false,
         preset: None,
-        rows: "simulations",
+        data_name: "simulations",
     },
 ];
