@@ -211,7 +211,9 @@ pub enum Error {
     /// A flight whose integration diverged.
     #[error(
         "the flight diverged at t = {} s: drag and lift change the velocity too much within one \
-         step (flight.step = {} s); {advice}", significant(*time, 5), significant(*step, 5)
+         step (flight.step = {} s), or a number overflows; {advice}",
+        significant(*time, 5),
+        significant(*step, 5)
     )]
     Diverged {
         /// Time of the divergence, s.
@@ -220,6 +222,22 @@ pub enum Error {
         step: f64,
         /// Unusual conditions, and advice.
         advice: String,
+    },
+    /// A flight whose defect (docs/model.md, eq. 16a) exceeds its limit with the shortest step.
+    #[error(
+        "the integration error of the flight is estimated as {} m, more than {} m, also with \
+         flight.step = {} s; give a larger tolerance, or set flight.method and flight.step",
+        significant(*defect, 2),
+        significant(*limit, 2),
+        significant(*step, 2)
+    )]
+    LargeDefect {
+        /// The defect, m.
+        defect: f64,
+        /// Largest accepted defect, m.
+        limit: f64,
+        /// The step, s.
+        step: f64,
     },
     /// A drive that was interrupted: its caller set the interrupt flag.
     #[error("stopped before the ball landed")]
@@ -431,7 +449,7 @@ impl Error {
     /// or `error` for invalid input.
     pub fn status(&self) -> &'static str {
         match self {
-            Self::Diverged { .. } => "diverged",
+            Self::Diverged { .. } | Self::LargeDefect { .. } => "diverged",
             Self::Stopped => "interrupted",
             Self::Undefined { .. } => "undefined",
             Self::OfDrive { source, .. } => source.status(),

@@ -97,7 +97,7 @@ impl Batch {
                 wrt,
                 first,
                 stop,
-                flying: vec![],
+                flying: &flying,
                 scalar_rows: vec![],
             }));
         }

@@ -109,7 +109,7 @@ impl<T: Number> Drive<T> {
     }
 }
 
-/// Calls `compute`. After [`Error::Diverged`], halves the step in `setup` and calls `compute`
+/// Calls `compute`. After [`Error::Diverged`] or [`Error::LargeDefect`], halves the step in `setup` and calls `compute`
 /// again, at most [`MAX_HALVINGS`] times. If `largest_defect` is infinite, the step is kept.
 ///
 /// # Errors
@@ -126,7 +126,7 @@ pub(crate) fn with_accepted_step<R>(
     };
     loop {
         match compute(setup) {
-            Err(Error::Diverged { .. }) if halvings > 0 => {
+            Err(Error::Diverged { .. } | Error::LargeDefect { .. }) if halvings > 0 => {
                 halvings -= 1;
                 setup.flight.step *= 0.5;
             }
@@ -139,7 +139,7 @@ pub(crate) fn with_accepted_step<R>(
 /// the message.
 ///
 /// # Errors
-/// [`Error::Diverged`] for a defect larger than `largest_defect`, m.
+/// [`Error::LargeDefect`] for a defect larger than `largest_defect`, m.
 #[inline(always)]
 pub(crate) fn check_defect<T: Copy>(
     landed: &Landed<T>,
@@ -147,14 +147,14 @@ pub(crate) fn check_defect<T: Copy>(
     largest_defect: f64,
     step: f64,
 ) -> Result<()> {
-    if landed.defect.map(value) > Some(largest_defect) {
-        return Err(Error::Diverged {
-            time: value(landed.flight_time),
+    match landed.defect.map(value) {
+        Some(defect) if defect > largest_defect => Err(Error::LargeDefect {
+            defect,
+            limit: largest_defect,
             step,
-            advice: "no step of the integration is short enough for the tolerance".into(),
-        });
+        }),
+        _ => Ok(()),
     }
-    Ok(())
 }
 
 /// Spin, rad/s, below which a launch counts as being at the corner of |ω|, zero spin: some hundreds
@@ -178,8 +178,8 @@ impl Drive<f64> {
     /// (docs/model.md, eq. 16a) is at most `largest_defect`, m. Infinity keeps the step.
     ///
     /// # Errors
-    /// The errors of [`new`](Self::new), except the error for the step; [`Error::Diverged`] for a
-    /// larger defect with the shortest step; [`Error::Stopped`] once `stop` is true.
+    /// The errors of [`new`](Self::new), except the error for the step; [`Error::LargeDefect`]
+    /// for a larger defect with the shortest step; [`Error::Stopped`] once `stop` is true.
     pub(crate) fn refined(
         setup: &mut Setup<f64>,
         largest_defect: f64,

@@ -361,6 +361,20 @@ fn a_row_beyond_the_tolerance_in_every_step_diverges() {
     }
 }
 
+#[test]
+fn a_drive_beyond_the_tolerance_in_every_step_is_an_error_of_its_integration() {
+    let mut found = StepChoice::default().for_setup(&Setup::default()).unwrap();
+    found.largest_defect = f64::MIN_POSITIVE;
+    let error = found.drive().unwrap_err();
+    let message = error.to_string();
+    assert_eq!(error.status(), "diverged");
+    assert!(
+        message.starts_with("the integration error of the flight is estimated as ")
+            && message.contains("give a larger tolerance"),
+        "{message}"
+    );
+}
+
 /// NaN would disable the check, and no drive has a defect of 0 or less.
 #[test]
 fn an_impossible_largest_defect_is_refused() {

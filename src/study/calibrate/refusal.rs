@@ -47,7 +47,7 @@ fn refusal(failed: &[(usize, Error)]) -> String {
                 group.is_same &= group.reason == reason;
             }
             None => {
-                let is_of_the_setup = matches!(error, Error::Diverged { .. });
+                let is_of_the_setup = error.status() == "diverged";
                 groups.push(Group {
                     rows: vec![*row],
                     reason,
