@@ -17,15 +17,34 @@ const MOST_THREADS: usize = 256;
 pub(crate) const HAS_THREADS: bool =
     cfg!(any(not(target_family = "wasm"), target_feature = "atomics"));
 
+/// The number of threads for a number of chunks: `wanted` threads, or for 0 one per processor, but
+/// at most [`MOST_THREADS`] and at most one per chunk.
+fn thread_count(wanted: usize, chunks: u64) -> usize {
+    let wanted = if wanted == 0 { processors() } else { wanted };
+    let chunks = usize::try_from(chunks).unwrap_or(usize::MAX);
+    wanted.min(MOST_THREADS).min(chunks).max(1)
+}
+
+/// The number of processors, or `RAYON_NUM_THREADS`, as for rayon's own pools.
+fn processors() -> usize {
+    std::env::var("RAYON_NUM_THREADS")
+        .ok()
+        .and_then(|number| number.parse().ok())
+        .filter(|number| *number > 0)
+        .unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from))
+}
+
 /// Calls `work` on each chunk from `next` in parallel, and `sink` on the results in the order of
 /// the chunks. The number of chunks that are begun but not yet passed to `sink` is bounded.
-/// `threads` is the number of threads, at most 256; 0 means one per processor. Without threads
-/// (WebAssembly) the chunks are processed one by one.
+/// `threads` is the number of threads, at most 256 and at most `chunks`, the number of chunks or
+/// `u64::MAX`; 0 means one per processor. Without threads (WebAssembly) the chunks are processed one
+/// by one.
 ///
 /// # Errors
 /// Errors of `next` and `sink`. If `next` fails, the earlier results are delivered first.
 pub(crate) fn in_order<T: Send, R: Send>(
     threads: usize,
+    chunks: u64,
     mut next: impl FnMut() -> Result<Option<T>>,
     work: impl Fn(T) -> R + Sync,
     mut sink: impl FnMut(R) -> Result<()>,
@@ -37,7 +56,7 @@ pub(crate) fn in_order<T: Send, R: Send>(
         return Ok(());
     }
     let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.min(MOST_THREADS))
+        .num_threads(thread_count(threads, chunks))
         .build()
         .map_err(not_started)?;
     let most = CHUNKS_PER_THREAD * pool.current_num_threads() as u64;
@@ -84,7 +103,16 @@ fn not_started(error: ThreadPoolBuildError) -> Error {
 
 #[cfg(test)]
 mod tests {
-    use super::not_started;
+    use super::{MOST_THREADS, not_started, processors, thread_count};
+
+    #[test]
+    fn exact_thread_counts_by_processors_chunks_and_the_limit() {
+        assert_eq!(thread_count(0, u64::MAX), processors().min(MOST_THREADS));
+        assert_eq!(thread_count(0, 2), processors().min(2));
+        assert_eq!(thread_count(1000, u64::MAX), MOST_THREADS);
+        assert_eq!(thread_count(5, 3), 3);
+        assert_eq!([0, 1, 8].map(|wanted| thread_count(wanted, 0)), [1; 3]);
+    }
 
     #[test]
     fn threads_that_cannot_be_started_are_an_error_of_their_number() {

@@ -19,7 +19,7 @@ pub struct Run<'a> {
     /// The row after the last row to compute. With `None`, the default, all rows are computed.
     pub end_row: Option<u64>,
     /// Number of threads, at most 256 and at most the number of chunks. 0, the default, means one
-    /// per processor, or one for a single chunk.
+    /// per processor.
     pub threads: usize,
     /// Interrupt flag: once true, no further chunk begins, and the run ends after the chunks that
     /// have begun. Flights of thousands of steps are interrupted too.
@@ -46,14 +46,7 @@ impl Batch {
         self.check_parameters(points.parameters())?;
         points.seek(run.first_row)?;
         let end = run.end_row.unwrap_or(u64::MAX).min(points.rows());
-        let chunks = end
-            .saturating_sub(run.first_row)
-            .div_ceil(CHUNK as u64)
-            .max(1);
-        let threads = match run.threads {
-            0 if chunks == 1 => 1,
-            threads => threads.min(usize::try_from(chunks).unwrap_or(usize::MAX)),
-        };
+        let chunks = end.saturating_sub(run.first_row).div_ceil(CHUNK as u64);
         let is_stopped = || run.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
         let (mut row, mut done) = (run.first_row, run.first_row);
         let (never, mut is_cut) = (AtomicBool::new(false), false);
@@ -71,7 +64,8 @@ impl Batch {
             Ok((rows > 0).then_some((first_row, rows, values)))
         };
         in_order(
-            threads,
+            run.threads,
+            chunks,
             next,
             |(first_row, rows, values)| {
                 let block = self.evaluate_until(first_row, values, run.stop.unwrap_or(&never));

@@ -143,7 +143,7 @@ impl Flying {
             statistics.add(&flown);
             (statistics, work(flown))
         };
-        in_order(run.threads, next, work, |(part, result)| {
+        in_order(run.threads, u64::MAX, next, work, |(part, result)| {
             statistics.merge(part);
             sink(result)
         })?;
