@@ -2,7 +2,7 @@
 
 use super::block::{Block, Status};
 use super::definition::Batch;
-use super::lane_batch::LaneBatch;
+use super::lane_batch::{LaneBatch, Launches, PartitionedRows};
 use crate::derivative::{Evaluator, Order};
 use crate::drive::{CheckScope, Drive, ExceededLimits, Outcome};
 use crate::error::{Error, Result};
@@ -87,7 +87,10 @@ impl Batch {
         {
             return (0..block.rows()).collect();
         }
-        let mut scalar_rows = vec![];
+        let PartitionedRows {
+            flying,
+            mut scalar_rows,
+        } = self.level.run_sweep(Launches { batch: self, block });
         // at least one iteration, which computes the values if there are no derivatives
         for first in (0..self.wrt.len().max(1)).step_by(MOST_PER_LANE) {
             let wrt = &self.wrt[first..self.wrt.len().min(first + MOST_PER_LANE)];
@@ -122,7 +125,7 @@ impl Batch {
         let drive =
             Drive::refined(&mut setup, self.largest_defect, Some(stop)).inspect_err(|error| {
                 block.status[row] = match error {
-                    Error::Diverged { .. } => Status::Diverged,
+                    Error::Diverged { .. } | Error::LargeDefect { .. } => Status::Diverged,
                     _ => Status::NoStrike,
                 }
             })?;

@@ -14,7 +14,7 @@ use crate::number::{
 use crate::parameters::{Parameter, Setup};
 use std::sync::atomic::AtomicBool;
 
-/// Computes the drives of a block, with derivatives by a few parameters.
+/// Computes the drives of the flying rows of a block, with derivatives by a few parameters.
 pub(super) struct LaneBatch<'a> {
     pub batch: &'a Batch,
     pub block: &'a mut Block,
@@ -24,8 +24,8 @@ pub(super) struct LaneBatch<'a> {
     pub first: usize,
     /// Interrupt flag: once true, flights of thousands of steps end early.
     pub stop: &'a AtomicBool,
-    /// Rows whose ball flies, found from the launches of all rows before any flight is computed.
-    pub flying: Vec<FlyingRow>,
+    /// Rows whose ball flies.
+    pub flying: &'a [FlyingRow],
     /// Rows that need scalar evaluation.
     pub scalar_rows: Vec<usize>,
 }
@@ -36,13 +36,6 @@ impl Task for LaneBatch<'_> {
 
     #[inline(always)]
     fn run<V: Lanes<Lane = f64>>(&mut self) -> Vec<usize> {
-        self.partition::<V>();
-        // sort by length of flight: the lanes of a group take as long as its longest flight
-        self.flying.sort_unstable_by(|a, b| {
-            a.upward_speed
-                .total_cmp(&b.upward_speed)
-                .then(a.row.cmp(&b.row))
-        });
         let parameters = self.wrt.len();
         over_drives::<V, _>(self, parameters);
         std::mem::take(&mut self.scalar_rows)
@@ -77,8 +70,7 @@ impl OverNumbers for LaneBatch<'_> {
             .iter()
             .map(|parameter| self.wrt.iter().position(|row| row == parameter))
             .collect();
-        let rows = std::mem::take(&mut self.flying);
-        for group in rows.chunks(J::WIDTH) {
+        for group in self.flying.chunks(J::WIDTH) {
             self.put_group(&mut setup, group, &directions);
             let launched = LaunchState::new(&setup);
             let inputs = Inputs::new(&setup, &launched.launch, has_run);
@@ -119,12 +111,30 @@ impl OverNumbers for LaneBatch<'_> {
     }
 }
 
-impl LaneBatch<'_> {
-    /// Partitions the rows in range by their launches. Rows whose ball flies go to `flying`, rows
-    /// without a valid impact to `scalar_rows`. A row whose ball is launched into the ground gets
-    /// its status here, or goes to `scalar_rows` if an outcome of the launch is requested.
+/// Partitions the rows in range by their launches, before any flight is computed.
+pub(super) struct Launches<'a> {
+    pub batch: &'a Batch,
+    pub block: &'a mut Block,
+}
+
+/// Rows of a block, partitioned by their launches.
+#[derive(Default)]
+pub(super) struct PartitionedRows {
+    /// Rows whose ball flies, in the order of the length of the flight.
+    pub flying: Vec<FlyingRow>,
+    /// Rows that need scalar evaluation.
+    pub scalar_rows: Vec<usize>,
+}
+
+impl Task for Launches<'_> {
+    type Output = PartitionedRows;
+
+    /// Rows whose ball flies go to `flying`, rows without a valid impact to `scalar_rows`. A row
+    /// whose ball is launched into the ground gets its status here, or goes to `scalar_rows` if an
+    /// outcome of the launch is requested.
     #[inline(always)]
-    fn partition<V: Lanes<Lane = f64>>(&mut self) {
+    fn run<V: Lanes<Lane = f64>>(&mut self) -> PartitionedRows {
+        let mut partitioned = PartitionedRows::default();
         let batch = self.batch;
         let shows_launch = batch
             .of
@@ -153,21 +163,30 @@ impl LaneBatch<'_> {
                     setup.ground.height.lane(lane),
                 );
                 if !launched.is_valid.holds(lane) {
-                    self.scalar_rows.push(row);
+                    partitioned.scalar_rows.push(row);
                 } else if up > 0.0 || ground < 0.0 {
-                    self.flying.push(FlyingRow {
+                    partitioned.flying.push(FlyingRow {
                         upward_speed: up,
                         row,
                     });
                 } else if shows_launch {
-                    self.scalar_rows.push(row);
+                    partitioned.scalar_rows.push(row);
                 } else {
                     self.block.status[row] = Status::NoFlight;
                 }
             }
         }
+        // the lanes of a group take as long as its longest flight
+        partitioned.flying.sort_unstable_by(|a, b| {
+            a.upward_speed
+                .total_cmp(&b.upward_speed)
+                .then(a.row.cmp(&b.row))
+        });
+        partitioned
     }
+}
 
+impl LaneBatch<'_> {
     /// Sets the swept parameters to the values of a group of rows. `directions` has an entry for
     /// each swept parameter: the direction of its derivative, or `None` if the parameter is not in
     /// `wrt`.
