@@ -14,6 +14,18 @@ pub struct AirState<T> {
 }
 
 impl<T: Numbers> AirState<T> {
+    /// Reynolds number by airspeed, ρ 2R/μ, s/m, of a ball with the radius R, m.
+    ///
+    /// ```
+    /// use longdrive::atmosphere::AirState;
+    /// let air = AirState { density: 1.2, viscosity: 1.8e-5 };
+    /// assert!((air.reynolds_per_speed(0.021) - 2800.0_f64).abs() < 1e-9);
+    /// ```
+    #[inline(always)]
+    pub fn reynolds_per_speed(&self, radius: T) -> T {
+        self.density * radius * 2.0 / self.viscosity
+    }
+
     /// Density and viscosity as given, or computed from the weather if the weather is given.
     ///
     /// ```

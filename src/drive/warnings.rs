@@ -7,7 +7,9 @@ use super::validity::{
 use super::{Drive, Outcome};
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::atmosphere::{AirState, WindField};
-use crate::flight::{Flight, Inputs, Landed, carry_by_holding, stays_within, trajectory_until};
+use crate::flight::{
+    Flight, Inputs, Landed, TrajectoryPoint, carry_by_holding, stays_within, trajectory_until,
+};
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity, YARD};
 use serde::Serialize;
@@ -322,26 +324,15 @@ impl Drive<f64> {
         let Ok(path) = trajectory_until(setup, &self.launch, stop) else {
             return vec![];
         };
-        let (wind, radius) = (
-            WindField::new(&setup.wind, &setup.ground),
-            setup.ball.radius,
-        );
-        let air = AirState::of(&setup.air);
-        let reynolds_per_speed = air.density * 2.0 * radius / air.viscosity;
-        let (mut distance, mut before) = (0.0, None);
-        let mut point = |point: &crate::flight::TrajectoryPoint| {
+        let wind = WindField::new(&setup.wind, &setup.ground);
+        let radius = setup.ball.radius;
+        let reynolds_per_speed = AirState::of(&setup.air).reynolds_per_speed(radius);
+        let stream = |point: &TrajectoryPoint| {
             let speed = (point.velocity - wind.at(point.position.x)).norm();
-            if let Some((time, slower)) = before.replace((point.time, speed)) {
-                distance += 0.5 * (slower + speed) * (point.time - time);
-            }
-            // δ t + κ ℓ/R, docs/model.md, eq. 13
-            let decay = setup.aero.spin_decay * point.time
-                + setup.aero.spin_damping.unwrap_or_default() * distance / radius;
-            let spin = self.launch.total_spin() * (-decay).exp();
-            let stream = Stream::new(spin, speed, radius, reynolds_per_speed);
+            let stream = Stream::new(point.spin.norm(), speed, radius, reynolds_per_speed);
             (speed > 0.0).then(|| (point.time, stream.variables()))
         };
-        path.points.iter().filter_map(&mut point).collect()
+        path.points.iter().filter_map(stream).collect()
     }
 }
 

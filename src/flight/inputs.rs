@@ -52,17 +52,17 @@ impl<T: Numbers> Inputs<T> {
     pub fn new(setup: &Setup<T>, launch: &Launch<T>, has_run: bool) -> Self {
         T::not_inlined(inlined!(|| {
             let radius = setup.ball.radius;
-            let AirState { density, viscosity } = AirState::of(&setup.air);
+            let air = AirState::of(&setup.air);
             let (spin, per_spin) =
                 (launch.spin.dot(launch.spin) + LEAST_SPIN * LEAST_SPIN).sqrt_recip();
             Self {
                 velocity: launch.velocity,
                 spin,
                 axis: launch.spin * per_spin,
-                force_per_mass: density * radius * radius * (0.5 * PI) / setup.ball.mass,
+                force_per_mass: air.density * radius * radius * (0.5 * PI) / setup.ball.mass,
                 gravity: setup.flight.gravity,
                 radius,
-                reynolds_per_speed: density * radius * 2.0 / viscosity,
+                reynolds_per_speed: air.reynolds_per_speed(radius),
                 decay: setup.aero.spin_decay,
                 damping: setup
                     .aero

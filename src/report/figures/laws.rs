@@ -141,14 +141,13 @@ struct LawPlot {
 
 impl LawPlot {
     fn new(setup: &Setup<f64>, over: Over, constant: f64, of: Coefficient) -> Self {
-        let air = AirState::of(&setup.air);
         let radius = setup.ball.radius;
         Self {
             over,
             constant,
             of,
             radius,
-            per_speed: air.density * 2.0 * radius / air.viscosity,
+            per_speed: AirState::of(&setup.air).reynolds_per_speed(radius),
             range: match over {
                 Over::SpinRatio => SPIN_RATIOS,
                 Over::Reynolds => REYNOLDS,

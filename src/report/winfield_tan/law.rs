@@ -1,6 +1,7 @@
 //! The law fitted to the paper's tables.
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
+use crate::atmosphere::AirState;
 use crate::report::document::{Document, DocumentTable};
 use crate::report::plot::{Axis, Figure, Layer, NamedQuantity};
 use crate::report::published::{PaperUnits, SPEED};
@@ -158,7 +159,7 @@ fn is_flown(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> bool {
 
 fn coefficients(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> (f64, f64) {
     let radius = found.setup.ball.radius;
-    let per_speed = found.setup.air.density * 2.0 * radius / found.setup.air.viscosity;
+    let per_speed = AirState::of(&found.setup.air).reynolds_per_speed(radius);
     let c = found.setup.law.coefficients(Stream::new(
         spin_ratio * speed / radius,
         speed,

@@ -51,7 +51,7 @@ pub(super) fn fly_past_the_ground(setup: &Setup<f64>, step: f64) -> Result<LoopL
         }
         let spin = spin_at_launch * (-setup.aero.spin_decay * time).exp();
         let speed = velocity.norm();
-        let per_speed = 2.0 * air.density * setup.ball.radius / air.viscosity;
+        let per_speed = air.reynolds_per_speed(setup.ball.radius);
         let coefficients =
             setup
                 .law
