@@ -3,6 +3,7 @@ use crate::json::JsonRange;
 use crate::json::range;
 use crate::units::{Digits, Message, Quantity};
 use serde::{Serialize, Serializer};
+use std::fmt::{self, Display, Formatter};
 
 /// A variable of a law, and the range to which the law was fitted.
 #[derive(Clone, Copy, Debug)]
@@ -31,6 +32,28 @@ impl FittedRange {
             .quantity(self.quantity, self.unit, low, digits)
             .words(" to ")
             .quantity(self.quantity, self.unit, high, digits)
+    }
+}
+
+/// How a law continues beyond ends of its ranges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Continuation {
+    /// It is extrapolated at all ends.
+    Extrapolated,
+    /// It clamps the variable at all ends.
+    Held,
+    /// It is extrapolated at some ends, and clamps the variable at others.
+    ExtrapolatedOrHeld,
+}
+
+/// As text: "extrapolated", "held", or "extrapolated or held".
+impl Display for Continuation {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Extrapolated => "extrapolated",
+            Self::Held => "held",
+            Self::ExtrapolatedOrHeld => "extrapolated or held",
+        })
     }
 }
 
@@ -133,22 +156,22 @@ impl Fitted {
     }
 
     /// How the law continues beyond the ends (below, above) of its ranges that are true in
-    /// `exceeded_ends`: "extrapolated", "held", or "extrapolated or held".
-    pub(crate) fn continuation(&self, exceeded_ends: [[bool; 2]; 4]) -> &'static str {
+    /// `exceeded_ends`.
+    pub(crate) fn continuation(&self, exceeded_ends: [[bool; 2]; 4]) -> Continuation {
         let exceeded = exceeded_ends
             .as_flattened()
             .iter()
             .zip(self.held.as_flattened())
             .filter(|(is_exceeded, _)| **is_exceeded);
-        let (mut held, mut all) = (0, 0);
+        let (mut has_held, mut has_extrapolated) = (false, false);
         for (_, is_held) in exceeded {
-            all += 1;
-            held += usize::from(*is_held);
+            has_held |= is_held;
+            has_extrapolated |= !is_held;
         }
-        match held {
-            0 => "extrapolated",
-            _ if held == all => "held",
-            _ => "extrapolated or held",
+        match (has_extrapolated, has_held) {
+            (true, true) => Continuation::ExtrapolatedOrHeld,
+            (false, true) => Continuation::Held,
+            (_, false) => Continuation::Extrapolated,
         }
     }
 

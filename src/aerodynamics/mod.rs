@@ -20,6 +20,7 @@ mod table;
 mod usga_itr;
 mod winfield_tan;
 
+pub(crate) use fitted::Continuation;
 pub use fitted::{Fitted, FittedRange};
 
 use crate::number::Numbers;

@@ -2,7 +2,7 @@
 //! measured bounce.
 
 use super::{Drive, Outcome};
-use crate::aerodynamics::AerodynamicLaw;
+use crate::aerodynamics::{AerodynamicLaw, Continuation};
 use crate::flight::{Inputs, Landed};
 use crate::ground::angle_of_impact;
 use crate::number::Number;
@@ -276,16 +276,12 @@ fn law_range_warning(subject: &str, law: &Law<f64>, scope: CheckScope) -> Messag
 }
 
 /// The criteria of [`Drive::extrapolated`] for a flight outside of the ranges, as words for
-/// [`law_range_warning`]. `how` is
-/// [`Fitted::continuation`](crate::aerodynamics::Fitted::continuation).
-fn share_outside(how: &str) -> Message {
+/// [`law_range_warning`].
+fn share_outside(how: Continuation) -> Message {
     let time = format!(
         "at least {:.0} % of the flight time",
         100.0 * LEAST_WARNED_SHARE
     );
-    if how == "held" {
-        return format!("{time} is").into();
-    }
     let carry = Message::from("more than ")
         .quantity(
             Quantity::LENGTH,
@@ -295,7 +291,8 @@ fn share_outside(how: &str) -> Message {
         )
         .words(" of carry comes from");
     match how {
-        "extrapolated" => carry,
-        _ => carry.words(format!(", or {time} is,")),
+        Continuation::Held => format!("{time} is").into(),
+        Continuation::Extrapolated => carry,
+        Continuation::ExtrapolatedOrHeld => carry.words(format!(", or {time} is,")),
     }
 }

@@ -21,8 +21,9 @@ pub(super) struct Extrapolated {
     /// Index of the variable in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
     variable: usize,
     flown: FlownRange,
-    /// Change of the carry, m, if the variable is held within the range. `None` if the law itself
-    /// holds the variable, or if the ball does not land with or without holding.
+    /// Change of the carry, m, if the variable is held within the range. `None` for at most 0.3 yd,
+    /// for example because the law itself holds the variable, and if the ball does not land with or
+    /// without holding.
     change: Option<f64>,
 }
 
@@ -210,8 +211,8 @@ impl Drive<f64> {
     }
 
     /// The variables outside the ranges of the law that change the carry by more than 0.3 yd. A
-    /// variable that the law itself holds is included by its share of the flight time outside the
-    /// range ([`LEAST_WARNED_SHARE`]).
+    /// variable that the law itself holds at an exceeded end is also included by its share of the
+    /// flight time outside the range ([`LEAST_WARNED_SHARE`]).
     pub(super) fn extrapolated(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<Extrapolated> {
         let fitted = setup.law.properties().fitted;
         let ranges = fitted.ranges().map(|fitted| fitted.range);
@@ -226,18 +227,16 @@ impl Drive<f64> {
             if flown.outside == 0.0 {
                 return None;
             }
+            let is_extrapolated = is_below && !held_below || is_above && !held_above;
             let is_held = is_below && held_below || is_above && held_above;
-            let change = match is_held {
-                true => None,
-                false => carry_by_holding(setup, &self.launch, variable, range, stop)
-                    .zip(self.landed().ok())
-                    .map(|(held, landed)| held - landed.carry),
-            };
-            let weighs = match change {
-                Some(change) => change.abs() > LEAST_WARNED_CHANGE,
-                None => flown.outside >= LEAST_WARNED_SHARE,
-            };
-            weighs.then_some(Extrapolated {
+            let change = is_extrapolated
+                .then(|| carry_by_holding(setup, &self.launch, variable, range, stop))
+                .flatten()
+                .zip(self.landed().ok())
+                .map(|(held, landed)| held - landed.carry);
+            let has_share = (is_held || change.is_none()) && flown.outside >= LEAST_WARNED_SHARE;
+            let change = change.filter(|change| change.abs() > LEAST_WARNED_CHANGE);
+            (has_share || change.is_some()).then_some(Extrapolated {
                 variable,
                 flown,
                 change,

@@ -201,6 +201,28 @@ fn share_of_the_flight_outside_the_fitted_range_of_the_law() {
     assert!(drive.extrapolated_carry(&setup).is_none());
 }
 
+/// The law lyu is extrapolated below its range of the spin ratio, and clamps it above.
+#[test]
+fn a_range_exceeded_at_both_ends_has_the_carry_from_its_extrapolated_end() {
+    let found = warnings(
+        "modern-driver",
+        &[
+            ("aero.law", "lyu"),
+            ("launch.ball_speed", "80 m/s"),
+            ("launch.launch_angle", "80 deg"),
+            ("launch.backspin", "573 rpm"),
+        ],
+    );
+    let of_spin_ratio = found.iter().find(|it| it.contains("a spin ratio of 0.045"));
+    assert!(
+        of_spin_ratio.is_some_and(|it| it.contains(
+            "where the law is extrapolated or held; with the law held at the end of its range the \
+             carry is "
+        )),
+        "{found:?}"
+    );
+}
+
 #[test]
 fn each_law_names_its_fitted_range() {
     let slow = [
