@@ -102,7 +102,8 @@ pub(crate) const NOT_UTF_8: &str = "it holds bytes that are not text in UTF-8; s
 pub(crate) fn read_error_text(error: &std::io::Error) -> String {
     use std::io::ErrorKind;
     let why = match error.kind() {
-        ErrorKind::InvalidData => return NOT_UTF_8.into(),
+        // `read_to_string` has no inner error, decoders have one
+        ErrorKind::InvalidData if error.get_ref().is_none() => return NOT_UTF_8.into(),
         ErrorKind::Other if error.get_ref().is_some() => return error.to_string(),
         ErrorKind::NotFound => "there is no such file".to_owned(),
         ErrorKind::IsADirectory => "it is a folder".into(),
@@ -150,7 +151,19 @@ pub(crate) fn csv_row_error_text(error: &csv::Error, text: impl std::io::BufRead
 
 #[cfg(test)]
 mod tests {
-    use super::csv_error_text;
+    use super::{NOT_UTF_8, csv_error_text, read_error_text};
+    use std::io;
+
+    #[test]
+    fn invalid_data_is_not_utf_8_only_where_text_is_read() {
+        let of_text = io::read_to_string(&b"\xff"[..]).unwrap_err();
+        assert_eq!(read_error_text(&of_text), NOT_UTF_8);
+        let of_a_decoder = io::Error::new(io::ErrorKind::InvalidData, "wrong checksum");
+        assert_eq!(
+            read_error_text(&of_a_decoder),
+            "it cannot be read (the reader says: wrong checksum)"
+        );
+    }
 
     #[test]
     fn a_row_that_is_too_short_is_reported_in_cells_and_columns() {

@@ -199,7 +199,7 @@ impl Evaluator {
     /// Evaluates with the step of `setup`.
     ///
     /// # Errors
-    /// [`Error::Diverged`] if the defect of a drive exceeds the largest accepted defect.
+    /// [`Error::LargeDefect`] if the defect of a drive exceeds the largest accepted defect.
     fn with_step_of(
         &self,
         setup: &Setup<f64>,
@@ -252,20 +252,41 @@ fn check(taylor: &Taylor, outcome: Outcome, wrt: &[&'static Parameter]) -> Resul
         if taylor.gradient.get(i).is_some_and(|d| !d.is_finite()) {
             return undefined(format!("d {}/d {}", outcome.name(), parameter.name), edge);
         }
-        if taylor
-            .hessian
-            .get(i)
-            .is_some_and(|row| row.iter().any(|d| !d.is_finite()))
-        {
-            return undefined(
-                format!(
-                    "the second derivative of {} by {}",
-                    outcome.name(),
-                    parameter.name
-                ),
-                edge,
+        let row = taylor.hessian.get(i);
+        if let Some(k) = row.and_then(|row| row.iter().position(|d| !d.is_finite())) {
+            let what = format!(
+                "the second derivative of {} by {} and {}",
+                outcome.name(),
+                parameter.name,
+                wrt[k].name
             );
+            return undefined(what, edge);
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Taylor, check};
+    use crate::drive::Outcome;
+    use crate::parameters::Setup;
+
+    #[test]
+    fn an_undefined_second_derivative_names_both_parameters() {
+        let setup = Setup::default();
+        let wrt = ["swing.speed", "club.loft"].map(|name| setup.variable(name).unwrap());
+        let taylor = Taylor {
+            value: 200.0,
+            gradient: vec![1.0; 2],
+            hessian: vec![vec![1.0, f64::NAN], vec![f64::NAN, 1.0]],
+        };
+        let error = check(&taylor, Outcome::Carry, &wrt)
+            .unwrap_err()
+            .to_string();
+        assert!(
+            error.starts_with("the second derivative of carry by swing.speed and club.loft is not"),
+            "{error}"
+        );
+    }
 }

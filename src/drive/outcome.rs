@@ -130,11 +130,11 @@ impl Outcome {
                     ground.side_slope) for ground.rolling and ground.friction, or falls away more \
                     steeply than the ball comes down";
         }
-        match [Quantity::ANGLE, Quantity::ANGULAR_VELOCITY].contains(&self.quantity()) {
-            true => {
+        match self {
+            Self::LaunchDirection | Self::Backspin | Self::Sidespin | Self::SpinAxis => {
                 "its direction does not exist: the launch is vertical, or the ball does not spin"
             }
-            false => "its value is not finite: a number of the setup is too large or too small",
+            _ => "its value is not finite: a number of the setup is too large or too small",
         }
     }
 
@@ -316,6 +316,21 @@ mod tests {
                 "{metric}"
             );
         }
+    }
+
+    #[test]
+    fn only_outcomes_of_a_direction_at_launch_are_undefined_for_lack_of_it() {
+        assert_eq!(
+            declared(|of| of
+                .why_undefined()
+                .starts_with("its direction does not exist")),
+            [
+                Outcome::LaunchDirection,
+                Outcome::Backspin,
+                Outcome::Sidespin,
+                Outcome::SpinAxis
+            ]
+        );
     }
 
     #[test]
