@@ -4,6 +4,7 @@
 use crate::command_line::WHOLE;
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::panic_of;
+use crate::random::Random;
 use longdrive::derivative::{Order, evaluate};
 use longdrive::launch::Launch;
 use longdrive::optimize::least_squares::{FitObserver, FitStatus, Loss, Rows};
@@ -18,25 +19,6 @@ use std::fmt::Write;
 use std::io::Write as _;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-
-/// Random numbers with a fixed seed: uniform ones (splitmix64, Steele, Lea & Flood 2014), and
-/// normal ones by the transform of Box & Muller.
-struct Noise(u64);
-
-impl Noise {
-    fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn normal(&mut self) -> f64 {
-        let (u, v) = (1.0 - self.uniform(), self.uniform());
-        (-2.0 * u.ln()).sqrt() * (std::f64::consts::TAU * v).cos()
-    }
-}
 
 /// A setup with a known law.
 fn truth() -> Setup<f64> {
@@ -56,7 +38,7 @@ const SIGMA: [f64; 2] = [2.0, 0.5];
 
 /// A table of twelve shots with the law of [`truth`]. Carry and apex have normal errors of `size`
 /// times their uncertainties [`SIGMA`].
-fn shots(noise: &mut Noise, size: f64) -> String {
+fn shots(noise: &mut Random, size: f64) -> String {
     let mut text =
         "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry [m],sigma carry [m],apex_height \
          [m],sigma apex_height [m]\n"
@@ -120,7 +102,7 @@ fn elsewhere() -> Setup<f64> {
 #[test]
 fn exact_truth_recovered_from_shots_without_noise() {
     let found = fitted(
-        &shots(&mut Noise(1), 0.0),
+        &shots(&mut Random::seeded(1), 0.0),
         &elsewhere(),
         &LAW,
         Loss::Squares,
@@ -139,7 +121,7 @@ fn exact_truth_recovered_from_shots_without_noise() {
 
 #[test]
 fn sampled_coverage_of_intervals_over_200_draws_of_noise() {
-    let (mut noise, mut covered, mut chi_square) = (Noise(20_261_121), [0; 2], 0.0);
+    let (mut noise, mut covered, mut chi_square) = (Random::seeded(20_261_121), [0; 2], 0.0);
     for _ in 0..200 {
         let found = fitted(&shots(&mut noise, 1.0), &truth(), &LAW, Loss::Squares);
         for (i, truth) in [0.27, 1.3].into_iter().enumerate() {
@@ -163,7 +145,7 @@ fn sampled_coverage_of_intervals_over_200_draws_of_noise() {
 
 #[test]
 fn hubers_loss_limits_the_effect_of_an_outlier() {
-    let text = shots(&mut Noise(7), 0.3);
+    let text = shots(&mut Random::seeded(7), 0.3);
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     // a carry with an error of 60 m
     let mut cells: Vec<String> = lines[6].split(',').map(str::to_owned).collect();
@@ -183,7 +165,12 @@ fn confounded_parameters_are_named() {
     // the data do not determine the viscosity: the law does not depend on the Reynolds number. They
     // do not determine the density: coefficients and density enter as products only
     let names = ["aero.cd", "aero.cl_slope", "air.density", "air.viscosity"];
-    let found = fitted(&shots(&mut Noise(3), 1.0), &truth(), &names, Loss::Squares);
+    let found = fitted(
+        &shots(&mut Random::seeded(3), 1.0),
+        &truth(),
+        &names,
+        Loss::Squares,
+    );
     let named: Vec<Vec<usize>> = found
         .statistics
         .undetermined
@@ -348,7 +335,7 @@ fn table(text: &str) -> tempfile::NamedTempFile {
 
 #[test]
 fn exact_truth_recovered_on_the_command_line_with_missing_cells() {
-    let text = shots(&mut Noise(5), 0.0);
+    let text = shots(&mut Random::seeded(5), 0.0);
     // the apex of one shot is missing
     let mut lines: Vec<&str> = text.lines().collect();
     let cells: Vec<&str> = lines[4].split(',').collect();
@@ -924,7 +911,7 @@ fn interrupting(after: u64) -> FitObserver {
 
 #[test]
 fn interrupted_folds_are_omitted_and_counted() {
-    let text = shots(&mut Noise(11), 1.0);
+    let text = shots(&mut Random::seeded(11), 1.0);
     let setup = elsewhere();
     let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
     let plan = FitPlan::read(&setup, &LAW.map(str::to_owned)).unwrap();
@@ -1043,7 +1030,7 @@ fn iterations_of_several_searches_name_their_search() {
 #[test]
 fn an_interrupted_calibration_from_many_starts_names_its_best_fit() {
     let setup = elsewhere();
-    let text = shots(&mut Noise(11), 1.0);
+    let text = shots(&mut Random::seeded(11), 1.0);
     let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
     let plan = FitPlan {
         starts: 60,
@@ -1087,7 +1074,7 @@ fn an_interrupted_calibration_from_many_starts_names_its_best_fit() {
 #[test]
 fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
     let setup = elsewhere();
-    let text = shots(&mut Noise(11), 1.0);
+    let text = shots(&mut Random::seeded(11), 1.0);
     let table = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
     let plan = FitPlan::read(&setup, &LAW.map(str::to_owned)).unwrap();
     let found = calibrate(&setup, &table, &plan, &FitObserver::default()).unwrap();

@@ -9,7 +9,7 @@ use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::Child;
+use std::process::{Child, Command};
 use std::time::Duration;
 
 /// Options of a complete text, at the terminal width of the tests.
@@ -30,6 +30,14 @@ pub fn wait_until(child: &mut Child, is_time: impl Fn() -> bool) {
     while !is_time() && child.try_wait().unwrap().is_none() {
         std::thread::sleep(Duration::from_millis(2));
     }
+}
+
+/// Presses Ctrl-C in a program.
+#[cfg(unix)]
+pub fn interrupt(child: &Child) {
+    let mut kill = Command::new("kill");
+    let kill = kill.args(["-INT", &child.id().to_string()]);
+    assert!(kill.status().unwrap().success());
 }
 
 /// Output of a command, and the files that it writes into a new folder.

@@ -1,7 +1,7 @@
 //! `longdrive sweep` in parts: the same bytes from any process, kills, full disks, and the check of
 //! a folder.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, wait_until};
 use crate::program;
 use longdrive::number::Level;
 use longdrive::parts::{Manifest, SweepDefinition, check, file_name, merge};
@@ -627,8 +627,17 @@ fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
     );
     assert_eq!(fs::read_dir(copy.path()).unwrap().count(), 3);
 
-    // killed at several moments of a short run
-    for wait in [5, 50, 100, 200, 300] {
+    // killed with an empty temporary file, with its first bytes, and with the rows
+    for bytes in [0, 1, 1000] {
+        let unfinished = || {
+            let entries = fs::read_dir(copy.path()).unwrap().map(Result::unwrap);
+            let mut files = entries.filter(|entry| {
+                let name = entry.file_name();
+                name.to_string_lossy().starts_with(".longdrive-")
+            });
+            files.next()
+        };
+        let has_bytes = |entry: fs::DirEntry| entry.metadata().is_ok_and(|it| it.len() >= bytes);
         let mut program = program::command();
         let quiet = program
             .args(question())
@@ -636,9 +645,12 @@ fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
             .stdout(Stdio::null())
             .stderr(Stdio::null());
         let mut child = quiet.spawn().unwrap();
-        std::thread::sleep(std::time::Duration::from_millis(wait));
+        wait_until(&mut child, || unfinished().is_some_and(has_bytes));
         let _ = child.kill();
         let _ = child.wait();
+        if let Some(file) = unfinished() {
+            fs::remove_file(file.path()).unwrap();
+        }
         if place.exists() {
             assert!(fs::read(&place).unwrap() == bytes(SET.path())[2]);
         }

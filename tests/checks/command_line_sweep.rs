@@ -1,6 +1,6 @@
 //! `longdrive sweep`: files, kills and resumes, full disks, closed pipes, and bad input.
 
-use crate::command_line::{json, longdrive, wait_until};
+use crate::command_line::{interrupt, json, longdrive, wait_until};
 use crate::program::{self, FORMATS};
 use std::fs;
 use std::io::{BufRead, BufReader, Write};
@@ -172,9 +172,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
         let mut child = start(many, &part, &["--resume"]);
         wait_until(&mut child, || announced_rows(&part) > before);
         if child.try_wait().unwrap().is_none() {
-            let _ = Command::new("kill")
-                .args(["-INT", &child.id().to_string()])
-                .status();
+            interrupt(&child);
         }
         let (status, printed) = finish(child);
         assert!(

@@ -42,6 +42,14 @@ pub fn setup(json: &Map<String, Value>) -> Setup<f64> {
     setup
 }
 
+/// The setup with these settings.
+pub fn changed(from: &Setup<f64>, settings: &[(&str, &str)]) -> Setup<f64> {
+    let mut setup = *from;
+    setup.set_all(settings.iter().copied()).unwrap();
+    setup.validate().unwrap();
+    setup
+}
+
 /// A number with seeds: its derivative is 1 in the first direction, in the second one, or in both.
 pub fn mixed(value: f64, first: bool, second: bool) -> Mixed {
     let change = |is: bool| f64::from(u8::from(is));
@@ -121,11 +129,6 @@ pub fn close(ours: f64, theirs: f64, scale: f64, tolerance: f64, what: &str) {
         "{what}: {ours:e} against {theirs:e}, off by {:e} of {scale:e}",
         error / scale
     );
-}
-
-/// Runs a check on a number of random setups, always the same ones.
-pub fn for_random_setups(cases: u32, check: impl Fn(Setup<f64>)) {
-    random_setups(cases).for_each(check);
 }
 
 /// Settings of a rigid collision, for tests whose expected numbers were computed with one.

@@ -1,17 +1,11 @@
 //! Comparison of two drives, and the causes of their difference.
 
 use crate::command_line::{json, longdrive, number, on_one_line};
-use crate::common::{LARGE_STEPS, close, random_setups};
+use crate::common::{LARGE_STEPS, changed, close, random_setups};
 use crate::parallel::in_parallel;
 use longdrive::parameters::Method;
 use longdrive::study::{Comparison, Difference, Shares};
 use longdrive::{Drive, Outcome, Setup};
-
-pub fn changed(from: &Setup<f64>, settings: &[(&str, &str)]) -> Setup<f64> {
-    let mut setup = *from;
-    setup.set_all(settings.iter().copied()).unwrap();
-    setup
-}
 
 fn difference(a: &Setup<f64>, b: &Setup<f64>, of: Outcome) -> Difference {
     Comparison::new(a, b).unwrap().of(of).unwrap()
@@ -370,9 +364,8 @@ fn exact_sum_of_shares_between_a_club_and_a_launch_and_between_two_forms_of_spin
     assert_eq!(launch.shares.len(), 3, "{:?}", launch.shares);
     assert!(launch.remainder.abs() < 1e-9, "{}", launch.remainder);
 
-    let mut other = changed(&club, &LAUNCH[..2]);
-    other.set("launch.spin", "2800 rpm").unwrap();
-    other.set("launch.spin_axis", "5 deg").unwrap();
+    let spin = [("launch.spin", "2800 rpm"), ("launch.spin_axis", "5 deg")];
+    let other = changed(&club, &[&LAUNCH[..2], &spin].concat());
     let found = difference(&given, &other, Outcome::Lateral);
     assert!(found.by_launch.is_none() && found.by_parameter.remainder.abs() < 1e-9);
     assert!(

@@ -2,12 +2,12 @@
 
 #![cfg(unix)]
 
-use crate::command_line::on_one_line;
+use crate::command_line::{interrupt, on_one_line};
 use crate::program;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{Shutdown, TcpStream};
-use std::process::{Child, Command, Output, Stdio};
-use std::time::{Duration, Instant};
+use std::process::{Child, Output, Stdio};
+use std::time::Duration;
 
 /// The page that is compiled in.
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../web/dist/explorer.html");
@@ -71,8 +71,7 @@ impl Server {
 
     /// Ends the program by Ctrl-C.
     fn ended(self) -> Output {
-        let kill = ["-INT", &self.child.id().to_string()];
-        assert!(Command::new("kill").args(kill).status().unwrap().success());
+        interrupt(&self.child);
         self.child.wait_with_output().unwrap()
     }
 }
@@ -249,17 +248,13 @@ fn garbage_and_long_requests_are_refused_and_the_page_is_still_served() {
 fn two_at_once_are_served_while_a_third_is_silent() {
     let server = Server::new(&[]);
     let silent = server.stream();
-    let began = Instant::now();
     std::thread::scope(|scope| {
         let get = || server.get(&server.path, &server.own_host()).status;
         let both = [scope.spawn(get), scope.spawn(get)];
         assert_eq!(both.map(|one| one.join().unwrap()), [200, 200]);
     });
-    assert!(began.elapsed() < Duration::from_secs(5));
-    // Ctrl-C does not wait for the silent connection
-    let began = Instant::now();
+    // Ctrl-C ends the program although the silent connection is open
     assert_eq!(server.ended().status.code(), Some(0));
-    assert!(began.elapsed() < Duration::from_secs(3));
     drop(silent);
 }
 

@@ -1,6 +1,6 @@
 //! The collision: its two forms, the laws of mechanics, its symmetry, the paper's printed shot.
 
-use crate::common::{close, for_random_setups};
+use crate::common::{close, random_setups};
 use crate::fifteen_equations::by_generalized_speeds;
 use longdrive::impact::{Collision, Delivery, Grip, Rebound, strike};
 use longdrive::number::{Jet, Numbers, Vector};
@@ -40,7 +40,7 @@ fn energy(
 
 #[test]
 fn same_collision_by_fifteen_equations_and_by_three() {
-    for_random_setups(4000, |setup| {
+    for setup in random_setups(4000) {
         let c = collision(&setup);
         let (short, full): (Rebound<f64>, Rebound<f64>) =
             (c.by_impulse().unwrap(), by_generalized_speeds(&c));
@@ -63,12 +63,12 @@ fn same_collision_by_fifteen_equations_and_by_three() {
             "club velocity",
         );
         same(short.club_spin, full.club_spin, spin, "club spin");
-    });
+    }
 }
 
 #[test]
 fn same_derivatives_by_fifteen_equations_and_by_three() {
-    for_random_setups(300, |setup| {
+    for setup in random_setups(300) {
         let lifted = setup.map(|row, value| match row.name {
             "club.loft" => Jet::<2>::variable(value, 0),
             "strike.toe" => Jet::variable(value, 1),
@@ -90,12 +90,12 @@ fn same_derivatives_by_fifteen_equations_and_by_three() {
                 );
             }
         }
-    });
+    }
 }
 
 #[test]
 fn exact_laws_of_mechanics() {
-    for_random_setups(2000, |mut setup| {
+    for mut setup in random_setups(2000) {
         setup.impact.gear_scale = None;
         let c = collision(&setup);
         let after = c.by_impulse().unwrap();
@@ -162,14 +162,14 @@ fn exact_laws_of_mechanics() {
             1e-12,
             "work of the impulse",
         );
-    });
+    }
 }
 
 #[test]
 fn exact_loss_of_energy_where_both_restitutions_are_equal() {
     // if both restitutions are e, then K J = (1 + e) u⁻, and the bodies lose the energy
     // ½ (1 − e²) u⁻·K⁻¹u⁻ = ½ (1 − e) u⁻·J, which is 0 at e = 1
-    for_random_setups(1000, |mut setup| {
+    for mut setup in random_setups(1000) {
         for e in [0.0, 0.4, 1.0] {
             (
                 setup.impact.restitution,
@@ -194,7 +194,7 @@ fn exact_loss_of_energy_where_both_restitutions_are_equal() {
                 "loss of energy",
             );
         }
-    });
+    }
 }
 
 #[test]
@@ -210,7 +210,7 @@ fn exact_mirror_symmetry() {
         "club.inertia.yz",
         "wind.right",
     ];
-    for_random_setups(300, |setup| {
+    for setup in random_setups(300) {
         let other = setup.map(|row, value| {
             if mirrored.contains(&row.name) {
                 -value
@@ -239,7 +239,7 @@ fn exact_mirror_symmetry() {
                 outcome.name(),
             );
         }
-    });
+    }
 }
 
 #[test]
@@ -268,7 +268,7 @@ fn published_shot_of_winfield_and_tan() {
 
 #[test]
 fn exact_cone_of_friction_and_continuity_between_slip_and_stick() {
-    for_random_setups(300, |mut setup| {
+    for mut setup in random_setups(300) {
         let c = collision(&setup);
         let stick = c.by_impulse().unwrap();
         let push = stick.impulse.dot(c.normal);
@@ -306,7 +306,7 @@ fn exact_cone_of_friction_and_continuity_between_slip_and_stick() {
             1e-12,
             "no friction, no spin",
         );
-    });
+    }
 }
 
 #[test]
@@ -503,7 +503,7 @@ fn exact_derivatives_by_bend_droop_growth_and_slope_are_those_of_lean_and_restit
 /// at any scale of the gear effect. A scale of 1 gives rigid bodies.
 #[test]
 fn same_scaled_gear_effect_in_both_forms_of_the_collision() {
-    for_random_setups(500, |setup| {
+    for setup in random_setups(500) {
         let rigid = Collision {
             gear_scale: None,
             ..collision(&setup)
@@ -525,7 +525,7 @@ fn same_scaled_gear_effect_in_both_forms_of_the_collision() {
                 );
             }
         }
-    });
+    }
 }
 
 /// The delivery is square, and the face flat and without loft. The impulse along the face, divided

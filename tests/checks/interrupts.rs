@@ -2,7 +2,7 @@
 
 #![cfg(unix)]
 
-use crate::command_line::{Output, WHOLE};
+use crate::command_line::{Output, WHOLE, interrupt};
 use crate::program;
 use crate::schema::faults;
 use longdrive::optimize::Observers;
@@ -13,7 +13,7 @@ use longdrive::units::System;
 use longdrive::{Result, Setup};
 use serde_json::Value;
 use std::fs::File;
-use std::process::{Child, Command};
+use std::process::Child;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
@@ -95,13 +95,7 @@ impl AtWork {
     /// time.
     fn interrupted(mut self) -> Output {
         let before = self.used();
-        assert!(
-            Command::new("kill")
-                .args(["-INT", &self.child.id().to_string()])
-                .status()
-                .unwrap()
-                .success()
-        );
+        interrupt(&self.child);
         self.wait_until(|_| false);
         let after = self.used();
         let status = self.child.wait().unwrap();

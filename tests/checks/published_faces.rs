@@ -2,7 +2,7 @@
 //! docs/validation.md has the numbers. The side spin of a rigid impact is known to differ from the
 //! side spin of such strikes by 30 to 50 % (Caldwell 2023): each case is tested for its own claim.
 
-use crate::compare::changed;
+use crate::common::changed;
 use longdrive::derivative::gradient;
 use longdrive::optimize::Observer;
 use longdrive::parameters::Law;

@@ -867,13 +867,7 @@ fn the_uncertainty_of_a_strike_has_the_source_of_its_size() {
         1e-12,
         "from the sweet spot",
     );
-    close(
-        stated.value,
-        1e-3,
-        1e-3,
-        1e-12,
-        "from the centre of gravity",
-    );
+    close(stated.value, 1e-3, 1e-3, 1e-12, "from the face centre");
     assert_eq!(
         [spot, stated].map(|sigma| sigma.source.unwrap().contains("sweet spot")),
         [true, false]

@@ -149,12 +149,11 @@ fn differences_confirm_the_one_sided_slope_of_a_corner_at_the_end_of_a_range() {
         panic!("{:?}", carry.rows[0].first.sides)
     };
     // by hand: the carry with a little friction
-    let at = |friction: f64| {
+    let [none, little] = [0.0, 1e-6].map(|friction| {
+        let mut setup = setup;
         setup.impact.friction = Some(friction);
         Outcome::Carry.of(&Drive::new(&setup).unwrap()).unwrap()
-    };
-    let mut at = at;
-    let [none, little] = [0.0, 1e-6].map(&mut at);
+    });
     close(above, (little - none) / 1e-6, above, 1e-4, "slope");
 }
 

@@ -2,7 +2,7 @@
 //! drives, and contradictory settings.
 
 use crate::command_line::{json, longdrive, number};
-use crate::common::close;
+use crate::common::{changed, close};
 use longdrive::atmosphere::{AirState, in_effect};
 use longdrive::batch::{Grid, Run, gradient_batch};
 use longdrive::derivative::{Order, evaluate};
@@ -14,16 +14,8 @@ use longdrive::study::uncertainty::{Distribution, Uncertain};
 use longdrive::{Drive, Error, Outcome, Setup};
 use std::fs;
 
-/// The default setup with these settings.
-pub fn with(settings: &[(&str, &str)]) -> Setup<f64> {
-    let mut setup = Setup::default();
-    setup.set_all(settings.iter().copied()).unwrap();
-    setup.validate().unwrap();
-    setup
-}
-
 fn state(settings: &[(&str, &str)]) -> AirState<f64> {
-    AirState::of(&with(settings).air)
+    AirState::of(&changed(&Setup::default(), settings).air)
 }
 
 const DENVER: [(&str, &str); 3] = [
@@ -176,7 +168,7 @@ fn published_pressures_of_the_standard_atmosphere_and_viscosities() {
 
 #[test]
 fn same_drive_by_weather_and_by_its_density_and_by_wind_components() {
-    let mut setup = with(&DENVER);
+    let mut setup = changed(&Setup::default(), &DENVER);
     setup
         .set_all([
             ("wind.speed", "5 m/s"),
@@ -203,14 +195,17 @@ fn same_drive_by_weather_and_by_its_density_and_by_wind_components() {
     // the ball carries farther in thin air and less far in a head wind; a wind from the right moves
     // it to the left
     let carry = |settings: &[(&str, &str)]| {
-        let high = with(&[&[("club.loft", "14 deg")], settings].concat());
+        let high = changed(
+            &Setup::default(),
+            &[&[("club.loft", "14 deg")], settings].concat(),
+        );
         Outcome::Carry.of(&Drive::new(&high).unwrap()).unwrap()
     };
     assert!(carry(&DENVER) > carry(&[]) + 5.0);
     let wind = |from: &'static str| [("wind.speed", "5 m/s"), ("wind.from", from)];
     assert!(carry(&wind("0 deg")) < carry(&[]) - 5.0 && carry(&wind("180 deg")) > carry(&[]) + 5.0);
     let lateral = Outcome::Lateral
-        .of(&Drive::new(&with(&wind("90 deg"))).unwrap())
+        .of(&Drive::new(&changed(&Setup::default(), &wind("90 deg"))).unwrap())
         .unwrap();
     assert!(lateral < -5.0, "{lateral}");
 }
@@ -241,7 +236,7 @@ fn differences_certify_every_derivative_by_weather_and_wind() {
     ];
     let winds = [("wind.speed", "6 m/s"), ("wind.from", "-35 deg")];
     for weather in [DENVER, stations] {
-        let setup = with(&[&weather[..], &winds].concat());
+        let setup = changed(&Setup::default(), &[&weather[..], &winds].concat());
         let names = weather.iter().chain(&winds).map(|(name, _)| *name);
         let wrt: Vec<&'static Parameter> =
             names.map(|name| setup.variable(name).unwrap()).collect();
@@ -291,11 +286,14 @@ fn differences_certify_every_derivative_by_weather_and_wind() {
 
 #[test]
 fn same_drives_in_a_sweep_over_the_weather_and_alone() {
-    let setup = with(&[
-        ("air.humidity", "50 %"),
-        ("wind.speed", "4 m/s"),
-        ("wind.from", "30 deg"),
-    ]);
+    let setup = changed(
+        &Setup::default(),
+        &[
+            ("air.humidity", "50 %"),
+            ("wind.speed", "4 m/s"),
+            ("wind.from", "30 deg"),
+        ],
+    );
     // the setup has no temperature and no altitude: only the points state them
     let over = [
         "air.temperature=0..35degC:4",
@@ -349,7 +347,7 @@ fn same_drives_in_a_sweep_over_the_weather_and_alone() {
 
 #[test]
 fn uncertainties_of_a_temperature_are_differences() {
-    let setup = with(&[("air.temperature", "77 degF")]);
+    let setup = changed(&Setup::default(), &[("air.temperature", "77 degF")]);
     assert!((setup.air.temperature.unwrap() - 298.15).abs() < 1e-12);
     for (text, kelvin) in [
         ("2degC", 2.0),
@@ -409,7 +407,7 @@ fn the_effective_density_is_shown_and_setups_read_back() {
         .find(|row| row["parameter"] == "air.density")
         .unwrap();
     assert_eq!(number(&row["value"]), density);
-    let setup = with(&DENVER);
+    let setup = changed(&Setup::default(), &DENVER);
     let base = SetupFile::of_preset("modern-driver").unwrap();
     let text = setup_toml(&setup, &base, &[], &[]).unwrap();
     assert!(
@@ -774,7 +772,7 @@ fn contradictory_weather_settings_are_refused() {
 #[test]
 fn weather_beyond_the_equation_of_the_density_has_a_warning() {
     let message = |settings: &[(&str, &str)]| {
-        with(settings)
+        changed(&Setup::default(), settings)
             .warnings()
             .iter()
             .map(ToString::to_string)
