@@ -8,7 +8,7 @@ use crate::parameters::Ferguson;
 const MEASURED: [f64; 2] = [0.02, 0.75];
 /// Width of the upper clamp of the spin ratio. Without the clamp, the lift would be negative above
 /// s = 1.09, and the drag above s = 1.25.
-const HELD_OVER: f64 = 0.2;
+const UPPER_CLAMP_WIDTH: f64 = 0.2;
 
 /// C_D = cd0 + cd1 s + cd2 s², C_L = cl0 + cl1 s + cl2 s²: Ferguson, McNally & McPhee (2022),
 /// fitted to 1040 radar flights with 0.02 < s < 0.75.
@@ -17,7 +17,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Ferguson<T> {
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         T::not_inlined(inlined!(move || {
             let [low, high] = MEASURED;
-            let s = smooth_clamp_above(stream.spin_ratio(), high, HELD_OVER);
+            let s = smooth_clamp_above(stream.spin_ratio(), high, UPPER_CLAMP_WIDTH);
             let (drag, lift) = (
                 [self.cd0, self.cd1, self.cd2],
                 [self.cl0, self.cl1, self.cl2],

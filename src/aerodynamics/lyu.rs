@@ -6,7 +6,7 @@ use crate::parameters::Lyu;
 const MEASURED: [f64; 2] = [0.045, 0.32];
 /// Width of the upper clamp of the spin ratio. Without the clamp, the lift would be negative above
 /// s = 0.61.
-const HELD_OVER: f64 = 0.04;
+const UPPER_CLAMP_WIDTH: f64 = 0.04;
 
 /// Centre, in Re/10⁵, of the transition between the two parabolas of the drag. For 0.75 < Re/10⁵ <
 /// 1 both parabolas are valid, and differ by at most 0.02.
@@ -32,7 +32,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Lyu<T> {
                 .mul_add(r, self.cd_high1)
                 .mul_add(r, self.cd_high0);
             let part = ((r - BETWEEN) * (1.0 / WIDTH)).tanh() * 0.5 + 0.5;
-            let s = smooth_clamp_above(stream.spin_ratio(), MEASURED[1], HELD_OVER);
+            let s = smooth_clamp_above(stream.spin_ratio(), MEASURED[1], UPPER_CLAMP_WIDTH);
             Coefficients {
                 drag: part.mul_add(high - low, low),
                 lift: self.cl2.mul_add(s, self.cl1) * s,

@@ -7,7 +7,7 @@ use crate::parameters::NaruoMizota;
 /// the formula gives lift without spin.
 const MEASURED: [f64; 2] = [0.03, 1.13];
 /// Width of the upper clamp of the spin ratio. The clamp bounds the terms in s⁴.
-const HELD_OVER: f64 = 0.2;
+const UPPER_CLAMP_WIDTH: f64 = 0.2;
 
 /// C_D = cd0 + cd1 s + … + cd4 s⁴, C_L = cl0 + cl1 s + … + cl4 s⁴: Naruo, Mizota & Shimozono
 /// (2004), wind tunnel, for 0.03 < s < 1.13 and Re > 7.1e4.
@@ -16,7 +16,7 @@ impl<T: Numbers> AerodynamicLaw<T> for NaruoMizota<T> {
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         T::not_inlined(inlined!(move || {
             let [low, high] = MEASURED;
-            let s = smooth_clamp_above(stream.spin_ratio(), high, HELD_OVER);
+            let s = smooth_clamp_above(stream.spin_ratio(), high, UPPER_CLAMP_WIDTH);
             let drag = [self.cd0, self.cd1, self.cd2, self.cd3, self.cd4];
             let lift = [self.cl0, self.cl1, self.cl2, self.cl3, self.cl4];
             Coefficients {

@@ -8,14 +8,14 @@ use crate::parameters::UsgaItr;
 const SMOOTH_BELOW: f64 = 0.042;
 /// Start of the upper clamp of the spin ratio. The clamp bounds the term in s² of the drag. The
 /// formula is valid for s < 0.3.
-const LARGEST: f64 = 0.3;
+const UPPER_CLAMP_START: f64 = 0.3;
 /// Width of the upper clamp of the spin ratio.
-const HELD_OVER: f64 = 0.1;
+const UPPER_CLAMP_WIDTH: f64 = 0.1;
 /// Start of the lower clamp of r = Re/10⁵. At lower r the term in 1/r² would make the lift
 /// negative. The slowest measured shots have r = 0.8.
-const SMALLEST: f64 = 0.6;
+const LOWER_CLAMP_START: f64 = 0.6;
 /// Width of the lower clamp of Re/10⁵.
-const HELD_UNDER: f64 = 0.2;
+const LOWER_CLAMP_WIDTH: f64 = 0.2;
 
 /// With r = Re/10⁵: C_D = cd0 + cd1 s + cd2 s² + cd_re r, C_L = cl0 + cl1 s + cl2 s² + cl_re/r².
 /// The USGA fits this form to the shots of a ball in its Indoor Test Range. The coefficients are
@@ -24,8 +24,12 @@ impl<T: Numbers> AerodynamicLaw<T> for UsgaItr<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
         T::not_inlined(inlined!(move || {
-            let s = smooth_clamp_above(stream.spin_ratio(), LARGEST, HELD_OVER);
-            let r = smooth_clamp_below(stream.reynolds() * 1e-5, SMALLEST, HELD_UNDER);
+            let s = smooth_clamp_above(stream.spin_ratio(), UPPER_CLAMP_START, UPPER_CLAMP_WIDTH);
+            let r = smooth_clamp_below(
+                stream.reynolds() * 1e-5,
+                LOWER_CLAMP_START,
+                LOWER_CLAMP_WIDTH,
+            );
             let drag = self
                 .cd2
                 .mul_add(s, self.cd1)

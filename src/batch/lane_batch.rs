@@ -77,7 +77,7 @@ impl OverNumbers for LaneBatch<'_> {
             let stream = inputs.launch_stream().variables();
             let head = (has_head && launched.club_speed.is_some())
                 .then(|| J::not_inlined(|| Head::new(&setup.club)));
-            let ended = inputs.integrate(
+            let flight_result = inputs.integrate(
                 J::Mask::first(group.len()),
                 RequestedOutputs {
                     apex,
@@ -91,16 +91,16 @@ impl OverNumbers for LaneBatch<'_> {
                 launched: &launched,
                 stream,
                 head: head.as_ref(),
-                landed: &ended.landed,
+                landed: &flight_result.landed,
             };
             for (lane, &FlyingRow { row, .. }) in group.iter().enumerate() {
-                if !ended.has_landed.holds(lane) {
+                if !flight_result.has_landed.holds(lane) {
                     self.scalar_rows.push(row);
                     continue;
                 }
                 let value = inlined!(|number: J| number.lane(lane).re());
                 self.block.status[row] = Status::Landed;
-                self.block.defect[row] = ended.landed.defect.map_or(0.0, value);
+                self.block.defect[row] = flight_result.landed.defect.map_or(0.0, value);
                 self.block.exceeded[row] = flown.exceeded_limits(lane, &fitted, has_run);
                 let drive = flown.outcome_inputs(lane);
                 for (i, outcome) in batch.of.iter().enumerate() {

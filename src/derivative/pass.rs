@@ -145,10 +145,10 @@ impl OverNumbers for Pass<'_> {
                 .iter()
                 .any(|outcome| outcome.group() == OutcomeGroup::Head);
         let head = has_head.then(|| J::not_inlined(|| Head::new(&setup.club)));
-        let mut ended = None;
+        let mut flight_result = None;
         if point.flies && !matches!(self.stage, Stage::Impact) {
             let inputs = Inputs::new(&setup, &launched.launch, point.has_run);
-            let found = ended.insert(inputs.integrate(
+            let found = flight_result.insert(inputs.integrate(
                 J::Mask::first(lanes),
                 RequestedOutputs {
                     apex: point.has_apex,
@@ -168,7 +168,7 @@ impl OverNumbers for Pass<'_> {
             let drive = OutcomeInputs {
                 launch: &launched.launch,
                 club_speed: launched.club_speed,
-                landed: ended.as_ref().map(|ended| &ended.landed),
+                landed: flight_result.as_ref().map(|result| &result.landed),
                 head: head.as_ref(),
                 read: in_lane(lane),
             };

@@ -159,7 +159,7 @@ pub(crate) fn check_defect<T: Copy>(
 
 /// Spin, rad/s, below which a launch counts as being at the corner of |ω|, zero spin: some hundreds
 /// of times the rounding error of |ω|.
-const SPIN_CORNER: f64 = 1e-3;
+const ZERO_SPIN_LIMIT: f64 = 1e-3;
 
 /// Maximum number of halvings of the step until the defect of the integration is accepted.
 const MAX_HALVINGS: u32 = 12;
@@ -196,7 +196,7 @@ impl Drive<f64> {
 
     /// True if the spin at launch is zero, at the corner of |ω|.
     pub(crate) fn is_without_spin(&self) -> bool {
-        self.launch.total_spin() < SPIN_CORNER
+        self.launch.total_spin() < ZERO_SPIN_LIMIT
     }
 
     /// A text for each corner of the model at this drive. At a corner the one-sided derivatives

@@ -47,21 +47,21 @@ impl<T: Numbers, U, Read: Fn(T) -> U + Copy> OutcomeInputs<'_, T, Read> {
 /// Uncertainty of ball speed, from golflaunchlab.com/guides/golf-launch-monitor-accuracy (read in a
 /// stored copy). Two better sources could not be read: a maker's data sheet, and the numbers of
 /// Leach, Forrester, Mears & Roberts (Measurement 112, 2017, 125–136).
-const AGREE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide that names \
+const BALL_SPEED_SOURCE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide that names \
                      no test): {0.8 mph} of {165 mph}, rounded up";
 /// Uncertainty of launch angles: no source was found.
-const TENTHS: &str = "assumed: three times the resolution of exports, 0.1°";
+const LAUNCH_ANGLE_SOURCE: &str = "assumed: three times the resolution of exports, 0.1°";
 /// Uncertainty of spin: no source was found.
-const OF_SPIN: &str = "assumed: 4 % of a driver's 2500 rpm";
+const SPIN_SOURCE: &str = "assumed: 4 % of a driver's 2500 rpm";
 /// Uncertainty of distances: the difference between launch monitors for the same launch.
-const APART: &str = "for the same launch, launch monitors predict carries within about {3 yd} of each other (docs/sources.md)";
+const CARRY_SOURCE: &str = "for the same launch, launch monitors predict carries within about {3 yd} of each other (docs/sources.md)";
 /// Uncertainty of totals: the differences between two monitors on the same shots (Bliss & Langdown
 /// 2026). The ground models of the monitors differ.
-const RUNS: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one standard \
+const TOTAL_SOURCE: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one standard \
                     deviation): {8 yd} each, docs/sources.md";
 /// Uncertainty of apex height and descent angle: published averages are rounded to whole yards and
 /// degrees.
-const ROUNDED: &str = "assumed: tables print whole units of length and whole degrees; indoors \
+const WHOLE_UNITS_SOURCE: &str = "assumed: tables print whole units of length and whole degrees; indoors \
                        both are computed from the launch";
 
 /// Declares the outcomes: for each a variant with its formula and its [`Declaration`].
@@ -132,7 +132,7 @@ outcomes! {
         sign: Sign::Positive,
         instrument: Some(Instrument {
             sigma: "3 yd",
-            source: APART,
+            source: CARRY_SOURCE,
             plausible: None,
             column_heads: &[],
         }),
@@ -153,7 +153,7 @@ outcomes! {
         sign: Sign::Positive,
         instrument: Some(Instrument {
             sigma: "3 yd",
-            source: APART,
+            source: CARRY_SOURCE,
             plausible: Some(Range::above_to(0.0, 600.0)),
             column_heads: &[
                 "carry",
@@ -222,7 +222,7 @@ outcomes! {
         sign: Sign::Positive,
         instrument: Some(Instrument {
             sigma: "1 yd",
-            source: ROUNDED,
+            source: WHOLE_UNITS_SOURCE,
             plausible: Some(Range::above_to(0.0, 150.0)),
             column_heads: &[
                 "apex",
@@ -285,7 +285,7 @@ outcomes! {
         sign: Sign::Positive,
         instrument: Some(Instrument {
             sigma: "1 deg",
-            source: ROUNDED,
+            source: WHOLE_UNITS_SOURCE,
             plausible: Some(Range::above_to(0.0, 90.0)),
             column_heads: &[
                 "landing angle",
@@ -332,7 +332,7 @@ outcomes! {
         sign: Sign::Positive,
         instrument: Some(Instrument {
             sigma: "8 yd",
-            source: RUNS,
+            source: TOTAL_SOURCE,
             plausible: Some(Range::above_to(0.0, 800.0)),
             column_heads: &[
                 "gesamtstrecke",
@@ -359,7 +359,7 @@ outcomes! {
         sign: Sign::Either,
         instrument: Some(Instrument {
             sigma: "8 yd",
-            source: RUNS,
+            source: TOTAL_SOURCE,
             plausible: None,
             column_heads: &[],
         }),
@@ -400,7 +400,7 @@ outcomes! {
         sign: Sign::Positive,
         instrument: Some(Instrument {
             sigma: "1 mph",
-            source: AGREE,
+            source: BALL_SPEED_SOURCE,
             // the fastest recorded ball speed is 241.7 mph (108 m/s)
             plausible: Some(Range::above_to(0.0, 270.0)),
             column_heads: &["ball speed", "ballgeschwindigkeit"],
@@ -435,7 +435,7 @@ outcomes! {
         sign: Sign::Either,
         instrument: Some(Instrument {
             sigma: "0.3 deg",
-            source: TENTHS,
+            source: LAUNCH_ANGLE_SOURCE,
             plausible: Some(Range::from_to(-90.0, 90.0)),
             column_heads: &[
                 "launch angle",
@@ -462,7 +462,7 @@ outcomes! {
         sign: Sign::Right,
         instrument: Some(Instrument {
             sigma: "0.3 deg",
-            source: TENTHS,
+            source: LAUNCH_ANGLE_SOURCE,
             plausible: Some(Range::from_to(-90.0, 90.0)),
             column_heads: &[
                 "launch direction",
@@ -492,7 +492,7 @@ outcomes! {
         sign: Sign::NotNegative,
         instrument: Some(Instrument {
             sigma: "100 rpm",
-            source: OF_SPIN,
+            source: SPIN_SOURCE,
             plausible: Some(Range::above_to(0.0, 20_000.0)),
             column_heads: &["spin rate", "total spin", "spin", "drehrate"],
         }),
@@ -509,7 +509,7 @@ outcomes! {
         sign: Sign::Either,
         instrument: Some(Instrument {
             sigma: "100 rpm",
-            source: OF_SPIN,
+            source: SPIN_SOURCE,
             // a driver gives no topspin
             plausible: Some(Range::from_to(0.0, 20_000.0)),
             column_heads: &["backspin", "back spin"],

@@ -38,7 +38,7 @@ const TEN_DEGREES: f64 = 10.0 / 1.8;
 const BALL_TEMPERATURE: f64 = 298.15;
 
 /// Shift of the landing by half the step, m, above which the step is too long: it causes a warning.
-const LARGEST_SHIFT: f64 = 1e-3;
+const LEAST_WARNED_SHIFT: f64 = 1e-3;
 
 /// The fitted range of a quantity of the law, and its range in the flight.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -136,7 +136,7 @@ impl Drive<f64> {
             "flight.step = {step} is long for the method {method}: with steps of half this length \
              the landing shifts by "
         );
-        (shift > LARGEST_SHIFT).then(|| {
+        (shift > LEAST_WARNED_SHIFT).then(|| {
             Message::from(long)
                 .quantity(Quantity::LENGTH, "mm", shift, Digits::Significant(2))
                 .words("; make flight.step shorter")

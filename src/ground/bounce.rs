@@ -23,9 +23,9 @@ impl<T: Numbers> Motion<T> {
 }
 
 /// Speed of the impact whose crater has the tilt θ_g, m/s: Penner (2002), p. 934.
-const SPEED: f64 = 18.6;
+const REFERENCE_SPEED: f64 = 18.6;
 /// Angle of incidence of the impact whose crater has the tilt θ_g, rad.
-const INCIDENCE: f64 = 44.4 / 180.0 * PI;
+const REFERENCE_INCIDENCE: f64 = 44.4 / 180.0 * PI;
 /// Start and width of the smooth clamp (H in eq. 19) of θ_c/φ, the tilt of the crater over the
 /// angle of incidence. The clamped ratio is at most 1. At 1 the ball meets the crater head-on;
 /// above 1 Penner's φ − θ_c would be negative.
@@ -33,7 +33,7 @@ const TILT_CLAMP: [f64; 2] = [0.7, 0.6];
 /// Angle to the ground, rad, below which the ball digs less than in Penner's formula (S in eq. 19).
 /// Penner's tilt is largest for a ball that moves along the ground, which in fact does not dig. The
 /// angle is fitted to the runs of TrackMan's 60 drives (docs/sources.md).
-const FLAT: f64 = 70.0 / 180.0 * PI;
+const FULL_TILT_ANGLE: f64 = 70.0 / 180.0 * PI;
 /// Coefficients, s/m and s²/m², of e/e_g = 1 + e₁ u + e₂ u² (eq. 20): Penner (2002), p. 933.
 const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];
 /// Speed at which the smooth clamp of u begins, m/s. u is the speed of the ball along the normal of
@@ -43,9 +43,9 @@ const CLAMP_SPEED: f64 = 18.0;
 const CLAMP_WIDTH: f64 = 2.0 * (-RESTITUTION[0] / (2.0 * RESTITUTION[1]) - CLAMP_SPEED);
 /// Start of the transition from sticking to slipping in x (eq. 21), the ratio of needed to
 /// available friction.
-const STICKS: f64 = 0.8;
+const SLIP_START: f64 = 0.8;
 /// Width in x of the transition from sticking to slipping.
-const SLIPS_OVER: f64 = 0.4;
+const SLIP_WIDTH: f64 = 0.4;
 /// Margin, (m/s)², in the comparison of squared impulses per mass. A contact without slip then
 /// sticks even without friction: the friction of a slipping contact would have no direction there.
 const NO_SLIP: f64 = 1e-24;
@@ -91,11 +91,11 @@ impl<T: Numbers> Turf<T> {
         // φ = 2 arctan(v_t/(|v| + v_n))
         let incidence = (level / (speed + down)).atan() * 2.0;
         let tilt_ratio = smooth_clamp_above(
-            self.compliance * speed * (1.0 / (SPEED * INCIDENCE)),
+            self.compliance * speed * (1.0 / (REFERENCE_SPEED * REFERENCE_INCIDENCE)),
             TILT_CLAMP[0],
             TILT_CLAMP[1],
         );
-        let steepness = smooth_step(-incidence + FRAC_PI_2, 0.0, FLAT);
+        let steepness = smooth_step(-incidence + FRAC_PI_2, 0.0, FULL_TILT_ANGLE);
         let (sin, cos) = (incidence * tilt_ratio * steepness).sin_cos();
         ground * cos - along * (per_level * sin)
     }
@@ -106,18 +106,18 @@ impl<T: Numbers> Turf<T> {
     fn grip(&self, slip: Vector<T>, limit: T) -> T {
         let k = self.sticking_factor();
         let needed_squared = slip.dot(slip) * (k * k);
-        let sticks = (needed_squared - limit * limit * (STICKS * STICKS)).below(NO_SLIP);
+        let sticks = (needed_squared - limit * limit * (SLIP_START * SLIP_START)).below(NO_SLIP);
         T::select_lazily(
             sticks,
             inlined!(|| T::constant(1.0)),
             inlined!(|| {
                 let needed = needed_squared.sqrt();
                 T::select_lazily(
-                    (limit * (STICKS + SLIPS_OVER) - needed).below(0.0),
+                    (limit * (SLIP_START + SLIP_WIDTH) - needed).below(0.0),
                     inlined!(|| limit / needed),
                     inlined!(|| {
                         let x = needed / limit;
-                        smooth_clamp_above(x, STICKS, SLIPS_OVER) / x
+                        smooth_clamp_above(x, SLIP_START, SLIP_WIDTH) / x
                     }),
                 )
             }),
@@ -127,7 +127,7 @@ impl<T: Numbers> Turf<T> {
 
 #[cfg(test)]
 mod tests {
-    use super::{INCIDENCE, Motion, SPEED};
+    use super::{Motion, REFERENCE_INCIDENCE, REFERENCE_SPEED};
     use crate::Setup;
     use crate::ground::Turf;
     use crate::number::Vector;
@@ -153,12 +153,13 @@ mod tests {
     #[test]
     fn published_bounce_of_penner_with_rolling_at_exit() {
         let turf = Turf::new(&Setup::default());
-        for (speed, spin) in [(SPEED, 300.0), (25.0, 200.0), (28.0, 0.0)] {
+        for (speed, spin) in [(REFERENCE_SPEED, 300.0), (25.0, 200.0), (28.0, 0.0)] {
             // S in eq. 19 at 45.6° to the ground
             let u: f64 = 45.6 / 70.0;
-            let tilt =
-                (15.4 * speed / SPEED).to_radians() * u.powi(3) * (10.0 - 15.0 * u + 6.0 * u * u);
-            let (sin, cos) = (INCIDENCE - tilt).sin_cos();
+            let tilt = (15.4 * speed / REFERENCE_SPEED).to_radians()
+                * u.powi(3)
+                * (10.0 - 15.0 * u + 6.0 * u * u);
+            let (sin, cos) = (REFERENCE_INCIDENCE - tilt).sin_cos();
             let (along, push) = (speed * sin, speed * cos);
             let e = if push < 20.0 {
                 0.51 - 0.0375 * push + 0.000903 * push * push
@@ -166,7 +167,7 @@ mod tests {
                 0.12
             };
             let (along, rise) = (5.0 / 7.0 * along - 2.0 / 7.0 * RADIUS * spin, e * push);
-            let after = turf.bounce(&ball(speed, INCIDENCE, spin), UP, RADIUS, 0.51);
+            let after = turf.bounce(&ball(speed, REFERENCE_INCIDENCE, spin), UP, RADIUS, 0.51);
             // Penner's restitution has a corner at 20 m/s; the smooth restitution deviates from it
             // by at most 0.0013
             let bar = 0.0013 * push;

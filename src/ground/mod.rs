@@ -132,13 +132,17 @@ impl<T: Numbers> Turf<T> {
     /// (eq. 24).
     #[inline(always)]
     fn roll_out(&self, ball: &Motion<T>, plane: &LandingPlane<T>, radius: T) -> Vector<T> {
-        let (normal, pull, k) = (plane.normal, plane.pull, self.sticking_factor());
+        let (normal, pull, k) = (
+            plane.normal,
+            plane.tangential_gravity,
+            self.sticking_factor(),
+        );
         let velocity = ball.velocity - normal * normal.dot(ball.velocity);
         let slip = ball.slip(velocity, normal, radius);
         // friction decelerates the slip s by μ_g g n_x/k, and gravity accelerates the slip by G: it
         // ends like the motion of a sliding body
         let sliding = Sliding {
-            deceleration: self.friction * plane.press / k,
+            deceleration: self.friction * plane.normal_gravity / k,
             pull,
         };
         let (time, slip_distance) = sliding.stop(slip);
@@ -149,7 +153,7 @@ impl<T: Numbers> Turf<T> {
         let slid = (velocity + half) * time - ((slip + half) * time - slip_distance) * k;
         let rolling_velocity = velocity + pulled - (slip + pulled) * k;
         let rolling = Sliding {
-            deceleration: self.rolling * plane.press,
+            deceleration: self.rolling * plane.normal_gravity,
             pull: pull * (T::constant(1.0) - k),
         };
         let (_, rolled) = rolling.stop(rolling_velocity);
@@ -169,9 +173,9 @@ struct LandingPlane<T> {
     /// Unit normal n, upwards.
     normal: Vector<T>,
     /// Gravity into the plane, g n_x, m/s².
-    press: T,
+    normal_gravity: T,
     /// Gravity along the plane, G = −g X + g n_x n, m/s².
-    pull: Vector<T>,
+    tangential_gravity: Vector<T>,
     /// Acceleration of gravity g, m/s².
     gravity: T,
 }
@@ -186,12 +190,13 @@ impl<T: Numbers> LandingPlane<T> {
         let normal = Vector::new(T::constant(1.0), -tangent(side_slope), -tangent(slope));
         let (_, inverse) = normal.dot(normal).sqrt_recip();
         let normal = normal * inverse;
-        let press = normal.x * gravity;
-        let pull = normal * press - Vector::new(gravity, T::zero(), T::zero());
+        let normal_gravity = normal.x * gravity;
+        let tangential_gravity =
+            normal * normal_gravity - Vector::new(gravity, T::zero(), T::zero());
         Self {
             normal,
-            press,
-            pull,
+            normal_gravity,
+            tangential_gravity,
             gravity,
         }
     }
@@ -203,7 +208,7 @@ impl<T: Numbers> LandingPlane<T> {
         let w = self.normal.dot(velocity);
         let rise = w * smooth_step(w, LEAST_HOP_SPEED, LEAST_HOP_SPEED);
         let along = velocity - self.normal * w;
-        let time = rise * 2.0 / self.press;
+        let time = rise * 2.0 / self.normal_gravity;
         let slowdown = (along.dot(along) + LEAST_SPEED * LEAST_SPEED).sqrt() * drag * time;
         Hop {
             along,

@@ -128,10 +128,11 @@ struct TestedDrives<'s> {
     batch: Batch,
     points: Vec<f64>,
     /// Points of the drives that are tested later.
-    further: Vec<f64>,
-    /// Step of the reference flights, s; `exact` has the results of these flights.
-    reference: f64,
-    exact: Block,
+    untested_points: Vec<f64>,
+    /// Step of the reference flights, s.
+    reference_step: f64,
+    /// Results of the reference flights.
+    reference: Block,
     /// Interrupt flag.
     stop: &'s AtomicBool,
 }
@@ -174,21 +175,21 @@ impl<'s> TestedDrives<'s> {
         };
         let parameters: Vec<_> = ranges.iter().map(|range| range.parameter).collect();
         let mut points = points(setup, ranges);
-        let further = points.split_off(points.len().min(TESTED_FIRST * parameters.len()));
-        let reference = REFERENCE * LONGEST_STEP;
+        let untested_points = points.split_off(points.len().min(TESTED_FIRST * parameters.len()));
+        let reference_step = REFERENCE * LONGEST_STEP;
         let batch = Batch::new(
-            &with_method_and_step(setup, METHOD, reference),
+            &with_method_and_step(setup, METHOD, reference_step),
             &parameters,
             &lengths,
             &[],
         )?;
-        let exact = flown(&batch, points.clone(), stop)?;
+        let reference = flown(&batch, points.clone(), stop)?;
         Ok(Self {
             batch,
             points,
-            further,
+            untested_points,
+            reference_step,
             reference,
-            exact,
             stop,
         })
     }
@@ -200,21 +201,21 @@ impl<'s> TestedDrives<'s> {
     /// Repeats the reference flights with a shorter step, if the reference step is too long for a
     /// test of `step`.
     fn refine(&mut self, step: f64) -> Result<()> {
-        if self.reference > (REFERENCE * step).max(SHORTEST_REFERENCE) {
+        if self.reference_step > (REFERENCE * step).max(SHORTEST_REFERENCE) {
             // half as long as needed, so that the reference also serves the next trial steps
-            self.reference = (0.5 * REFERENCE * step).max(SHORTEST_REFERENCE);
-            self.exact = self.flown(self.reference)?;
+            self.reference_step = (0.5 * REFERENCE * step).max(SHORTEST_REFERENCE);
+            self.reference = self.flown(self.reference_step)?;
         }
         Ok(())
     }
 
     /// Adds the drives that were not tested yet to the sample. Returns false if there are none.
     fn test_all(&mut self) -> Result<bool> {
-        if self.further.is_empty() {
+        if self.untested_points.is_empty() {
             return Ok(false);
         }
-        self.points.append(&mut self.further);
-        self.exact = self.flown(self.reference)?;
+        self.points.append(&mut self.untested_points);
+        self.reference = self.flown(self.reference_step)?;
         Ok(true)
     }
 
@@ -228,7 +229,7 @@ impl<'s> TestedDrives<'s> {
             method: METHOD,
             step,
             error: 0.0,
-            drives: self.exact.defects().count(),
+            drives: self.reference.defects().count(),
             largest_defect: ROUNDING,
         };
         let failing = |what: String| {
@@ -238,10 +239,11 @@ impl<'s> TestedDrives<'s> {
                 METHOD.name()
             )))
         };
-        let with = |status| (0..self.exact.rows()).find(|&row| self.exact.status(row) == status);
+        let with =
+            |status| (0..self.reference.rows()).find(|&row| self.reference.status(row) == status);
         match (with(Status::Landed), with(Status::Diverged)) {
             // a drive not tested yet may land
-            (None, _) if !self.further.is_empty() => return Ok(Ok(found)),
+            (None, _) if !self.untested_points.is_empty() => return Ok(Ok(found)),
             (None, None) => {
                 return Err(Error::NoFlight {
                     status: "no-flight",
@@ -254,7 +256,8 @@ impl<'s> TestedDrives<'s> {
         }
         for phase in 0..PHASES {
             let flown = self.flown(step * (1.0 - PHASE_DIFFERENCE * f64::from(phase)))?;
-            for row in (0..flown.rows()).filter(|&row| self.exact.status(row) == Status::Landed) {
+            for row in (0..flown.rows()).filter(|&row| self.reference.status(row) == Status::Landed)
+            {
                 match self.largest_error(&flown, row, limit) {
                     Ok(error) => found.error = found.error.max(error),
                     Err(what) => return failing(what),
@@ -281,7 +284,7 @@ impl<'s> TestedDrives<'s> {
         let mut largest = 0.0_f64;
         for (i, of) in self.batch.outcomes().iter().enumerate() {
             let (name, status) = (of.name(), flown.status(row));
-            let error = match (self.exact.outcome(row, i), flown.outcome(row, i)) {
+            let error = match (self.reference.outcome(row, i), flown.outcome(row, i)) {
                 (Some(exact), Some(flown)) => (flown - exact).abs(),
                 // the ball lands but does not come to rest, so this outcome does not exist
                 (None, None) if of.needs_run() => continue,
@@ -302,11 +305,15 @@ impl<'s> TestedDrives<'s> {
 
     /// The drive of a row, for a message.
     fn drive(&self, row: usize) -> String {
-        let values = self.batch.parameters().iter().zip(self.exact.point(row));
+        let values = self
+            .batch
+            .parameters()
+            .iter()
+            .zip(self.reference.point(row));
         let values = values.map(|(parameter, value)| {
             format!("{} = {}", parameter.name, parameter.show(Some(*value)))
         });
-        match self.exact.rows() {
+        match self.reference.rows() {
             1 => "the drive".into(),
             _ => format!("the drive with {}", values.collect::<Vec<_>>().join(", ")),
         }

@@ -32,7 +32,7 @@ pub(super) struct DifferenceQuotient {
 
 /// An extrapolation combines at most as many differences as reduce its error to O(h⁸): four central
 /// or eight one-sided differences.
-const MOST_POWER: u8 = 8;
+const LARGEST_ORDER: u8 = 8;
 
 /// Derivative from differences.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +54,7 @@ pub(super) fn estimate(
 ) -> Option<DerivativeEstimate> {
     let mut best: Option<DerivativeEstimate> = None;
     for first in (0..differences.len()).rev() {
-        for count in 2..=usize::from(MOST_POWER / side.power()).min(differences.len() - first) {
+        for count in 2..=usize::from(LARGEST_ORDER / side.power()).min(differences.len() - first) {
             let stretch = differences[first..first + count]
                 .iter()
                 .copied()

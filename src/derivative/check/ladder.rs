@@ -15,7 +15,7 @@ pub(super) const LEAST_STEP: f64 = 1e-6;
 /// Smallest assumed size of a function, relative to the terms from which the function is computed.
 /// With a smaller size, the largest tolerance of [`Demand::FIRST`](super::Demand::FIRST) would be
 /// below the rounding error.
-const LEAST_LEFT: f64 = 1e-5;
+const LEAST_RELATIVE_SIZE: f64 = 1e-5;
 
 /// Range of steps, relative to the scale, at which second differences are pure rounding.
 const ROUNDING_ONLY: std::ops::Range<f64> = 1e-12..2e-9;
@@ -43,7 +43,7 @@ pub struct Ladder {
     pub size: f64,
     /// Size of the terms from which f is computed, at least [`size`](Self::size). It determines the
     /// rounding error of f.
-    pub rounded: f64,
+    pub rounding_size: f64,
     /// Samples, the largest step first.
     pub rungs: Vec<Rung>,
 }
@@ -62,7 +62,7 @@ impl Ladder {
             scale,
             centre,
             size: centre.abs(),
-            rounded: centre.abs(),
+            rounding_size: centre.abs(),
             rungs: vec![],
         };
         let mut ladders: Vec<Self> = f(at).into_iter().map(blank).collect();
@@ -103,8 +103,8 @@ impl Ladder {
     #[must_use]
     pub fn with_rounding_size(self, size: f64) -> Self {
         Self {
-            size: self.size.max(LEAST_LEFT * size),
-            rounded: self.rounded.max(size),
+            size: self.size.max(LEAST_RELATIVE_SIZE * size),
+            rounding_size: self.rounding_size.max(size),
             ..self
         }
     }

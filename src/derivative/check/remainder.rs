@@ -28,7 +28,7 @@ fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
             let remainder = (value - ladder.centre - polynomial(sign * rung.step)).abs();
             // if large terms of the function cancel, their rounding also affects the change of the
             // function over a step
-            let of_the_change = rounding_of(ladder.rounded * rung.step / size);
+            let of_the_change = rounding_of(ladder.rounding_size * rung.step / size);
             (remainder > ABOVE_ROUNDING * rounding.max(rounding_of(value)).max(of_the_change))
                 .then(|| ((rung.step / size).log10(), remainder.log10()))
         };

@@ -169,7 +169,7 @@ impl Ladder {
         let curve = self.rungs.iter().filter_map(plain).collect();
         let sides = self.corner();
         let size = exact.abs().max(self.negligible_size());
-        let least = demand.least_tolerance * size + OWN_ROUNDING * self.rounded / self.scale;
+        let least = demand.least_tolerance * size + OWN_ROUNDING * self.rounding_size / self.scale;
         let tolerance_of =
             |found: &DerivativeEstimate| least.max(TOLERANCE_FACTOR * found.uncertainty);
         let is_resolved = |tolerance: f64| {
@@ -236,7 +236,7 @@ impl Ladder {
         let (below, above) = (self.slope(Side::Below, 0.0)?, self.slope(Side::Above, 0.0)?);
         let distance = (above.value - below.value).abs();
         let size = above.value.abs().max(below.value.abs());
-        let rounding = rounding_of(self.rounded) / (LEAST_STEP * self.scale);
+        let rounding = rounding_of(self.rounding_size) / (LEAST_STEP * self.scale);
         let limit = (10.0 * (above.uncertainty + below.uncertainty))
             .max(1e-4 * size)
             .max(rounding);

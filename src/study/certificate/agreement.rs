@@ -43,7 +43,7 @@ impl Agreement {
     /// `ladder` has the sizes from which the rounding error follows.
     pub fn new(jet: f64, num_dual: f64, ladder: &Ladder) -> Self {
         let size = num_dual.abs().max(ladder.negligible_size());
-        let tolerance = RELATIVE * size + ROUNDING * ladder.rounded / ladder.scale;
+        let tolerance = RELATIVE * size + ROUNDING * ladder.rounding_size / ladder.scale;
         let difference = (jet - num_dual).abs();
         Self {
             // a difference that is NaN fails

@@ -222,7 +222,7 @@ impl<'a> Neighbours<'a> {
             let curvature = curvatures?[i];
             let gradients = gradients
                 .with_least_size(values[i].size / self.scale)
-                .with_rounding_size(values[i].rounded / self.scale);
+                .with_rounding_size(values[i].rounding_size / self.scale);
             Some(gradients.judge(curvature, Demand::SECOND))
         };
         let fails = |second: &Option<Check>| second.as_ref().is_some_and(Check::failed);
