@@ -626,7 +626,7 @@ fn default_uncertainties_have_a_source_or_are_marked_as_assumed() {
 
 /// A table of deliveries of the default setup at these club speeds, with the computed outcomes
 /// `of`, and with the uncertainty `sigma` of each if it is stated.
-fn flown(speeds: &[f64], of: &[Outcome], sigma: Option<f64>) -> String {
+fn table_of_deliveries(speeds: &[f64], of: &[Outcome], sigma: Option<f64>) -> String {
     let sigmas = |outcome: &Outcome| {
         sigma.map_or(String::new(), |_| format!(",sigma {}", with_unit(*outcome)))
     };
@@ -708,7 +708,8 @@ fn exact_fits_without_residuals_are_converged() {
             None,
         ),
     ] {
-        let (status, text, found) = text_and_json(&flown(speeds, outcomes, sigma), &fit);
+        let (status, text, found) =
+            text_and_json(&table_of_deliveries(speeds, outcomes, sigma), &fit);
         assert_eq!(
             (status, found["status"].as_str()),
             (0, Some("converged")),
@@ -747,7 +748,7 @@ fn confounded_parameters_are_no_answer() {
     // shaft lean and loft rotate the face by their sum: the launch hardly depends on their
     // difference
     let launch = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Spin];
-    let text = flown(&[42.0, 46.0, 50.0, 54.0], &launch, Some(0.3));
+    let text = table_of_deliveries(&[42.0, 46.0, 50.0, 54.0], &launch, Some(0.3));
     for start in ["0deg", "4deg"] {
         let lean = format!("swing.shaft_lean={start}");
         let (status, answered, found) = text_and_json(
@@ -791,7 +792,7 @@ fn confounded_parameters_are_no_answer() {
     // starts within the range of the viscosity, the other one at a bound of its range
     for range in ["air.viscosity", "air.viscosity=1e-5Pas..1.837e-5Pas"] {
         let (status, answered, found) = text_and_json(
-            &flown(&[45.0, 50.0], &[Outcome::Carry], None),
+            &table_of_deliveries(&[45.0, 50.0], &[Outcome::Carry], None),
             &[
                 "--set",
                 "aero.law=linear",
@@ -819,7 +820,7 @@ fn confounded_parameters_are_no_answer() {
 
 #[test]
 fn one_datum_and_parameters_all_on_bounds_are_reported() {
-    let text = flown(&[50.0], &[Outcome::Carry], None);
+    let text = table_of_deliveries(&[50.0], &[Outcome::Carry], None);
     let (status, answered, _) = text_and_json(&text, &["--fit", "aero.cd0"]);
     assert_eq!(status, 0, "{answered}");
     // even with the smallest drag of its range, the computed carry is shorter than the measured one

@@ -8,7 +8,7 @@ use longdrive::units::System;
 
 /// The numbers that have one of these units and are not followed by a number in the other system in
 /// parentheses.
-fn alone<'a>(text: &'a str, units: &[&str]) -> Vec<&'a str> {
+fn numbers_in_one_system<'a>(text: &'a str, units: &[&str]) -> Vec<&'a str> {
     let all: Vec<&str> = text.split_whitespace().collect();
     let is_number =
         |word: &str| word.starts_with(|c: char| c.is_ascii_digit() || ['+', '-'].contains(&c));
@@ -57,11 +57,15 @@ fn published_numbers_of_mae494_keep_their_units_and_computed_ones_have_the_chose
         "{us}"
     );
     assert_eq!(
-        alone(&metric, &["yd", "mph", "yd/rad"]),
+        numbers_in_one_system(&metric, &["yd", "mph", "yd/rad"]),
         [""; 0],
         "{metric}"
     );
-    assert_eq!(alone(&us, &["m", "m/s", "m/rad"]), [""; 0], "{us}");
+    assert_eq!(
+        numbers_in_one_system(&us, &["m", "m/s", "m/rad"]),
+        [""; 0],
+        "{us}"
+    );
 }
 
 #[test]
@@ -93,8 +97,12 @@ fn published_numbers_of_winfield_and_tan_keep_their_units_and_computed_ones_have
         "{metric}"
     );
     assert!(!metric.contains("NaN") && !us.contains("NaN"), "{us}");
-    assert_eq!(alone(&metric, &["yd", "mph"]), [""; 0], "{metric}");
-    assert_eq!(alone(&us, &["m"]), [""; 0], "{us}");
+    assert_eq!(
+        numbers_in_one_system(&metric, &["yd", "mph"]),
+        [""; 0],
+        "{metric}"
+    );
+    assert_eq!(numbers_in_one_system(&us, &["m"]), [""; 0], "{us}");
 }
 
 #[test]
@@ -153,7 +161,11 @@ fn heights_in_messages_have_the_chosen_units() {
             let text = on_one_line(&(output.out + &output.err));
             assert!(text.contains(shown), "{args:?} {units}: {text}");
             let others: &[&str] = if units == "us" { &["m"] } else { &["yd"] };
-            assert_eq!(alone(&text, others), [""; 0], "{args:?} {units}: {text}");
+            assert_eq!(
+                numbers_in_one_system(&text, others),
+                [""; 0],
+                "{args:?} {units}: {text}"
+            );
         }
     }
 }

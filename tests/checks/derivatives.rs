@@ -15,7 +15,7 @@ use longdrive::{Drive, Error, Outcome, Setup};
 use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
 /// Outcomes of a setup over another number, with loft and attack angle as its variables.
-fn over<D: Number, const N: usize>(
+fn outcomes_with_variables<D: Number, const N: usize>(
     setup: &Setup<f64>,
     of: [Outcome; N],
     variable: impl Fn(f64, usize) -> D,
@@ -33,13 +33,16 @@ fn over<D: Number, const N: usize>(
 fn independent_number_types_of_num_dual_agree_with_ours() {
     for setup in landing(60) {
         let of = [Outcome::Carry, Outcome::Lateral, Outcome::DescentAngle];
-        let first = over(&setup, of, Jet::<2>::variable);
-        let duals =
-            [0, 1].map(|i| over(&setup, of, |value, k| Dual64::new(value, f64::from(k == i))));
+        let first = outcomes_with_variables(&setup, of, Jet::<2>::variable);
+        let duals = [0, 1].map(|i| {
+            outcomes_with_variables(&setup, of, |value, k| Dual64::new(value, f64::from(k == i)))
+        });
         let pairs = [(0, 0), (1, 0), (1, 1), (0, 1)];
-        let seconds = pairs.map(|(i, j)| over(&setup, of, |value, k| mixed(value, k == i, k == j)));
+        let seconds = pairs.map(|(i, j)| {
+            outcomes_with_variables(&setup, of, |value, k| mixed(value, k == i, k == j))
+        });
         let hypers = pairs.map(|(i, j)| {
-            over(&setup, of, |value, k| {
+            outcomes_with_variables(&setup, of, |value, k| {
                 HyperDual64::new(value, f64::from(k == i), f64::from(k == j), 0.0)
             })
         });

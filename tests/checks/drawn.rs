@@ -34,7 +34,7 @@ fn in_large_steps() -> Setup<f64> {
 }
 
 /// An outcome of the setup with some parameters changed.
-pub fn flown(setup: &Setup<f64>, values: &[(&str, f64)], of: Outcome) -> f64 {
+pub fn outcome_at(setup: &Setup<f64>, values: &[(&str, f64)], of: Outcome) -> f64 {
     let mut moved = *setup;
     for (name, value) in values {
         moved
@@ -45,7 +45,7 @@ pub fn flown(setup: &Setup<f64>, values: &[(&str, f64)], of: Outcome) -> f64 {
 }
 
 /// An optimum, the region of small loss around it, and the map of carry with both.
-fn mapped(
+fn optimum_with_map(
     setup: &Setup<f64>,
     vary: [&str; 2],
     constraints: &[&str],
@@ -127,13 +127,13 @@ fn drives_on_the_edge_of_the_region_of_small_loss_have_that_loss_and_meet_every_
         &["apex_height <= 33 yd", "descent_angle >= 38 deg"],
         &["1900 rpm <= backspin <= 2100 rpm"],
     ] {
-        let (best, region, figure) = mapped(&setup, [LOFT, ATTACK], constraints);
+        let (best, region, figure) = optimum_with_map(&setup, [LOFT, ATTACK], constraints);
         assert!(region.is_some(), "{constraints:?}");
         let edge: Vec<[f64; 2]> = rings(&figure, false).concat();
         assert!(edge.len() > 40, "{constraints:?}: {} points", edge.len());
         for [loft, attack] in edge.into_iter().step_by(3) {
             let at = [("club.loft", loft), ("swing.attack_angle", attack)];
-            let value = |of: Outcome| flown(&best.setup, &at, of);
+            let value = |of: Outcome| outcome_at(&best.setup, &at, of);
             let lost = (best.value().unwrap() - value(Outcome::Carry)) / YARD;
             assert!(lost <= 1.002, "{constraints:?} at {at:?}: {lost} yd lost");
             let mut is_edge = lost > 0.94;
@@ -178,7 +178,7 @@ fn drives_on_the_edge_of_the_region_of_small_loss_have_that_loss_and_meet_every_
 /// be wrong.
 #[test]
 fn no_ellipse_is_printed_with_an_active_constraint() {
-    let (best, ..) = mapped(
+    let (best, ..) = optimum_with_map(
         &in_large_steps(),
         [LOFT, ATTACK],
         &["apex_height <= 33 yd", "descent_angle >= 38 deg"],
@@ -189,7 +189,7 @@ fn no_ellipse_is_printed_with_an_active_constraint() {
 
 #[test]
 fn only_the_infeasible_region_is_hatched() {
-    let (best, _, figure) = mapped(
+    let (best, _, figure) = optimum_with_map(
         &in_large_steps(),
         [LOFT, ATTACK],
         &["33 deg <= descent_angle <= 38 deg"],
@@ -202,7 +202,7 @@ fn only_the_infeasible_region_is_hatched() {
             let part =
                 |vary: &Vary, k: usize| vary.low + (k as f64 + 0.5) / 12.0 * (vary.high - vary.low);
             let at = [part(&across, i), part(&up, j)];
-            let descent = flown(
+            let descent = outcome_at(
                 &best.setup,
                 &[("club.loft", at[0]), ("swing.attack_angle", at[1])],
                 Outcome::DescentAngle,
@@ -218,7 +218,7 @@ fn only_the_infeasible_region_is_hatched() {
     }
     assert!(seen.iter().all(|count| *count > 5), "{seen:?}");
     assert!(figure.note.contains("Hatched: "), "{}", figure.note);
-    let (_, _, figure) = mapped(
+    let (_, _, figure) = optimum_with_map(
         &in_large_steps(),
         [LOFT, ATTACK],
         &["descent_angle >= 1 deg"],
@@ -231,7 +231,7 @@ fn an_equation_keeps_the_part_of_its_line_with_small_loss() {
     let mut setup = in_large_steps();
     setup.set("swing.path", "3 deg").unwrap();
     let face = "swing.face_angle=-3deg..6deg";
-    let (best, region, figure) = mapped(&setup, [LOFT, face], &["lateral == 0 m"]);
+    let (best, region, figure) = optimum_with_map(&setup, [LOFT, face], &["lateral == 0 m"]);
     assert!(region.unwrap().equation.is_some());
     assert!(
         figure
@@ -257,7 +257,7 @@ fn an_equation_keeps_the_part_of_its_line_with_small_loss() {
     assert!(line.len() > 20);
     for [loft, face] in line {
         let value = |of: Outcome| {
-            flown(
+            outcome_at(
                 &best.setup,
                 &[("club.loft", loft), ("swing.face_angle", face)],
                 of,
@@ -276,7 +276,7 @@ fn an_equation_keeps_the_part_of_its_line_with_small_loss() {
 #[test]
 fn an_equation_that_holds_everywhere_does_not_change_the_region() {
     let [with, without] = [&["lateral == 0 m"][..], &[]]
-        .map(|limits| mapped(&in_large_steps(), [LOFT, ATTACK], limits));
+        .map(|limits| optimum_with_map(&in_large_steps(), [LOFT, ATTACK], limits));
     let region = with.1.expect("the region");
     assert_eq!(
         (region.equation, rings(&with.2, false).len()),
@@ -294,7 +294,7 @@ fn an_equation_that_holds_everywhere_does_not_change_the_region() {
 fn a_map_states_its_point_and_has_names() {
     let mut setup = setup();
     setup.set("swing.speed", "97 mph").unwrap();
-    let (_, _, figure) = mapped(&setup, [LOFT, ATTACK], &["descent_angle >= 38 deg"]);
+    let (_, _, figure) = optimum_with_map(&setup, [LOFT, ATTACK], &["descent_angle >= 38 deg"]);
     assert!(figure.subtitle.contains("97 mph"), "{}", figure.subtitle);
     for width in [240, 480, 1200] {
         let svg = figure_svg(
@@ -450,7 +450,7 @@ fn line_of(figure: &Figure, name: &str) -> Vec<[f64; 2]> {
 }
 
 /// The name of the largest ellipse of the first drive on a fairway.
-fn outer(figure: &Figure) -> String {
+fn largest_ellipse_name(figure: &Figure) -> String {
     let names = figure.layers.iter().map(|layer| layer.named().0);
     names
         .into_iter()
@@ -486,7 +486,7 @@ fn trajectories_and_landings_are_drawn_at_true_scale() {
             &[Landing::of("as set up", &setup, &sigmas).unwrap()],
             System::Us,
         );
-        let [across, up] = scales(&figure, &line_of(&figure, &outer(&figure)));
+        let [across, up] = scales(&figure, &line_of(&figure, &largest_ellipse_name(&figure)));
         close(up, across, across, 0.02, "landings");
     }
 }
@@ -712,7 +712,7 @@ fn same_ellipses_on_the_fairway_and_in_uncertainty() {
         ) && run.named().1 == own.named().1
     );
     let wide = landing.ellipses[1];
-    for point in line_of(&figure, &outer(&figure)) {
+    for point in line_of(&figure, &largest_ellipse_name(&figure)) {
         let out = |part: f64| {
             let centre = [wide.centre.lateral, wide.centre.carry];
             [0, 1].map(|axis| centre[axis] + part * (point[axis] - centre[axis]))
@@ -828,7 +828,7 @@ fn same_flights_in_a_launch_map_and_alone() {
     let map = Launches::around(&[("as set up", &setup), ("optimum", &best.setup)]).unwrap();
     let own = Drive::new(&setup).unwrap();
     let carry = |angle: f64, backspin: f64| {
-        flown(
+        outcome_at(
             &map.setup,
             &[
                 ("launch.launch_angle", angle),
@@ -900,7 +900,7 @@ fn rings_on_the_face_have_their_loss_and_arrows_tilt_with_the_spin_axis() {
     let face = Face::of(&setup).unwrap();
     let figure = face_figure(&face, System::Us);
     let strike = |toe: f64, high: f64, of: Outcome| {
-        flown(&setup, &[("strike.toe", toe), ("strike.high", high)], of)
+        outcome_at(&setup, &[("strike.toe", toe), ("strike.high", high)], of)
     };
     for (name, lost) in [("−1 yd", 1.0), ("−5 yd", 5.0), ("−10 yd", 10.0)] {
         let ring: Vec<_> = line_of(&figure, name)

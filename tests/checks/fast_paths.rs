@@ -29,7 +29,7 @@ fn fast(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter], order: Orde
 }
 
 /// An outcome by `Drive::new` over a number type: without lanes and without the chain rule.
-fn general<D: Number>(setup: &Setup<f64>, of: Outcome, variable: impl Fn(f64, usize) -> D) -> D {
+fn by_drive<D: Number>(setup: &Setup<f64>, of: Outcome, variable: impl Fn(f64, usize) -> D) -> D {
     let lifted = setup.map(
         |row, value| match TWO.iter().position(|name| *name == row.name) {
             Some(k) => variable(value, k),
@@ -76,7 +76,7 @@ fn agrees(setup: &Setup<f64>) {
         Outcome::DescentAngle,
         Outcome::Total,
     ] {
-        let jet = general(setup, of, Jet::<2>::variable);
+        let jet = by_drive(setup, of, Jet::<2>::variable);
         let (value, first, second) = (
             fast(setup, of, &wrt, Order::Value),
             fast(setup, of, &wrt, Order::First),
@@ -103,7 +103,7 @@ fn agrees(setup: &Setup<f64>) {
             .flatten()
             .fold(1.0, |most: f64, h| most.max(h.abs()));
         for (i, j) in [(0, 0), (0, 1), (1, 1)] {
-            let jet2 = general(setup, of, |value, k| mixed(value, k == i, k == j));
+            let jet2 = by_drive(setup, of, |value, k| mixed(value, k == i, k == j));
             close(
                 second.hessian[i][j],
                 jet2.gradient[0].gradient[0],

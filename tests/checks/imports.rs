@@ -115,11 +115,11 @@ fn defined(files: &BTreeMap<String, Names>, module: &str, path: &str) -> String 
     }
     // a re-export with the path sought is that of a macro which this file defines: it leads to no
     // other file
-    let handed_on = files[module]
+    let reexport = files[module]
         .uses
         .iter()
         .find(|of| of.is_reexport && of.name == name && of.path != path);
-    handed_on.map_or(module.to_owned(), |of| defined(files, module, &of.path))
+    reexport.map_or(module.to_owned(), |of| defined(files, module, &of.path))
 }
 
 /// Imports of each file.

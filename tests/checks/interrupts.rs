@@ -77,11 +77,11 @@ impl AtWork {
         self.read("err").contains(text)
     }
 
-    fn has_computed(&self) -> bool {
-        self.has_computed_for(STARTED_AFTER)
+    fn has_used_time(&self) -> bool {
+        self.has_used(STARTED_AFTER)
     }
 
-    fn has_computed_for(&self, hundredths: u64) -> bool {
+    fn has_used(&self, hundredths: u64) -> bool {
         match self.used() {
             Some((_, used)) => used >= hundredths,
             None => {
@@ -118,13 +118,13 @@ impl AtWork {
 /// Output of a command that is interrupted as soon as it computes.
 pub fn interrupted(args: &[&str]) -> Output {
     let mut program = AtWork::new(args);
-    program.wait_until(AtWork::has_computed);
+    program.wait_until(AtWork::has_used_time);
     program.interrupted()
 }
 
 /// The JSON output, checked against its schema in docs/schema.
 fn interrupted_json(args: &[&str]) -> Value {
-    interrupted_json_once(args, AtWork::has_computed)
+    interrupted_json_once(args, AtWork::has_used_time)
 }
 
 /// The JSON output of a command that is interrupted once `is_time` returns true.
@@ -159,12 +159,12 @@ fn work_without_a_part_of_an_answer_ends_with_nothing_printed_or_written() {
         vec!["reproduce", "mae494", "-o", &study],
     ] {
         // `reproduce` takes only a second or two: its printed progress shows that it has begun
-        let is_told = args[0] == "reproduce";
+        let has_progress = args[0] == "reproduce";
         let is_time = |program: &AtWork| {
-            if is_told {
+            if has_progress {
                 program.has_printed("computing")
             } else {
-                program.has_computed()
+                program.has_used_time()
             }
         };
         let message = interrupted_json_once(&args, is_time)["message"]
@@ -416,7 +416,7 @@ fn searches_over_very_many_swings_are_interrupted_within_an_evaluation() {
     ] {
         let after = |hundredths| {
             let found = interrupted_json_once(&[&args[..], &swings].concat(), |program| {
-                program.has_computed_for(hundredths)
+                program.has_used(hundredths)
             });
             (found["message"].as_str().unwrap().to_owned(), found)
         };

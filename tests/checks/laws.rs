@@ -468,7 +468,7 @@ fn a_range_without_an_upper_end_prints_as_at_least() {
 }
 
 /// The rows of a plot's data: kind, name, x, y.
-fn drawn(more: &[&str]) -> (Vec<(String, String, f64, f64)>, serde_json::Value) {
+fn plotted_rows(more: &[&str]) -> (Vec<(String, String, f64, f64)>, serde_json::Value) {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("laws.csv").to_str().unwrap().to_owned();
     let (status, answer) = json(&[&["plot", "laws", "-o", &file], more].concat());
@@ -493,7 +493,7 @@ fn drawn(more: &[&str]) -> (Vec<(String, String, f64, f64)>, serde_json::Value) 
 /// The points are those of the source's table.
 #[test]
 fn same_curves_in_a_plot_of_laws_and_points_of_its_sources() {
-    let (rows, _) = drawn(&["--laws", "ferguson,naruo-mizota,linear", "--show", "cl"]);
+    let (rows, _) = plotted_rows(&["--laws", "ferguson,naruo-mizota,linear", "--show", "cl"]);
     for (kind, name, s, lift) in rows
         .iter()
         .filter(|(kind, .., y)| kind == "line" && y.is_finite())
@@ -533,7 +533,8 @@ fn same_curves_in_a_plot_of_laws_and_points_of_its_sources() {
     // every point of the table is drawn as a dot, none as a mark
     assert_eq!((names("dots").len(), names("mark").len()), (table, 0));
     // the drag of Lyu over the Reynolds number, for any spin
-    let (rows, answer) = drawn(&["--laws", "lyu", "--over", "reynolds", "--spin-ratio", "0.2"]);
+    let (rows, answer) =
+        plotted_rows(&["--laws", "lyu", "--over", "reynolds", "--spin-ratio", "0.2"]);
     for (_, _, reynolds, drag) in rows
         .iter()
         .filter(|(kind, .., drag)| kind == "line" && drag.is_finite())
@@ -560,7 +561,7 @@ fn same_curves_in_a_plot_of_laws_and_points_of_its_sources() {
         .filter_map(|[re, _, drag, _]| Some([(*re)?, (*drag)?]))
         .collect();
     assert_eq!(dots(&rows), drags);
-    let (rows, _) = drawn(&["--laws", "lyu", "--show", "cl"]);
+    let (rows, _) = plotted_rows(&["--laws", "lyu", "--show", "cl"]);
     let lifts: Vec<_> = table
         .iter()
         .filter_map(|[_, s, _, lift]| Some([(*s)?, (*lift)?]))
@@ -670,7 +671,7 @@ fn a_plot_of_laws_draws_all_of_them_and_refuses_other_options() {
     )
     .unwrap();
     let own = format!("aero.table={}", file("mine.csv"));
-    let (rows, _) = drawn(&["--set", &own]);
+    let (rows, _) = plotted_rows(&["--set", &own]);
     for name in Law::NAMES.iter().copied().chain(["table"]) {
         assert!(
             rows.iter().any(|row| row.0 == "line" && row.1 == name),
@@ -685,7 +686,7 @@ fn a_plot_of_laws_draws_all_of_them_and_refuses_other_options() {
     assert_eq!(mine, [(0.0, 0.2), (0.1, 0.25)]);
     // beyond the nodes of a table and the clamp of a law's variable, the curves are constant
     std::fs::write(file("mine.csv"), "s,cd,cl\n0.1,0.25,0.15\n0.2,0.27,0.2\n").unwrap();
-    let (rows, _) = drawn(&["--set", &own, "--laws", "table,lyu,launch-monitor"]);
+    let (rows, _) = plotted_rows(&["--set", &own, "--laws", "table,lyu,launch-monitor"]);
     for name in [
         "table (held)",
         "lyu (extrapolated or held)",

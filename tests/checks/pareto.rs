@@ -24,9 +24,9 @@ impl Functions for Distances {
 }
 
 /// x² + (y − 3)², and (x − 1)², which does not depend on y.
-struct Blind;
+struct IndependentOfY;
 
-impl Functions for Blind {
+impl Functions for IndependentOfY {
     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
         Ok(Evaluation {
             objective: x[0].powi(2) + (x[1] - 3.0).powi(2),
@@ -37,9 +37,9 @@ impl Functions for Blind {
 
 /// 1 − exp(−|x − p|²) and 1 − exp(−|x + p|²), p = (1, 1)/√2, a concave front (Fonseca & Fleming
 /// 1995).
-struct Hollow;
+struct Concave;
 
-impl Functions for Hollow {
+impl Functions for Concave {
     fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
         let at = |p: f64| -(-((x[0] - p).powi(2) + (x[1] - p).powi(2))).exp() + 1.0;
         Ok(Evaluation {
@@ -265,7 +265,7 @@ fn exact_slope_at_an_end_where_a_bound_begins() {
 
 #[test]
 fn end_of_a_front_among_equal_minima() {
-    let found = between(Blind, [-5.0; 2], [5.0; 2], 5);
+    let found = between(IndependentOfY, [-5.0; 2], [5.0; 2], 5);
     for point in &found.points {
         close(point.x[1], 3.0, 1.0, 1e-5, "y");
     }
@@ -280,11 +280,11 @@ fn end_of_a_front_among_equal_minima() {
 
 #[test]
 fn concave_and_straight_fronts_have_no_knee() {
-    let hollow = between(Hollow, [-2.0; 2], [2.0; 2], 11);
-    assert_eq!((hollow.points.len(), hollow.knee), (11, None));
+    let concave = between(Concave, [-2.0; 2], [2.0; 2], 11);
+    assert_eq!((concave.points.len(), concave.knee), (11, None));
     // the front is convex only close to its ends
-    assert!(hollow.relative_bulge < 1e-3, "{}", hollow.relative_bulge);
-    for point in &hollow.points {
+    assert!(concave.relative_bulge < 1e-3, "{}", concave.relative_bulge);
+    for point in &concave.points {
         close(point.x[0], point.x[1], 1.0, 1e-7, "on the diagonal");
     }
     let straight = between(Straight, [0.0; 2], [1.0; 2], 5);

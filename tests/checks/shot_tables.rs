@@ -2,7 +2,7 @@
 
 use crate::command_line::longdrive;
 use crate::common::close;
-use crate::shots::flown;
+use crate::shots::fly_shots;
 use longdrive::report::ShotWriter;
 use longdrive::shots::{Flown, ShotStatistics, Shots};
 use longdrive::study::calibrate::ShotTable;
@@ -16,7 +16,7 @@ fn bytes(name: &str) -> Vec<u8> {
 }
 
 fn case(name: &str) -> (Shots, Vec<Flown>, ShotStatistics) {
-    flown(Cursor::new(bytes(name)))
+    fly_shots(Cursor::new(bytes(name)))
 }
 
 /// The predicted carries and sides of the rows that land, m.
@@ -39,7 +39,7 @@ fn plain(launches: &[[f64; 5]]) -> Vec<[f64; 2]> {
         let cells: Vec<String> = launch.iter().map(f64::to_string).collect();
         text += &(cells.join(",") + "\n");
     }
-    landed(&flown(Cursor::new(text)).1)
+    landed(&fly_shots(Cursor::new(text)).1)
 }
 
 fn same(name: &str, launches: &[[f64; 5]]) {
@@ -88,7 +88,7 @@ fn same_launches_with_heads_in_other_spellings() {
 fn same_launches_with_decimal_commas_below_heads_with_dots() {
     let text = "Ball Speed [m/s];Launch Ang. [deg];Launch Dir. [deg];Spin Rate [rpm];Spin Axis \
                 [deg]\n61,468;17,8;-3,3;2507;-12,2\n";
-    let (_, found, _) = flown(text.as_bytes());
+    let (_, found, _) = fly_shots(text.as_bytes());
     let expected = plain(&[[61.468 / 0.447_04, 17.8, -3.3, 2507.0, -12.2]]);
     close(
         landed(&found)[0][0],
@@ -131,7 +131,7 @@ fn same_launches_with_units_in_cells() {
             "'160 mph' states another unit than its head, [km/h]",
         ),
     ] {
-        let (_, found, _) = flown(text.as_bytes());
+        let (_, found, _) = fly_shots(text.as_bytes());
         let reasons: Vec<&str> = (0..found[0].rows())
             .filter_map(|row| found[0].reason(row))
             .collect();
@@ -200,7 +200,7 @@ fn same_launches_in_sections_with_their_own_heads_and_units() {
         for flown in &first {
             text.extend(writer.rows(flown));
         }
-        let again = landed(&flown(Cursor::new(text.clone())).1);
+        let again = landed(&fly_shots(Cursor::new(text.clone())).1);
         assert_eq!(
             again,
             landed(&first),
@@ -274,7 +274,7 @@ fn published_signs_of_garmin_are_turned() {
     let text = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
                 Axis [deg],Backspin [rpm],Sidespin [rpm],Carry Deviation \
                 Distance [yd]\n150,12,0,2500,10,2462,-434,12\n";
-    let (_, found, _) = flown(text.as_bytes());
+    let (_, found, _) = fly_shots(text.as_bytes());
     assert!(
         found[0].shots[0].notes.is_empty() && landed(&found)[0][1] > 0.0,
         "{:?}",
@@ -285,7 +285,7 @@ fn published_signs_of_garmin_are_turned() {
     let heads = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
                  Axis [deg],Backspin [rpm],Sidespin [rpm],Carry \
                  Distance [yd],Carry Deviation Distance [yd]\n";
-    let (shots, found, _) = flown(Cursor::new(format!("{heads}{row}{row}")));
+    let (shots, found, _) = fly_shots(Cursor::new(format!("{heads}{row}{row}")));
     assert!(landed(&found).iter().all(|landed| landed[1] < 0.0));
     let remarks: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
     assert!(
@@ -305,7 +305,7 @@ fn a_section_is_interpreted_by_its_own_rows() {
                 Sidespin,Spin Axis,Ball Speed,Launch Angle,Launch Direction,Spin Rate,Carry \
                 Deviation Distance\n\
                 434,10,160,12,0,2500,12\n";
-    let (_, found, tally) = flown(text.as_bytes());
+    let (_, found, tally) = fly_shots(text.as_bytes());
     let carries = landed(&found);
     assert_eq!(
         (tally.flown, carries[0]),
@@ -448,7 +448,7 @@ fn same_launches_in_generated_tables_and_in_a_plain_one() {
                                     .map(|c| u8::try_from(u32::from(c)).unwrap())
                                     .collect(),
                             };
-                            let found = landed(&flown(Cursor::new(bytes)).1);
+                            let found = landed(&fly_shots(Cursor::new(bytes)).1);
                             assert_eq!(found.len(), expected.len(), "{text}");
                             for (found, expected) in found.iter().zip(&expected) {
                                 close(found[0], expected[0], expected[0], 1e-9, &text);
@@ -493,7 +493,7 @@ fn implausible_units_are_warned_of() {
     };
     let text = |speed, carry, side| text_with_head("Ball Speed", speed, carry, side);
     let warned = |text: String| {
-        let (shots, _, tally) = flown(Cursor::new(text));
+        let (shots, _, tally) = fly_shots(Cursor::new(text));
         let warnings = tally.unit_warnings(&shots);
         warnings.iter().map(ToString::to_string).collect::<Vec<_>>()
     };
@@ -592,7 +592,7 @@ fn summary_rows_are_recognised_in_german_too() {
     let rows = "A;257,5;12,0;2600\nDurchschnitt;257,5;12,0;2600\nStandardabweichung;2,5;1,0;200\n\u{d8};257,5;12,0;2600\n";
     let text =
         format!("Spieler;Ballgeschwindigkeit;Abflugwinkel;Drehrate\n;[km/h];[deg];[rpm]\n{rows}");
-    let (_, _, tally) = flown(Cursor::new(text));
+    let (_, _, tally) = fly_shots(Cursor::new(text));
     assert_eq!((tally.rows, tally.flown), (4, 1));
 }
 

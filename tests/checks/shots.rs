@@ -31,7 +31,7 @@ fn path(name: &str) -> PathBuf {
         .join(name)
 }
 
-pub fn flown(text: impl Read + Send + 'static) -> (Shots, Vec<Flown>, ShotStatistics) {
+pub fn fly_shots(text: impl Read + Send + 'static) -> (Shots, Vec<Flown>, ShotStatistics) {
     let setup = Setup::default();
     let mut shots = Shots::read(&setup, "shots.csv", text).unwrap();
     let flying = Flying::new(&setup, &shots, &OF).unwrap();
@@ -49,7 +49,7 @@ pub fn flown(text: impl Read + Send + 'static) -> (Shots, Vec<Flown>, ShotStatis
 }
 
 fn file(name: &str) -> (Shots, Flown, ShotStatistics) {
-    let (shots, mut all, tally) = flown(fs::File::open(path(name)).unwrap());
+    let (shots, mut all, tally) = fly_shots(fs::File::open(path(name)).unwrap());
     assert_eq!(all.len(), 1, "{name}");
     (shots, all.remove(0), tally)
 }
@@ -206,13 +206,13 @@ fn same_table_in_every_encoding() {
         .encode_utf16()
         .flat_map(u16::to_le_bytes)
         .collect();
-    let expected = flown(io::Cursor::new(text.clone())).1.remove(0);
+    let expected = fly_shots(io::Cursor::new(text.clone())).1.remove(0);
     for bytes in [
         format!("\u{feff}\u{feff}{text}").into_bytes(),
         wide,
         text.replace('\n', "\r\n").into_bytes(),
     ] {
-        let found = flown(io::Cursor::new(bytes)).1.remove(0);
+        let found = fly_shots(io::Cursor::new(bytes)).1.remove(0);
         assert_eq!(found.rows(), 2);
         for row in 0..2 {
             assert_eq!(found.predicted(row, 0), expected.predicted(row, 0));
@@ -298,7 +298,7 @@ fn every_row_is_kept_with_its_line_and_its_reason() {
         .fold(HEAD.to_owned(), |text, (row, ..)| text + row + "\n" + good);
     let text = text + "160,12,2500,\"3,262\n" + good;
     let rows = 2 * BAD.len() + 2;
-    let (shots, all, tally) = flown(io::Cursor::new(text.clone()));
+    let (shots, all, tally) = fly_shots(io::Cursor::new(text.clone()));
     let flown = &all[0];
     assert_eq!(
         (flown.rows(), tally.rows, tally.flown),
@@ -349,7 +349,7 @@ fn every_row_is_kept_with_its_line_and_its_reason() {
             }
             continue;
         }
-        let again = crate::shots::flown(io::Cursor::new(written));
+        let again = crate::shots::fly_shots(io::Cursor::new(written));
         assert_eq!(
             (again.2.rows, again.2.flown),
             (rows as u64, rows as u64 / 2),
@@ -371,7 +371,7 @@ fn every_row_is_kept_with_its_line_and_its_reason() {
     }
     // an impossible measured value does not prevent the flight
     let odd = format!("{HEAD}160,12,2500,3,5000\n160,12,2500,3,far\n160,12,2500,3,0\n");
-    let (_, all, tally) = crate::shots::flown(io::Cursor::new(odd));
+    let (_, all, tally) = crate::shots::fly_shots(io::Cursor::new(odd));
     assert_eq!((tally.flown, tally.noted, tally.all[0].count()), (3, 3, 0));
     assert!(
         all[0].shots[0].notes[0].starts_with("not compared: Carry: 5000 yd is outside"),
@@ -409,7 +409,7 @@ fn messages_that_cannot_be_flown_give_the_reason() {
         assert_eq!(flown.shots[row].line, row as u64 + 1);
     }
     let metric = "{\"Units\": \"Meters\", \"BallData\": {\"Speed\": 71.5264, \"TotalSpin\": 2500, \"SpinAxis\": 3, \"HLA\": -1.5, \"VLA\": 12}}";
-    let found = crate::shots::flown(io::Cursor::new(metric));
+    let found = crate::shots::fly_shots(io::Cursor::new(metric));
     close(
         found.1[0].predicted(0, 0).unwrap(),
         flown.predicted(0, 0).unwrap(),
@@ -425,7 +425,7 @@ fn messages_that_cannot_be_flown_give_the_reason() {
 fn the_advice_on_a_wrong_unit_of_messages_names_their_units() {
     let message = r#"{"BallData": {"Speed": 160, "VLA": 12, "HLA": 0, "TotalSpin": 2500, "SpinAxis": 0,
         "CarryDistance": 246}}"#;
-    let (shots, _, tally) = flown(io::Cursor::new(message.repeat(8)));
+    let (shots, _, tally) = fly_shots(io::Cursor::new(message.repeat(8)));
     let warnings: Vec<String> = tally
         .unit_warnings(&shots)
         .iter()
@@ -523,7 +523,7 @@ fn tables_without_a_launch_name_the_nearest_head() {
     // if two columns have the same meaning, the first is used, and a remark names the second
     let text =
         "Ball Speed [mph],Ball Speed [m/s],Launch Angle [deg],Spin Rate [rpm]\n165,73.8,11,2500\n";
-    let (shots, ..) = flown(text.as_bytes());
+    let (shots, ..) = fly_shots(text.as_bytes());
     let remarks: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
     assert_eq!(
         remarks,
@@ -534,7 +534,7 @@ fn tables_without_a_launch_name_the_nearest_head() {
     );
     // unused columns are listed, with the nearest known head
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carri [yds]\n160,12,2500,262\n";
-    let (shots, ..) = flown(text.as_bytes());
+    let (shots, ..) = fly_shots(text.as_bytes());
     assert!(
         shots.remarks()[0]
             .to_string()
@@ -552,7 +552,7 @@ fn ambiguous_decimal_and_thousands_marks_are_refused() {
     // a comma that separates no thousands, in a table with commas as separators
     let quoted =
         "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n\"165,5\",\"11,2\",\"2,600\"\n";
-    let (_, all, _) = flown(quoted.as_bytes());
+    let (_, all, _) = fly_shots(quoted.as_bytes());
     let reason = &all[0].shots[0].refusal().unwrap().reason;
     let says = "Ball Speed: '165,5' is not a number: a comma marks decimals only in tables \
                 whose cells are separated by semicolons or \
@@ -566,7 +566,7 @@ fn ambiguous_decimal_and_thousands_marks_are_refused() {
             .contains("the mark in '2.500' may separate decimals or thousands"),
         "{refusal:?}"
     );
-    let rows = |text: &'static str| crate::shots::flown(text.as_bytes());
+    let rows = |text: &'static str| crate::shots::fly_shots(text.as_bytes());
     // points are decimals here, so that a comma separates thousands
     let (_, all, _) = rows(
         "Ball Speed [mph];Launch Angle [deg];Spin Rate [rpm]\n160.5;12.1;2,500\n160.5;12.1;2500\n",
@@ -582,7 +582,7 @@ fn exact_bias_and_errors_by_ball_speed() {
     let speeds = [110.0, 150.0, 155.0, 165.0, 190.0];
     let off = [-1.0, 2.0, -4.0, 3.0, 0.5];
     let row = |speed: f64, carry: f64| format!("{speed},12,2500,3,{carry:?}\n");
-    let carries = flown(io::Cursor::new(
+    let carries = fly_shots(io::Cursor::new(
         speeds
             .iter()
             .fold(HEAD.to_owned(), |text, speed| text + &row(*speed, 100.0)),
@@ -592,7 +592,7 @@ fn exact_bias_and_errors_by_ball_speed() {
     let text = (0..5).fold(HEAD.to_owned(), |text, at| {
         text + &row(speeds[at], carry(at) - off[at])
     });
-    let tally = flown(io::Cursor::new(text)).2;
+    let tally = fly_shots(io::Cursor::new(text)).2;
     let yards = |value: Option<f64>| value.unwrap() / 0.9144;
     close(yards(tally.all[0].bias()), 0.1, 1.0, 1e-9, "bias");
     close(

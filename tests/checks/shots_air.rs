@@ -2,7 +2,7 @@
 
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
-use crate::shots::flown;
+use crate::shots::fly_shots;
 use longdrive::report::ShotWriter;
 use longdrive::shots::Flown;
 use longdrive::study::calibrate::{MeasuredShot, ShotTable};
@@ -14,7 +14,7 @@ use std::io::Cursor;
 
 /// A table that repeats the shot of Garmin's sample for each item of `air`: the cells of its last
 /// four columns.
-fn garmin(air: &[&str]) -> String {
+fn garmin_with_air(air: &[&str]) -> String {
     let text = include_str!("../data/shots/garmin.csv");
     let (heads, row) = text.trim_end().rsplit_once('\n').unwrap();
     let shot = row.strip_suffix("1.184,77,101.3,50").unwrap();
@@ -26,13 +26,13 @@ fn garmin(air: &[&str]) -> String {
 /// A section with that shot whose air column is not recognised, then a section with the shot in air
 /// of 0.9 kg/m³.
 fn air_in_second_section() -> String {
-    let with_air = garmin(&["0.9,77,77.0,50"]);
+    let with_air = garmin_with_air(&["0.9,77,77.0,50"]);
     let without_air = with_air.replace("Air Density", "Note 2");
     format!("{without_air}{with_air}").replace('\u{feff}', "")
 }
 
 /// The shots of a table, in the air that the table states and in the air of the setup.
-fn tables(text: &str) -> [ShotTable; 2] {
+fn read_both_ways(text: &str) -> [ShotTable; 2] {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.csv");
     fs::write(&file, text).unwrap();
@@ -62,13 +62,13 @@ fn carry(density: f64) -> f64 {
 
 #[test]
 fn same_flight_in_the_air_of_an_export_and_in_that_air_set() {
-    let text = garmin(&[
+    let text = garmin_with_air(&[
         "0.997,77,85.3,50",
         ",,,",
         "15,77,101.3,50",
         "1.1,77,101.3,50",
     ]);
-    let (shots, all, _) = flown(Cursor::new(text.clone()));
+    let (shots, all, _) = fly_shots(Cursor::new(text.clone()));
     for (row, density) in [0.997, 1.184, 1.184, 1.1].into_iter().enumerate() {
         close(
             all[0].predicted(row, 0).unwrap(),
@@ -103,7 +103,7 @@ fn same_flight_in_the_air_of_an_export_and_in_that_air_set() {
     );
     // without its unit the column is not read, because it may be in any unit: the shot flies in the
     // air of the setup
-    let (shots, all, _) = flown(Cursor::new(text.replace("[g/L]", "")));
+    let (shots, all, _) = fly_shots(Cursor::new(text.replace("[g/L]", "")));
     close(
         all[0].predicted(0, 0).unwrap(),
         carry(1.184),
@@ -124,8 +124,8 @@ fn same_flight_in_the_air_of_an_export_and_in_that_air_set() {
 
 #[test]
 fn same_air_of_each_row_in_calibrate_and_fly() {
-    let text = garmin(&["0.997,77,85.3,50", ",,,"]);
-    let [table, given] = tables(&text);
+    let text = garmin_with_air(&["0.997,77,85.3,50", ",,,"]);
+    let [table, given] = read_both_ways(&text);
     let air = |table: &ShotTable, shot: usize| {
         table.shots[shot]
             .inputs
@@ -163,7 +163,7 @@ fn same_air_of_each_row_in_calibrate_and_fly() {
 
 #[test]
 fn the_air_that_only_a_second_section_states_is_reported_and_overridden() {
-    let [table, given] = tables(&air_in_second_section());
+    let [table, given] = read_both_ways(&air_in_second_section());
     let has_air = |table: &ShotTable| -> Vec<bool> {
         let is_air = |shot: &MeasuredShot| {
             let mut inputs = shot.inputs.iter();
@@ -187,7 +187,7 @@ fn the_air_that_only_a_second_section_states_is_reported_and_overridden() {
 /// The first section has no air column: it flies in the air of the setup.
 #[test]
 fn same_flight_in_the_air_of_a_second_section_and_in_that_air_set() {
-    let (shots, all, _) = flown(Cursor::new(air_in_second_section()));
+    let (shots, all, _) = fly_shots(Cursor::new(air_in_second_section()));
     for (section, density) in [1.184, 0.9].into_iter().enumerate() {
         let found = all[section].predicted(0, 0).unwrap();
         close(found, carry(density), 250.0, 1e-6, &format!("{density}"));
@@ -213,7 +213,7 @@ fn same_air_in_a_section_far_from_the_beginning() {
     let first = format!("{heads}\n{}", format!("{rows}\n").repeat(500));
     assert!(first.len() > 1 << 16);
     let second = text.replace("Club,", "Club Name,");
-    let (_, all, tally) = flown(Cursor::new(first + &second));
+    let (_, all, tally) = fly_shots(Cursor::new(first + &second));
     assert!(tally.refused.is_empty(), "{:?}", tally.refused);
     let air = |flown: &Flown| flown.shots[0].other_parameters()[0];
     assert_eq!(air(&all[0]), air(all.last().unwrap()));
@@ -224,7 +224,7 @@ fn given_air_overrides_that_of_the_export() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();
     let file = place("r50.csv");
-    fs::write(&file, garmin(&["0.997,77,85.3,50"])).unwrap();
+    fs::write(&file, garmin_with_air(&["0.997,77,85.3,50"])).unwrap();
     let fly = |args: &[&str]| {
         let output = place("flown.jsonl");
         let printed = longdrive(&[&["fly", &file, "-o", &output, "--overwrite"], args].concat());

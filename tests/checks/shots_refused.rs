@@ -2,7 +2,7 @@
 //! --shots` read them as `fly` does.
 
 use crate::command_line::{file_with, json};
-use crate::shots::flown;
+use crate::shots::fly_shots;
 use longdrive::study::calibrate::ShotTable;
 use longdrive::table::RowFilter;
 use longdrive::{Outcome, Setup};
@@ -33,7 +33,7 @@ fn rows(table: &ShotTable) -> Vec<usize> {
 
 /// Numbers of the rows that `fly` flies, counted from 1, and its reasons for refusing the others.
 fn of_fly(text: &str) -> (Vec<usize>, Vec<String>) {
-    let (_, all, _) = flown(Cursor::new(text.to_owned()));
+    let (_, all, _) = fly_shots(Cursor::new(text.to_owned()));
     let (mut rows, mut reasons) = (vec![], vec![]);
     for (at, shot) in all.iter().flat_map(|flown| &flown.shots).enumerate() {
         match shot.refusal() {
@@ -226,7 +226,7 @@ fn no_spin_and_topspin_are_out_of_range_in_every_format() {
         ),
         (message("\"BackSpin\":-2500,\"SideSpin\":0"), top),
     ] {
-        let (_, all, _) = flown(Cursor::new(text.clone()));
+        let (_, all, _) = fly_shots(Cursor::new(text.clone()));
         let refusal = all[0].shots[0]
             .refusal()
             .unwrap_or_else(|| panic!("{text} is flown"));

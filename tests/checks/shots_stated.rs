@@ -2,7 +2,7 @@
 //! columns.
 
 use crate::common::close;
-use crate::shots::flown;
+use crate::shots::fly_shots;
 use longdrive::report::ShotWriter;
 use longdrive::shots::{Flown, Refusal};
 use longdrive::study::calibrate::ShotTable;
@@ -12,7 +12,7 @@ use std::io::Cursor;
 
 /// The flown shots of these rows.
 fn rows(text: &str) -> Flown {
-    flown(Cursor::new(text.to_owned())).1.remove(0)
+    fly_shots(Cursor::new(text.to_owned())).1.remove(0)
 }
 
 /// Backspin and sidespin of a row, rpm.
@@ -250,7 +250,7 @@ fn assumed_uncertainties_of_every_section_are_reported() {
 #[test]
 fn assumed_units_of_the_club_are_reported() {
     let text = "Ball Speed,Launch Angle,Spin Rate,Club Speed,Attack Angle\n150,12,2500,103,-1\n";
-    let (shots, all, _) = flown(text.as_bytes());
+    let (shots, all, _) = fly_shots(text.as_bytes());
     let remarks: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
     let remarks = remarks.join("\n");
     for says in [
@@ -262,7 +262,7 @@ fn assumed_units_of_the_club_are_reported() {
     let speed = all[0].shots[0].club.speed.unwrap();
     close(speed, 103.0 * 0.44704, 46.0, 1e-12, "mph");
     // cells with units
-    let (shots, all, _) = flown(text.replace("103", "46 m/s").leak().as_bytes());
+    let (shots, all, _) = fly_shots(text.replace("103", "46 m/s").leak().as_bytes());
     assert_eq!(all[0].shots[0].club.speed, Some(46.0));
     let remarks: Vec<String> = shots.remarks().iter().map(ToString::to_string).collect();
     assert!(!remarks.join("\n").contains("Club Speed"), "{remarks:?}");
@@ -273,11 +273,11 @@ fn an_unreadable_value_of_the_club_has_a_note() {
     let heads =
         "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Club Speed [mph],Club Path [deg]";
     let text = format!("{heads}\n150,12,2500,fast,2\n");
-    let (_, all, _) = flown(Cursor::new(text));
+    let (_, all, _) = fly_shots(Cursor::new(text));
     let message = r#"{"BallData": {"Speed": 150, "VLA": 12, "TotalSpin": 2500, "SpinAxis": 0},
         "ClubData": {"Speed": "fast", "Path": 2}}"#;
     let no_object = message.replace(r#"{"Speed": "fast", "Path": 2}"#, "[103]");
-    let (_, messages, _) = flown(Cursor::new(format!("{message}\n{no_object}")));
+    let (_, messages, _) = fly_shots(Cursor::new(format!("{message}\n{no_object}")));
     let [row, message, no_object] = [
         &all[0].shots[0],
         &messages[0].shots[0],
@@ -358,7 +358,7 @@ fn the_condition_of_a_shot_is_written_and_known_heads_get_no_suggestion() {
     let text = format!(
         "{head}Driver,d,1,2,160,12,2500,\"Normalized, 25 C\"\nDriver,d,1,2,160,12,2500,Actual\n"
     );
-    let (shots, all, tally) = flown(Cursor::new(text));
+    let (shots, all, tally) = fly_shots(Cursor::new(text));
     let remarks = shots
         .remarks()
         .iter()
@@ -377,7 +377,7 @@ fn the_condition_of_a_shot_is_written_and_known_heads_get_no_suggestion() {
     ] {
         assert!(written.contains(says), "no '{says}' in {written}");
     }
-    let again = flown(Cursor::new(written));
+    let again = fly_shots(Cursor::new(written));
     assert_eq!((tally.normalized, again.2.normalized), (1, 1));
     assert_eq!(again.1[0].shots[1].condition.as_deref(), Some("Actual"));
 }

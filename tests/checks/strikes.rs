@@ -2,7 +2,7 @@
 
 use crate::command_line::{longdrive, on_one_line};
 use crate::common::close;
-use crate::drawn::flown;
+use crate::drawn::outcome_at;
 use longdrive::impact::FacePoint;
 use longdrive::parameters::Golfer;
 use longdrive::report::figures::{face_figure, strikes_figure};
@@ -40,7 +40,7 @@ fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
             for node in (3..field.values.len()).step_by(53) {
                 let at =
                     field.coordinates((node % field.columns) as f64, (node / field.columns) as f64);
-                let drive = flown(
+                let drive = outcome_at(
                     setup,
                     &[("strike.toe", side * at[0]), ("strike.high", at[1])],
                     of,
@@ -60,7 +60,7 @@ fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
     let slopes = faces.each_ref().map(|face| face.by_toe.unwrap()[3]);
     assert!(slopes[0] < 0.0 && slopes[1] > 0.0, "{slopes:?}");
     let by_difference = [1e-4, -1e-4].map(|toe| {
-        flown(
+        outcome_at(
             &setup,
             &[("strike.toe", toe), ("strike.high", 0.0)],
             Outcome::Lateral,
@@ -185,7 +185,7 @@ fn exact_sweet_spot_normal_passes_through_the_centre_of_mass() {
         "{toe} {high}"
     );
     let slope =
-        [1e-4, -1e-4].map(|off| flown(&there, &[("strike.toe", toe + off)], Outcome::Lateral));
+        [1e-4, -1e-4].map(|off| outcome_at(&there, &[("strike.toe", toe + off)], Outcome::Lateral));
     close(
         face.by_toe.unwrap()[1],
         (slope[0] - slope[1]) / 2e-4,

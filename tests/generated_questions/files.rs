@@ -1,30 +1,30 @@
 //! Files of questions: setups, points and shots, good and bad.
 
-use crate::chance::Chance;
+use crate::choices::Choices;
 use crate::values::{name_of, near, parameter, preset, setting, value, variable, with_unit};
 use std::fs;
 use std::path::Path;
 
 /// A setup file.
-pub fn setup(chance: &mut Chance) -> Vec<u8> {
+pub fn setup(choices: &mut Choices) -> Vec<u8> {
     let mut text = String::new();
-    if chance.is(0.7) {
-        let good = preset(chance);
-        let name = chance.of_or(&[good], &["nobody"]);
+    if choices.is(0.7) {
+        let good = preset(choices);
+        let name = choices.good_or_bad(&[good], &["nobody"]);
         text += &format!("preset = \"{name}\"\n");
     }
     let mut named = vec![];
-    for _ in 0..chance.below(5) {
-        let parameter = parameter(chance);
-        if named.contains(&parameter.name) && !chance.makes_mistake() {
+    for _ in 0..choices.below(5) {
+        let parameter = parameter(choices);
+        if named.contains(&parameter.name) && !choices.makes_mistake() {
             continue;
         }
         named.push(parameter.name);
-        let name = name_of(parameter, chance);
-        let shown = match chance.below(8) {
+        let name = name_of(parameter, choices);
+        let shown = match choices.below(8) {
             // a bare number is SI
-            0 => format!("{:?}", near(parameter, 0.1, chance)),
-            1 => chance
+            0 => format!("{:?}", near(parameter, 0.1, choices)),
+            1 => choices
                 .of(&[
                     "true",
                     "[1, 2]",
@@ -38,51 +38,51 @@ pub fn setup(chance: &mut Chance) -> Vec<u8> {
                 .into(),
             _ => format!(
                 "\"{}\"",
-                value(parameter, chance).replace(['"', '\\', '\0'], "")
+                value(parameter, choices).replace(['"', '\\', '\0'], "")
             ),
         };
         text += &format!("{name} = {shown}\n");
     }
-    if chance.is_launched {
+    if choices.is_launched {
         text += "[launch]\nball_speed = \"150 mph\"\nlaunch_angle = \"12 deg\"\n";
-        text += chance.of(&[
+        text += choices.of(&[
             "backspin = \"2500 rpm\"\n",
             "spin = \"2500 rpm\"\nspin_axis = \"-2 deg\"\n",
         ]);
     }
-    if chance.is(0.2) {
+    if choices.is(0.2) {
         text += "[aero]\nlaw = \"robinson\"\ncd0 = 0.3\n";
     }
-    with_damage(text, chance)
+    with_damage(text, choices)
 }
 
 /// A table of points to sweep.
-pub fn points(chance: &mut Chance) -> Vec<u8> {
-    let columns: Vec<_> = (0..1 + chance.below(3))
+pub fn points(choices: &mut Choices) -> Vec<u8> {
+    let columns: Vec<_> = (0..1 + choices.below(3))
         .map(|_| {
-            if chance.is(0.9) {
-                variable(chance)
+            if choices.is(0.9) {
+                variable(choices)
             } else {
-                parameter(chance)
+                parameter(choices)
             }
         })
         .collect();
     let units: Vec<&str> = columns
         .iter()
-        .map(|column| if chance.is(0.95) { column.unit } else { "" })
+        .map(|column| if choices.is(0.95) { column.unit } else { "" })
         .collect();
-    let head = |at: usize, chance: &mut Chance| {
-        let name = name_of(columns[at], chance);
+    let head = |at: usize, choices: &mut Choices| {
+        let name = name_of(columns[at], choices);
         if units[at].is_empty() {
             name
         } else {
             format!("{name} [{}]", units[at])
         }
     };
-    let separator = if chance.is(0.7) {
+    let separator = if choices.is(0.7) {
         ","
     } else {
-        chance.of(&[";", "\t"])
+        choices.of(&[";", "\t"])
     };
     // columns written by a sweep, and by launch monitors
     let others = [
@@ -96,7 +96,7 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
         ("Launch Angle [deg]", "12"),
         ("Spin Rate [rpm]", "2,500"),
     ];
-    let more: &[(&str, &str)] = match chance.below(8) {
+    let more: &[(&str, &str)] = match choices.below(8) {
         0 => &others,
         1 if separator != "," => &launch,
         _ => &[],
@@ -109,10 +109,10 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
             .join(separator)
             + "\n"
     };
-    let heads = (0..columns.len()).map(|at| head(at, chance)).collect();
+    let heads = (0..columns.len()).map(|at| head(at, choices)).collect();
     let mut text = joined(heads, more.iter().map(|(head, _)| *head).collect());
-    for _ in 0..(1 + chance.below(7)) * usize::from(!chance.makes_mistake()) {
-        let cell = |at: usize, chance: &mut Chance| {
+    for _ in 0..(1 + choices.below(7)) * usize::from(!choices.makes_mistake()) {
+        let cell = |at: usize, choices: &mut Choices| {
             let size = columns[at]
                 .quantity
                 .size_of(units[at])
@@ -120,23 +120,23 @@ pub fn points(chance: &mut Chance) -> Vec<u8> {
                 .unwrap_or(1.0);
             let number = near(
                 columns[at],
-                if chance.is(0.05) { 30.0 } else { 0.2 },
-                chance,
+                if choices.is(0.05) { 30.0 } else { 0.2 },
+                choices,
             ) / size;
-            if chance.is(0.02) {
-                chance.of(&["", "nan", "inf", "x", "1e400", "\"1"]).into()
+            if choices.is(0.02) {
+                choices.of(&["", "nan", "inf", "x", "1e400", "\"1"]).into()
             } else {
                 format!("{number:?}")
             }
         };
-        let cells = (0..columns.len()).map(|at| cell(at, chance)).collect();
+        let cells = (0..columns.len()).map(|at| cell(at, choices)).collect();
         text += &joined(cells, more.iter().map(|(_, cell)| *cell).collect());
     }
-    with_damage(text, chance)
+    with_damage(text, choices)
 }
 
 /// The name and the content of a table of points in another format, or of a damaged table.
-pub fn binary(chance: &mut Chance) -> (String, Vec<u8>) {
+pub fn binary(choices: &mut Choices) -> (String, Vec<u8>) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/tables");
     let mut names: Vec<_> = fs::read_dir(&folder)
         .unwrap()
@@ -148,13 +148,13 @@ pub fn binary(chance: &mut Chance) -> (String, Vec<u8>) {
             .is_some_and(|ending| ending != "py")
     });
     names.sort();
-    let name = chance.of(&names).into_string().unwrap();
+    let name = choices.of(&names).into_string().unwrap();
     let mut bytes = fs::read(folder.join(&name)).unwrap();
-    if chance.is(0.3) && !bytes.is_empty() {
-        let at = chance.below(bytes.len());
-        match chance.below(3) {
+    if choices.is(0.3) && !bytes.is_empty() {
+        let at = choices.below(bytes.len());
+        match choices.below(3) {
             0 => bytes.truncate(at),
-            1 => bytes[at] ^= 1 << chance.below(8),
+            1 => bytes[at] ^= 1 << choices.below(8),
             _ => bytes.insert(at, 0xff),
         }
     }
@@ -163,7 +163,7 @@ pub fn binary(chance: &mut Chance) -> (String, Vec<u8>) {
 
 /// An export of a launch monitor. It has heads, units in the heads or in a line of their own,
 /// letters for the sides, and rows that sum up others.
-pub fn export(chance: &mut Chance) -> Vec<u8> {
+pub fn export(choices: &mut Choices) -> Vec<u8> {
     let all = [
         ("Club Speed", "mph", 105.0, 10.0),
         ("Attack Angle", "deg", 0.0, 3.0),
@@ -181,11 +181,11 @@ pub fn export(chance: &mut Chance) -> Vec<u8> {
     // rarely, a necessary column is missing
     let columns: Vec<_> = all
         .iter()
-        .filter(|(name, ..)| chance.is(if name.contains("ll S") { 0.97 } else { 0.85 }))
+        .filter(|(name, ..)| choices.is(if name.contains("ll S") { 0.97 } else { 0.85 }))
         .collect();
-    let separator = chance.of(&[",", ";", "\t"]);
-    let has_comma = separator != "," && chance.is(0.3);
-    let units = chance.below(3);
+    let separator = choices.of(&[",", ";", "\t"]);
+    let has_comma = separator != "," && choices.is(0.3);
+    let units = choices.below(3);
     let head = |(name, unit, ..): &&(&str, &str, f64, f64)| match units {
         0 => format!("{name} [{unit}]"),
         1 => format!("{name} ({unit})"),
@@ -210,17 +210,17 @@ pub fn export(chance: &mut Chance) -> Vec<u8> {
             .concat(),
         );
     }
-    let rows = 2 + chance.below(7);
+    let rows = 2 + choices.below(7);
     for row in 0..=rows {
-        let common = chance.between(-1.0, 1.0);
-        let cell = |(name, _, middle, spread): &&(&str, &str, f64, f64), chance: &mut Chance| {
-            let value = middle + spread * (0.8 * common + 0.2 * chance.between(-1.0, 1.0));
+        let common = choices.between(-1.0, 1.0);
+        let cell = |(name, _, middle, spread): &&(&str, &str, f64, f64), choices: &mut Choices| {
+            let value = middle + spread * (0.8 * common + 0.2 * choices.between(-1.0, 1.0));
             let shown = match (
                 *middle == 0.0 && !name.starts_with("Attack"),
-                chance.below(60),
+                choices.below(60),
             ) {
                 (_, 0) => String::new(),
-                (_, 1) if chance.makes_mistake() => chance
+                (_, 1) if choices.makes_mistake() => choices
                     .of(&["-", "nan", "x", "1e400", "2,500", "3 L R"])
                     .into(),
                 (true, _) => format!("{:.1} {}", value.abs(), if value < 0.0 { "L" } else { "R" }),
@@ -233,14 +233,14 @@ pub fn export(chance: &mut Chance) -> Vec<u8> {
             }
         };
         let first = if row == rows {
-            chance.of(&["Average", "Std. Dev.", "A"])
+            choices.of(&["Average", "Std. Dev.", "A"])
         } else {
             "A"
         };
         lines.push(
             [
                 vec![first.to_owned()],
-                columns.iter().map(|column| cell(column, chance)).collect(),
+                columns.iter().map(|column| cell(column, choices)).collect(),
             ]
             .concat(),
         );
@@ -250,14 +250,14 @@ pub fn export(chance: &mut Chance) -> Vec<u8> {
             .iter()
             .map(|cells| cells.join(separator) + "\n")
             .collect(),
-        chance,
+        choices,
     )
 }
 
 /// Messages of GSPro Open Connect, one a line or in an array.
-pub fn messages(chance: &mut Chance) -> Vec<u8> {
+pub fn messages(choices: &mut Choices) -> Vec<u8> {
     let mut all = vec![];
-    for number in 0..1 + chance.below(6) {
+    for number in 0..1 + choices.below(6) {
         let mut numbers = vec![];
         for (key, middle, spread) in [
             ("Speed", 155.0, 15.0),
@@ -266,31 +266,31 @@ pub fn messages(chance: &mut Chance) -> Vec<u8> {
             ("TotalSpin", 2700.0, 600.0),
             ("SpinAxis", 0.0, 8.0),
         ] {
-            if chance.is(0.97) {
+            if choices.is(0.97) {
                 numbers.push(format!(
                     "\"{key}\": {:.2}",
-                    middle + spread * chance.between(-1.0, 1.0)
+                    middle + spread * choices.between(-1.0, 1.0)
                 ));
             }
         }
-        let units = chance.of_or(&["Yards"], &["Furlongs", "Meters"]);
-        let is_shot = chance.is(0.9);
+        let units = choices.good_or_bad(&["Yards"], &["Furlongs", "Meters"]);
+        let is_shot = choices.is(0.9);
         all.push(format!(
             "{{\"Units\": \"{units}\", \"ShotNumber\": {number}, \"BallData\": {{{}}}, \"ShotDataOptions\": {{\"ContainsBallData\": {is_shot}}}}}",
             numbers.join(", ")
         ));
     }
-    let text = if chance.is(0.5) {
+    let text = if choices.is(0.5) {
         all.join("\n")
     } else {
         format!("[{}]", all.join(",\n"))
     };
-    with_damage(text, chance)
+    with_damage(text, choices)
 }
 
 /// A table of measured shots: deliveries or launch conditions, with measured values.
-pub fn shots(chance: &mut Chance) -> Vec<u8> {
-    let given: &[(&str, f64, f64)] = if chance.is(0.5) {
+pub fn shots(choices: &mut Choices) -> Vec<u8> {
+    let given: &[(&str, f64, f64)] = if choices.is(0.5) {
         &[
             ("club.loft [deg]", 11.0, 3.0),
             ("swing.speed [mph]", 105.0, 10.0),
@@ -312,20 +312,20 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
         ("sigma carry [yd]", 2.0, 0.5),
         ("flight_time [s]", 6.2, 0.5),
     ];
-    let mut columns = given[..1 + chance.below(4)].to_vec();
+    let mut columns = given[..1 + choices.below(4)].to_vec();
     let first = columns.len();
-    columns.extend(&measured[..1 + chance.below(5)]);
-    if chance.makes_mistake() {
-        let twice = chance.of(&columns);
+    columns.extend(&measured[..1 + choices.below(5)]);
+    if choices.makes_mistake() {
+        let twice = choices.of(&columns);
         columns.push(twice);
     }
     let mut heads: Vec<String> = columns
         .iter()
         .map(|(head, ..)| (*head).to_owned())
         .collect();
-    if chance.makes_mistake() {
-        let at = chance.below(heads.len());
-        heads[at] = chance
+    if choices.makes_mistake() {
+        let at = choices.below(heads.len());
+        heads[at] = choices
             .of(&[
                 "",
                 "carry",
@@ -338,41 +338,41 @@ pub fn shots(chance: &mut Chance) -> Vec<u8> {
     }
     let mut text = heads.join(",") + "\n";
     // faster or higher shots fly farther
-    for _ in 0..(2 + chance.below(8)) * usize::from(!chance.makes_mistake()) {
-        let common = chance.between(-1.0, 1.0);
-        let cell = |at: usize, chance: &mut Chance| {
+    for _ in 0..(2 + choices.below(8)) * usize::from(!choices.makes_mistake()) {
+        let common = choices.between(-1.0, 1.0);
+        let cell = |at: usize, choices: &mut Choices| {
             let (_, middle, spread) = columns[at];
             let part = if at >= first {
-                0.8 * common + 0.1 * chance.between(-1.0, 1.0)
+                0.8 * common + 0.1 * choices.between(-1.0, 1.0)
             } else {
-                common * chance.between(0.2, 1.0)
+                common * choices.between(0.2, 1.0)
             };
-            match chance.below(60) {
+            match choices.below(60) {
                 // missing values
                 0 if at >= first => String::new(),
-                _ if chance.makes_mistake() => chance
+                _ if choices.makes_mistake() => choices
                     .of(&["nan", "-5", "x", "1e300", "inf", "0", ""])
                     .into(),
                 _ => format!("{:.3}", middle + spread * part),
             }
         };
         text += &((0..columns.len())
-            .map(|at| cell(at, chance))
+            .map(|at| cell(at, choices))
             .collect::<Vec<_>>()
             .join(",")
             + "\n");
     }
-    with_damage(text, chance)
+    with_damage(text, choices)
 }
 
 /// The bytes of a text. By mistake, a random place of it is damaged.
-fn with_damage(text: String, chance: &mut Chance) -> Vec<u8> {
+fn with_damage(text: String, choices: &mut Choices) -> Vec<u8> {
     let mut bytes = text.into_bytes();
-    if !(chance.makes_mistake() || chance.makes_mistake()) {
+    if !(choices.makes_mistake() || choices.makes_mistake()) {
         return bytes;
     }
-    let at = chance.below(bytes.len() + 1);
-    match chance.below(8) {
+    let at = choices.below(bytes.len() + 1);
+    match choices.below(8) {
         0 => bytes.truncate(at),
         1 => bytes.clear(),
         2 => bytes.insert(at, 0xff),
@@ -382,11 +382,11 @@ fn with_damage(text: String, chance: &mut Chance) -> Vec<u8> {
         }
         5 => bytes.extend(bytes.clone()),
         6 => {
-            let odd = chance.of(b"\"',;[]{}=#\n\t.-");
+            let odd = choices.of(b"\"',;[]{}=#\n\t.-");
             bytes.insert(at, odd);
         }
         _ => {
-            let line = setting(chance).into_bytes();
+            let line = setting(choices).into_bytes();
             bytes.extend(line);
         }
     }
@@ -394,10 +394,10 @@ fn with_damage(text: String, chance: &mut Chance) -> Vec<u8> {
 }
 
 /// A change of a parameter for `--change`: NAME=NUMBER UNIT.
-pub fn change(chance: &mut Chance) -> String {
-    let parameter = variable(chance);
-    let sign = chance.of(&["+", "-", ""]);
-    let name = name_of(parameter, chance);
-    let size = 0.02 * near(parameter, 0.1, chance).abs().max(1e-3);
-    format!("{name}={sign}{}", with_unit(size, parameter, chance))
+pub fn change(choices: &mut Choices) -> String {
+    let parameter = variable(choices);
+    let sign = choices.of(&["+", "-", ""]);
+    let name = name_of(parameter, choices);
+    let size = 0.02 * near(parameter, 0.1, choices).abs().max(1e-3);
+    format!("{name}={sign}{}", with_unit(size, parameter, choices))
 }

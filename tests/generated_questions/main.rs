@@ -5,7 +5,7 @@
 //! `LONGDRIVE_QUESTIONS=100000` sets the number of questions, on all cores; `LONGDRIVE_SEED` the
 //! seed. A failing question is printed with its number: `LONGDRIVE_QUESTION` runs that one alone.
 
-mod chance;
+mod choices;
 mod files;
 #[path = "../program.rs"]
 mod program;
@@ -15,7 +15,7 @@ mod run;
 mod schema;
 mod values;
 
-use chance::Chance;
+use choices::Choices;
 use questions::Question;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -50,7 +50,7 @@ fn the_program_answers_every_generated_request_in_order() {
             if number >= numbers.end || failed.lock().unwrap().len() >= MAX_FAILURES {
                 return;
             }
-            let question = Question::new(&mut Chance::new(seed, number));
+            let question = Question::new(&mut Choices::new(seed, number));
             let (status, wrong) = run::ask(&question);
             let at = status
                 .and_then(|status| usize::try_from(status).ok())

@@ -1,6 +1,6 @@
 //! Questions of users: a command line with its files.
 
-use crate::chance::Chance;
+use crate::choices::Choices;
 use crate::files::{binary, change, export, messages, points, setup, shots};
 use crate::values::{
     constraint, distribution, list, name_of, near, outcome, preset, range, setting, sigma,
@@ -63,9 +63,9 @@ fn frequency(command: &str) -> f64 {
 const OF_THE_PROGRAM: [&str; 3] = ["help", "completions", "man"];
 
 impl Question {
-    pub fn new(chance: &mut Chance) -> Self {
+    pub fn new(choices: &mut Choices) -> Self {
         let frequencies: Vec<f64> = COMMANDS.iter().map(|(_, frequency)| *frequency).collect();
-        let command = COMMANDS[chance.weighted(&frequencies)].0;
+        let command = COMMANDS[choices.weighted(&frequencies)].0;
         let mut question = Self {
             args: vec![command.into()],
             ..Self::default()
@@ -74,23 +74,23 @@ impl Question {
         question
             .files
             .push(("mine.txt".into(), b"left alone".to_vec()));
-        chance.is_launched = !["calibrate", "design", "fly"].contains(&command)
-            && chance.is(if command == "simulate" { 0.15 } else { 0.1 });
-        chance.is_of_flight = command == "fly" && chance.is(0.8);
-        chance.is_over_swings = command == "design" && chance.is(0.8);
-        question.ask(command, chance);
-        if chance.is(0.5) && !OF_THE_PROGRAM.contains(&command) {
+        choices.is_launched = !["calibrate", "design", "fly"].contains(&command)
+            && choices.is(if command == "simulate" { 0.15 } else { 0.1 });
+        choices.is_of_flight = command == "fly" && choices.is(0.8);
+        choices.is_over_swings = command == "design" && choices.is(0.8);
+        question.ask(command, choices);
+        if choices.is(0.5) && !OF_THE_PROGRAM.contains(&command) {
             question.push("--json");
         }
         // these options may also come before the command
         for (option, probability) in [("--units", 0.15), ("--quiet", 0.1)] {
-            if chance.is(probability) {
-                let at = if chance.is(0.3) {
+            if choices.is(probability) {
+                let at = if choices.is(0.3) {
                     0
                 } else {
                     question.args.len()
                 };
-                let system = chance.of_or(&["metric", "us"], &["si"]).to_owned();
+                let system = choices.good_or_bad(&["metric", "us"], &["si"]).to_owned();
                 question.args.splice(
                     at..at,
                     [option.to_owned(), system]
@@ -99,8 +99,8 @@ impl Question {
                 );
             }
         }
-        if chance.makes_mistake() {
-            let odd = chance.of(&[
+        if choices.makes_mistake() {
+            let odd = choices.of(&[
                 "--bla",
                 "-x",
                 "--",
@@ -110,7 +110,7 @@ impl Question {
                 "--set",
                 "--version",
             ]);
-            let at = chance.below(question.args.len() + 1);
+            let at = choices.below(question.args.len() + 1);
             question.args.insert(at, odd.into());
         }
         question
@@ -122,105 +122,114 @@ impl Question {
         self.args.iter().find(is_command).map_or("", String::as_str)
     }
 
-    fn ask(&mut self, command: &str, chance: &mut Chance) {
+    fn ask(&mut self, command: &str, choices: &mut Choices) {
         match command {
             "laws" => return,
             "presets" => {
-                if chance.is(0.6) {
-                    let name = preset(chance);
-                    self.push(chance.of_or(&[name], &["mae49"]));
+                if choices.is(0.6) {
+                    let name = preset(choices);
+                    self.push(choices.good_or_bad(&[name], &["mae49"]));
                 }
                 return;
             }
             "validate" => {
-                if chance.is(0.3) {
+                if choices.is(0.3) {
                     self.push("--csv");
                 }
-                if chance.is(0.3) {
-                    self.output("-o", &["study"], chance);
+                if choices.is(0.3) {
+                    self.output("-o", &["study"], choices);
                 }
                 return;
             }
             "reproduce" => {
-                self.push(chance.of_or(&["mae494", "winfield-tan"], &["mae495"]));
-                if chance.is(0.5) {
-                    self.output("-o", &["study"], chance);
+                self.push(choices.good_or_bad(&["mae494", "winfield-tan"], &["mae495"]));
+                if choices.is(0.5) {
+                    self.output("-o", &["study"], choices);
                 }
                 return;
             }
             "help" | "man" => {
                 let named: Vec<&str> = COMMANDS.iter().map(|(name, _)| *name).collect();
-                match chance.below(4) {
+                match choices.below(4) {
                     0 if command == "man" => {
-                        self.output("-o", &["pages"], chance);
-                        if chance.makes_mistake() {
+                        self.output("-o", &["pages"], choices);
+                        if choices.makes_mistake() {
                             self.push("simulate");
                         }
                     }
                     1 => {}
                     2 => self.args.extend(["plot", "contour"].map(str::to_owned)),
                     _ => {
-                        let name = chance.of_or(&named, &["optimise", "", "plot contours"]);
+                        let name = choices.good_or_bad(&named, &["optimise", "", "plot contours"]);
                         self.push(name);
                     }
                 }
                 return;
             }
             "completions" => {
-                self.push(chance.of_or(
+                self.push(choices.good_or_bad(
                     &["bash", "zsh", "fish", "powershell", "elvish"],
                     &["nush", ""],
                 ));
                 return;
             }
-            "calibrate" => self.calibrate(chance),
-            "delivery" => self.delivery(chance),
-            "plot" => self.plot(chance),
-            "sweep" => self.sweep(chance),
-            "fly" => self.fly(chance),
-            "gradient" => self.gradient(chance),
-            "compare" => self.compare(chance),
+            "calibrate" => self.calibrate(choices),
+            "delivery" => self.delivery(choices),
+            "plot" => self.plot(choices),
+            "sweep" => self.sweep(choices),
+            "fly" => self.fly(choices),
+            "gradient" => self.gradient(choices),
+            "compare" => self.compare(choices),
             "optimize" => {
-                self.search(true, chance);
-                self.work(chance);
+                self.search(true, choices);
+                self.work(choices);
             }
             "design" => {
-                self.search(true, chance);
-                self.option("--scenarios", chance.of_or(&["2", "9", "16"], &["0", "x"]));
-                if chance.is(0.5) {
-                    self.option("--rules", chance.of_or(&["golf", "none"], &["usga", ""]));
+                self.search(true, choices);
+                self.option(
+                    "--scenarios",
+                    choices.good_or_bad(&["2", "9", "16"], &["0", "x"]),
+                );
+                if choices.is(0.5) {
+                    self.option(
+                        "--rules",
+                        choices.good_or_bad(&["golf", "none"], &["usga", ""]),
+                    );
                 }
-                self.work(chance);
+                self.work(choices);
             }
-            "optimum-sensitivity" => self.optimum_sensitivity(chance),
+            "optimum-sensitivity" => self.optimum_sensitivity(choices),
             "chart" => {
-                self.search(false, chance);
-                if chance.is(0.3) {
-                    self.at(chance);
+                self.search(false, choices);
+                if choices.is(0.3) {
+                    self.at(choices);
                 } else {
-                    self.along(chance);
+                    self.along(choices);
                 }
-                if chance.is(0.2) {
+                if choices.is(0.2) {
                     self.push("--csv");
                 }
             }
             "robust" => {
-                self.search(false, chance);
-                if chance.is(0.5) {
+                self.search(false, choices);
+                if choices.is(0.5) {
                     self.option(
                         "--model",
-                        chance.of_or(&["aero.law=ferguson", "impact.friction=0.3"], &["x", "a=1"]),
+                        choices.good_or_bad(
+                            &["aero.law=ferguson", "impact.friction=0.3"],
+                            &["x", "a=1"],
+                        ),
                     );
                 }
-                if chance.is(0.2) {
-                    self.option("--starts", chance.of_or(&["1", "2"], &["0", "x"]));
+                if choices.is(0.2) {
+                    self.option("--starts", choices.good_or_bad(&["1", "2"], &["0", "x"]));
                 }
             }
             "pareto" => {
                 for _ in 0..2 {
-                    let of = outcome(chance);
+                    let of = outcome(choices);
                     self.option(
-                        if chance.is(0.5) {
+                        if choices.is(0.5) {
                             "--maximize"
                         } else {
                             "--minimize"
@@ -228,40 +237,43 @@ impl Question {
                         of,
                     );
                 }
-                self.search(false, chance);
-                self.option("--points", chance.of_or(&["2", "3", "5"], &["1", "x"]));
-                if chance.is(0.2) {
-                    self.output("-o", &["front.csv", "best.toml"], chance);
+                self.search(false, choices);
+                self.option(
+                    "--points",
+                    choices.good_or_bad(&["2", "3", "5"], &["1", "x"]),
+                );
+                if choices.is(0.2) {
+                    self.output("-o", &["front.csv", "best.toml"], choices);
                 }
             }
             "report" => {
-                self.along(chance);
-                if chance.is(0.5) {
-                    self.search(false, chance);
+                self.along(choices);
+                if choices.is(0.5) {
+                    self.search(false, choices);
                 }
-                if chance.is(0.5) {
-                    let text = sigma(chance);
+                if choices.is(0.5) {
+                    let text = sigma(choices);
                     self.option("--sigma", text);
                 }
-                self.output("-o", &["page"], chance);
+                self.output("-o", &["page"], choices);
             }
             "verify" => {
-                self.option("--of", list(2, chance, outcome));
+                self.option("--of", list(2, choices, outcome));
                 self.option(
                     "--wrt",
-                    list(2, chance, |chance| name_of(variable(chance), chance)),
+                    list(2, choices, |choices| name_of(variable(choices), choices)),
                 );
             }
-            "sensitivity" => self.sensitivity(chance),
-            "uncertainty" => self.uncertainty(chance),
+            "sensitivity" => self.sensitivity(choices),
+            "uncertainty" => self.uncertainty(choices),
             _ => {}
         }
-        self.setup(command, chance);
+        self.setup(command, choices);
         // the second setup comes after the first one
-        if command == "compare" && chance.is(0.3) {
-            let text = setup(chance);
+        if command == "compare" && choices.is(0.3) {
+            let text = setup(choices);
             self.files.push(("other.toml".into(), text));
-            self.push(chance.of(&["other.toml", "mae494", "winfield-tan"]));
+            self.push(choices.of(&["other.toml", "mae494", "winfield-tan"]));
         }
     }
 
@@ -275,27 +287,27 @@ impl Question {
     }
 
     /// The setup of the question, its changes, and step and method.
-    fn setup(&mut self, command: &str, chance: &mut Chance) {
-        let place = chance.below(10);
+    fn setup(&mut self, command: &str, choices: &mut Choices) {
+        let place = choices.below(10);
         match place {
-            0..5 => self.push(preset(chance)),
+            0..5 => self.push(preset(choices)),
             5 | 6 => {
-                let text = setup(chance);
+                let text = setup(choices);
                 self.files.push(("setup.toml".into(), text));
                 self.push("setup.toml");
             }
-            8 if chance.makes_mistake() => {
-                self.push(chance.of(&["none.toml", "modern", "", ".", "mine.txt", "no/such.toml"]))
+            8 if choices.makes_mistake() => {
+                self.push(choices.of(&["none.toml", "modern", "", ".", "mine.txt", "no/such.toml"]))
             }
             _ => {}
         }
         // if a file states the launch, `--launch` replaces part of it
         let is_of_file = matches!(place, 5 | 6);
-        match chance.below(4) {
-            _ if !chance.is_launched => {}
+        match choices.below(4) {
+            _ if !choices.is_launched => {}
             0 if is_of_file => self.option(
                 "--launch",
-                chance.of(&["ball_speed=70m/s", "backspin=3000rpm", "spin=300rad/s"]),
+                choices.of(&["ball_speed=70m/s", "backspin=3000rpm", "spin=300rad/s"]),
             ),
             _ if is_of_file => {}
             0 => self.option(
@@ -311,21 +323,21 @@ impl Question {
                     "sidespin=-300rpm",
                     "spin_axis=3deg",
                 ];
-                let part = if chance.makes_mistake() {
-                    chance.below(3)..6
+                let part = if choices.makes_mistake() {
+                    choices.below(3)..6
                 } else {
-                    0..3 + chance.below(3)
+                    0..3 + choices.below(3)
                 };
                 self.option("--launch", launch[part].join(","));
             }
         }
-        for _ in 0..chance.below(3) {
-            let text = setting(chance);
+        for _ in 0..choices.below(3) {
+            let text = setting(choices);
             self.option("--set", text);
         }
         let is_cheap = matches!(command, "simulate" | "gradient" | "parameters" | "delivery");
-        match chance.below(20) {
-            0 => self.push(chance.of(&[
+        match choices.below(20) {
+            0 => self.push(choices.of(&[
                 "--tolerance",
                 "--tolerance=1mm",
                 "--tolerance=1cm",
@@ -333,76 +345,76 @@ impl Question {
                 "--tolerance=x",
             ])),
             1 if is_cheap => {}
-            _ => self.option("--set", format!("flight.step={}ms", 10 + chance.below(40))),
+            _ => self.option("--set", format!("flight.step={}ms", 10 + choices.below(40))),
         }
     }
 
-    fn delivery(&mut self, chance: &mut Chance) {
-        let has_shots = !chance.is_launched && chance.is(0.3);
+    fn delivery(&mut self, choices: &mut Choices) {
+        let has_shots = !choices.is_launched && choices.is(0.3);
         if has_shots {
-            let text = if chance.is(0.8) {
-                export(chance)
+            let text = if choices.is(0.8) {
+                export(choices)
             } else {
-                shots(chance)
+                shots(choices)
             };
             self.files.push(("shots.csv".into(), text));
             self.option("--shots", "shots.csv");
         }
-        if !chance.is_launched && (!has_shots || chance.makes_mistake()) {
+        if !choices.is_launched && (!has_shots || choices.makes_mistake()) {
             for (option, of, amiss) in [
                 ("--ball-speed", "150mph", "150"),
                 ("--launch-angle", "12deg", "95deg"),
                 ("--spin", "2600rpm", "-1rpm"),
             ] {
-                self.option(option, chance.of_or(&[of], &[amiss]));
+                self.option(option, choices.good_or_bad(&[of], &[amiss]));
             }
-            if chance.is(0.3) {
+            if choices.is(0.3) {
                 self.option("--spin-axis", "-4deg");
             }
         }
-        match chance.below(10) {
+        match choices.below(10) {
             0 => {
-                let text = range(variable(chance), chance);
+                let text = range(variable(choices), choices);
                 self.option("--vary", text);
             }
             1 => self.option("--vary", "club.loft=-10deg..60deg"),
             2 => self.option("--sigma", "swing.attack_angle=0.5deg"),
-            3 if chance.makes_mistake() => {
-                let text = sigma(chance);
+            3 if choices.makes_mistake() => {
+                let text = sigma(choices);
                 self.option("--sigma", text);
             }
             _ => {}
         }
-        if chance.is(0.2) {
-            self.output("-o", &["golfer.toml"], chance);
+        if choices.is(0.2) {
+            self.output("-o", &["golfer.toml"], choices);
         }
     }
 
-    fn gradient(&mut self, chance: &mut Chance) {
-        if chance.is(0.7) {
-            self.option("--of", list(3, chance, outcome));
+    fn gradient(&mut self, choices: &mut Choices) {
+        if choices.is(0.7) {
+            self.option("--of", list(3, choices, outcome));
         }
-        if chance.is(0.7) {
-            let all = chance.is(0.05);
-            let named = list(4, chance, |chance| name_of(variable(chance), chance));
+        if choices.is(0.7) {
+            let all = choices.is(0.05);
+            let named = list(4, choices, |choices| name_of(variable(choices), choices));
             self.option("--wrt", if all { "all".into() } else { named });
         }
-        if chance.is(0.3) {
+        if choices.is(0.3) {
             self.push("--hessian");
         }
     }
 
-    fn compare(&mut self, chance: &mut Chance) {
-        if chance.is(0.5) {
-            self.option("--of", list(2, chance, outcome));
+    fn compare(&mut self, choices: &mut Choices) {
+        if choices.is(0.5) {
+            self.option("--of", list(2, choices, outcome));
         }
         for option in ["--set-a", "--set-b", "--set-b"] {
-            if chance.is(0.5) {
-                let text = setting(chance);
+            if choices.is(0.5) {
+                let text = setting(choices);
                 self.option(option, text);
             }
         }
-        if chance.is(0.1) {
+        if choices.is(0.1) {
             self.option(
                 "--launch-b",
                 "ball_speed=150mph,launch_angle=12deg,spin=2600rpm,spin_axis=-3deg",
@@ -410,11 +422,11 @@ impl Question {
         }
     }
 
-    fn search(&mut self, is_wide: bool, chance: &mut Chance) {
-        if chance.is(0.2) {
-            let of = statistic(&outcome(chance), chance);
+    fn search(&mut self, is_wide: bool, choices: &mut Choices) {
+        if choices.is(0.2) {
+            let of = statistic(&outcome(choices), choices);
             self.option(
-                if chance.is(0.7) {
+                if choices.is(0.7) {
                     "--maximize"
                 } else {
                     "--minimize"
@@ -422,36 +434,36 @@ impl Question {
                 of,
             );
         }
-        if chance.is_launched || chance.is(0.6) {
-            for _ in 0..1 + chance.below(if is_wide { 3 } else { 2 }) {
-                let text = range(variable(chance), chance);
+        if choices.is_launched || choices.is(0.6) {
+            for _ in 0..1 + choices.below(if is_wide { 3 } else { 2 }) {
+                let text = range(variable(choices), choices);
                 self.option("--vary", text);
             }
         }
-        for _ in 0..chance.weighted(&[5.0, 3.0, 1.0]) {
-            let text = constraint(chance);
+        for _ in 0..choices.weighted(&[5.0, 3.0, 1.0]) {
+            let text = constraint(choices);
             self.option("--subject-to", text);
         }
-        let most = if chance.is(0.9) {
-            5 + chance.below(25)
+        let most = if choices.is(0.9) {
+            5 + choices.below(25)
         } else {
-            chance.below(2)
+            choices.below(2)
         };
         self.option("--max-iterations", most.to_string());
     }
 
-    fn work(&mut self, chance: &mut Chance) {
-        if chance.is(0.2) {
+    fn work(&mut self, choices: &mut Choices) {
+        if choices.is(0.2) {
             self.option(
                 "--starts",
-                chance.of_or(&["1", "2", "4"], &["0", "-1", "70000", "x"]),
+                choices.good_or_bad(&["1", "2", "4"], &["0", "-1", "70000", "x"]),
             );
         }
-        if chance.is(0.1) {
-            self.output("-o", &["best.toml"], chance);
+        if choices.is(0.1) {
+            self.output("-o", &["best.toml"], choices);
         }
-        if chance.is(0.1) {
-            if chance.makes_mistake() {
+        if choices.is(0.1) {
+            if choices.makes_mistake() {
                 self.files
                     .push(("kept.json".into(), b"{\"no\": \"checkpoint\"}".to_vec()));
             }
@@ -460,21 +472,21 @@ impl Question {
         }
     }
 
-    fn optimum_sensitivity(&mut self, chance: &mut Chance) {
-        self.search(false, chance);
-        self.work(chance);
+    fn optimum_sensitivity(&mut self, choices: &mut Choices) {
+        self.search(false, choices);
+        self.work(choices);
         self.option(
             "--wrt",
-            list(2, chance, |chance| name_of(variable(chance), chance)),
+            list(2, choices, |choices| name_of(variable(choices), choices)),
         );
-        if chance.is(0.3) {
-            let text = change(chance);
+        if choices.is(0.3) {
+            let text = change(choices);
             self.option("--change", text);
         }
-        if chance.is(0.2) {
+        if choices.is(0.2) {
             self.option(
                 "--loss",
-                chance.of_or(
+                choices.good_or_bad(
                     &["1yd", "0.5 m", "1e-9 m", "1e300 m"],
                     &["0 yd", "1 kg", "nan m", "inf yd"],
                 ),
@@ -482,116 +494,116 @@ impl Question {
         }
     }
 
-    fn along(&mut self, chance: &mut Chance) {
-        let parameter: &Parameter = variable(chance);
-        let text = if chance.is(0.7) {
-            let low = near(parameter, 0.05, chance);
+    fn along(&mut self, choices: &mut Choices) {
+        let parameter: &Parameter = variable(choices);
+        let text = if choices.is(0.7) {
+            let low = near(parameter, 0.05, choices);
             let high = low + 0.01 * low.abs().max(0.1);
             format!(
                 "{}={}..{}",
                 parameter.name,
-                with_unit(low, parameter, chance),
-                with_unit(high, parameter, chance)
+                with_unit(low, parameter, choices),
+                with_unit(high, parameter, choices)
             )
         } else {
-            range(parameter, chance)
+            range(parameter, choices)
         };
         self.option("--along", text);
     }
 
-    fn at(&mut self, chance: &mut Chance) {
-        let parameter = variable(chance);
-        let values = list(3, chance, |chance| {
-            let value = near(parameter, 0.05, chance);
-            with_unit(value, parameter, chance)
+    fn at(&mut self, choices: &mut Choices) {
+        let parameter = variable(choices);
+        let values = list(3, choices, |choices| {
+            let value = near(parameter, 0.05, choices);
+            with_unit(value, parameter, choices)
         });
         self.option("--along", parameter.name);
         self.option("--at", values);
     }
 
-    fn sensitivity(&mut self, chance: &mut Chance) {
-        if chance.is(0.5) {
-            self.option("--of", list(2, chance, outcome));
+    fn sensitivity(&mut self, choices: &mut Choices) {
+        if choices.is(0.5) {
+            self.option("--of", list(2, choices, outcome));
         }
-        for _ in 0..chance.below(3) {
-            let text = sigma(chance);
+        for _ in 0..choices.below(3) {
+            let text = sigma(choices);
             self.option("--sigma", text);
         }
-        if chance.is(0.6) {
+        if choices.is(0.6) {
             self.push("--no-defaults");
         }
-        if chance.is(0.15) {
+        if choices.is(0.15) {
             self.push("--at-optimum");
-            self.search(false, chance);
+            self.search(false, choices);
         }
     }
 
-    fn uncertainty(&mut self, chance: &mut Chance) {
-        if chance.is(0.5) {
-            self.option("--of", list(2, chance, outcome));
+    fn uncertainty(&mut self, choices: &mut Choices) {
+        if choices.is(0.5) {
+            self.option("--of", list(2, choices, outcome));
         }
-        for _ in 0..chance.below(3) {
-            let text = sigma(chance);
+        for _ in 0..choices.below(3) {
+            let text = sigma(choices);
             self.option("--sigma", text);
         }
-        for _ in 0..chance.below(2) {
-            let text = distribution(chance);
+        for _ in 0..choices.below(2) {
+            let text = distribution(choices);
             self.option("--distribution", text);
         }
         self.option(
             "--samples",
-            (if chance.makes_mistake() {
-                chance.below(2)
+            (if choices.makes_mistake() {
+                choices.below(2)
             } else {
-                2 + chance.below(20)
+                2 + choices.below(20)
             })
             .to_string(),
         );
-        if chance.is(0.2) {
-            self.option("--seed", chance.below(9).to_string());
+        if choices.is(0.2) {
+            self.option("--seed", choices.below(9).to_string());
         }
     }
 
-    fn fly(&mut self, chance: &mut Chance) {
-        match chance.below(3) {
-            0 => self.files.push(("shots.json".into(), messages(chance))),
-            1 => self.files.push(("shots.csv".into(), shots(chance))),
-            _ => self.files.push(("shots.csv".into(), export(chance))),
+    fn fly(&mut self, choices: &mut Choices) {
+        match choices.below(3) {
+            0 => self.files.push(("shots.json".into(), messages(choices))),
+            1 => self.files.push(("shots.csv".into(), shots(choices))),
+            _ => self.files.push(("shots.csv".into(), export(choices))),
         }
         let name = self
             .files
             .last()
             .map_or_else(String::new, |(name, _)| name.clone());
-        self.push(chance.of_or(&[name.as_str()], &["none.csv", "mine.txt", ".", "-"]));
-        if chance.is(0.4) {
-            self.option("--of", list(3, chance, outcome));
+        self.push(choices.good_or_bad(&[name.as_str()], &["none.csv", "mine.txt", ".", "-"]));
+        if choices.is(0.4) {
+            self.option("--of", list(3, choices, outcome));
         }
-        if chance.is(0.4) {
+        if choices.is(0.4) {
             self.option(
                 "--format",
-                chance.of_or(
+                choices.good_or_bad(
                     &["csv", "launch-monitor", "jsonl", "open-connect"],
                     &["xml"],
                 ),
             );
         }
-        if chance.is(0.5) {
-            self.output("-o", &["flown.csv", "flown.jsonl", "flown.json"], chance);
+        if choices.is(0.5) {
+            self.output("-o", &["flown.csv", "flown.jsonl", "flown.json"], choices);
         }
-        if chance.is(0.2) {
-            self.option("--threads", chance.of_or(&["1", "2"], &["-1", "x"]));
+        if choices.is(0.2) {
+            self.option("--threads", choices.good_or_bad(&["1", "2"], &["-1", "x"]));
         }
     }
 
-    fn calibrate(&mut self, chance: &mut Chance) {
-        let text = if chance.is(0.3) {
-            export(chance)
+    fn calibrate(&mut self, choices: &mut Choices) {
+        let text = if choices.is(0.3) {
+            export(choices)
         } else {
-            shots(chance)
+            shots(choices)
         };
         self.files.push(("shots.csv".into(), text));
-        self.push(chance.of_or(&["shots.csv"], &["none.csv", "mine.txt", "."]));
-        for _ in 0..1 + chance.below(2) {
+        self.push(choices.good_or_bad(&["shots.csv"], &["none.csv", "mine.txt", "."]));
+        for _ in 0..1 + choices.below(2) {
             // mostly parameters of the flight: a row that is a launch does not use parameters of
             // the club
             let rows = [
@@ -602,52 +614,52 @@ impl Question {
                 "swing.shaft_lean",
             ];
             let of_law: Vec<_> = Law::all_rows().map(|row| row.name).collect();
-            let name = match chance.below(3) {
-                0 | 1 => chance.of(&rows).to_owned(),
-                _ if chance.makes_mistake() => chance.of(&of_law).to_owned(),
-                _ => variable(chance).name.to_owned(),
+            let name = match choices.below(3) {
+                0 | 1 => choices.of(&rows).to_owned(),
+                _ if choices.makes_mistake() => choices.of(&of_law).to_owned(),
+                _ => variable(choices).name.to_owned(),
             };
-            let text = if chance.is(0.2) {
-                range(variable(chance), chance)
+            let text = if choices.is(0.2) {
+                range(variable(choices), choices)
             } else {
                 name
             };
             self.option("--fit", text);
         }
-        self.option("--max-iterations", (1 + chance.below(20)).to_string());
+        self.option("--max-iterations", (1 + choices.below(20)).to_string());
         for (option, most) in [("--starts", 3), ("--folds", 5)] {
-            if chance.is(0.1) {
-                let count = if chance.makes_mistake() {
-                    chance.below(most)
+            if choices.is(0.1) {
+                let count = if choices.makes_mistake() {
+                    choices.below(most)
                 } else {
-                    2 + chance.below(most - 1)
+                    2 + choices.below(most - 1)
                 };
                 self.option(option, count.to_string());
             }
         }
-        if chance.is(0.1) {
+        if choices.is(0.1) {
             self.push("--huber");
         }
-        if chance.is(0.05) {
+        if choices.is(0.05) {
             self.option(
                 "--compare",
-                chance.of_or(&["robinson", "ferguson", "linear"], &["nothing"]),
+                choices.good_or_bad(&["robinson", "ferguson", "linear"], &["nothing"]),
             );
         }
-        if chance.is(0.3) {
-            self.output("-o", &["fitted.toml"], chance);
+        if choices.is(0.3) {
+            self.output("-o", &["fitted.toml"], choices);
         }
-        if chance.is(0.05) {
+        if choices.is(0.05) {
             self.option("--plot", "plots");
             self.outputs.push("plots".into());
         }
     }
 
-    fn plot(&mut self, chance: &mut Chance) {
-        let kind = if chance.makes_mistake() {
+    fn plot(&mut self, choices: &mut Choices) {
+        let kind = if choices.makes_mistake() {
             11
         } else {
-            chance.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0, 2.0, 2.0, 0.5, 0.5, 0.5, 0.3])
+            choices.weighted(&[10.0, 0.3, 0.5, 4.0, 1.0, 2.0, 2.0, 0.5, 0.5, 0.5, 0.3])
         };
         let kinds = [
             "trajectory",
@@ -665,13 +677,15 @@ impl Question {
         ];
         self.push(kinds[kind]);
         match kind {
-            0 if chance.is(0.5) => self.option("--view", chance.of_or(&["side", "top"], &["back"])),
-            1 | 7 | 8 | 10 => self.search(false, chance),
+            0 if choices.is(0.5) => {
+                self.option("--view", choices.good_or_bad(&["side", "top"], &["back"]))
+            }
+            1 | 7 | 8 | 10 => self.search(false, choices),
             2 => {
-                self.search(false, chance);
-                self.along(chance);
-                if chance.is(0.3) {
-                    let shown = chance.of(&[
+                self.search(false, choices);
+                self.along(choices);
+                if choices.is(0.3) {
+                    let shown = choices.of(&[
                         "carry",
                         "club.loft",
                         "swing.attack_angle",
@@ -681,101 +695,104 @@ impl Question {
                 }
             }
             3 => {
-                let of = outcome(chance);
+                let of = outcome(choices);
                 self.option("--of", of);
-                let text = sigma(chance);
+                let text = sigma(choices);
                 self.option("--sigma", text);
             }
             5 => {
-                let (of, text) = (outcome(chance), setting(chance));
+                let (of, text) = (outcome(choices), setting(choices));
                 self.option("--of", of);
                 self.option("--set-b", text);
             }
             6 => {
-                self.option("--show", chance.of_or(&["cd", "cl"], &["drag"]));
-                match chance.below(3) {
+                self.option("--show", choices.good_or_bad(&["cd", "cl"], &["drag"]));
+                match choices.below(3) {
                     0 => self.option(
                         "--laws",
-                        chance.of_or(&["lyu,ferguson", "linear"], &["lyu,lyu", "table"]),
+                        choices.good_or_bad(&["lyu,ferguson", "linear"], &["lyu,lyu", "table"]),
                     ),
                     1 => self.option(
                         "--over",
-                        chance.of_or(&["reynolds", "spin-ratio"], &["speed"]),
+                        choices.good_or_bad(&["reynolds", "spin-ratio"], &["speed"]),
                     ),
                     _ => self.option(
                         "--reynolds",
-                        chance.of_or(&["1e5", "200000"], &["0", "1e5 m", "nan"]),
+                        choices.good_or_bad(&["1e5", "200000"], &["0", "1e5 m", "nan"]),
                     ),
                 }
             }
             4 => {
-                self.option("--of", list(2, chance, outcome));
+                self.option("--of", list(2, choices, outcome));
                 self.option(
                     "--wrt",
-                    list(2, chance, |chance| name_of(variable(chance), chance)),
+                    list(2, choices, |choices| name_of(variable(choices), choices)),
                 );
             }
             _ => {}
         }
-        let names = if chance.makes_mistake() {
+        let names = if choices.makes_mistake() {
             ["a.jpg", "a", ".svg"]
         } else {
             ["a.svg", "a.csv", "a.png"]
         };
-        self.output("-o", &names, chance);
-        if chance.is(0.2) {
+        self.output("-o", &names, choices);
+        if choices.is(0.2) {
             self.push("--dark");
         }
-        if chance.is(0.2) {
-            self.option("--width", chance.of_or(&["240", "600"], &["10", "x"]));
+        if choices.is(0.2) {
+            self.option(
+                "--width",
+                choices.good_or_bad(&["240", "600"], &["10", "x"]),
+            );
         }
     }
 
-    fn sweep(&mut self, chance: &mut Chance) {
-        match chance.below(3) {
+    fn sweep(&mut self, choices: &mut Choices) {
+        match choices.below(3) {
             0 => {
-                let (name, text) = match chance.below(12) {
-                    0 => binary(chance),
-                    1 => ("export.csv".into(), export(chance)),
-                    _ => ("points.csv".into(), points(chance)),
+                let (name, text) = match choices.below(12) {
+                    0 => binary(choices),
+                    1 => ("export.csv".into(), export(choices)),
+                    _ => ("points.csv".into(), points(choices)),
                 };
                 self.files.push((name.clone(), text));
                 self.option("--points", name);
             }
             1 => {
-                let text = range(variable(chance), chance);
+                let text = range(variable(choices), choices);
                 self.option("--over", text);
                 self.option(
                     "--sample",
-                    (if chance.makes_mistake() {
+                    (if choices.makes_mistake() {
                         0
                     } else {
-                        1 + chance.below(12)
+                        1 + choices.below(12)
                     })
                     .to_string(),
                 );
-                if chance.is(0.2) {
+                if choices.is(0.2) {
                     self.option(
                         "--seed",
-                        chance.of_or(&["0", "7", "4294967295"], &["-1", "4294967296"]),
+                        choices.good_or_bad(&["0", "7", "4294967295"], &["-1", "4294967296"]),
                     );
                 }
             }
             _ => {
-                for _ in 0..1 + chance.below(2) {
-                    let text = range(variable(chance), chance);
-                    let count = chance.of_or(
+                for _ in 0..1 + choices.below(2) {
+                    let text = range(variable(choices), choices);
+                    let count = choices.good_or_bad(
                         &["1", "2", "3", "7"],
                         &["0", "x", "-1", "99999999999999999999"],
                     );
-                    if chance.is(0.02) {
+                    if choices.is(0.02) {
                         self.option("--over", format!("{text}:99999999999"));
                         self.option("--max-size", "1GB");
                         continue;
                     }
                     self.option(
                         "--over",
-                        if chance.makes_mistake() {
+                        if choices.makes_mistake() {
                             text
                         } else {
                             format!("{text}:{count}")
@@ -784,56 +801,59 @@ impl Question {
                 }
             }
         }
-        if chance.is(0.6) {
-            self.option("--outcomes", list(3, chance, outcome));
+        if choices.is(0.6) {
+            self.option("--outcomes", list(3, choices, outcome));
         }
-        if chance.is(0.2) {
+        if choices.is(0.2) {
             self.push("--gradient");
         }
-        if chance.is(0.1) {
+        if choices.is(0.1) {
             self.option(
                 "--instructions",
-                chance.of_or(&["baseline"], &["sse2", "avx1024"]),
+                choices.good_or_bad(&["baseline"], &["sse2", "avx1024"]),
             );
         }
-        if chance.is(0.1) {
+        if choices.is(0.1) {
             self.option(
                 "--wrt",
-                list(2, chance, |chance| name_of(variable(chance), chance)),
+                list(2, choices, |choices| name_of(variable(choices), choices)),
             );
         }
-        if chance.is(0.85) {
-            let names = if chance.makes_mistake() {
+        if choices.is(0.85) {
+            let names = if choices.makes_mistake() {
                 ["rows.xlsx", "rows", "rows."]
             } else {
                 ["rows.csv", "rows.jsonl", "rows.parquet"]
             };
-            self.output("-o", &names, chance);
+            self.output("-o", &names, choices);
         }
-        if chance.is(0.2) {
+        if choices.is(0.2) {
             self.option(
                 "--format",
-                chance.of_or(&["csv", "jsonl", "parquet"], &["xlsx"]),
+                choices.good_or_bad(&["csv", "jsonl", "parquet"], &["xlsx"]),
             );
         }
-        if chance.is(0.03) {
+        if choices.is(0.03) {
             self.push("--resume");
         }
-        if chance.is(0.1) {
+        if choices.is(0.1) {
             self.option(
                 "--threads",
-                chance.of_or(&["0", "1", "2", "5000"], &["-1", "x"]),
+                choices.good_or_bad(&["0", "1", "2", "5000"], &["-1", "x"]),
             );
         }
-        if chance.is(0.1) {
-            self.option("--max-size", chance.of_or(&["1GB", "10B"], &["much", "0B"]));
+        if choices.is(0.1) {
+            self.option(
+                "--max-size",
+                choices.good_or_bad(&["1GB", "10B"], &["much", "0B"]),
+            );
         }
     }
 
     /// An output: a new file, an existing one, one in a missing folder, or an input.
-    fn output(&mut self, option: &str, names: &[&str], chance: &mut Chance) {
-        let name = chance.of(names).to_owned();
-        let name = match chance.below(40) {
+    fn output(&mut self, option: &str, names: &[&str], choices: &mut Choices) {
+        let name = choices.of(names).to_owned();
+        let name = match choices.below(40) {
             0 => format!("no/such/{name}"),
             1 | 6 | 7 => format!("folder/{name}"),
             2 => {
@@ -846,12 +866,12 @@ impl Question {
                     .push((self.files[self.files.len() - 1].0.clone(), name.clone()));
                 name
             }
-            5 => chance.of(&["", ".", "-", "folder"]).to_owned(),
+            5 => choices.of(&["", ".", "-", "folder"]).to_owned(),
             _ => name,
         };
         self.option(option, name.clone());
         self.outputs.push(name);
-        if chance.is(0.15) {
+        if choices.is(0.15) {
             self.push("--overwrite");
         }
     }

@@ -1,6 +1,6 @@
 //! Names and values, correct and wrong.
 
-use crate::chance::Chance;
+use crate::choices::Choices;
 use longdrive::parameters::{Kind, Law, PRESETS, Parameter};
 use longdrive::{Outcome, Setup};
 
@@ -33,24 +33,24 @@ const ODD: [&str; 25] = [
     "🏌",
 ];
 
-pub fn preset(chance: &mut Chance) -> &'static str {
-    PRESETS[chance.below(PRESETS.len())].name
+pub fn preset(choices: &mut Choices) -> &'static str {
+    PRESETS[choices.below(PRESETS.len())].name
 }
 
 /// A parameter of a preset. By mistake, a parameter of any law or of a launch.
-pub fn parameter(chance: &mut Chance) -> &'static Parameter {
-    if chance.makes_mistake() {
-        return chance.of(&Law::all_rows().collect::<Vec<_>>());
+pub fn parameter(choices: &mut Choices) -> &'static Parameter {
+    if choices.makes_mistake() {
+        return choices.of(&Law::all_rows().collect::<Vec<_>>());
     }
-    if chance.is_launched {
+    if choices.is_launched {
         let mut all = launched().parameters();
         all.retain(|row| {
             !row.is_of_strike() && row.name != "launch.spin" && row.name != "launch.spin_axis"
         });
-        return chance.of(&all);
+        return choices.of(&all);
     }
-    let all = Setup::preset(preset(chance)).unwrap().parameters();
-    of_the_drive(&all, chance)
+    let all = Setup::preset(preset(choices)).unwrap().parameters();
+    usual_or_mistaken(&all, choices)
 }
 
 /// The default setup with a launch in place of the club.
@@ -68,24 +68,24 @@ fn launched() -> Setup<f64> {
 }
 
 /// A parameter that searches and derivatives accept.
-pub fn variable(chance: &mut Chance) -> &'static Parameter {
-    if chance.is_launched {
+pub fn variable(choices: &mut Choices) -> &'static Parameter {
+    if choices.is_launched {
         let mut all = launched().variables();
-        if chance.is(0.7) {
+        if choices.is(0.7) {
             all.retain(|row| row.is_of_launch());
         }
-        return chance.of(&all);
+        return choices.of(&all);
     }
     let mut all = Setup::default().variables();
-    if chance.is_over_swings {
+    if choices.is_over_swings {
         // only parameters of the club, because the swings state the others
         all.retain(|row| row.name.starts_with("club."));
-        return of_the_drive(&all, chance);
+        return usual_or_mistaken(&all, choices);
     }
-    if chance.is_of_flight {
+    if choices.is_of_flight {
         let of_the_club = ["swing.", "club.", "strike.", "impact."];
         all.retain(|row| !of_the_club.iter().any(|group| row.name.starts_with(group)));
-        return of_the_drive(&all, chance);
+        return usual_or_mistaken(&all, choices);
     }
     // the most frequent parameters of users
     let usual = [
@@ -96,16 +96,16 @@ pub fn variable(chance: &mut Chance) -> &'static Parameter {
         "swing.face_angle",
         "air.density",
     ];
-    if chance.is(0.6) {
-        Setup::default().variable(chance.of(&usual)).unwrap()
+    if choices.is(0.6) {
+        Setup::default().variable(choices.of(&usual)).unwrap()
     } else {
-        of_the_drive(&all, chance)
+        usual_or_mistaken(&all, choices)
     }
 }
 
 /// One of `all`. Only by mistake a launch parameter, or the wind's speed or direction, which must
 /// be given together.
-fn of_the_drive(all: &[&'static Parameter], chance: &mut Chance) -> &'static Parameter {
+fn usual_or_mistaken(all: &[&'static Parameter], choices: &mut Choices) -> &'static Parameter {
     let struck: Vec<_> = all
         .iter()
         .copied()
@@ -113,20 +113,20 @@ fn of_the_drive(all: &[&'static Parameter], chance: &mut Chance) -> &'static Par
             !row.name.starts_with("launch.") && !["wind.speed", "wind.from"].contains(&row.name)
         })
         .collect();
-    if chance.makes_mistake() {
-        chance.of(all)
+    if choices.makes_mistake() {
+        choices.of(all)
     } else {
-        chance.of(&struck)
+        choices.of(&struck)
     }
 }
 
 /// Name of a parameter; sometimes one that does not exist.
-pub fn name_of(parameter: &Parameter, chance: &mut Chance) -> String {
+pub fn name_of(parameter: &Parameter, choices: &mut Choices) -> String {
     let name = parameter.name;
-    if !chance.makes_mistake() {
+    if !choices.makes_mistake() {
         return name.into();
     }
-    chance.of(&[
+    choices.of(&[
         name.replace('.', ""),
         format!("{name}x"),
         name.to_uppercase(),
@@ -135,7 +135,7 @@ pub fn name_of(parameter: &Parameter, chance: &mut Chance) -> String {
 }
 
 /// A value near the parameter's default, SI, at a relative distance of at most `spread`.
-pub fn near(parameter: &Parameter, spread: f64, chance: &mut Chance) -> f64 {
+pub fn near(parameter: &Parameter, spread: f64, choices: &mut Choices) -> f64 {
     let default = parameter
         .default_value()
         .filter(|value| value.is_finite())
@@ -155,18 +155,18 @@ pub fn near(parameter: &Parameter, spread: f64, chance: &mut Chance) -> f64 {
         (0.0, _) => 0.05,
         _ => default.abs(),
     };
-    let value = default + size * spread * chance.between(-1.0, 1.0);
+    let value = default + size * spread * choices.between(-1.0, 1.0);
     let value = value.max(parameter.range.low).min(parameter.range.high);
     if parameter.name == "flight.step" {
-        chance.between(0.01, 0.05)
+        choices.between(0.01, 0.05)
     } else {
         value
     }
 }
 
 /// A value in SI as text, in the parameter's unit or in the SI unit.
-pub fn with_unit(value: f64, parameter: &Parameter, chance: &mut Chance) -> String {
-    let unit = if chance.is(0.7) {
+pub fn with_unit(value: f64, parameter: &Parameter, choices: &mut Choices) -> String {
+    let unit = if choices.is(0.7) {
         parameter.unit
     } else {
         parameter.quantity.si
@@ -174,7 +174,7 @@ pub fn with_unit(value: f64, parameter: &Parameter, chance: &mut Chance) -> Stri
     let Some(size) = parameter.quantity.size_of(unit) else {
         return format!("{value:?}");
     };
-    let space = if chance.is(0.3) { " " } else { "" };
+    let space = if choices.is(0.3) { " " } else { "" };
     let text = format!("{:?}{space}{unit}", value / size)
         .trim_end()
         .to_owned();
@@ -187,20 +187,20 @@ pub fn with_unit(value: f64, parameter: &Parameter, chance: &mut Chance) -> Stri
 }
 
 /// A value of a parameter: mostly within its range.
-pub fn value(parameter: &Parameter, chance: &mut Chance) -> String {
+pub fn value(parameter: &Parameter, choices: &mut Choices) -> String {
     let range = parameter.range;
-    if chance.makes_mistake() {
-        let bare = format!("{:?}", near(parameter, 0.2, chance));
+    if choices.makes_mistake() {
+        let bare = format!("{:?}", near(parameter, 0.2, choices));
         let beyond = if range.high.is_finite() {
             1.01 * range.high
         } else {
             -1e6
         };
-        let beyond = with_unit(beyond, parameter, chance);
-        let odd = chance.of(&ODD).to_owned();
-        return chance.of(&[bare, beyond, odd.clone(), odd]);
+        let beyond = with_unit(beyond, parameter, choices);
+        let odd = choices.of(&ODD).to_owned();
+        return choices.of(&[bare, beyond, odd.clone(), odd]);
     }
-    match chance.below(40) {
+    match choices.below(40) {
         0 => with_unit(
             if range.high.is_finite() {
                 range.high
@@ -208,7 +208,7 @@ pub fn value(parameter: &Parameter, chance: &mut Chance) -> String {
                 1e6
             },
             parameter,
-            chance,
+            choices,
         ),
         1 => with_unit(
             if range.low.is_finite() {
@@ -217,19 +217,19 @@ pub fn value(parameter: &Parameter, chance: &mut Chance) -> String {
                 -1e6
             },
             parameter,
-            chance,
+            choices,
         ),
-        2 | 3 => with_unit(near(parameter, 20.0, chance), parameter, chance),
+        2 | 3 => with_unit(near(parameter, 20.0, choices), parameter, choices),
         4 if parameter.kind == Kind::Optional => "none".into(),
         5 if parameter.name.contains("radius") => "inf".into(),
-        _ => with_unit(near(parameter, 0.2, chance), parameter, chance),
+        _ => with_unit(near(parameter, 0.2, choices), parameter, choices),
     }
 }
 
 /// NAME=VALUE.
-pub fn setting(chance: &mut Chance) -> String {
-    if chance.makes_mistake() {
-        return chance
+pub fn setting(choices: &mut Choices) -> String {
+    if choices.makes_mistake() {
+        return choices
             .of(&[
                 "club.loft",
                 "=",
@@ -244,37 +244,41 @@ pub fn setting(chance: &mut Chance) -> String {
             ])
             .into();
     }
-    match chance.below(30) {
-        0 => format!("aero.law={}", chance.of(Law::NAMES)),
-        1 => format!("flight.method={}", chance.of(&["rk4", "dp8"])),
+    match choices.below(30) {
+        0 => format!("aero.law={}", choices.of(Law::NAMES)),
+        1 => format!("flight.method={}", choices.of(&["rk4", "dp8"])),
         _ => {
-            let parameter = parameter(chance);
+            let parameter = parameter(choices);
             format!(
                 "{}={}",
-                name_of(parameter, chance),
-                value(parameter, chance)
+                name_of(parameter, choices),
+                value(parameter, choices)
             )
         }
     }
 }
 
 /// NAME=LOW..HIGH about a parameter's default.
-pub fn range(parameter: &Parameter, chance: &mut Chance) -> String {
-    let middle = near(parameter, 0.05, chance);
+pub fn range(parameter: &Parameter, choices: &mut Choices) -> String {
+    let middle = near(parameter, 0.05, choices);
     let reach = if middle == 0.0 {
         0.05
     } else {
         0.2 * middle.abs()
     };
-    let low = with_unit((middle - reach).max(parameter.range.low), parameter, chance);
+    let low = with_unit(
+        (middle - reach).max(parameter.range.low),
+        parameter,
+        choices,
+    );
     let high = with_unit(
         (middle + reach).min(parameter.range.high),
         parameter,
-        chance,
+        choices,
     );
-    let name = name_of(parameter, chance);
-    if chance.makes_mistake() {
-        let odd = chance.of(&ODD);
+    let name = name_of(parameter, choices);
+    if choices.makes_mistake() {
+        let odd = choices.of(&ODD);
         let reversed = format!("{name}={high}..{low}");
         let without = [
             format!("{name}={low}"),
@@ -282,33 +286,33 @@ pub fn range(parameter: &Parameter, chance: &mut Chance) -> String {
             format!("{name}={odd}..{high}"),
             name,
         ];
-        return if chance.is(0.3) {
+        return if choices.is(0.3) {
             reversed
         } else {
-            chance.of(&without)
+            choices.of(&without)
         };
     }
-    match chance.below(40) {
+    match choices.below(40) {
         0 => format!("{name}={low}..{low}"),
         _ => format!("{name}={low}..{high}"),
     }
 }
 
 /// Name of an outcome; sometimes another text.
-pub fn outcome(chance: &mut Chance) -> String {
-    if chance.makes_mistake() {
-        return chance.of(&["cary", "", "Carry", "club.loft"]).into();
+pub fn outcome(choices: &mut Choices) -> String {
+    if choices.makes_mistake() {
+        return choices.of(&["cary", "", "Carry", "club.loft"]).into();
     }
-    match chance.below(40) {
+    match choices.below(40) {
         0 => "all".into(),
-        _ if chance.is(0.4) => chance.of(&["carry", "lateral"]).into(),
-        _ => chance.of(Outcome::ALL).name().into(),
+        _ if choices.is(0.4) => choices.of(&["carry", "lateral"]).into(),
+        _ => choices.of(Outcome::ALL).name().into(),
     }
 }
 
 /// The goal of an outcome: its mean in a question over many swings.
-pub fn statistic(outcome: &str, chance: &Chance) -> String {
-    if chance.is_over_swings {
+pub fn statistic(outcome: &str, choices: &Choices) -> String {
+    if choices.is_over_swings {
         format!("mean({outcome})")
     } else {
         outcome.into()
@@ -316,16 +320,16 @@ pub fn statistic(outcome: &str, chance: &Chance) -> String {
 }
 
 /// Up to `count` names with commas between them.
-pub fn list(count: usize, chance: &mut Chance, one: impl Fn(&mut Chance) -> String) -> String {
-    (0..1 + chance.below(count))
-        .map(|_| one(chance))
+pub fn list(count: usize, choices: &mut Choices, one: impl Fn(&mut Choices) -> String) -> String {
+    (0..1 + choices.below(count))
+        .map(|_| one(choices))
         .collect::<Vec<_>>()
         .join(",")
 }
 
 /// A constraint for `--subject-to`.
-pub fn constraint(chance: &mut Chance) -> String {
-    let outcome = chance.of(Outcome::ALL);
+pub fn constraint(choices: &mut Choices) -> String {
+    let outcome = choices.of(Outcome::ALL);
     let usual = match outcome.unit() {
         "yd" => 200.0,
         "mph" => 150.0,
@@ -334,18 +338,18 @@ pub fn constraint(chance: &mut Chance) -> String {
         "s" => 6.0,
         _ => 1.4,
     };
-    let limit = |chance: &mut Chance| {
-        let value = usual * chance.between(0.0, 1.5);
-        let unit = chance.of_or(&[outcome.unit()], &["kg", "", "yards"]);
+    let limit = |choices: &mut Choices| {
+        let value = usual * choices.between(0.0, 1.5);
+        let unit = choices.good_or_bad(&[outcome.unit()], &["kg", "", "yards"]);
         format!("{value:.2} {unit}").trim_end().to_owned()
     };
-    let (name, first) = (statistic(outcome.name(), chance), limit(chance));
-    match chance.below(12) {
+    let (name, first) = (statistic(outcome.name(), choices), limit(choices));
+    match choices.below(12) {
         0 => format!("{name} == {first}"),
-        1 => format!("{first} <= {name} <= {}", limit(chance)),
+        1 => format!("{first} <= {name} <= {}", limit(choices)),
         2 => format!("{name} {first}"),
-        3 => format!("{name} >= {}", chance.of(&ODD)),
-        4 => chance
+        3 => format!("{name} >= {}", choices.of(&ODD)),
+        4 => choices
             .of(&[
                 "",
                 "<=",
@@ -362,41 +366,41 @@ pub fn constraint(chance: &mut Chance) -> String {
 }
 
 /// A standard uncertainty for `--sigma`.
-pub fn sigma(chance: &mut Chance) -> String {
-    let parameter = variable(chance);
-    let name = name_of(parameter, chance);
-    if chance.makes_mistake() {
-        return format!("{name}={}", chance.of(&ODD));
+pub fn sigma(choices: &mut Choices) -> String {
+    let parameter = variable(choices);
+    let name = name_of(parameter, choices);
+    if choices.makes_mistake() {
+        return format!("{name}={}", choices.of(&ODD));
     }
-    match chance.below(4) {
-        0 => format!("{name}={:.3}%", chance.between(0.0, 3.0)),
+    match choices.below(4) {
+        0 => format!("{name}={:.3}%", choices.between(0.0, 3.0)),
         _ => {
-            let size = near(parameter, 0.1, chance).abs().max(1e-6);
-            format!("{name}={}", with_unit(0.01 * size, parameter, chance))
+            let size = near(parameter, 0.1, choices).abs().max(1e-6);
+            format!("{name}={}", with_unit(0.01 * size, parameter, choices))
         }
     }
 }
 
 /// A distribution for `--distribution`.
-pub fn distribution(chance: &mut Chance) -> String {
-    let parameter = variable(chance);
-    let name = name_of(parameter, chance);
-    let mut values: Vec<f64> = (0..3).map(|_| near(parameter, 0.05, chance)).collect();
+pub fn distribution(choices: &mut Choices) -> String {
+    let parameter = variable(choices);
+    let name = name_of(parameter, choices);
+    let mut values: Vec<f64> = (0..3).map(|_| near(parameter, 0.05, choices)).collect();
     values.sort_by(f64::total_cmp);
-    let [low, middle, high] = [0, 1, 2].map(|at| with_unit(values[at], parameter, chance));
-    if chance.makes_mistake() {
-        let odd = chance.of(&ODD);
+    let [low, middle, high] = [0, 1, 2].map(|at| with_unit(values[at], parameter, choices));
+    if choices.makes_mistake() {
+        let odd = choices.of(&ODD);
         let bad = [
             format!("{name}={odd}"),
             format!("{name}=gauss({low},{high})"),
             format!("{name}=normal({low})"),
         ];
-        return chance.of(&bad);
+        return choices.of(&bad);
     }
-    match chance.below(12) {
+    match choices.below(12) {
         0..3 => format!(
             "{name}=normal({middle},{})",
-            with_unit(1e-3 + 0.01 * values[1].abs(), parameter, chance)
+            with_unit(1e-3 + 0.01 * values[1].abs(), parameter, choices)
         ),
         3..8 => format!("{name}=uniform({low},{high})"),
         _ => format!("{name}=triangular({low},{middle},{high})"),
