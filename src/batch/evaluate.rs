@@ -2,7 +2,7 @@
 
 use super::block::{Block, Status};
 use super::definition::Batch;
-use super::lane_batch::{LaneBatch, Launches, PartitionedRows};
+use super::lane_batch::{LaneBatch, LaunchPartition, PartitionedRows};
 use crate::derivative::{Evaluator, Order};
 use crate::drive::{CheckScope, Drive, ExceededLimits, Outcome};
 use crate::error::{Error, Result};
@@ -90,7 +90,7 @@ impl Batch {
         let PartitionedRows {
             flying,
             mut scalar_rows,
-        } = self.level.run_sweep(Launches { batch: self, block });
+        } = self.level.run_sweep(LaunchPartition { batch: self, block });
         // at least one iteration, which computes the values if there are no derivatives
         for first in (0..self.wrt.len().max(1)).step_by(MOST_PER_LANE) {
             let wrt = &self.wrt[first..self.wrt.len().min(first + MOST_PER_LANE)];

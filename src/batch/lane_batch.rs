@@ -112,7 +112,7 @@ impl OverNumbers for LaneBatch<'_> {
 }
 
 /// Partitions the rows in range by their launches, before any flight is computed.
-pub(super) struct Launches<'a> {
+pub(super) struct LaunchPartition<'a> {
     pub batch: &'a Batch,
     pub block: &'a mut Block,
 }
@@ -126,7 +126,7 @@ pub(super) struct PartitionedRows {
     pub scalar_rows: Vec<usize>,
 }
 
-impl Task for Launches<'_> {
+impl Task for LaunchPartition<'_> {
     type Output = PartitionedRows;
 
     /// Rows whose ball flies go to `flying`, rows without a valid impact to `scalar_rows`. A row
