@@ -628,7 +628,7 @@ fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
     assert_eq!(fs::read_dir(copy.path()).unwrap().count(), 3);
 
     // killed with an empty temporary file, with its first bytes, and with the rows
-    for bytes in [0, 1, 1000] {
+    for least in [0, 1, 1000] {
         let unfinished = || {
             let entries = fs::read_dir(copy.path()).unwrap().map(Result::unwrap);
             let mut files = entries.filter(|entry| {
@@ -637,7 +637,7 @@ fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
             });
             files.next()
         };
-        let has_bytes = |entry: fs::DirEntry| entry.metadata().is_ok_and(|it| it.len() >= bytes);
+        let has_bytes = |entry: fs::DirEntry| entry.metadata().is_ok_and(|it| it.len() >= least);
         let mut program = program::command();
         let quiet = program
             .args(question())
