@@ -10,7 +10,7 @@ use crate::error::{Error, Result};
 use crate::parameters::SetupFile;
 use crate::study::swings::{Pareto, ParetoPoint};
 use crate::study::{Active, BoundSide};
-use crate::units::{System, TableUnits, counted, per, significant};
+use crate::units::{DerivativeUnit, System, TableUnits, counted, per, significant};
 use serde::Serialize;
 
 /// The role of a point of a front: an end, or the knee; `None` for all other points.
@@ -256,7 +256,7 @@ fn notes(found: &Pareto, system: System) -> Vec<String> {
     notes
 }
 
-/// The front as CSV. The column heads contain the units; the slope is in SI.
+/// The front as CSV. The column heads contain the units.
 ///
 /// # Errors
 /// [`Error::Output`].
@@ -270,16 +270,19 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
         label: vary.parameter.name.into(),
         of: vary.parameter.into(),
     });
+    let [first, second] = search.goals.each_ref().map(|(goal, _)| goal);
+    let slope_unit = DerivativeUnit::new(first.into(), second.into(), units);
     let columns: Vec<NamedQuantity> = goals
         .chain(varied)
-        .chain([NamedQuantity::plain("slope")])
+        .chain([NamedQuantity::plain(slope_unit.head("slope"))])
         .collect();
     let heads = columns.iter().map(|column| column.head(units));
     let words = ["role", "active", "event"].map(str::to_owned);
     let head = heads.chain(words).collect();
     let rows = found.points.iter().enumerate().map(|(place, point)| {
         let values = point.goals.iter().chain(&point.design);
-        let values = values.copied().map(Some).chain([point.slope]);
+        let slope = point.slope.map(|slope| slope / slope_unit.size);
+        let values = values.copied().map(Some).chain([slope]);
         let numbers = columns
             .iter()
             .zip(values)

@@ -7,6 +7,7 @@
 
 mod amount;
 mod decimals;
+mod derivative_unit;
 mod display_unit;
 mod error;
 mod expression;
@@ -18,6 +19,7 @@ mod system;
 pub(crate) use amount::Amount;
 pub use decimals::{counted, counted_of};
 pub(crate) use decimals::{fixed, is_zero, signed};
+pub use derivative_unit::DerivativeUnit;
 pub use display_unit::DisplayUnit;
 pub use error::UnitError;
 pub(crate) use expression::Unit;

@@ -287,7 +287,7 @@ fn same_front_in_text_json_csv_and_setups() {
     assert_eq!(output.status, 0, "{}", output.err);
     let table = std::fs::read_to_string(file("front.csv")).unwrap();
     let head = "carry [m],apex_height [m],club.loft [rad],swing.attack_angle \
-                [rad],slope,role,active,event\n";
+                [rad],slope [m/m],role,active,event\n";
     assert!(
         table.starts_with(head) && table.lines().count() == points.len() + 1,
         "{table}"

@@ -167,3 +167,42 @@ fn plots_charts_and_fronts_have_the_stated_units_in_csv() {
         ["carry [yd]", "apex_height [yd]", "club.loft [deg]"]
     );
 }
+
+#[test]
+fn exact_slope_of_a_front_in_the_stated_units() {
+    let folder = tempfile::tempdir().unwrap();
+    let slope = |units: &[&str]| {
+        let file = folder.path().join("front.csv").display().to_string();
+        let goals = [
+            "--maximize",
+            "carry",
+            "--minimize",
+            "descent_angle",
+            "--points",
+            "3",
+        ];
+        let ask = ["pareto", "-q", "--overwrite", "-o", &file];
+        let output = longdrive(&[&ask[..], &goals, units].concat());
+        assert_eq!(output.status, 0, "{}", output.err);
+        let table = std::fs::read_to_string(&file).unwrap();
+        let heads = table.lines().next().unwrap().split(',');
+        let (at, head) = heads
+            .enumerate()
+            .find(|(_, head)| head.starts_with("slope"))
+            .unwrap();
+        // the slope is 0 at the largest carry, and undefined where a bound becomes active
+        let slopes = table.lines().skip(1).filter_map(|row| {
+            let slope: f64 = row.split(',').nth(at).unwrap().parse().ok()?;
+            (slope != 0.0).then_some(slope)
+        });
+        (head.to_owned(), slopes.last().unwrap())
+    };
+    let (si_head, si) = slope(&[]);
+    let (us_head, us) = slope(&["--units", "us"]);
+    assert_eq!(
+        [si_head.as_str(), us_head.as_str()],
+        ["slope [m/rad]", "slope [yd/deg]"]
+    );
+    let expected = si / 0.9144 * std::f64::consts::PI / 180.0;
+    assert!((us / expected - 1.0).abs() < 1e-12, "{us} {expected}");
+}

@@ -1,8 +1,6 @@
 use super::{STATUS, column_counts, expect_columns, push_number};
 use crate::batch::{Batch, Block};
-use crate::drive::Outcome;
-use crate::parameters::Parameter;
-use crate::units::{Quantity, TableUnits, Unit, ratio};
+use crate::units::{DerivativeUnit, Quantity, TableUnits, Unit};
 
 /// A batch as CSV. A missing value is an empty cell.
 #[derive(Clone, Debug)]
@@ -51,19 +49,23 @@ impl SweepCsv {
             .outcomes()
             .iter()
             .flat_map(|of| batch.wrt().iter().map(move |by| (*of, *by)));
-        let of_derivatives: Vec<_> = derivatives
-            .map(|(of, by)| derivative_column(of, by, units))
+        let derivative_units: Vec<_> = derivatives
+            .clone()
+            .map(|(of, by)| DerivativeUnit::new(of.into(), by.into(), units))
             .collect();
+        let derivative_heads = derivatives
+            .zip(&derivative_units)
+            .map(|((of, by), unit)| unit.head(&format!("d_{}/d_{}", of.name(), by.name)));
         let names = parameters
             .clone()
             .map(head)
             .chain([STATUS.to_owned()])
             .chain(outcomes.clone().map(head))
-            .chain(of_derivatives.iter().map(|(name, _)| name.clone()))
+            .chain(derivative_heads)
             .collect();
-        let of_derivatives = of_derivatives
+        let of_derivatives = derivative_units
             .iter()
-            .map(|(_, size)| Some(ColumnUnit::Ratio(*size)).filter(|_| !is_si));
+            .map(|unit| Some(ColumnUnit::Ratio(unit.size)).filter(|_| !is_si));
         Self {
             names,
             columns: column_counts(batch),
@@ -110,18 +112,5 @@ impl SweepCsv {
             bytes.push(b'\n');
         }
         bytes
-    }
-}
-
-/// The column head of a derivative, and the SI size of its unit.
-fn derivative_column(of: Outcome, by: &Parameter, units: TableUnits) -> (String, f64) {
-    let name = format!("d_{}/d_{}", of.name(), by.name);
-    let of_unit = units.unit(of.quantity(), of.unit());
-    let by_unit = units.unit(by.quantity, by.unit);
-    let size = |quantity: Quantity, unit| quantity.size_of(unit).unwrap_or(1.0);
-    let size = size(of.quantity(), of_unit) / size(by.quantity, by_unit);
-    match ratio(of_unit, by_unit) {
-        unit if unit.is_empty() => (name, size),
-        unit => (format!("{name} [{unit}]"), size),
     }
 }
