@@ -30,6 +30,8 @@ pub(super) enum ColumnType {
     Number,
     /// A number or null.
     SomeNumber,
+    /// A number or null, dictionary-encoded if few values are distinct.
+    SomeRepeatedNumber,
     /// A text in every row.
     Text,
     /// A text or null.
@@ -75,10 +77,9 @@ fn refused(error: ParquetError) -> Error {
     Error::Output(std::io::Error::other(reason))
 }
 
-/// The error for a damaged row group in a journal.
+/// The error for damaged metadata of a row group.
 fn damaged(_: ParquetError) -> Error {
-    let reason = "its record of a row group of the Parquet file is damaged; start the sweep again \
-                  with `overwrite`";
+    let reason = "the metadata of a row group of the Parquet file is damaged";
     Error::Output(std::io::Error::other(reason))
 }
 
@@ -103,10 +104,12 @@ impl ParquetTable {
         for (name, kind) in columns {
             let repetition = match kind {
                 ColumnType::Number | ColumnType::Text => Repetition::REQUIRED,
-                ColumnType::SomeNumber | ColumnType::SomeText => Repetition::OPTIONAL,
+                ColumnType::SomeNumber | ColumnType::SomeRepeatedNumber | ColumnType::SomeText => {
+                    Repetition::OPTIONAL
+                }
             };
             let field = match kind {
-                ColumnType::Number | ColumnType::SomeNumber => {
+                ColumnType::Number | ColumnType::SomeNumber | ColumnType::SomeRepeatedNumber => {
                     Type::primitive_type_builder(name, Physical::DOUBLE)
                 }
                 ColumnType::Text | ColumnType::SomeText => {
@@ -244,7 +247,7 @@ impl ParquetTable {
             ParquetMetaDataWriter::new(&mut bytes, &metadata).finish()?;
             Ok(bytes)
         };
-        foot().map_err(damaged)
+        foot().map_err(refused)
     }
 }
 

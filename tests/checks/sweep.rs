@@ -667,10 +667,31 @@ mod in_parquet {
             }
         }
         assert!(rows.next().is_none());
-        assert!(matches!(
-            table.place(b"no metadata", 4, 0),
-            Err(Error::Output(_))
-        ));
+        let error = table.place(b"no metadata", 4, 0).err().unwrap();
+        let message = error.to_string();
+        assert!(
+            matches!(error, Error::Output(_)) && !message.contains("overwrite"),
+            "{message}"
+        );
+    }
+
+    #[test]
+    fn exact_null_for_a_missing_swept_parameter() {
+        let (batch, _) = small();
+        let block = batch.evaluate(0, vec![0.2, f64::NAN]);
+        let table = SweepParquet::new(&batch, "").unwrap();
+        let mut bytes = table.head();
+        let group = table.group(&[block]).unwrap();
+        let placed = table.place(&group.metadata, bytes.len() as u64, 0).unwrap();
+        bytes.extend(group.bytes);
+        bytes.extend(table.foot(&[placed], &[]).unwrap());
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.parquet");
+        std::fs::write(&path, bytes).unwrap();
+        let file = SerializedFileReader::new(File::open(path).unwrap()).unwrap();
+        let rows = file.get_row_iter(None).unwrap();
+        let lofts: Vec<Option<f64>> = rows.map(|row| row.unwrap().get_double(0).ok()).collect();
+        assert_eq!(lofts, [Some(0.2), None]);
     }
 
     #[test]

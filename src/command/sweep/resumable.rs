@@ -377,7 +377,14 @@ impl ResumableFile<'_> {
             ..WrittenRows::default()
         };
         for entry in entries {
-            let group = table.place(&entry.group, before.bytes, self.groups.len())?;
+            let group = table
+                .place(&entry.group, before.bytes, self.groups.len())
+                .map_err(|error| {
+                    let reason = format!(
+                        "its sweep cannot be resumed ({error}); start it again with `overwrite`"
+                    );
+                    refused(&self.path, reason)
+                })?;
             self.groups.push(WrittenGroup { group, before });
             before = entry.clone();
         }

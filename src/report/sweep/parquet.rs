@@ -11,8 +11,7 @@ const LEAST_ROWS: usize = 16 * CHUNK;
 /// Maximum number of bytes of the numbers in a row group.
 const MOST_BYTES: usize = 16 << 20;
 
-/// A batch as Parquet: `DOUBLE` columns (required for the swept parameters, optional for the rest)
-/// and the status as a string.
+/// A batch as Parquet: optional `DOUBLE` columns, and the status as a required string.
 ///
 /// Row groups are created one at a time. A file with many row groups consists of the
 /// [`head`](Self::head), the bytes of the groups, and a [`foot`](Self::foot) made from the metadata
@@ -33,7 +32,7 @@ impl SweepParquet {
         let (parameters, results) = (parameter_names(batch), batch.columns());
         let columns = parameters
             .iter()
-            .map(|name| ((*name).to_owned(), ColumnType::Number));
+            .map(|name| ((*name).to_owned(), ColumnType::SomeRepeatedNumber));
         let columns = columns.chain([(STATUS.to_owned(), ColumnType::Text)]);
         let columns: Vec<_> = columns
             .chain(
@@ -76,11 +75,15 @@ impl SweepParquet {
         let [parameters, ..] = self.columns;
         self.table.group(|number| match number {
             number if number < parameters => {
-                let value = |block: &Block, row| block.point(row)[number];
+                let value = |block: &Block, row| {
+                    let value = block.point(row)[number];
+                    // NaN is a missing value in the table of points
+                    Some(value).filter(|value| !value.is_nan())
+                };
                 let values = blocks
                     .iter()
                     .flat_map(|block| all(block).map(move |row| value(block, row)));
-                Cells::Numbers(values.collect())
+                Cells::SomeNumbers(values.collect())
             }
             number if number == parameters => {
                 let status = |block: &Block, row| ByteArray::from(block.status(row).name());
