@@ -70,6 +70,23 @@ impl Client {
 }
 
 #[test]
+fn the_player_has_the_hand_of_the_setup() {
+    let folder = tempfile::tempdir().unwrap();
+    let setup = folder.path().join("left.toml");
+    std::fs::write(&setup, "golfer = \"left\"\n").unwrap();
+    let hand = |more: &[&str]| {
+        let (child, port) = listening(more);
+        let mut client = Client::new(port);
+        client.send(HEARTBEAT);
+        let answer = client.answer();
+        drop(client);
+        ended(child);
+        answer["Player"]["Handed"].clone()
+    };
+    assert_eq!([hand(&[]), hand(&[setup.to_str().unwrap()])], ["RH", "LH"]);
+}
+
+#[test]
 fn every_message_is_answered_and_the_connection_stays() {
     let (child, port) = listening(&["--of", "carry_distance", "--json"]);
     let mut client = Client::new(port);

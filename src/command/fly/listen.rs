@@ -7,7 +7,7 @@ use crate::command::interrupt;
 use crate::command::listener::Listener;
 use crate::command::output::{Answer, note, warn, warnings};
 use crate::command::request::Request;
-use crate::parameters::DEFAULT_PRESET;
+use crate::parameters::{DEFAULT_PRESET, Golfer};
 use crate::report::{Reply, open_connect_answer};
 use crate::shots::{Flying, Objects};
 use crate::units::counted;
@@ -74,7 +74,7 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
         ..MessageCounts::default()
     };
     counts.connections = listener.serve(&stop, TOO_MANY, |stream| {
-        serve(stream, &flying, &stop, &counts)
+        serve(stream, &flying, setup.golfer, &stop, &counts)
     });
     Ok(if request.is_json {
         Answer::json(&Reply::done("fly", warnings(), &counts))
@@ -109,6 +109,7 @@ fn request(args: &Args) -> Result<Request> {
 fn serve(
     mut stream: TcpStream,
     flying: &Flying,
+    golfer: Golfer,
     stop: &AtomicBool,
     counts: &MessageCounts,
 ) -> io::Result<()> {
@@ -146,7 +147,7 @@ fn serve(
                 None => &counts.refused,
             };
             of.fetch_add(1, Ordering::Relaxed);
-            stream.write_all(&open_connect_answer(&flown))?;
+            stream.write_all(&open_connect_answer(&flown, golfer))?;
         }
         if !is_open {
             break;

@@ -3,6 +3,7 @@
 use super::columns::launch;
 use crate::batch::Status;
 use crate::drive::Outcome;
+use crate::parameters::Golfer;
 use crate::report::json::ByName;
 use crate::shots::{ASSUMED, Flown, Shot, size};
 use serde::Serialize;
@@ -155,9 +156,9 @@ pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
 }
 
 /// The answer to a message, ending with a line break. A shot gets code 200 and its predictions in
-/// SI. A message without a shot gets code 201 and the player. Any other message gets code 501 and
-/// the reason.
-pub fn open_connect_answer(flown: &Flown) -> Vec<u8> {
+/// SI. A message without a shot gets code 201 and the player: this golfer with a driver. Any other
+/// message gets code 501 and the reason.
+pub fn open_connect_answer(flown: &Flown, golfer: Golfer) -> Vec<u8> {
     let is_no_shot = flown
         .shots
         .first()
@@ -169,6 +170,10 @@ pub fn open_connect_answer(flown: &Flown) -> Vec<u8> {
         flight: Some(OpenConnectFlight::new(flown, 0)),
         player: None,
     };
+    let hand = match golfer {
+        Golfer::Right => "RH",
+        Golfer::Left => "LH",
+    };
     let answer = match flown.status(0) {
         Some(Status::Landed) => shot("Shot received successfully"),
         Some(_) => shot("Shot received; the ball does not land"),
@@ -176,7 +181,7 @@ pub fn open_connect_answer(flown: &Flown) -> Vec<u8> {
             code: 201,
             message: Some("GSPro Player Information"),
             flight: None,
-            player: Some([("Handed", "RH"), ("Club", "DR")].into_iter().collect()),
+            player: Some([("Handed", hand), ("Club", "DR")].into_iter().collect()),
         },
         None => OpenConnectAnswer {
             code: 501,
