@@ -53,7 +53,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let search = args
         .search
         .search_of_chart(&request, &setup, Some(along.parameter))?;
-    request.refuse_stated_with_default(&[along.parameter], "`along` gives its values")?;
+    request.refuse_stated_besides_launch(&[along.parameter], "`along` gives its values")?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = request.for_many(setup, &ranges)?;
     warn(setup.warnings());

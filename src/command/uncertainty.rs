@@ -100,7 +100,7 @@ fn inputs(
         .map(|text| Uncertain::read(setup, text))
         .collect::<Result<Vec<_>>>()?;
     let distributed: Vec<_> = distributions.iter().map(|input| input.parameter).collect();
-    request.refuse_stated_with_default(&distributed, "`distribution` gives its values")?;
+    request.refuse_stated_besides_launch(&distributed, "`distribution` gives its values")?;
     let is_given = !(sigmas.is_empty() && distributions.is_empty());
     let sigmas = if is_given {
         sigmas

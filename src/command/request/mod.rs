@@ -414,20 +414,18 @@ impl Request {
         Some(format!("{name} of the setup"))
     }
 
-    /// Like [`refuse_stated`](Self::refuse_stated), but allows a setting of a launch condition, and
-    /// of a parameter without a value in the source.
+    /// Like [`refuse_stated`](Self::refuse_stated), but allows settings of launch conditions: a
+    /// launch needs a value of each of its conditions.
     ///
     /// # Errors
     /// The errors of [`refuse_stated`](Self::refuse_stated).
-    pub fn refuse_stated_with_default(
+    pub fn refuse_stated_besides_launch(
         &self,
         parameters: &[&'static Parameter],
         why: &str,
     ) -> Result<()> {
-        let has_default = |parameter: &&&'static Parameter| {
-            !parameter.is_of_launch() && self.source.content.setup.variable(parameter.name).is_ok()
-        };
-        let parameters: Vec<_> = parameters.iter().filter(has_default).copied().collect();
+        let mut parameters = parameters.to_vec();
+        parameters.retain(|parameter| !parameter.is_of_launch());
         self.refuse_stated(&parameters, why)
     }
 
