@@ -57,7 +57,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let swings_args = &args.optimize.swings;
     let request = optimum.setup_args.request()?;
     refuse_unnamed_preset(&request)?;
-    let setup = request.setup()?;
+    let setup = request.partial_setup;
     request.refuse_launch(
         &setup,
         "it gives the launch, so no club strikes the ball and there is nothing to design; leave it \

@@ -16,6 +16,21 @@ const TWO: [&str; 4] = [
     "--distribution=strike.toe=truncated(0mm,9mm,-18mm,18mm)",
 ];
 
+/// The wind blows from a stated direction, and the swings have its speeds: the setup alone has no
+/// speed.
+#[test]
+fn a_design_in_a_wind_whose_speed_varies() {
+    let wind = [
+        "--set",
+        "wind.from=0deg",
+        "--distribution",
+        "wind.speed=uniform(1mph,5mph)",
+    ];
+    let (status, found) = json(&[&FEW[..], &wind].concat());
+    assert_eq!((status, &found["status"]), (0, &"converged".into()));
+    assert_eq!(found["setup"]["wind.from"], 0.0);
+}
+
 /// The error estimate of a design uses swings that the design itself does not use. If one of them
 /// does not fly, there still is an answer.
 #[test]
