@@ -58,7 +58,7 @@ impl Sums {
     }
 
     /// Mean, SI; `None` without values.
-    pub fn bias(&self) -> Option<f64> {
+    pub fn mean(&self) -> Option<f64> {
         self.moments.mean()
     }
 

@@ -88,7 +88,7 @@ impl ClubShotsReport {
     fn new(of: &[Outcome], club: &str, shots: &ClubShots) -> Self {
         let outcome = |(at, of): (usize, &Outcome)| ClubOutcome {
             of: *of,
-            predicted: shots.predicted[at].bias(),
+            predicted: shots.predicted[at].mean(),
             residuals: SumsReport::new(&shots.residuals[at]),
         };
         Self {
@@ -130,7 +130,7 @@ pub struct BandReport {
 impl SumsReport {
     fn new(sums: &Sums) -> Self {
         let (bias, mean_absolute, deviation) =
-            (sums.bias(), sums.mean_absolute(), sums.deviation());
+            (sums.mean(), sums.mean_absolute(), sums.deviation());
         Self {
             rows: sums.count(),
             bias,
@@ -289,7 +289,7 @@ impl ResidualFormat {
 
     /// The bias with its sign; a dash without residuals.
     fn bias(&self, sums: &Sums) -> String {
-        let bias = sums.bias();
+        let bias = sums.mean();
         signed(bias.unwrap_or_default(), self.number(bias))
     }
 }
@@ -305,7 +305,7 @@ fn add_clubs(document: &mut Document, statistics: &ShotStatistics, system: Syste
         vec![
             club.clone(),
             shots.rows.to_string(),
-            format.number(predicted.bias()),
+            format.number(predicted.mean()),
             format.bias(residuals),
             format.number(residuals.mean_absolute()),
         ]
