@@ -300,7 +300,7 @@ pub fn batch<'py>(
         let mut arrays = Arrays::of(&setup.setup, points)?;
         let wrt = match wrt {
             None => vec![],
-            Some(wrt) => by_names(&setup, &arrays, wrt)?,
+            Some(wrt) => by_names(&setup, &of, &arrays, wrt)?,
         };
         let request = Request {
             setup: setup.setup,
@@ -374,6 +374,7 @@ fn given_ranges(setup: &PySetup, given: &[(String, f64, f64)]) -> Answer<Vec<Var
 /// The parameters to differentiate by; the name "points" stands for the parameters of the points.
 fn by_names(
     setup: &PySetup,
+    of: &[Outcome],
     arrays: &Arrays,
     wrt: &Bound<'_, PyAny>,
 ) -> Answer<Vec<&'static Parameter>> {
@@ -384,7 +385,7 @@ fn by_names(
     }
     let of_point = |name: &String| of_points.iter().find(|row| row.name == name).copied();
     if !names.iter().any(|name| of_point(name).is_some()) {
-        return variables(&setup.setup, Some(wrt));
+        return variables(&setup.setup, of, Some(wrt));
     }
     refuse_repeated("wrt", names.iter().map(String::as_str))?;
     // `setup` may have no value for a parameter of the points

@@ -37,7 +37,7 @@ fn computed(
 ) -> Answer<Vec<Taylor>> {
     let (py, setup) = (setup.py(), PySetup::of(setup)?);
     let of = outcomes_named(of)?;
-    let wrt = variables(&setup.setup, wrt)?;
+    let wrt = variables(&setup.setup, &of, wrt)?;
     let integration = setup.integration(py, choice)?;
     let drives = match order {
         Order::Second => wrt.len() * wrt.len(),

@@ -5,6 +5,7 @@ use crate::given::{first_repeated, flattened};
 use crate::json::to_python;
 use crate::setup::PySetup;
 use longdrive::command::{quantity_of, quantity_of_goal};
+use longdrive::derivative::{all_variables, default_variables};
 use longdrive::drive::OutcomeGroup;
 use longdrive::parameters::Parameter;
 use longdrive::report::{ParametersReport, PresetsReport, Reply};
@@ -52,25 +53,18 @@ pub fn outcomes_named(names: &[String]) -> Answer<Vec<Outcome>> {
     Ok(of)
 }
 
-/// The parameters to differentiate by. The default is loft and attack angle, as in the program; for
-/// a setup that gives the launch, the default is the given launch conditions.
+/// The parameters to differentiate these outcomes by, with the default of the program.
 pub fn variables(
     setup: &Setup<f64>,
+    of: &[Outcome],
     given: Option<&Bound<'_, PyAny>>,
 ) -> Answer<Vec<&'static Parameter>> {
     let Some(given) = given else {
-        if setup.launch.is_given() {
-            return Ok(setup.given_launch_conditions());
-        }
-        return Ok([
-            setup.variable("club.loft")?,
-            setup.variable("swing.attack_angle")?,
-        ]
-        .to_vec());
+        return Ok(default_variables(setup)?);
     };
     let names = listed("wrt", given)?;
     if names == ["all"] {
-        return Ok(setup.variables());
+        return Ok(all_variables(setup, of));
     }
     refuse_repeated("wrt", names.iter().map(String::as_str))?;
     Ok(names
@@ -108,7 +102,7 @@ pub fn requested_names<'py>(
 ) -> PyResult<(Vec<&'static str>, Vec<&'static str>)> {
     answer(|| {
         let of = outcomes_named(&listed("of", of)?)?;
-        let wrt = variables(&PySetup::of(setup)?.setup, wrt)?;
+        let wrt = variables(&PySetup::of(setup)?.setup, &of, wrt)?;
         Ok((
             of.iter().map(|of| of.name()).collect(),
             wrt.iter().map(|row| row.name).collect(),

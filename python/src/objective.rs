@@ -152,13 +152,19 @@ impl SwingArguments {
     fn variables(
         &self,
         setup: &Setup<f64>,
+        of: &str,
         wrt: Option<&Bound<'_, PyAny>>,
     ) -> Answer<Vec<&'static Parameter>> {
         if wrt.is_none() && self.is_given() && !setup.launch.is_given() {
             // only the loft: the attack angle belongs to the golfer, and varies from swing to swing
             return Ok(vec![setup.variable("club.loft")?]);
         }
-        variables(setup, wrt)
+        let outcomes = match self.is_given() {
+            true => self.goal(of).map(|goal| goal.outcomes()),
+            false => outcomes_named(&[of.to_owned()]),
+        };
+        // an invalid goal is refused later
+        variables(setup, &outcomes.unwrap_or_default(), wrt)
     }
 
     fn scenarios(&self, setup: &Setup<f64>) -> Answer<Scenarios> {
@@ -438,7 +444,7 @@ impl PyObjective {
                 seed,
                 strokes,
             };
-            let wrt = swing_arguments.variables(&setup.setup, wrt)?;
+            let wrt = swing_arguments.variables(&setup.setup, of, wrt)?;
             let function = if swing_arguments.is_given() {
                 ObjectiveKind::over_swings(py, choice, &setup.setup, of, &wrt, &swing_arguments)?
             } else {

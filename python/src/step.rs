@@ -72,7 +72,7 @@ impl PyIntegration {
         answer(|| {
             let choice = step_choice(tolerance, own_step)?;
             let of = outcomes_named(&listed("of", of)?)?;
-            let wrt = variables(&setup.setup, Some(wrt))?;
+            let wrt = variables(&setup.setup, &of, Some(wrt))?;
             Ok(Self(Arc::new(for_function(
                 py,
                 choice,

@@ -1,7 +1,7 @@
 use crate::command::args::SetupArgs;
-use crate::command::names::{outcomes, usual, variables};
+use crate::command::names::{outcomes, variables};
 use crate::command::output::{Answer, note_error, warn, with_bar};
-use crate::derivative::{Order, Taylor, evaluate_with};
+use crate::derivative::{Order, Taylor, default_variables, evaluate_with};
 use crate::parameters::Parameter;
 use crate::report::GradientReport;
 use crate::{Drive, Error, Outcome, Result, Setup};
@@ -39,7 +39,7 @@ impl DerivativeArgs {
     /// For an unknown name, and for a parameter without a value.
     pub fn variables(&self, setup: &Setup<f64>, of: &[Outcome]) -> Result<Vec<&'static Parameter>> {
         if self.wrt.is_empty() {
-            return usual(setup);
+            return default_variables(setup);
         }
         variables(setup, &self.wrt, of)
     }

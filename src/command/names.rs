@@ -1,6 +1,7 @@
 //! Lists of names on the command line. A repeated name counts once.
 
 use crate::command::output::{note, note_left_out, system};
+use crate::derivative::all_variables;
 use crate::parameters::Parameter;
 use crate::report::total_uncertainty_note;
 use crate::study::Sigma;
@@ -55,28 +56,21 @@ pub fn variables(
     names: &[String],
     of: &[Outcome],
 ) -> Result<Vec<&'static Parameter>> {
-    let runs = of.iter().any(|of| of.needs_run());
     let mut rows = Vec::new();
     for name in given(names) {
         if name != "all" {
             rows.push(setup.variable(name)?);
             continue;
         }
-        let all = setup.variables();
-        let left_out = setup
-            .parameters()
-            .into_iter()
-            .filter(|row| !all.contains(row));
-        let left_out: Vec<_> = left_out.map(|row| row.name).collect();
+        let with_value = setup.variables();
+        let left_out = names_besides(&setup.parameters(), &with_value);
         note_left_out(&format!(
             "left out, because they have no value in this setup: {}",
             left_out.join(", ")
         ));
-        let (idle, all): (Vec<_>, Vec<_>) = all
-            .into_iter()
-            .partition(|row| !runs && row.affects_only_run());
+        let all = all_variables(setup, of);
+        let idle = names_besides(&with_value, &all);
         if !idle.is_empty() {
-            let idle: Vec<_> = idle.iter().map(|row| row.name).collect();
             note_left_out(&format!(
                 "left out, because they do not affect the requested outcomes: {}",
                 idle.join(", ")
@@ -87,15 +81,10 @@ pub fn variables(
     Ok(once(rows))
 }
 
-/// The default parameters of derivatives: loft and attack angle, or the given launch conditions.
-pub fn usual(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
-    if setup.launch.is_given() {
-        return Ok(setup.given_launch_conditions());
-    }
-    ["club.loft", "swing.attack_angle"]
-        .into_iter()
-        .map(|name| setup.variable(name))
-        .collect()
+/// The names of the parameters in `all` that are not in `chosen`.
+fn names_besides(all: &[&'static Parameter], chosen: &[&'static Parameter]) -> Vec<&'static str> {
+    let others = all.iter().filter(|parameter| !chosen.contains(parameter));
+    others.map(|parameter| parameter.name).collect()
 }
 
 /// The stated uncertainties.

@@ -3,12 +3,13 @@ use crate::command::date::today;
 use crate::command::explore::page::compiled_in;
 use crate::command::files::OutputRule;
 use crate::command::host::SharedProgress;
-use crate::command::names::{sigmas, usual};
+use crate::command::names::sigmas;
 use crate::command::output::{Answer, bar, command_line, note, system, warn, warnings};
 use crate::command::plot::{counted_points, limits};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::wording::in_host_syntax;
+use crate::derivative::default_variables;
 use crate::flight::Flight;
 use crate::optimize::Observer;
 use crate::report::page::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE, report_documents};
@@ -482,7 +483,7 @@ fn add_pictures(
 fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<DerivativeRow>> {
     let mut wrt = match search {
         Some(search) => search.parameters().collect(),
-        None => usual(setup)?,
+        None => default_variables(setup)?,
     };
     let speed = setup.variable(if setup.launch.is_given() {
         "launch.ball_speed"

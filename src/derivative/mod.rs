@@ -5,9 +5,11 @@ pub mod check;
 mod directions;
 mod evaluator;
 mod pass;
+mod variables;
 
 pub use crate::number::Taylor;
 pub use evaluator::{Evaluator, Order};
+pub use variables::{all_variables, default_variables};
 
 use crate::drive::Outcome;
 use crate::error::Result;

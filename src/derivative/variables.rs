@@ -1,0 +1,29 @@
+//! The parameters to differentiate by, if the request does not name them.
+
+use crate::drive::Outcome;
+use crate::error::Result;
+use crate::parameters::{Parameter, Setup};
+
+/// The parameters of all derivatives of these outcomes: every parameter with a number in this
+/// setup. Without an outcome of the roll-out, the parameters that affect only the roll-out are
+/// omitted.
+pub fn all_variables(setup: &Setup<f64>, of: &[Outcome]) -> Vec<&'static Parameter> {
+    let needs_run = of.iter().any(|of| of.needs_run());
+    let mut parameters = setup.variables();
+    parameters.retain(|parameter| needs_run || !parameter.affects_only_run());
+    parameters
+}
+
+/// The default parameters of derivatives: loft and attack angle, or the given launch conditions.
+///
+/// # Errors
+/// The errors of [`Setup::variable`].
+pub fn default_variables(setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
+    if setup.launch.is_given() {
+        return Ok(setup.given_launch_conditions());
+    }
+    ["club.loft", "swing.attack_angle"]
+        .into_iter()
+        .map(|name| setup.variable(name))
+        .collect()
+}
