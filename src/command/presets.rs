@@ -1,6 +1,6 @@
 use crate::Result;
-use crate::command::output::{Answer, system};
-use crate::report::{Line, PresetsReport, Reply, Report, preset_toml};
+use crate::command::output::Answer;
+use crate::report::{Line, PresetsReport, Reply, Report, SetupOrigin, preset_toml};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -14,16 +14,21 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Result<Answer> {
-    if args.json {
-        let report = PresetsReport::new(args.name.as_deref())?;
-        return Ok(Answer::json(&Reply::of(&report, vec![])));
-    }
-    if let Some(name) = &args.name {
+    if let (Some(name), false) = (&args.name, args.json) {
         return Ok(Answer::text(preset_toml(name)?));
     }
-    let mut document = PresetsReport::new(None)?.document(system());
-    document.list([Line::item(
-        "'longdrive presets NAME' prints one as a setup file, with the source of each number",
-    )]);
-    Ok(Answer::document(&document))
+    let report = PresetsReport::new(args.name.as_deref())?;
+    Ok(Answer::of(
+        args.json,
+        &SetupOrigin::default(),
+        |warnings| Reply::of(&report, warnings),
+        |system| {
+            let mut document = report.document(system);
+            document.list([Line::item(
+                "'longdrive presets NAME' prints one as a setup file, with the source of each \
+                 number",
+            )]);
+            document
+        },
+    ))
 }

@@ -14,6 +14,9 @@ use serde::Serialize;
 /// Number of rows of a table in a plain text without the option `all`.
 const FIRST_ROWS: usize = 10;
 
+/// The source of an uncertainty that the request states.
+pub(super) const STATED: &str = "given";
+
 /// For each parameter: the sensitivity of the optimal value, or the error of its computation.
 pub type Totals = [(&'static Parameter, Result<Sensitivity>)];
 
@@ -103,7 +106,7 @@ impl OutcomeEffects {
                 derivative: effect.gradient.into(),
                 elasticity: effect.elasticity.into(),
                 standard_uncertainty: bar.map(|bar| bar.sigma.value).into(),
-                source: bar.map(|bar| bar.sigma.source.unwrap_or("given")),
+                source: bar.map(|bar| bar.sigma.source.unwrap_or(STATED)),
                 effect: bar.map(|bar| bar.first_order).into(),
                 second_order: bar.and_then(|bar| bar.second_order).into(),
                 flown: bar.map(|bar| bar.flown.map(JsonNumber::from)),

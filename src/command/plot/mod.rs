@@ -154,7 +154,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let search = args
         .search
         .search_of_chart(&request, &setup, Some(along.parameter))?;
-    request.refuse_stated_with_default(&[along.parameter], "`along` gives its values")?;
+    request.refuse_stated_besides_launch(&[along.parameter], "`along` gives its values")?;
     let shown = shown_curve(args, &search)?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = request.for_many(setup, &ranges)?;
@@ -372,11 +372,10 @@ fn number_within(
     if (least..=most).contains(&value) {
         return Ok(value);
     }
-    let advice = format!("it must be from {least} to {most}");
     Err(Error::OutOfRange {
         name: name.into(),
         value: value.to_string(),
         range: format!("{least} .. {most}"),
-        advice,
+        advice: "give a number in this range".into(),
     })
 }

@@ -6,6 +6,7 @@ use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
 use crate::parameters::{METHOD, is_of_strike};
 use crate::report::certificate::exact_for_display;
+use crate::report::effects::STATED;
 use crate::report::frame::{both, chosen, scrolled};
 use crate::report::limits::{ConstraintAtEnd, Objective, ended_at};
 use crate::report::optimum::{bound_in_words, window_end};
@@ -164,7 +165,7 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
                     tr {
                         td { (shown::words(sigma.parameter.name)) }
                         td.number { (both(|system| shown::uncertainty(sigma.parameter, sigma.value, system))) }
-                        td.words.source { (typeset(sigma.source.unwrap_or("as given"))) }
+                        td.words.source { (typeset(sigma.source.unwrap_or(STATED))) }
                     }
                 }
             }
