@@ -5,5 +5,6 @@ export * from '../src/setup/parameters';
 export * from '../src/setup/travel';
 export * from '../src/setup/words';
 export * from '../src/state/best';
+export * from '../src/state/explorer';
 export * from '../src/state/fragment';
 export * from '../src/state/state';

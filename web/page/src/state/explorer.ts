@@ -51,8 +51,10 @@ export class Explorer {
   readonly busy = signal(true);
   readonly trap = signal<string | null>(null);
   readonly progress = signal<(Progress & { what: string }) | null>(null);
+  /** The long command that runs, then the one that waits for it. */
+  readonly #long = signal<readonly { what: string }[]>([]);
   /** The description of the long command that runs; null without one. */
-  readonly working = signal<string | null>(null);
+  readonly working = computed(() => this.#long.value[0]?.what ?? null);
   readonly aimMessage = signal<string | null>(null);
   /**
    * The time step of the loop that is drawn over the map and a slider, s; null if none is drawn.
@@ -340,9 +342,12 @@ export class Explorer {
 
   async #findMapBest() {
     const design = this.design.value;
+    const key = mapKey(design, this.#mapAxes());
     const words = bestWords(this, this.state.value, design, mapOf(this.state.value));
     const reply = await this.desk.command('map best', words);
-    if (reply) this.mapBest.value = readBest(reply, design, this);
+    // a change of the axes' own parameters changes neither the map nor its best point
+    const isCurrent = key === mapKey(this.design.value, this.#mapAxes());
+    if (reply && isCurrent) this.mapBest.value = readBest(reply, design, this);
   }
 
   /**
@@ -369,9 +374,10 @@ export class Explorer {
 
   /** Runs a long command, and shows its progress. The answer is null if the command was ended. */
   async run(what: string, words: string[], files: Record<string, Uint8Array> = {}): Promise<Reply | null> {
-    this.working.value = what;
+    const command = { what };
+    this.#long.value = [...this.#long.value, command];
     const reply = await this.desk.command('long', words, files);
-    this.working.value = null;
+    this.#long.value = this.#long.value.filter((other) => other !== command);
     return reply;
   }
 

@@ -1,0 +1,66 @@
+// The state of the page, with workers whose answers the tests give.
+import assert from 'node:assert/strict';
+import { before, test } from 'node:test';
+import { pageModules } from './modules.mjs';
+
+let page;
+
+before(async () => {
+  // the page's clock
+  globalThis.window = globalThis;
+  page = await pageModules();
+});
+
+/** A worker that gives no answers of its own; `answers` has a function for each command. */
+function lane() {
+  const answers = [];
+  const pending = new Promise(() => {});
+  return {
+    answers,
+    isIdle: true,
+    calls: () => pending,
+    command: (topic, words) => new Promise(answer => { answers.push({ topic, words, answer }); }),
+  };
+}
+
+function explorer(numbers = lane(), commands = lane()) {
+  const loft = { parameter: 'club.loft', unit: 'rad', shown_in: 'deg', law: null, range: { low: 0, high: 1 } };
+  const others = ['swing.attack_angle', 'swing.speed'].map(parameter => ({ ...loft, parameter }));
+  const presets = [{ name: 'tour-average', setup: { 'club.loft': 0.2, 'swing.attack_angle': 0, 'swing.speed': 0.5 } }];
+  const catalog = new page.Catalog([loft, ...others], presets, []);
+  return new page.Explorer(catalog, numbers, commands, page.START);
+}
+
+const settled = () => new Promise(resolve => { setTimeout(resolve, 0); });
+
+test('a long command that waits is shown once the running one has ended', async () => {
+  const commands = lane();
+  const state = explorer(lane(), commands);
+  const ended = [state.run('the first', []), state.run('the second', [])];
+  assert.equal(state.working.value, 'the first');
+  commands.answers[0].answer({ exit: 0 });
+  await ended[0];
+  assert.equal(state.working.value, 'the second');
+  commands.answers[1].answer({ exit: 0 });
+  await ended[1];
+  assert.equal(state.working.value, null);
+});
+
+test('the best point of a map that is out of date is not shown', async () => {
+  for (const [name, isShown] of [['swing.speed', false], ['club.loft', true]]) {
+    const commands = lane();
+    const map = { head: { status: 'done', columns: 60, rows: 60 }, block: new Float64Array(3600) };
+    const numbers = { ...lane(), calls: async topic => (topic === 'map' ? { numbers: [map] } : null) };
+    const state = explorer(numbers, commands);
+    state.refresh();
+    while (!commands.answers.some(({ topic }) => topic === 'map best')) {
+      await settled();
+    }
+    const { answer } = commands.answers.find(({ topic }) => topic === 'map best');
+    state.set(name, '0.3 rad', false);
+    const found = { optimum: {}, flight: {}, multipliers: {}, warnings: [] };
+    answer({ exit: 0, answer: JSON.stringify(found) });
+    await settled();
+    assert.equal(state.mapBest.value !== null, isShown, name);
+  }
+});
