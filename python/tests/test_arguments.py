@@ -228,6 +228,17 @@ def test_a_quantity_of_pint_is_a_loss(unit: Any) -> None:
         longdrive.optimum_sensitivity("mae494", loss=2 * unit.gram)
 
 
+def test_a_launch_of_a_dict_and_of_the_arguments_is_refused() -> None:
+    launch = {"ball_speed": "150 mph", "launch_angle": "12 deg", "backspin": "2600 rpm"}
+    setup = {"launch": launch}
+    assert longdrive.delivery(setup).status == "done"
+    with pytest.raises(
+        InputError,
+        match=r"^launch\.ball_speed, .* of the setup: ball_speed give the measured launch",
+    ):
+        longdrive.delivery(setup, ball_speed="160 mph")
+
+
 DEGREES: list[Callable[[], Any]] = [
     lambda: longdrive.optimize("mae494", vary={"club.loft": (4, 20)}),
     lambda: longdrive.sweep("mae494", {"club.loft": (4.0, 20.0, 5)}),

@@ -93,6 +93,18 @@ def test_a_jacobian_has_a_row_for_each_outcome() -> None:
     assert np.isfinite(everything.jacobian).all()
 
 
+def test_all_parameters_leave_those_of_the_run_out_for_a_carry() -> None:
+    carry, total = (longdrive.gradient(Setup(), of=of, wrt="all") for of in ("carry", "total"))
+    of_run = [
+        row
+        for row in longdrive.parameters()["parameters"]
+        if row["parameter"].startswith("ground.") and row["parameter"] != "ground.height"
+    ]
+    with_value = [row for row in of_run if row["value"] is not None]
+    assert len(with_value) > 0
+    assert len(total.gradient) - len(carry.gradient) == len(with_value)
+
+
 def test_same_numbers_as_the_program(program: Callable[..., Any]) -> None:
     stated = ("modern-driver", "--set", "club.loft=11deg", "--json")
     report = json.loads(program("simulate", *stated).stdout)

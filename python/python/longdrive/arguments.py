@@ -25,6 +25,7 @@ __all__ = [
     "path_of",
     "refuse_idle_seed",
     "refuse_stated",
+    "refuse_stated_launch",
     "shown",
     "stated_in",
     "switch_of",
@@ -78,6 +79,20 @@ def nearest_outcome(name: str) -> str:
     return name if any(row["name"] == name for row in _longdrive.outcomes()) else "carry"
 
 
+_MEASURED_LAUNCH = (
+    "launch",
+    "ball_speed",
+    "launch_angle",
+    "launch_direction",
+    "spin",
+    "spin_axis",
+    "backspin",
+    "sidespin",
+    "shots",
+)
+"""Arguments of ``delivery`` that give a measured launch."""
+
+
 def stated_in(setup: Any) -> list[str]:
     """The parameters that a dict in place of a setup states; none for a setup or a preset.
 
@@ -100,6 +115,22 @@ def refuse_stated(stated: Sequence[str], columns: Any) -> None:
         raise InputError(
             f"{twice} of the setup: every drive has a value of its own, so this one is not used; "
             "leave it out"
+        )
+
+
+def refuse_stated_launch(setup: Any, arguments: Mapping[str, Any]) -> None:
+    """Refuses a launch in a dict in place of a setup if arguments give the measured launch too.
+
+    The launch of the dict would have no effect.
+    """
+    if not isinstance(setup, Mapping) or isinstance(setup, _longdrive.Setup):
+        return
+    stated = [name for name in _longdrive.names_in(setup) if name.startswith("launch.")]
+    measured = [name for name in _MEASURED_LAUNCH if arguments.get(name) is not None]
+    if stated and measured:
+        raise InputError(
+            f"{', '.join(stated)} of the setup: {', '.join(measured)} give the measured launch, so "
+            "this one is not used; leave it out"
         )
 
 

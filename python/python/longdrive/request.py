@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from . import _longdrive
 from ._longdrive import Setup
 from .angles import BareAngles, check_unit
-from .arguments import kind_of, stated_in, switch_of, whole_characters
+from .arguments import kind_of, refuse_stated_launch, stated_in, switch_of, whole_characters
 from .axes import check_axes
 from .conversion import FILES, Converter, Value, refuse_empty
 from .errors import InputError
@@ -61,6 +61,8 @@ class Request:
         """Axes of matplotlib for a plot."""
         if arguments.get("ax") is not None and arguments.get("output") is not None:
             raise InputError("ax and output both say where the plot goes; keep one of the two")
+        if command == "delivery":
+            refuse_stated_launch(arguments.get("setup"), arguments)
         self._angles: AngleUnit = check_unit(arguments.get("angles") or "rad")
         self._bare_angles = BareAngles(self._angles)
         goals = (arguments.get(name) for name in ("maximize", "minimize"))
