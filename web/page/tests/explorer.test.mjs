@@ -64,3 +64,11 @@ test('the best point of a map that is out of date is not shown', async () => {
     assert.equal(state.mapBest.value !== null, isShown, name);
   }
 });
+
+test('ticks of a small range have different texts', () => {
+  for (const [low, high] of [[-0.02, 0.03], [0, 1e-7], [10, 11], [-20, 20]]) {
+    const texts = page.ticks(low, high, 4).map(page.tickText);
+    assert.ok(texts.length > 2, texts);
+    assert.equal(new Set(texts).size, texts.length, texts);
+  }
+});

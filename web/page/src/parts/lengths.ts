@@ -21,7 +21,8 @@ export function sideways(metres: number, system: System): string {
   return `${number} ${lengthUnit(system)} ${metres > 0 ? 'right' : 'left'}`;
 }
 
-export const tickText = (tick: number) => digits(tick, Number.isInteger(tick) ? 0 : 1);
+/** The text of a tick with all of its digits: `ticks` gives round numbers. */
+export const tickText = (tick: number) => String(tick).replaceAll('-', '−');
 
 /** Round numbers within a range, in steps of which about `count` fit into the range. */
 export function ticks(low: number, high: number, count: number): number[] {
