@@ -133,7 +133,10 @@ impl OutputRule {
         }
         Ok(Destination {
             shown: path.into(),
-            path: at,
+            path: match path.is_symlink() {
+                true => at,
+                false => path.into(),
+            },
             kind: match found.is_file() {
                 true => DestinationKind::File,
                 false => DestinationKind::Device,
@@ -231,7 +234,7 @@ pub fn ending(path: &Path) -> String {
 pub struct Destination {
     /// The name as typed, for messages.
     pub shown: PathBuf,
-    /// The path of the file itself, with links resolved.
+    /// The path of the file itself: as typed, but without a link to it.
     path: PathBuf,
     pub kind: DestinationKind,
     /// True if an existing file may be replaced. If false, a file that another program creates
@@ -269,7 +272,7 @@ impl Destination {
         format!("{} is not written: {why}", self.shown.display()).into()
     }
 
-    /// The file on disk, with links resolved.
+    /// The file on disk itself, not a link to it.
     pub fn file(&self) -> Option<&Path> {
         (self.kind == DestinationKind::File).then_some(&self.path)
     }
