@@ -37,7 +37,7 @@ const STEPS: usize = 240;
 
 /// Relative tolerance for measured points. A point is drawn if its value of the constant variable
 /// is this close to the constant, or is not stated.
-const NEAR: f64 = 0.1;
+const CONSTANT_TOLERANCE: f64 = 0.1;
 
 /// A measured point. Spin ratio or Reynolds number is `None` if the source does not state it, for
 /// instance because it averages over this quantity.
@@ -106,7 +106,7 @@ fn note(figure: &Figure, used: Option<&str>, constant: &str) -> String {
     if figure.layers.iter().any(is_dots) {
         notes.push(format!(
             "Points are measured values, within {:.0} % of {constant}.",
-            100.0 * NEAR
+            100.0 * CONSTANT_TOLERANCE
         ));
     }
     let [low, high] = figure.y.range.unwrap_or(COEFFICIENTS);
@@ -213,7 +213,7 @@ impl LawPlot {
     }
 
     /// The measured points of a law at about the spin ratio or Reynolds number that the plot holds
-    /// constant (see [`NEAR`]).
+    /// constant (see [`CONSTANT_TOLERANCE`]).
     fn measured_points(&self, law: &Law<f64>) -> Vec<[f64; 2]> {
         let [low, high] = self.range;
         let which = self.of as usize;
@@ -225,7 +225,7 @@ impl LawPlot {
                     Over::Reynolds => (point.reynolds?, point.spin_ratio),
                 };
                 let is_near =
-                    other.is_none_or(|other| (other - self.constant).abs() <= NEAR * self.constant);
+                    other.is_none_or(|other| (other - self.constant).abs() <= CONSTANT_TOLERANCE * self.constant);
                 let value = point.values[which]?;
                 (is_near && (low..=high).contains(&x)).then_some([x, value])
             })

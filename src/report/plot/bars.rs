@@ -28,10 +28,10 @@ const ROW: f64 = 34.0;
 const HALF: [f64; 2] = [8.0, 6.0];
 
 /// Distance between the middle of a row and the middle of each of its two strips, pixels.
-const APART: f64 = 7.5;
+const STRIP_OFFSET: f64 = 7.5;
 
 /// Distance between a bar's end and its value, pixels.
-const GAP: f64 = 4.0;
+const VALUE_GAP: f64 = 4.0;
 
 /// The rows of an axis that shows names, and the position of the names.
 pub(super) struct BarRows {
@@ -145,14 +145,14 @@ impl BarRows {
                 + if strips == 1 {
                     0.0
                 } else {
-                    APART * (2.0 * strip as f64 - 1.0)
+                    STRIP_OFFSET * (2.0 * strip as f64 - 1.0)
                 };
             let [low, high] = [[from.min(to), middle - half], [from.max(to), middle + half]];
             canvas.rectangle(low, high, canvas.palette.of(*hue), BAR_OPACITY);
             let (x, anchor) = if is_left(figure, layer, bar) {
-                (to - GAP, Anchor::Right)
+                (to - VALUE_GAP, Anchor::Right)
             } else {
-                (to + GAP, Anchor::Left)
+                (to + VALUE_GAP, Anchor::Left)
             };
             let value = value(figure, layer, bar, system);
             canvas.text(&value, [x, middle], anchor, font);
@@ -262,7 +262,7 @@ pub(super) fn with_room(figure: &Figure, system: System, width: f64) -> Option<A
             high = high.max(bar.to);
             let side = usize::from(!is_left(figure, layer, bar));
             beside[side] = beside[side].max(
-                text_width(&typeset(&value(figure, layer, bar, system)), VALUE, false) + 2.0 * GAP,
+                text_width(&typeset(&value(figure, layer, bar, system)), VALUE, false) + 2.0 * VALUE_GAP,
             );
         }
     }

@@ -8,17 +8,17 @@ use super::text_width::{text_width, wrapped};
 use crate::units::typeset;
 
 /// Distance between lines of a name, pixels.
-const APART: f64 = LINE - 3.0;
+const LINE_SPACING: f64 = LINE - 3.0;
 /// Additional distance between names, pixels.
-const GAP: f64 = 3.0;
+const NAME_GAP: f64 = 3.0;
 
 /// Length of the connector between the plot and a name, pixels.
 const CONNECTOR: f64 = 16.0;
 
 /// Maximum distance from a side of the plot at which a line counts as ending at this side, pixels.
-const NEAR: f64 = 3.0;
+const END_TOLERANCE: f64 = 3.0;
 /// Height of the highest connector above the plot, pixels.
-const OVER: f64 = 10.0;
+const CONNECTOR_HEIGHT: f64 = 10.0;
 
 /// Maximum width of the names relative to the picture; wider names are wrapped.
 const WIDEST: f64 = 0.42;
@@ -81,7 +81,7 @@ impl<'a> EndNames<'a> {
         let placed = self.names.iter();
         let placed = placed.filter_map(|name| Some((name, name.end(area, figure)?)));
         // a line that leaves the plot at the top ends before the right side
-        let leaves = |at: [f64; 2]| at[1] < top + NEAR && at[0] < right - NEAR;
+        let leaves = |at: [f64; 2]| at[1] < top + END_TOLERANCE && at[0] < right - END_TOLERANCE;
         let (mut leaving, mut placed): (Vec<_>, Vec<_>) = placed.partition(|(_, at)| leaves(*at));
         // the connectors of these lines run above the plot: the line that leaves the plot at
         // the smallest x has the highest connector
@@ -97,7 +97,7 @@ impl<'a> EndNames<'a> {
             let start = [right + CONNECTOR, middle];
             let mut connector = vec![end];
             if i < above {
-                let up = top - OVER * (above - i) as f64 / above as f64;
+                let up = top - CONNECTOR_HEIGHT * (above - i) as f64 / above as f64;
                 let across = right + (CONNECTOR - 3.0) * (above - i) as f64 / (above + 1) as f64;
                 connector.extend([[end[0], up], [across, up], [across, middle]]);
             }
@@ -108,9 +108,9 @@ impl<'a> EndNames<'a> {
                 color,
                 is_bold: is_bold(name.hue),
             };
-            let first = middle - 0.5 * APART * (name.lines.len() - 1) as f64;
+            let first = middle - 0.5 * LINE_SPACING * (name.lines.len() - 1) as f64;
             for (i, line) in name.lines.iter().enumerate() {
-                let at = [start[0], first + APART * i as f64];
+                let at = [start[0], first + LINE_SPACING * i as f64];
                 canvas.text(line, at, Anchor::Left, font);
             }
         }
@@ -130,7 +130,7 @@ impl Name<'_> {
     }
 
     fn height(&self) -> f64 {
-        APART * self.lines.len() as f64 + GAP
+        LINE_SPACING * self.lines.len() as f64 + NAME_GAP
     }
 
     /// The right end of the line inside the axes, pixels; `None` if the line is outside of them.

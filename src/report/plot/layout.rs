@@ -19,12 +19,12 @@ pub(super) const MARGIN: f64 = 6.0;
 /// Text size of the title, pixels.
 pub(super) const TITLE: f64 = TEXT + 2.0;
 /// Minimum width of the frame of the axes, pixels.
-const LEAST: f64 = 100.0;
+const LEAST_WIDTH: f64 = 100.0;
 
 /// Maximum number of ticks on a vertical axis.
-const MOST: usize = 6;
+const MOST_TICKS: usize = 6;
 /// Approximate distance of ticks on a horizontal axis, pixels.
-const APART: f64 = 60.0;
+const TICK_SPACING: f64 = 60.0;
 
 /// The layout of a figure for a width.
 pub(super) struct Layout<'a> {
@@ -63,8 +63,8 @@ impl<'a> Layout<'a> {
         let mut area = axes(figure, system, width, rows.as_ref(), end_names.as_ref())
             .map_err(|axis| failed(format!("it has no number that its {axis} axis can show")))?;
         let [left, _, right, tall] = area.frame;
-        if right - left < LEAST {
-            let least = (width + LEAST - (right - left)).ceil();
+        if right - left < LEAST_WIDTH {
+            let least = (width + LEAST_WIDTH - (right - left)).ceil();
             return Err(failed(format!(
                 "a width of {width} pixels leaves no room for its axes; take {least} or more"
             )));
@@ -100,7 +100,7 @@ fn axes(
     let ys = || coordinates(figure).map(|point| point[1]);
     let beside = end_names.map_or(0.0, |names| names.room);
     let mut found = Err("vertical");
-    for count in (1..=MOST).rev() {
+    for count in (1..=MOST_TICKS).rev() {
         let y = DrawnAxis::new(&figure.y, ys(), system, count).ok_or("vertical")?;
         let left = rows.map_or(15.0 + y.widest(SMALL_TEXT), |rows| rows.left);
         let (x, left, right) = across(figure, system, left, width, beside).ok_or("horizontal")?;
@@ -139,7 +139,7 @@ fn across(
         .iter()
         .any(|layer| matches!(layer, Layer::Bars { .. }));
     let mut last = None;
-    let most = ((width - left - beside) / APART).max(4.0) as usize;
+    let most = ((width - left - beside) / TICK_SPACING).max(4.0) as usize;
     for count in (1..=most).rev() {
         let x = DrawnAxis::new(&figure.x, xs(), system, count)?;
         // the text of a tick is centred below it, and needs half its width on each side at the ends

@@ -9,7 +9,7 @@ use super::palette::Color;
 /// Half the size of a mark, pixels.
 const SIZE: f64 = 6.5;
 /// Distance between a mark and a label beside it, pixels.
-const GAP: f64 = 9.0;
+const LABEL_GAP: f64 = 9.0;
 
 /// Vertical distance of a label's middle from its mark, pixels. At this distance a horizontal line
 /// through the mark does not cross the label.
@@ -26,14 +26,14 @@ const FAR_COSTS: [usize; 2] = [5, 6];
 const OVER_COST: usize = 6;
 
 /// Maximum distance of marks that are drawn as one mark, pixels.
-const SAME: f64 = 4.0;
+const MERGE_DISTANCE: f64 = 4.0;
 
 /// Every other mark is farther from a label than the label's own mark, by more than this distance,
 /// pixels. A label with a line to its mark is exempt.
 const CLEAR: f64 = 2.0;
 
 /// Distance of a label from its mark above which a line connects the two, pixels.
-const FAR: f64 = 1.5 * LINE;
+const CONNECT_DISTANCE: f64 = 1.5 * LINE;
 
 /// Draws the marks, then their labels. Marks whose label is also in the legend are drawn only if
 /// all of them have space for their labels.
@@ -61,7 +61,7 @@ pub(super) fn write_marks(labels: &mut Labels<'_>, area: &PlotArea, figure: &Fig
         let others = [&needed[..i], &needed[i + 1..]].concat();
         match beside(labels, area, mark, &others, &lines) {
             Some(middle) => write_connected(labels, mark, middle),
-            None => write_near(labels, area, &mark.name, mark.at, mark.color, FAR),
+            None => write_near(labels, area, &mark.name, mark.at, mark.color, CONNECT_DISTANCE),
         }
     }
     write_legend_marks(labels, area, &in_legend, &lines);
@@ -93,13 +93,13 @@ fn write_legend_marks(
     }
 }
 
-/// Writes the label of a mark, with a line to the mark if the label is farther away than `FAR`.
+/// Writes the label of a mark, with a line to the mark if the label is farther away than `CONNECT_DISTANCE`.
 fn write_connected(labels: &mut Labels<'_>, mark: &Mark, middle: [f64; 2]) {
     let [low, high] = Labels::extent(&mark.name, middle);
     let end = [0, 1].map(|axis| mark.at[axis].clamp(low[axis], high[axis]));
     let [dx, dy] = [0, 1].map(|axis| end[axis] - mark.at[axis]);
     let length = dx.hypot(dy);
-    if length > FAR {
+    if length > CONNECT_DISTANCE {
         let start = [
             mark.at[0] + SIZE / length * dx,
             mark.at[1] + SIZE / length * dy,
@@ -131,7 +131,7 @@ fn merged(marks: Vec<Mark>) -> Vec<Mark> {
     for mark in marks {
         let same = apart.iter_mut().find(|other| {
             let [dx, dy] = [0, 1].map(|axis| mark.at[axis] - other.at[axis]);
-            dx.hypot(dy) < SAME
+            dx.hypot(dy) < MERGE_DISTANCE
         });
         match same {
             Some(other) => {
@@ -234,8 +234,8 @@ fn beside(
     let over = |gap: f64| [-1.0, 1.0].map(|side| [inside, at[1] + side * (tall + gap)]);
     // positions away from the mark cost more, because the reader sees less well which mark they
     // name
-    let all = beside(GAP).map(|middle| (middle, 0));
-    let all = all.chain(over(GAP).map(|middle| (middle, OVER_COST)));
+    let all = beside(LABEL_GAP).map(|middle| (middle, 0));
+    let all = all.chain(over(LABEL_GAP).map(|middle| (middle, OVER_COST)));
     let far = FAR_GAPS.into_iter().zip(FAR_COSTS);
     let all = all.chain(far.flat_map(|(gap, cost)| {
         let over = over(gap).map(|middle| (middle, OVER_COST + cost));
@@ -250,8 +250,8 @@ fn beside(
     let is_clear = |middle: &[f64; 2]| {
         let extent = Labels::extent(name, *middle);
         let own = distance(*at, extent);
-        // a label farther away than `FAR` has a line to its mark, so that other marks may be nearer
-        let least = CLEAR + if own > FAR { SIZE } else { own };
+        // a label farther away than `CONNECT_DISTANCE` has a line to its mark, so that other marks may be nearer
+        let least = CLEAR + if own > CONNECT_DISTANCE { SIZE } else { own };
         let mut others = others.iter();
         others.all(|other| distance(other.at, extent) > least)
     };
@@ -290,7 +290,7 @@ fn nearest(labels: &Labels<'_>, area: &PlotArea, name: &str, at: [f64; 2]) -> [f
 
 /// Minimum distance between a name and a label beside it, pixels. If they were nearer, they would
 /// look like one label.
-const APART: f64 = 8.0;
+const NAME_GAP: f64 = 8.0;
 
 /// Writes the names of lines on the lines, if the figure asks for this place. A name without space
 /// on its line is written next to the line.
@@ -307,7 +307,7 @@ pub(super) fn write_line_names(labels: &mut Labels<'_>, area: &PlotArea, figure:
         if name.is_empty() {
             continue;
         }
-        match place_on(labels, area, &places, name, APART) {
+        match place_on(labels, area, &places, name, NAME_GAP) {
             Some(middle) => labels.write(name, middle, color, true),
             // write the name beside the line: without it, the line could not be identified
             None => {
