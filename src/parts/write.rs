@@ -128,8 +128,8 @@ impl Dataset {
         let part = self.part(part, rows.start, &mut file);
         // serialisation cannot fail: the description has only strings and finite numbers
         let note = serde_json::to_string(&part).unwrap_or_default();
-        let foot = self.table.foot(&file.groups, &[(PART, note)])?;
-        file.write(&foot).map_err(unwritten)?;
+        let footer = self.table.footer(&file.groups, &[(PART, note)])?;
+        file.write(&footer).map_err(unwritten)?;
         let (bytes, sha256) = file.persist(&path).map_err(unwritten)?;
         Ok(PartResult::New(Manifest {
             file: name,

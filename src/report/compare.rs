@@ -293,7 +293,7 @@ fn remainder_text(difference: &Difference, split: &Shares, system: System) -> Op
         return None;
     }
     let why = if split.is_within_error() {
-        let error = shown::spread(of, split.error, system);
+        let error = shown::difference(of, split.error, system);
         format!("the shares are integrals between a and b, each computed within {error}")
     } else {
         "there is a corner of the model between a and b".into()

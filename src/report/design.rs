@@ -96,7 +96,7 @@ impl Designed<'_> {
         let mut ranges = Document::default();
         ranges.add(goals(self.best, over.analysis.as_ref(), system));
         ranges.add(place(self.best, nominal(over.analysis.as_ref()), system));
-        document.append_detail(ranges, Detail::Rest);
+        document.append_detail(ranges, Detail::WithAll);
         if is_converged {
             add_convergence(&mut document, self.best, system);
         }

@@ -270,7 +270,7 @@ pub(super) fn extrapolated(
     let carry = drive.extrapolated_carry(setup)?;
     Some(format!(
         "{} of the carry is extrapolated, by the law of drag and lift",
-        shown::spread(Outcome::Carry, carry.abs(), system)
+        shown::difference(Outcome::Carry, carry.abs(), system)
     ))
 }
 

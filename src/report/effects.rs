@@ -151,7 +151,7 @@ impl Report for EffectsReport<'_> {
                 let sources = by_reason(bars.iter().filter_map(source)).into_iter();
                 let mut defaults = Document::default();
                 defaults.list(sources.map(|line| Line::item(format!("default of {line}"))));
-                document.append_detail(defaults, Detail::Rest);
+                document.append_detail(defaults, Detail::WithAll);
             }
             document.add(slopes(effects, totals_of(of, self.totals), system));
         }
@@ -199,8 +199,8 @@ fn uncertainties(effects: &Effects, bars: &[SigmaEffect], system: System) -> Doc
     table.remark(format!(
         "together ±{} to first order, for independent parameters; the second-order terms add up to \
          {}{flown}",
-        shown::spread(of, effects.standard_uncertainty(), system),
-        shown::spread(of, effects.linearity(), system),
+        shown::difference(of, effects.standard_uncertainty(), system),
+        shown::difference(of, effects.linearity(), system),
     ));
     let without: Vec<&str> = effects
         .effects

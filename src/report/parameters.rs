@@ -185,7 +185,7 @@ impl Report for ParametersReport {
         }
         let mut document = Document::default();
         document.add(self.values(system));
-        document.append_detail(self.listings(system), Detail::Rest);
+        document.append_detail(self.listings(system), Detail::WithAll);
         document
     }
 }

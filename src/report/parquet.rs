@@ -47,12 +47,12 @@ pub(super) enum Cells {
 }
 
 /// A table. Each row group is created as a separate file in memory. A file with many row groups
-/// consists of `MAGIC`, the bytes of the groups, and a [`foot`](Self::foot) made from the metadata
+/// consists of `MAGIC`, the bytes of the groups, and a [`footer`](Self::footer) made from the metadata
 /// of the groups. An interrupted file can therefore continue after any of its groups.
 pub(super) struct ParquetTable {
     schema: TypePtr,
     properties: WriterPropertiesPtr,
-    notes: Vec<KeyValue>,
+    metadata: Vec<KeyValue>,
 }
 
 /// A row group before it has a place in a file.
@@ -87,12 +87,12 @@ fn damaged(_: ParquetError) -> Error {
 pub(crate) const DEFINITION_KEY: &str = "longdrive";
 
 impl ParquetTable {
-    /// A table of these columns. `question` describes the request; the file stores it under the key
+    /// A table of these columns. `definition` describes the request; the file stores it under the key
     /// [`DEFINITION_KEY`].
     ///
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `columns`.
-    pub fn new(name: &str, columns: &[(String, ColumnType)], question: &str) -> Result<Self> {
+    pub fn new(name: &str, columns: &[(String, ColumnType)], definition: &str) -> Result<Self> {
         // no page index: `place` would have to change the file position of each page in it
         let mut properties = WriterProperties::builder()
             .set_created_by(concat!("longdrive ", env!("CARGO_PKG_VERSION")).into())
@@ -133,7 +133,7 @@ impl ParquetTable {
         Ok(Self {
             schema: Arc::new(schema),
             properties: Arc::new(properties.build()),
-            notes: vec![KeyValue::new(DEFINITION_KEY.into(), question.to_owned())],
+            metadata: vec![KeyValue::new(DEFINITION_KEY.into(), definition.to_owned())],
         })
     }
 
@@ -219,25 +219,25 @@ impl ParquetTable {
         place().map(PlacedGroup).map_err(damaged)
     }
 
-    /// The footer of a file with these row groups. `notes` are further entries of its key-value
+    /// The footer of a file with these row groups. `metadata` has further entries of its key-value
     /// metadata.
     ///
     /// # Errors
-    /// [`Error::Output`] if Parquet does not allow `groups` or `notes`.
-    pub fn foot(&self, groups: &[PlacedGroup], notes: &[(&str, String)]) -> Result<Vec<u8>> {
-        let foot = || {
+    /// [`Error::Output`] if Parquet does not allow `groups` or `metadata`.
+    pub fn footer(&self, groups: &[PlacedGroup], metadata: &[(&str, String)]) -> Result<Vec<u8>> {
+        let footer = || {
             let none: Option<fn(usize) -> Cells> = None;
             let like = ParquetMetaDataReader::decode_metadata(&metadata_of(&self.write(none)?))?;
             let like = like.file_metadata();
             let rows = groups.iter().map(|group| group.0.num_rows()).sum();
-            let further = notes
+            let further = metadata
                 .iter()
-                .map(|(key, note)| KeyValue::new((*key).to_owned(), note.clone()));
+                .map(|(key, value)| KeyValue::new((*key).to_owned(), value.clone()));
             let file = FileMetaData::new(
                 like.version(),
                 rows,
                 like.created_by().map(str::to_owned),
-                Some(self.notes.iter().cloned().chain(further).collect()),
+                Some(self.metadata.iter().cloned().chain(further).collect()),
                 like.schema_descr_ptr(),
                 like.column_orders().cloned(),
             );
@@ -247,7 +247,7 @@ impl ParquetTable {
             ParquetMetaDataWriter::new(&mut bytes, &metadata).finish()?;
             Ok(bytes)
         };
-        foot().map_err(refused)
+        footer().map_err(refused)
     }
 }
 

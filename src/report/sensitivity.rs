@@ -238,7 +238,7 @@ impl Analysis {
         if let (Some(drive), Some(value)) = (&best.drive, best.value()) {
             let mut flown = Document::default();
             flown.list(drive_lines(best, value, drive, system));
-            document.append_detail(flown, Detail::Rest);
+            document.append_detail(flown, Detail::WithAll);
         }
         add_convergence(&mut document, best, system);
         document
@@ -318,7 +318,7 @@ fn sensitivity_row(
 
 /// Lines for the directions of finite reach, then for the ellipses.
 fn flatness_lines(best: &Optimum, flatness: &Flatness, system: System) -> Vec<Line> {
-    let loss = shown::spread(best.search.outcome(), flatness.loss, system);
+    let loss = shown::difference(best.search.outcome(), flatness.loss, system);
     let directions = flatness
         .directions
         .iter()
@@ -344,7 +344,7 @@ fn ellipse_line(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -
     let flown = ellipse
         .losses
         .map_or("part of it lies out of range".into(), |(least, most)| {
-            let [least, most] = [least, most].map(|loss| shown::spread(of, loss, system));
+            let [least, most] = [least, most].map(|loss| shown::difference(of, loss, system));
             format!("drives around it lose {least} to {most}")
         });
     let [long, short] = ellipse.half_axes.map(axis);
@@ -371,7 +371,7 @@ fn direction_line(best: &Optimum, direction: &Direction, loss: &str, system: Sys
         .losses
         .iter()
         .flatten()
-        .map(|lost| shown::spread(of, *lost, system))
+        .map(|lost| shown::difference(of, *lost, system))
         .collect();
     let flown = if flown.is_empty() {
         "both ends lie out of range".into()

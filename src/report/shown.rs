@@ -124,7 +124,7 @@ pub(super) fn both(of: Outcome, value: f64, system: System) -> String {
 }
 
 /// A difference, standard deviation or loss of an outcome or parameter.
-pub(super) fn spread(of: impl Into<DisplayUnit>, value: f64, system: System) -> String {
+pub(super) fn difference(of: impl Into<DisplayUnit>, value: f64, system: System) -> String {
     let DisplayUnit { quantity, unit } = of.into();
     quantity.read_off_difference(value, system.unit(unit))
 }
@@ -133,13 +133,13 @@ pub(super) fn spread(of: impl Into<DisplayUnit>, value: f64, system: System) -> 
 pub(super) fn goal_difference(goal: &Goal, value: f64, system: System) -> String {
     match goal.unit {
         "" => significant(value, 2),
-        _ => spread(goal, value, system),
+        _ => difference(goal, value, system),
     }
 }
 
 /// A change of an outcome or parameter, with its sign.
 pub(super) fn change(of: impl Into<DisplayUnit>, value: f64, system: System) -> String {
-    signed(value, spread(of, value, system))
+    signed(value, difference(of, value, system))
 }
 
 /// The change of an outcome between two values, with its sign. It is the difference of the
@@ -160,7 +160,7 @@ pub(super) fn change_as_displayed(of: Outcome, from: f64, to: f64, system: Syste
 /// The change of a parameter along a direction, always with a sign: "+1.20 deg".
 pub(super) fn component(parameter: &Parameter, amount: f64, system: System) -> String {
     let sign = if amount < 0.0 { "-" } else { "+" };
-    format!("{sign}{}", spread(parameter, amount.abs(), system))
+    format!("{sign}{}", difference(parameter, amount.abs(), system))
 }
 
 /// A computed value of a parameter, such as an optimum or the end of a window.
@@ -242,10 +242,15 @@ pub fn stated(parameter: &Parameter, value: f64, system: System) -> String {
 
 /// A stated difference or uncertainty of a parameter, without trailing zeros: 2.7 °F for 1.5 K.
 pub fn stated_difference(parameter: &Parameter, value: f64, system: System) -> String {
-    difference(parameter, value, system, STATED)
+    difference_with_digits(parameter, value, system, STATED)
 }
 
-fn difference(parameter: &Parameter, value: f64, system: System, digits: usize) -> String {
+fn difference_with_digits(
+    parameter: &Parameter,
+    value: f64,
+    system: System,
+    digits: usize,
+) -> String {
     let size = DisplayUnit::from(parameter).size_in(system);
     with_unit(
         &significant(value / size, digits),
@@ -262,7 +267,7 @@ pub(super) fn with_sigma(sigma: &Sigma, system: System) -> String {
 
 /// A standard uncertainty of a parameter with three significant digits: "0.0563".
 pub(super) fn uncertainty(parameter: &Parameter, deviation: f64, system: System) -> String {
-    difference(parameter, deviation, system, 3)
+    difference_with_digits(parameter, deviation, system, 3)
 }
 
 /// A value of a setup with up to seven significant digits, or "none".

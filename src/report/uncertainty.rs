@@ -120,7 +120,7 @@ impl Report for UncertaintyReport<'_> {
         let mut distributions = Document::default();
         distributions
             .add(DocumentTable::new(["uncertain parameter", "distribution"], inputs).right([]));
-        document.append_detail(distributions, Detail::Rest);
+        document.append_detail(distributions, Detail::WithAll);
         document.list([Line::flush(format!(
             "{} ({}, seed {}): {}",
             counted(self.drives, "drive"),
@@ -199,7 +199,7 @@ fn add_outcome(
     document.list(shares_lines(outcome, system));
     let mut table = Document::default();
     table.add(shares(outcome, sampled.left_out, found));
-    document.append_detail(table, Detail::Rest);
+    document.append_detail(table, Detail::WithAll);
 }
 
 fn why_constant(outcome: &OutcomeUncertainty, found: &Uncertainty) -> &'static str {
@@ -216,7 +216,7 @@ fn why_constant(outcome: &OutcomeUncertainty, found: &Uncertainty) -> &'static s
 fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) -> DocumentTable {
     let of = outcome.of;
     let value = |value: f64| shown::outcome(of, value, system);
-    let spread = |value: f64| shown::spread(of, value, system);
+    let spread = |value: f64| shown::difference(of, value, system);
     let row = |words: &str, m: DeltaMoments| vec![words.into(), value(m.mean), spread(m.deviation)];
     let mut rows = vec![];
     rows.extend(outcome.delta.map(|first| row("by the gradient", first)));
@@ -278,7 +278,7 @@ fn shares_lines(outcome: &OutcomeUncertainty, system: System) -> Vec<Line> {
         format!(
             "measure {} first: once it is known exactly, the standard deviation falls to {}",
             first.parameter.name,
-            shown::spread(outcome.of, first.deviation, system)
+            shown::difference(outcome.of, first.deviation, system)
         )
     });
     shares.into_iter().chain(first).map(Line::item).collect()
@@ -369,7 +369,7 @@ fn ellipses(found: &Uncertainty, system: System) -> DocumentTable {
     let rows = found.ellipses.iter().map(|sampled| {
         let [long, short] = sampled.ellipse.half_axes;
         let lengths =
-            [long, short].map(|axis| shown::spread(Carry, axis[0].hypot(axis[1]), system));
+            [long, short].map(|axis| shown::difference(Carry, axis[0].hypot(axis[1]), system));
         // of the two directions of the axis, choose the direction within 90° of downrange
         let turned = (long[0] * long[1].signum()).atan2(long[1].abs());
         vec![

@@ -629,7 +629,7 @@ mod in_parquet {
             );
             bytes.extend(group.bytes);
         }
-        bytes.extend(table.foot(&groups, &[]).unwrap());
+        bytes.extend(table.footer(&groups, &[]).unwrap());
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.parquet");
         std::fs::write(&path, bytes).unwrap();
@@ -684,7 +684,7 @@ mod in_parquet {
         let group = table.group(&[block]).unwrap();
         let placed = table.place(&group.metadata, bytes.len() as u64, 0).unwrap();
         bytes.extend(group.bytes);
-        bytes.extend(table.foot(&[placed], &[]).unwrap());
+        bytes.extend(table.footer(&[placed], &[]).unwrap());
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.parquet");
         std::fs::write(&path, bytes).unwrap();
@@ -701,7 +701,7 @@ mod in_parquet {
         let path = folder.path().join("a.parquet");
         std::fs::write(
             &path,
-            [table.head(), table.foot(&[], &[]).unwrap()].concat(),
+            [table.head(), table.footer(&[], &[]).unwrap()].concat(),
         )
         .unwrap();
         let file = SerializedFileReader::new(File::open(path).unwrap()).unwrap();

@@ -218,7 +218,7 @@ fn written(
                 shots,
                 run,
                 |flown| flown,
-                |flown| output.write(&writer.take(flown)?),
+                |flown| output.write(&writer.push(flown)?),
             )?;
             output.write(&writer.finish()?)?;
             return Ok((tally, output));

@@ -186,7 +186,7 @@ fn write_rows(
         |block| formatter.rows(block),
         |rows: FormattedRows| {
             bar.inc(rows.count());
-            output.take(rows)
+            output.push(rows)
         },
     );
     bar.finish();

@@ -212,7 +212,7 @@ impl<'a> ResumableFile<'a> {
         self.written.status_counts.total()
     }
 
-    pub fn take(&mut self, rows: FormattedRows) -> Result<()> {
+    pub fn push(&mut self, rows: FormattedRows) -> Result<()> {
         match rows {
             FormattedRows::Text {
                 bytes,
@@ -251,7 +251,7 @@ impl<'a> ResumableFile<'a> {
             } else {
                 self.write_group(table).map(|_| ())
             };
-            self.write_foot(table).and(rest)?;
+            self.write_footer(table).and(rest)?;
         }
         if !is_complete && self.since > 0 {
             // ignore an error: without this entry, a resumed sweep only repeats some more rows
@@ -345,7 +345,7 @@ impl ResumableFile<'_> {
 
     /// Writes the footer, without which no row of a Parquet file can be read. If the disk is full,
     /// removes row groups to make space.
-    fn write_foot(&mut self, table: &SweepParquet) -> Result<()> {
+    fn write_footer(&mut self, table: &SweepParquet) -> Result<()> {
         let mut no_room = None;
         loop {
             let groups: Vec<_> = self
@@ -353,8 +353,8 @@ impl ResumableFile<'_> {
                 .iter()
                 .map(|written| written.group.clone())
                 .collect();
-            let foot = table.foot(&groups, &[])?;
-            let Err(error) = self.file.write_all(&foot) else {
+            let footer = table.footer(&groups, &[])?;
+            let Err(error) = self.file.write_all(&footer) else {
                 break;
             };
             let Some(WrittenGroup { before, .. }) = self.groups.pop() else {

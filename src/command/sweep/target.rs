@@ -132,9 +132,9 @@ impl<'a> SweepOutput<'a> {
         }
     }
 
-    pub fn take(&mut self, rows: FormattedRows) -> Result<()> {
+    pub fn push(&mut self, rows: FormattedRows) -> Result<()> {
         match (self, rows) {
-            (Self::Resumable(file), rows) => file.take(rows),
+            (Self::Resumable(file), rows) => file.push(rows),
             (
                 Self::Stream {
                     stream,

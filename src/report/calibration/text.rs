@@ -383,7 +383,7 @@ pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
 
 fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
     let one = |error: OutcomeError| {
-        let rms = shown::spread(error.of, error.rms, system);
+        let rms = shown::difference(error.of, error.rms, system);
         format!("{} {rms}", error.name)
     };
     let outcomes: Vec<_> = by_outcome(held).into_iter().map(one).collect();

@@ -222,7 +222,7 @@ pub fn delivery_toml(
         let scatter = deviation.map_or(String::new(), |deviation| {
             format!(
                 ", with a standard deviation of {}",
-                shown::spread(parameter, deviation, system)
+                shown::difference(parameter, deviation, system)
             )
         });
         let remark = match median_identified(all, parameter) {

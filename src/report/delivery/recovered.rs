@@ -117,7 +117,7 @@ pub fn population_warnings(population: &Population, system: System) -> Vec<Messa
                     format!(
                         "{} ± {}",
                         shown::outcome(*of, mean, system),
-                        shown::spread(*of, deviation, system)
+                        shown::difference(*of, deviation, system)
                     )
                 };
                 format!(

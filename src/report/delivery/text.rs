@@ -29,7 +29,7 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
         vec![
             of.name().into(),
             shown::outcome(of, explained.measured.value, system),
-            shown::spread(of, explained.measured.sigma, system),
+            shown::difference(of, explained.measured.sigma, system),
             shown::outcome(of, explained.computed, system),
             fixed(explained.residual, 2),
         ]
@@ -60,7 +60,7 @@ fn measured_club(delivered: &Delivered, system: System) -> Option<Line> {
         .filter(|unknown| unknown.has_assumed_error())
         .collect();
     let one = |unknown: &&Unknown| {
-        let sigma = shown::spread(unknown.parameter, unknown.sigma, system);
+        let sigma = shown::difference(unknown.parameter, unknown.sigma, system);
         format!("{} ± {sigma}", unknown.parameter.name)
     };
     let all = measured.iter().map(one).collect::<Vec<_>>().join(", ");
@@ -83,9 +83,9 @@ fn known_row(known: &Posterior, system: System) -> Vec<String> {
         parameter.name.into(),
         shown::parameter(parameter, *value, system),
         sigma.map_or("at its bound".into(), |sigma| {
-            shown::spread(parameter, sigma, system)
+            shown::difference(parameter, sigma, system)
         }),
-        shown::spread(parameter, unknown.sigma, system),
+        shown::difference(parameter, unknown.sigma, system),
         percent(*variance_removed),
     ]
 }
@@ -134,7 +134,7 @@ pub(super) fn of_table(
             spread.parameter.name.into(),
             shown::parameter(spread.parameter, spread.mean, system),
             deviation.map_or(shown::NONE.into(), |deviation| {
-                shown::spread(spread.parameter, deviation, system)
+                shown::difference(spread.parameter, deviation, system)
             }),
             percent(median_identified(all, spread.parameter)),
         ]
@@ -199,12 +199,12 @@ fn swings(population: &Population, system: System) -> DocumentTable {
             mean_error,
             deviation_error,
         } = *spread;
-        let error = |error: f64| format!("± {}", shown::spread(parameter, error, system));
+        let error = |error: f64| format!("± {}", shown::difference(parameter, error, system));
         vec![
             parameter.name.into(),
             shown::parameter(parameter, mean, system),
             error(mean_error),
-            shown::spread(parameter, deviation, system),
+            shown::difference(parameter, deviation, system),
             error(deviation_error),
             format!("{:.0} %", 100.0 * variance_removed),
         ]

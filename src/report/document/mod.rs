@@ -33,11 +33,11 @@ struct DetailedBlock {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Detail {
     /// Every text.
-    Answer,
+    Always,
     /// Texts with the option `all`.
-    Rest,
+    WithAll,
     /// Texts with the option `verbose`, which have details of the computation.
-    Computation,
+    WithVerbose,
 }
 
 #[derive(Clone, Debug)]
@@ -67,7 +67,7 @@ impl Document {
     fn push(&mut self, block: DocumentBlock) {
         self.parts.push(DetailedBlock {
             block,
-            detail: Detail::Answer,
+            detail: Detail::Always,
         });
     }
 
@@ -124,7 +124,7 @@ impl Document {
     pub(super) fn put_first(&mut self, first: impl Iterator<Item = Line>) {
         if let Some(DetailedBlock {
             block: DocumentBlock::List(lines),
-            detail: Detail::Answer,
+            detail: Detail::Always,
         }) = self.parts.first_mut()
         {
             lines.splice(0..0, first);
@@ -132,7 +132,7 @@ impl Document {
         }
         let part = DetailedBlock {
             block: DocumentBlock::List(first.collect()),
-            detail: Detail::Answer,
+            detail: Detail::Always,
         };
         self.parts.insert(0, part);
     }

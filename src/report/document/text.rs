@@ -27,9 +27,9 @@ impl Default for TextOptions {
 impl TextOptions {
     fn has(self, detail: Detail) -> bool {
         match detail {
-            Detail::Answer => true,
-            Detail::Rest => self.all,
-            Detail::Computation => self.verbose,
+            Detail::Always => true,
+            Detail::WithAll => self.all,
+            Detail::WithVerbose => self.verbose,
         }
     }
 }
@@ -44,7 +44,7 @@ impl Document {
         let last_left_out = self
             .parts
             .iter()
-            .rposition(|part| part.detail == Detail::Rest && !options.all);
+            .rposition(|part| part.detail == Detail::WithAll && !options.all);
         let width = options.width;
         let blocks = self.parts.iter().enumerate().filter_map(|(at, part)| {
             if Some(at) == last_left_out {

@@ -51,7 +51,7 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         "{} of b minus its value of a: {}, from {} to {}. The bars of a colour add up to this \
          difference.",
         capital(&quantity.label),
-        shown::spread(of, difference.amount(), system),
+        shown::difference(of, difference.amount(), system),
         quantity.show(a, system),
         quantity.show(b, system),
     );

@@ -65,7 +65,7 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
         .iter()
         .map(|landing| note_of(landing, system))
         .collect();
-    notes.extend(spread(landings, system));
+    notes.extend(ellipses_note(landings, system));
     notes.extend(
         landings
             .iter()
@@ -261,7 +261,7 @@ fn beside_target(lateral: f64, system: System) -> String {
 
 /// The note about the ellipses. `None` if no drive has ellipses and the scatter of a drive is too
 /// wide for them: [`too_wide`] then explains it.
-fn spread(landings: &[Landing], system: System) -> Option<String> {
+fn ellipses_note(landings: &[Landing], system: System) -> Option<String> {
     let Some(landing) = landings.iter().find(|landing| !landing.ellipses.is_empty()) else {
         let is_known = landings.iter().all(|landing| !landing.is_too_wide);
         return is_known

@@ -65,7 +65,7 @@ pub fn laws_figure(
     of: Coefficient,
 ) -> Figure {
     let plot = LawPlot::new(setup, over, constant, of);
-    let mut figure = plot.empty();
+    let mut figure = plot.without_layers();
     figure.line_names = LineNames::AtEnds;
     let is_used = |law: &&Law<f64>| law.name() == setup.law.name();
     let (used, others): (Vec<_>, Vec<_>) = laws.iter().partition(is_used);
@@ -164,7 +164,7 @@ impl LawPlot {
         }
     }
 
-    fn empty(&self) -> Figure {
+    fn without_layers(&self) -> Figure {
         let (symbol, words) = match self.of {
             Coefficient::Drag => ("C_D", "Drag"),
             Coefficient::Lift => ("C_L", "Lift"),
@@ -224,8 +224,9 @@ impl LawPlot {
                     Over::SpinRatio => (point.spin_ratio?, point.reynolds),
                     Over::Reynolds => (point.reynolds?, point.spin_ratio),
                 };
-                let is_near =
-                    other.is_none_or(|other| (other - self.constant).abs() <= CONSTANT_TOLERANCE * self.constant);
+                let is_near = other.is_none_or(|other| {
+                    (other - self.constant).abs() <= CONSTANT_TOLERANCE * self.constant
+                });
                 let value = point.values[which]?;
                 (is_near && (low..=high).contains(&x)).then_some([x, value])
             })

@@ -59,7 +59,7 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
 fn at_most_lost(map: &Map, region: &Region, system: System) -> String {
     format!(
         "at most {} lost",
-        shown::spread(map.of, region.loss, system)
+        shown::difference(map.of, region.loss, system)
     )
 }
 
@@ -110,7 +110,7 @@ fn note(map: &Map, on: &OnMap<'_>, layers: &[Layer], system: System) -> String {
     if let Some(region) = on.region {
         let name = at_most_lost(map, region, system);
         if region.equation.is_none() {
-            let loss = shown::spread(map.of, region.loss, system);
+            let loss = shown::difference(map.of, region.loss, system);
             notes.push(format!(
                 "Drives in the tinted region lose at most {loss} and meet every bound and \
                  constraint; each was flown."

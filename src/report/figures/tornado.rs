@@ -1,7 +1,7 @@
 use super::ShownDrive;
 use crate::parameters::Parameter;
 use crate::report::plot::{Axis, Figure, HorizontalBar, Hue, Layer, NamedQuantity};
-use crate::report::shown::{self, is_rounding, spread};
+use crate::report::shown::{self, difference, is_rounding};
 use crate::study::{self, Effect, Effects};
 use crate::units::{System, counted};
 
@@ -150,7 +150,7 @@ fn row_names(
     let amount = if is_rounding(effects.of, effects.value, together) {
         "no effect".into()
     } else {
-        format!("together ± {}", spread(effects.of, together, system))
+        format!("together ± {}", difference(effects.of, together, system))
     };
     names.push(format!("{} more: {amount}", folded.len()));
     names
@@ -174,7 +174,7 @@ fn note(
             .filter_map(|effect| effect.sigma_effect)
             .map(|bar| bar.first_order)
             .fold(0.0, f64::hypot);
-        spread(effects.of, sum, system)
+        difference(effects.of, sum, system)
     };
     let mut note = format!(
         "Change of {} when each parameter is moved by its standard uncertainty, one at a time, \

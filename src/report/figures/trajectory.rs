@@ -62,7 +62,7 @@ pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Re
         View::Side => y,
         View::Top => extent(y.into_iter().chain([-CORRIDOR, CORRIDOR])),
     };
-    let mut figure = empty(view, [x, seen_up]);
+    let mut figure = without_layers(view, [x, seen_up]);
     let lines = lines(flown, &paths, &runs);
     let range = figure.x.range.unwrap_or(x);
     match view {
@@ -142,7 +142,7 @@ fn run(one: &NamedDrive, view: View) -> Vec<[f64; 2]> {
 }
 
 /// A figure at true scale without layers: its axes contain these ranges.
-fn empty(view: View, [x, y]: [[f64; 2]; 2]) -> Figure {
+fn without_layers(view: View, [x, y]: [[f64; 2]; 2]) -> Figure {
     let length = |label: &str| NamedQuantity::new(label, Quantity::LENGTH, "yd");
     let downrange = Axis::linear(length("downrange"));
     let (title, up) = match view {

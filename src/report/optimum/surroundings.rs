@@ -19,7 +19,7 @@ pub struct Surroundings<'a> {
 impl Surroundings<'_> {
     /// The windows of the varied parameters in a line, then the gain of the club alone.
     pub(super) fn lines(&self, optimum: &Optimum, system: System) -> Vec<String> {
-        let loss = shown::spread(optimum.search.outcome(), self.loss, system);
+        let loss = shown::difference(optimum.search.outcome(), self.loss, system);
         let vary = optimum.search.vary.iter().zip(self.windows);
         let windows: Vec<_> = vary
             .filter(|(vary, _)| vary.low < vary.high)

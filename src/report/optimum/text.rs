@@ -179,7 +179,7 @@ pub(in crate::report) fn add_convergence(
     if is_of_solver {
         let mut residual = Document::default();
         residual.paragraph(message.in_units(system));
-        document.append_detail(residual, Detail::Computation);
+        document.append_detail(residual, Detail::WithVerbose);
     }
 }
 

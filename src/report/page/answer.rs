@@ -147,7 +147,7 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     }
     let one = one(unit);
     let step = DisplayUnit::from(parameter).size_in(system);
-    let amount = shown::spread(of, price * step, system);
+    let amount = shown::difference(of, price * step, system);
     let each = if upper > 0.0 {
         format!("each further {one}")
     } else {

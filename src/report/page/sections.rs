@@ -110,7 +110,7 @@ fn label(head: impl Render) -> Markup {
 
 /// The head of the column of windows, with the allowed loss.
 fn window_head(of: Outcome, flatness: &Flatness) -> Markup {
-    let loss = both(|system| shown::spread(of, flatness.loss, system));
+    let loss = both(|system| shown::difference(of, flatness.loss, system));
     html! { "alone, for a loss of " (loss) }
 }
 

@@ -262,7 +262,8 @@ pub(super) fn with_room(figure: &Figure, system: System, width: f64) -> Option<A
             high = high.max(bar.to);
             let side = usize::from(!is_left(figure, layer, bar));
             beside[side] = beside[side].max(
-                text_width(&typeset(&value(figure, layer, bar, system)), VALUE, false) + 2.0 * VALUE_GAP,
+                text_width(&typeset(&value(figure, layer, bar, system)), VALUE, false)
+                    + 2.0 * VALUE_GAP,
             );
         }
     }

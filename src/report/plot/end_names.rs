@@ -91,7 +91,7 @@ impl<'a> EndNames<'a> {
         let all = [leaving, placed].concat();
         let wanted: Vec<f64> = all.iter().map(|(_, at)| at[1]).collect();
         let heights: Vec<f64> = all.iter().map(|(name, _)| name.height()).collect();
-        let middles = spread(&wanted, &heights, [top, bottom]);
+        let middles = stacked_middles(&wanted, &heights, [top, bottom]);
         for (i, ((name, end), middle)) in all.into_iter().zip(middles).enumerate() {
             let color = canvas.palette.of(name.hue);
             let start = [right + CONNECTOR, middle];
@@ -148,7 +148,7 @@ impl Name<'_> {
 /// The middles of boxes with these heights, stacked in this order from `top` to `bottom` without
 /// overlap. They minimize the sum of squared distances from the wanted middles: isotonic regression
 /// of `wanted − offset`. The offset of a box is its middle in a stack without gaps.
-fn spread(wanted: &[f64], heights: &[f64], [top, bottom]: [f64; 2]) -> Vec<f64> {
+fn stacked_middles(wanted: &[f64], heights: &[f64], [top, bottom]: [f64; 2]) -> Vec<f64> {
     let mut above = 0.0;
     let offsets: Vec<f64> = heights
         .iter()
@@ -182,7 +182,7 @@ fn spread(wanted: &[f64], heights: &[f64], [top, bottom]: [f64; 2]) -> Vec<f64> 
 
 #[cfg(test)]
 mod tests {
-    use super::spread;
+    use super::stacked_middles;
 
     #[test]
     fn exact_middles_of_boxes_that_would_overlap() {
@@ -197,7 +197,7 @@ mod tests {
             ([0.0, 0.0, 50.0, 100.0], [5.0, 15.0, 50.0, 95.0]),
             ([98.0, 99.0, 100.0, 100.0], [65.0, 75.0, 85.0, 95.0]),
         ] {
-            let found = spread(&wanted, &heights, ends);
+            let found = stacked_middles(&wanted, &heights, ends);
             for (found, middle) in found.iter().zip(middles) {
                 assert!((found - middle).abs() < 1e-9, "{wanted:?}: {found}");
             }

@@ -61,7 +61,14 @@ pub(super) fn write_marks(labels: &mut Labels<'_>, area: &PlotArea, figure: &Fig
         let others = [&needed[..i], &needed[i + 1..]].concat();
         match beside(labels, area, mark, &others, &lines) {
             Some(middle) => write_connected(labels, mark, middle),
-            None => write_near(labels, area, &mark.name, mark.at, mark.color, CONNECT_DISTANCE),
+            None => write_near(
+                labels,
+                area,
+                &mark.name,
+                mark.at,
+                mark.color,
+                CONNECT_DISTANCE,
+            ),
         }
     }
     write_legend_marks(labels, area, &in_legend, &lines);

@@ -132,7 +132,7 @@ impl ShotParquet {
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow a value of the shots.
-    pub fn take(&mut self, flown: Flown) -> Result<Vec<u8>> {
+    pub fn push(&mut self, flown: Flown) -> Result<Vec<u8>> {
         self.waiting.push(flown);
         match self.waiting.iter().map(Flown::rows).sum::<usize>() >= ROWS {
             true => self.group(),
@@ -143,14 +143,14 @@ impl ShotParquet {
     /// The last bytes of a file: the remaining rows and the footer.
     ///
     /// # Errors
-    /// The errors of [`take`](Self::take).
+    /// The errors of [`push`](Self::push).
     pub fn finish(&mut self) -> Result<Vec<u8>> {
         let mut bytes = if self.waiting.is_empty() {
             vec![]
         } else {
             self.group()?
         };
-        bytes.extend(self.table.foot(&self.placed, &[])?);
+        bytes.extend(self.table.footer(&self.placed, &[])?);
         Ok(bytes)
     }
 

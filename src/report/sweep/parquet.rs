@@ -14,7 +14,7 @@ const MOST_BYTES: usize = 16 << 20;
 /// A batch as Parquet: optional `DOUBLE` columns, and the status as a required string.
 ///
 /// Row groups are created one at a time. A file with many row groups consists of the
-/// [`head`](Self::head), the bytes of the groups, and a [`foot`](Self::foot) made from the metadata
+/// [`head`](Self::head), the bytes of the groups, and a [`footer`](Self::footer) made from the metadata
 /// of the groups. An interrupted file can therefore continue after any of its groups.
 pub struct SweepParquet {
     table: ParquetTable,
@@ -23,12 +23,12 @@ pub struct SweepParquet {
 }
 
 impl SweepParquet {
-    /// The table of a batch. `question` is a text that describes the request; the file stores it
+    /// The table of a batch. `definition` is a text that describes the request; the file stores it
     /// under the key `longdrive`.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow the columns of the batch.
-    pub fn new(batch: &Batch, question: &str) -> Result<Self> {
+    pub fn new(batch: &Batch, definition: &str) -> Result<Self> {
         let (parameters, results) = (parameter_names(batch), batch.columns());
         let columns = parameters
             .iter()
@@ -41,7 +41,7 @@ impl SweepParquet {
                     .map(|name| (name.clone(), ColumnType::SomeNumber)),
             )
             .collect();
-        let table = ParquetTable::new("drives", &columns, question)?;
+        let table = ParquetTable::new("drives", &columns, definition)?;
         Ok(Self {
             table,
             columns: column_counts(batch),
@@ -110,11 +110,12 @@ impl SweepParquet {
         self.table.place(metadata, at, ordinal)
     }
 
-    /// The last bytes of a file with these row groups and these notes by key.
+    /// The last bytes of a file with these row groups. `metadata` has further entries of its
+    /// key-value metadata.
     ///
     /// # Errors
-    /// [`Error::Output`](crate::Error::Output) if Parquet does not allow `groups` or `notes`.
-    pub fn foot(&self, groups: &[PlacedGroup], notes: &[(&str, String)]) -> Result<Vec<u8>> {
-        self.table.foot(groups, notes)
+    /// [`Error::Output`](crate::Error::Output) if Parquet does not allow `groups` or `metadata`.
+    pub fn footer(&self, groups: &[PlacedGroup], metadata: &[(&str, String)]) -> Result<Vec<u8>> {
+        self.table.footer(groups, metadata)
     }
 }

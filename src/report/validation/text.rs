@@ -30,7 +30,7 @@ pub(super) fn document(found: &[SetScores], system: System) -> Document {
          told apart by these numbers.",
         found.len()
     ));
-    document.append_detail(about, Detail::Rest);
+    document.append_detail(about, Detail::WithAll);
     summary(&mut document, found, system);
     let mut sets = Document::default();
     sets.heading("In pictures");
@@ -40,7 +40,7 @@ pub(super) fn document(found: &[SetScores], system: System) -> Document {
     for set in found {
         one(&mut sets, set, system);
     }
-    document.append_detail(sets, Detail::Rest);
+    document.append_detail(sets, Detail::WithAll);
     document
 }
 

@@ -122,8 +122,9 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Paper
 pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
     document.heading("Its tables");
     let all = || found.table1.iter().chain(&found.table2);
-    let (carry_rms, carry_worst) =
-        spread(all().map(|row| shown.length_number(row.exact().carry - row.printed.carry)));
+    let (carry_rms, carry_worst) = rms_and_largest(
+        all().map(|row| shown.length_number(row.exact().carry - row.printed.carry)),
+    );
     let angles = found
         .table1
         .iter()
@@ -136,7 +137,7 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: PaperU
                 .map(|row| row.exact().loft - row.printed.loft),
         )
         .map(f64::to_degrees);
-    let (angle_rms, angle_worst) = spread(angles);
+    let (angle_rms, angle_worst) = rms_and_largest(angles);
     document.paragraph(format!(
         "Over all {} rows distances differ by {carry_rms:.3} {} rms (at most {carry_worst:.2}), \
          optimum angles by {angle_rms:.3}° rms (at \
@@ -307,7 +308,7 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Paper
 }
 
 /// Root mean square and largest absolute value of some numbers.
-fn spread(numbers: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
+fn rms_and_largest(numbers: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
     let n = numbers.clone().count() as f64;
     let square: f64 = numbers.clone().map(|number| number * number).sum();
     ((square / n).sqrt(), largest_magnitude(numbers))
