@@ -123,11 +123,11 @@ def test_no_temporary_file_is_made(monkeypatch: pytest.MonkeyPatch) -> None:
     }
     assert len(longdrive.fly(shots).shots) == 3
     over = {"club.loft": "5deg..15deg:2000"}
-    longdrive.parts.Question.of(over=over, output="nowhere", parts=1).refuse_unsound()
+    longdrive.parts.SweepPlan.of(over=over, output="nowhere", parts=1).validate()
     over = {"club.loft": "15deg..5deg:2000"}
-    wrong = longdrive.parts.Question.of(over=over, output="nowhere", parts=1)
+    wrong = longdrive.parts.SweepPlan.of(over=over, output="nowhere", parts=1)
     with pytest.raises(InputError, match="club.loft"):
-        wrong.refuse_unsound()
+        wrong.validate()
     assert not Path("nowhere").exists()
     assert longdrive.calibrate(shots, "modern-driver", fit="aero.cd0").status == "converged"
     assert longdrive.plot.trajectory().svg.startswith("<svg")

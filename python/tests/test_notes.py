@@ -443,5 +443,5 @@ def test_messages_of_parts_name_the_argument(tmp_path: Path) -> None:
         longdrive.parts.sweep("tour-average", over=good["over"])
     with pytest.raises(InputError, match="manifests is a str"):
         longdrive.parts.merge("folder")
-    assert longdrive.parts.Question.of(**good, highest="carry:3").words[-1] == "--highest=carry:3"
+    assert longdrive.parts.SweepPlan.of(**good, highest="carry:3").words[-1] == "--highest=carry:3"
     assert not (tmp_path / "parts").exists()

@@ -14,9 +14,9 @@ import pytest
 
 import longdrive
 from longdrive import InputError, parts
-from longdrive.parts import PartError, Question
+from longdrive.parts import PartError, SweepPlan
 
-QUESTION: dict[str, Any] = {
+ARGUMENTS: dict[str, Any] = {
     "setup": {"preset": "tour-average", "flight.step": 0.5},
     "over": {
         "club.loft": "-4deg..15deg:41",
@@ -41,7 +41,7 @@ def sha256_of_the_set(folder: Path) -> str:
 def one_worker(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[dict[str, Any]]]:
     """All parts, in order and in this process."""
     folder = tmp_path_factory.mktemp("parts")
-    requested = Question.of(**QUESTION, output=folder)
+    requested = SweepPlan.of(**ARGUMENTS, output=folder)
     return folder, [requested.write(part) for part in range(1, requested.parts + 1)]
 
 
@@ -49,7 +49,7 @@ def test_same_set_from_processes_and_from_one_worker(
     one_worker: tuple[Path, list[dict[str, Any]]], tmp_path: Path
 ) -> None:
     folder, rows = one_worker
-    found = parts.sweep(**QUESTION, output=tmp_path, processes=2)
+    found = parts.sweep(**ARGUMENTS, output=tmp_path, processes=2)
     assert found.manifests == rows
     assert (
         found.rows == 8200
@@ -58,7 +58,7 @@ def test_same_set_from_processes_and_from_one_worker(
     assert sha256_of_the_set(tmp_path) == sha256_of_the_set(folder)
     # once more: all parts exist, and nothing is written
     before = [file.stat().st_mtime_ns for file in sorted(tmp_path.iterdir())]
-    assert parts.sweep(**QUESTION, output=tmp_path, processes=1).manifests == rows
+    assert parts.sweep(**ARGUMENTS, output=tmp_path, processes=1).manifests == rows
     assert [file.stat().st_mtime_ns for file in sorted(tmp_path.iterdir())] == before
 
 
@@ -66,7 +66,7 @@ def test_same_set_from_the_program_and_from_python(
     one_worker: tuple[Path, list[dict[str, Any]]], tmp_path: Path, program: Callable[..., Any]
 ) -> None:
     folder, _ = one_worker
-    requested = Question.of(**QUESTION, output=tmp_path / "drives")
+    requested = SweepPlan.of(**ARGUMENTS, output=tmp_path / "drives")
     setup = tmp_path / "setup.toml"
     setup.write_text(requested.setup)
     for part in (3, 1, 4, 2):
@@ -90,11 +90,11 @@ def test_independent_hash_and_summary_of_a_check(
 
 
 def test_a_missing_part_is_named_and_parts_of_other_sweeps_are_refused(tmp_path: Path) -> None:
-    requested = Question.of(**QUESTION, output=tmp_path)
+    requested = SweepPlan.of(**ARGUMENTS, output=tmp_path)
     requested.write(2)
     found = requested.check()
     assert (found["status"], found["missing"]) == ("partial", [1, 3, 4])
-    other = Question.of(**{**QUESTION, "wrt": ()}, output=tmp_path)
+    other = SweepPlan.of(**{**ARGUMENTS, "wrt": ()}, output=tmp_path)
     with pytest.raises(PartError, match="part 2 of 4: .*different derivatives") as caught:
         other.write(2)
     again = pickle.loads(pickle.dumps(caught.value))
@@ -102,18 +102,18 @@ def test_a_missing_part_is_named_and_parts_of_other_sweeps_are_refused(tmp_path:
     # a part is refused for an existing part of another sweep: which message comes first depends on
     # the order of the files
     with pytest.raises(PartError, match="parts of one|different derivatives"):
-        parts.sweep(**{**QUESTION, "wrt": ()}, output=tmp_path, processes=1, retries=0)
+        parts.sweep(**{**ARGUMENTS, "wrt": ()}, output=tmp_path, processes=1, retries=0)
     with pytest.raises(InputError, match="it has no part of a sweep"):
         (tmp_path / "empty").mkdir()
         parts.check(tmp_path / "empty")
     with pytest.raises(longdrive.Error, match="at most 9 parts"):
-        Question.of(**{**QUESTION, "parts": 10}, output=tmp_path / "new").write(1)
+        SweepPlan.of(**{**ARGUMENTS, "parts": 10}, output=tmp_path / "new").write(1)
     with pytest.raises(InputError, match="manifests"):
         parts.merge([{"part": 1}])
 
 
 def test_numbers_are_si_and_texts_carry_their_unit() -> None:
-    requested = Question.of(
+    requested = SweepPlan.of(
         over={"swing.speed": (40.0, "50 m/s", 3), "aero.cd0": (0.2, 0.3)}, output="a", parts=1
     )
     assert [word for word in requested.words if word.startswith("--over")] == [
@@ -165,14 +165,14 @@ def test_an_invalid_sweep_is_refused_before_its_first_part(
 
 
 def test_a_valid_sweep_is_planned_without_a_file(tmp_path: Path) -> None:
-    requested = Question.of(
+    requested = SweepPlan.of(
         "mae494",
         **GOOD,
         output=tmp_path / "drives",
         tolerance=1e-3,
         histogram={"carry": (100.0, 300.0, 20)},
     )
-    requested.refuse_unsound()
+    requested.validate()
     assert (
         "--tolerance=0.001 m" in requested.words
         and "--histogram=carry=100.0 m..300.0 m:20" in requested.words
@@ -189,7 +189,7 @@ def test_a_relative_folder_is_that_of_the_caller(
     begun = parts._in_processes
 
     def moved(
-        requested: Question,
+        requested: SweepPlan,
         left: list[int],
         tries: dict[int, int],
         manifests: dict[int, dict[str, Any]],

@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from test_parts import QUESTION, sha256_of_the_set
+from test_parts import ARGUMENTS, sha256_of_the_set
 
 from longdrive import parts
-from longdrive.parts import PartError, Question
+from longdrive.parts import PartError, SweepPlan
 
 # ignore warnings: the engines issue their own
 pytestmark = pytest.mark.filterwarnings("ignore")
@@ -24,14 +24,14 @@ pytestmark = pytest.mark.filterwarnings("ignore")
 @pytest.fixture(scope="module")
 def many(tmp_path_factory: pytest.TempPathFactory) -> tuple[dict[str, Any], str]:
     """A sweep in more parts, and the SHA-256 of the set that one worker writes."""
-    question = {
-        **QUESTION, "over": {**QUESTION["over"], "club.loft": "-4deg..15deg:205"}, "parts": 40
+    arguments = {
+        **ARGUMENTS, "over": {**ARGUMENTS["over"], "club.loft": "-4deg..15deg:205"}, "parts": 40
     }
     folder = tmp_path_factory.mktemp("many")
-    requested = Question.of(**question, output=folder)
+    requested = SweepPlan.of(**arguments, output=folder)
     for part in range(requested.parts, 0, -1):
         requested.write(part)
-    return question, sha256_of_the_set(folder)
+    return arguments, sha256_of_the_set(folder)
 
 
 @pytest.fixture(scope="module")
@@ -68,7 +68,7 @@ def is_first(file: Path) -> bool:
     return True
 
 
-class Mortal(Question):
+class Mortal(SweepPlan):
     """A sweep in which one process dies while it writes a part, after three parts are complete."""
 
     def write(self, part: int) -> dict[str, Any]:
@@ -115,11 +115,11 @@ def test_same_set_from_dask_with_a_worker_killed_a_part_poisoned_and_a_disk_full
 ) -> None:
     import longdrive.dask
 
-    question, whole = many
+    arguments, whole = many
     folder = tmp_path / "drives"
-    monkeypatch.setattr(parts, "Question", Troubled)
+    monkeypatch.setattr(parts, "SweepPlan", Troubled)
     pids = list(client.run(os.getpid).values())
-    found = longdrive.dask.sweep(client, **question, output=folder)
+    found = longdrive.dask.sweep(client, **arguments, output=folder)
     killed = int((tmp_path / "killed").read_text())
     assert killed in pids and killed not in client.run(os.getpid).values()
     assert (tmp_path / "poisoned").exists()
@@ -137,7 +137,7 @@ def test_a_part_that_always_fails_is_named_by_dask(client: Any, tmp_path: Path) 
     client.wait_for_workers(2)
     client.run(fill_the_disk, 2000)
     with pytest.raises(PartError, match="part . of 4: .*it cannot be written") as caught:
-        longdrive.dask.sweep(client, **QUESTION, output=tmp_path / "drives", retries=1)
+        longdrive.dask.sweep(client, **ARGUMENTS, output=tmp_path / "drives", retries=1)
     assert 1 <= caught.value.part <= 4
     assert not list((tmp_path / "drives").glob("part-*"))
     client.run(empty_the_disk)
@@ -146,13 +146,13 @@ def test_a_part_that_always_fails_is_named_by_dask(client: Any, tmp_path: Path) 
 def test_the_result_of_a_part_does_not_grow_with_its_rows(tmp_path: Path) -> None:
     sizes = []
     for rows in (2, 200):
-        question = {
-            **QUESTION,
+        arguments = {
+            **ARGUMENTS,
             "over": {"club.loft": f"5deg..15deg:{1024 * rows}"},
             "of": "carry",
             "parts": 2,
         }
-        row = Question.of(**question, output=tmp_path / str(rows)).write(2)
+        row = SweepPlan.of(**arguments, output=tmp_path / str(rows)).write(2)
         assert row["rows"] == 512 * rows
         sizes.append(len(pickle.dumps(row)))
     # the row of the longer sweep differs only in digits of its numbers
@@ -162,9 +162,9 @@ def test_the_result_of_a_part_does_not_grow_with_its_rows(tmp_path: Path) -> Non
 def test_same_set_from_processes_one_of_which_is_killed(
     many: tuple[dict[str, Any], str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    question, whole = many
-    monkeypatch.setattr(parts, "Question", Mortal)
-    found = parts.sweep(**question, output=tmp_path / "drives", processes=2)
+    arguments, whole = many
+    monkeypatch.setattr(parts, "SweepPlan", Mortal)
+    found = parts.sweep(**arguments, output=tmp_path / "drives", processes=2)
     assert (tmp_path / "killed").exists()
     assert [row["part"] for row in found.manifests] == list(range(1, 41))
     assert sha256_of_the_set(tmp_path / "drives") == whole
@@ -177,18 +177,18 @@ def test_same_set_from_spark(many: tuple[dict[str, Any], str], tmp_path: Path) -
     import longdrive.spark
 
     os.environ["PYSPARK_PYTHON"] = sys.executable
-    question, whole = many
+    arguments, whole = many
     session = sql.SparkSession.builder.master("local[2, 4]").config(
         "spark.ui.enabled", "false"
     ).getOrCreate()
     session.sparkContext.setLogLevel("OFF")
     try:
-        found = longdrive.spark.sweep(session, **question, output=tmp_path / "drives")
+        found = longdrive.spark.sweep(session, **arguments, output=tmp_path / "drives")
         assert [row["part"] for row in found.manifests] == list(range(1, 41))
         assert sha256_of_the_set(tmp_path / "drives") == whole
         with pytest.raises(PartError, match="part [0-9]+ of 40: .*different outcomes") as caught:
             longdrive.spark.sweep(
-                session, **{**question, "of": "carry", "wrt": ()}, output=tmp_path / "drives"
+                session, **{**arguments, "of": "carry", "wrt": ()}, output=tmp_path / "drives"
             )
         assert 1 <= caught.value.part <= 40
     finally:
@@ -199,15 +199,15 @@ def test_same_set_from_ray(many: tuple[dict[str, Any], str], tmp_path: Path) -> 
     ray = pytest.importorskip("ray")
     import longdrive.ray
 
-    question, whole = many
+    arguments, whole = many
     ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False)
     try:
-        found = longdrive.ray.sweep(**question, output=tmp_path / "drives")
+        found = longdrive.ray.sweep(**arguments, output=tmp_path / "drives")
         assert [row["part"] for row in found.manifests] == list(range(1, 41))
         assert sha256_of_the_set(tmp_path / "drives") == whole
         with pytest.raises(PartError, match="different outcomes") as caught:
             longdrive.ray.sweep(
-                **{**question, "of": "carry", "wrt": ()}, output=tmp_path / "drives", retries=0
+                **{**arguments, "of": "carry", "wrt": ()}, output=tmp_path / "drives", retries=0
             )
         assert 1 <= caught.value.part <= 40
     finally:
@@ -231,4 +231,4 @@ def test_the_message_on_a_missing_engine_has_the_command_to_install_it(
     sweep = importlib.import_module(f"longdrive.{module}").sweep
     first = () if module == "ray" else (None,)
     with pytest.raises(ImportError, match=expected):
-        sweep(*first, **QUESTION, output="drives")
+        sweep(*first, **ARGUMENTS, output="drives")

@@ -333,7 +333,7 @@ def test_an_unknown_key_is_a_key_error_with_the_nearest_name(
             "^wrt is a set; expected a name or a list of names$",
         ),
         (
-            lambda: parts.Question.of(output="never", parts=1, of=["carry", None]),
+            lambda: parts.SweepPlan.of(output="never", parts=1, of=["carry", None]),
             r"^of\[1\] is a NoneType; expected a name$",
         ),
     ],
@@ -437,7 +437,7 @@ ATTACK = "swing.attack_angle=truncated(-1deg,2deg,-5deg,3deg)"
             "^seed = -4; expected a whole number of 0 or more",
         ),
         (
-            lambda: parts.Question.of(
+            lambda: parts.SweepPlan.of(
                 "mae494", output="a", parts=1, over={"club.loft": (0.1, 0.2, 3)}, seed=4
             ),
             "^seed = 4 chooses the points",

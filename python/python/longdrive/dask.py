@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from .arguments import count_of, kind_of
 from .errors import InputError
-from .parts import PartError, Parts, question_of
+from .parts import PartError, Parts, plan_of
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 __all__ = ["sweep"]
 
 
-def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Parts:
+def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **arguments: Any) -> Parts:
     """Computes all parts on the workers of a cluster.
 
     A worker receives a number and returns a row of the manifest: the memory of the scheduler grows
@@ -34,8 +34,8 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
         A setup, the name of a preset, or a dict.
     retries : int
         How often a part that fails is tried again.
-    question : Any
-        As :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`,
+    arguments : Any
+        As :meth:`longdrive.parts.SweepPlan.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`,
         `instructions`, …
 
     Returns
@@ -67,7 +67,7 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **questi
             "longdrive.dask.sweep(Client(), 'tour-average', …)"
         )
     count_of("retries", retries)
-    plan = question_of(setup, question)
+    plan = plan_of(setup, arguments)
     # pure=False: otherwise Dask would reuse the results of an earlier sweep, although the folder
     # may have changed
     futures = client.map(plan.write, range(1, plan.parts + 1), pure=False, retries=retries)

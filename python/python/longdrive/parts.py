@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from .conversion import Value
     from .types import Amount, AngleUnit, Given, Names, SetupLike
 
-__all__ = ["Over", "PartError", "Parts", "Question", "check", "merge", "sweep"]
+__all__ = ["Over", "PartError", "Parts", "SweepPlan", "check", "merge", "sweep"]
 
 Over = Union[Mapping[str, "str | Sequence[float | str | int]"], Sequence[str]]
 """Ranges of a sweep: names with ``"LOW..HIGH:COUNT"`` or (low, high, count), numbers in SI. With
@@ -46,7 +46,7 @@ class PartError(Error, RuntimeError):
         return (type(self), (str(self), self.part))
 
 
-class Question(NamedTuple):
+class SweepPlan(NamedTuple):
     """A sweep in parts. It can be pickled, and any process may write any of its parts."""
 
     values: Mapping[str, Value]
@@ -86,7 +86,7 @@ class Question(NamedTuple):
         own_step: bool = False,
         angles: AngleUnit = "rad",
         threads: int = 1,
-    ) -> Question:
+    ) -> SweepPlan:
         """The sweep of a setup.
 
         Parameters
@@ -135,7 +135,7 @@ class Question(NamedTuple):
 
         Returns
         -------
-        Question
+        SweepPlan
             The sweep.
 
         Raises
@@ -145,9 +145,9 @@ class Question(NamedTuple):
 
         Examples
         --------
-        >>> from longdrive.parts import Question
+        >>> from longdrive.parts import SweepPlan
         >>> over = {"club.loft": ("5 deg", "15 deg", 3000)}
-        >>> Question.of("tour-average", output="drives", parts=2, over=over).parts
+        >>> SweepPlan.of("tour-average", output="drives", parts=2, over=over).parts
         2
         """
         # imported here: `import longdrive` does not need it
@@ -183,7 +183,7 @@ class Question(NamedTuple):
         folder = path_of("output", output, "folder")
         return cls(request.values, request.setup_text, folder, parts, threads)
 
-    def refuse_unsound(self) -> None:
+    def validate(self) -> None:
         """Checks the sweep without computing it.
 
         Raises
@@ -225,7 +225,7 @@ class Question(NamedTuple):
 
     def check(self, *, contents: bool = False) -> dict[str, Any]:
         """Checks that the folder has every part of this sweep and nothing else: :func:`check`."""
-        return check(self.output, contents=contents, question=self)
+        return check(self.output, contents=contents, plan=self)
 
     def _run(self, more: Mapping[str, Value]) -> dict[str, Any]:
         return _sweep({**self.values, **more}, self.setup)
@@ -270,7 +270,7 @@ class Parts(NamedTuple):
         return sum(row["rows"] for row in self.manifests)
 
     @classmethod
-    def of(cls, question: Question, rows: Iterable[dict[str, Any]]) -> Parts:
+    def of(cls, plan: SweepPlan, rows: Iterable[dict[str, Any]]) -> Parts:
         """Checks the folder, and returns its parts; `rows` are their rows of the manifest.
 
         Raises
@@ -279,10 +279,10 @@ class Parts(NamedTuple):
             For a missing part, and a wrong file in the folder.
         """
         manifests = sorted(rows, key=lambda row: int(row["part"]))
-        found = question.check()
+        found = plan.check()
         if found["status"] != "done":
-            raise Error(f"{question.output}: {found['message']}")
-        return cls(question.output, manifests, merge(manifests))
+            raise Error(f"{plan.output}: {found['message']}")
+        return cls(plan.output, manifests, merge(manifests))
 
 
 def _sweep(
@@ -326,7 +326,7 @@ def _joined(name: str, names: Names) -> str:
     return ",".join(parts)
 
 
-def question_of(setup: SetupLike, question: Mapping[str, Any]) -> Question:
+def plan_of(setup: SetupLike, arguments: Mapping[str, Any]) -> SweepPlan:
     """Checks the arguments of a function that sends parts to workers, and returns the sweep.
 
     Raises
@@ -334,20 +334,20 @@ def question_of(setup: SetupLike, question: Mapping[str, Any]) -> Question:
     InputError
         For a bad argument, before any work is sent.
     """
-    missing = [name for name in ("output", "parts") if name not in question]
+    missing = [name for name in ("output", "parts") if name not in arguments]
     if missing:
         raise InputError(
             f"a sweep in parts needs {' and '.join(missing)}: the folder of the files, and the "
             "number of parts"
         )
-    found = Question.of(setup, **question)
-    found.refuse_unsound()
+    found = SweepPlan.of(setup, **arguments)
+    found.validate()
     # an absolute path: workers may have been started in other folders
     return found._replace(output=os.path.abspath(found.output))
 
 
 def check(
-    output: str | os.PathLike[str], *, contents: bool = False, question: Question | None = None
+    output: str | os.PathLike[str], *, contents: bool = False, plan: SweepPlan | None = None
 ) -> dict[str, Any]:
     """Checks the footers of the files in a folder: the answer of ``longdrive sweep --check``.
 
@@ -361,7 +361,7 @@ def check(
     contents : bool
         Read the rows too, and compare them with the SHA-256 of each part; ``sha256`` is then the
         hash of the whole set.
-    question : Question | None
+    plan : SweepPlan | None
         The sweep to which the parts must belong.
 
     Returns
@@ -374,15 +374,15 @@ def check(
     >>> import longdrive.parts, tempfile
     >>> over = {"club.loft": "5deg..15deg:3000"}
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     question = longdrive.parts.Question.of(over=over, of="spin", output=folder, parts=2)
-    ...     written = question.write(1)
+    ...     plan = longdrive.parts.SweepPlan.of(over=over, of="spin", output=folder, parts=2)
+    ...     written = plan.write(1)
     ...     longdrive.parts.check(folder)["missing"]
     [2]
     """
     options: dict[str, Value] = {"check": os.fspath(output), "hash": contents}
-    if question is None:
+    if plan is None:
         return _sweep({"json": True, **options}, "")
-    return _sweep({**question.values, **options}, question.setup)
+    return _sweep({**plan.values, **options}, plan.setup)
 
 
 def merge(manifests: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
@@ -429,7 +429,7 @@ def merge(manifests: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
 
 
 def sweep(
-    setup: SetupLike = None, *, processes: int = 0, retries: int = 3, **question: Any
+    setup: SetupLike = None, *, processes: int = 0, retries: int = 3, **arguments: Any
 ) -> Parts:
     """Computes all parts in processes of this machine.
 
@@ -441,8 +441,8 @@ def sweep(
         The number of processes; 0 for the number of processors.
     retries : int
         How often a part is tried again, after an error or the death of its process.
-    question : Any
-        As :meth:`Question.of`: `output`, `parts`, `over`, `of`, `wrt`, …
+    arguments : Any
+        As :meth:`SweepPlan.of`: `output`, `parts`, `over`, `of`, `wrt`, …
 
     Returns
     -------
@@ -472,7 +472,7 @@ def sweep(
 
     count_of("processes", processes)
     count_of("retries", retries)
-    plan = question_of(setup, question)
+    plan = plan_of(setup, arguments)
     manifests: dict[int, dict[str, Any]] = {}
     tries = dict.fromkeys(range(1, plan.parts + 1), 0)
     while len(manifests) < plan.parts:
@@ -496,7 +496,7 @@ def sweep(
 
 
 def _in_processes(
-    plan: Question,
+    plan: SweepPlan,
     left: list[int],
     tries: dict[int, int],
     manifests: dict[int, dict[str, Any]],

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from .arguments import count_of
-from .parts import PartError, Parts, Question, question_of
+from .parts import PartError, Parts, SweepPlan, plan_of
 
 if TYPE_CHECKING:
     from .types import SetupLike
@@ -19,7 +19,7 @@ __all__ = ["sweep"]
 _AHEAD = 4
 
 
-def sweep(setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Parts:
+def sweep(setup: SetupLike = None, *, retries: int = 3, **arguments: Any) -> Parts:
     """Computes all parts on the cluster of ``ray.init``.
 
     Parameters
@@ -28,8 +28,8 @@ def sweep(setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Part
         A setup, the name of a preset, or a dict.
     retries : int
         How often a part is tried again, after an error or the death of its worker.
-    question : Any
-        As :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`,
+    arguments : Any
+        As :meth:`longdrive.parts.SweepPlan.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`,
         `instructions`, …
 
     Returns
@@ -56,9 +56,9 @@ def sweep(setup: SetupLike = None, *, retries: int = 3, **question: Any) -> Part
     except ImportError as error:
         raise ImportError("longdrive.ray needs Ray: pip install ray") from error
     count_of("retries", retries)
-    plan = question_of(setup, question)
+    plan = plan_of(setup, arguments)
     write = ray.remote(num_cpus=plan.threads, max_retries=retries, retry_exceptions=True)(
-        Question.write
+        SweepPlan.write
     )
     shared = ray.put(plan)
     waiting = iter(range(1, plan.parts + 1))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from .arguments import kind_of
 from .errors import InputError
-from .parts import PartError, Parts, Question, question_of
+from .parts import PartError, Parts, SweepPlan, plan_of
 
 if TYPE_CHECKING:
     import pyarrow
@@ -24,7 +24,7 @@ _COLUMNS = "part long, file string, rows long, bytes long, sha256 string, manife
 
 
 def _writer(
-    plan: Question,
+    plan: SweepPlan,
 ) -> Callable[[Iterable[pyarrow.RecordBatch]], Iterable[pyarrow.RecordBatch]]:
     def write(batches: Iterable[pyarrow.RecordBatch]) -> Iterable[pyarrow.RecordBatch]:
         import json
@@ -40,7 +40,7 @@ def _writer(
     return write
 
 
-def manifests(spark: SparkSession, plan: Question) -> DataFrame:
+def manifests(spark: SparkSession, plan: SweepPlan) -> DataFrame:
     """The parts as a DataFrame, which writes them when it is computed.
 
     Its columns are `part`, `file`, `rows`, `bytes`, `sha256`, and the row of the manifest as JSON.
@@ -49,7 +49,7 @@ def manifests(spark: SparkSession, plan: Question) -> DataFrame:
     ----------
     spark : SparkSession
         The session. Every executor must have longdrive, and the folder under the same name.
-    plan : Question
+    plan : SweepPlan
         The sweep.
 
     Returns
@@ -61,7 +61,7 @@ def manifests(spark: SparkSession, plan: Question) -> DataFrame:
     return spark.range(1, plan.parts + 1, 1, plan.parts).mapInArrow(_writer(plan), _COLUMNS)
 
 
-def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Parts:
+def sweep(spark: SparkSession, setup: SetupLike = None, **arguments: Any) -> Parts:
     """Computes all parts on a cluster of Spark.
 
     Spark tries a part ``spark.task.maxFailures`` times.
@@ -74,8 +74,8 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
         under the same name.
     setup : SetupLike
         A setup, the name of a preset, or a dict.
-    question : Any
-        As :meth:`longdrive.parts.Question.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`,
+    arguments : Any
+        As :meth:`longdrive.parts.SweepPlan.of`: `output`, `parts`, `over` or `sample`, `of`, `wrt`,
         `instructions`, …
 
     Returns
@@ -114,7 +114,7 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
             f"spark is {kind_of(spark)}; expected a SparkSession, as "
             "SparkSession.builder.getOrCreate() gives it"
         )
-    plan = question_of(setup, question)
+    plan = plan_of(setup, arguments)
     try:
         rows = manifests(spark, plan).select("manifest").collect()
     except (PySparkException, Py4JError) as error:
@@ -122,7 +122,7 @@ def sweep(spark: SparkSession, setup: SetupLike = None, **question: Any) -> Part
     return Parts.of(plan, (json.loads(row.manifest) for row in rows))
 
 
-def _named(plan: Question, error: Exception) -> PartError:
+def _named(plan: SweepPlan, error: Exception) -> PartError:
     """Converts the error of a worker to a PartError, whose part is 0 if it is unknown.
 
     Spark keeps only the text of an error; the text names the part.
