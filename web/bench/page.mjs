@@ -22,8 +22,8 @@ function collect() {
   const sent = new Map();
   Worker.prototype.postMessage = function timed(message, ...rest) {
     if (message.kind === 'calls') {
-      const doors = message.calls.map(({ door, request }) => `${door}${request.nodes?.[0] ?? ''}`);
-      sent.set(`${this.id ??= Math.random()}/${message.number}`, [doors[0], performance.now()]);
+      const endpoints = message.calls.map(({ endpoint, request }) => `${endpoint}${request.nodes?.[0] ?? ''}`);
+      sent.set(`${this.id ??= Math.random()}/${message.number}`, [endpoints[0], performance.now()]);
     }
     if (message.kind === 'command') sent.set(`${this.id ??= Math.random()}/${message.number}`, [message.command.words[0], performance.now()]);
     return post.call(this, message, ...rest);

@@ -118,22 +118,22 @@ export class Core {
   }
 
   /**
-   * @param {string} door
+   * @param {string} endpoint
    * @param {Request} request
    * @returns {Numbers}
    */
-  #numbers(door, request) {
-    const { head, bytes } = this.#call(door, request, []);
+  #numbers(endpoint, request) {
+    const { head, bytes } = this.#call(endpoint, request, []);
     return { head, block: new Float64Array(bytes.buffer) };
   }
 
   /**
-   * @param {string} door
+   * @param {string} endpoint
    * @param {Request} request
    * @param {Uint8Array[]} contents
    * @returns {{ head: any, bytes: Uint8Array }}
    */
-  #call(door, request, contents) {
+  #call(endpoint, request, contents) {
     const head = encoder.encode(JSON.stringify(request));
     const block = contents.reduce((sum, content) => sum + content.length, 0);
     const length = 2 * LENGTH + head.length + block;
@@ -147,7 +147,7 @@ export class Core {
       place.set(part, at);
       at += part.length;
     }
-    this.#exports[door]();
+    this.#exports[endpoint]();
     return this.#answer();
   }
 

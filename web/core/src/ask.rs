@@ -64,13 +64,13 @@ struct Head {
     status: &'static str,
     exit: u8,
     answer: String,
-    said: Vec<Said>,
+    said: Vec<ShownMessage>,
     files: Vec<FileOfBlock>,
 }
 
 /// A message of the command in addition to its answer.
 #[derive(Serialize)]
-struct Said {
+struct ShownMessage {
     kind: &'static str,
     text: String,
 }
@@ -86,17 +86,17 @@ pub fn answer(request: &Request, block: &[u8], show: ShowProgress) -> Result<Vec
         width: request.width.unwrap_or(WIDTH),
         mentions: request.mentions,
         show,
-        now: Mutex::default(),
+        state: Mutex::default(),
     });
     let words = [PROGRAM]
         .into_iter()
         .chain(request.words.iter().map(String::as_str));
     let exit = run(words.map(OsString::from).collect(), page.clone());
-    let Now {
+    let HostState {
         answer,
         said,
         outputs,
-    } = std::mem::take(&mut *page.now());
+    } = std::mem::take(&mut *page.state());
     let files = outputs.iter().map(|(name, content)| FileOfBlock {
         name: name.display().to_string(),
         bytes: content.len(),
@@ -138,20 +138,20 @@ struct Page {
     width: usize,
     mentions: Mentions,
     show: ShowProgress,
-    now: Mutex<Now>,
+    state: Mutex<HostState>,
 }
 
 /// Output of a command so far.
 #[derive(Default)]
-struct Now {
+struct HostState {
     answer: Vec<u8>,
-    said: Vec<Said>,
+    said: Vec<ShownMessage>,
     outputs: Vec<(PathBuf, Vec<u8>)>,
 }
 
 impl Page {
-    fn now(&self) -> MutexGuard<'_, Now> {
-        self.now.lock().unwrap_or_else(PoisonError::into_inner)
+    fn state(&self) -> MutexGuard<'_, HostState> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -166,7 +166,7 @@ impl Host for Page {
     }
 
     fn write(&self, rows: &[u8]) -> io::Result<()> {
-        let answer = &mut self.now().answer;
+        let answer = &mut self.state().answer;
         if answer.len() + rows.len() > MOST_BYTES {
             let why = "it is larger than 64 MB, the largest answer of a page";
             return Err(io::Error::other(why));
@@ -183,7 +183,7 @@ impl Host for Page {
             MessageKind::Usage => "usage",
         };
         let text = plain(text);
-        self.now().said.push(Said { kind, text });
+        self.state().said.push(ShownMessage { kind, text });
     }
 
     fn width(&self) -> usize {
@@ -215,7 +215,7 @@ impl Host for Page {
     }
 
     fn keep(&self, name: &Path, content: Vec<u8>) {
-        self.now().outputs.push((name.into(), content));
+        self.state().outputs.push((name.into(), content));
     }
 
     fn shows(&self, work: Work<'_>) -> SharedProgress {

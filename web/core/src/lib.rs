@@ -6,7 +6,7 @@
 pub mod aim;
 pub mod ask;
 #[cfg(target_family = "wasm")]
-mod doors;
+mod endpoints;
 pub mod drive;
 pub mod iterations;
 pub mod map;
@@ -24,7 +24,7 @@ use serde::de::DeserializeOwned;
 
 /// The functions of the core.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Door {
+pub enum Endpoint {
     /// A command of the program.
     Ask,
     /// A drive with derivatives and path.
@@ -42,15 +42,15 @@ pub enum Door {
 }
 
 /// Answers a request. A request that cannot be answered has an answer with the reason.
-pub fn answered(door: Door, request: &[u8], show: ShowProgress) -> Vec<u8> {
-    let answer = Message::read(request).and_then(|request| match door {
-        Door::Ask => ask::answer(&head(&request)?, request.block, show),
-        Door::Drive => drive::answer(&head(&request)?),
-        Door::Map => map::answer(&head(&request)?),
-        Door::Aim => aim::answer(&head(&request)?),
-        Door::Loop => while_loop::answer(&head(&request)?),
-        Door::Step => step::answer(&head(&request)?),
-        Door::Iterations => iterations::answer(&head(&request)?),
+pub fn answered(endpoint: Endpoint, request: &[u8], show: ShowProgress) -> Vec<u8> {
+    let answer = Message::read(request).and_then(|request| match endpoint {
+        Endpoint::Ask => ask::answer(&head(&request)?, request.block, show),
+        Endpoint::Drive => drive::answer(&head(&request)?),
+        Endpoint::Map => map::answer(&head(&request)?),
+        Endpoint::Aim => aim::answer(&head(&request)?),
+        Endpoint::Loop => while_loop::answer(&head(&request)?),
+        Endpoint::Step => step::answer(&head(&request)?),
+        Endpoint::Iterations => iterations::answer(&head(&request)?),
     });
     answer.unwrap_or_else(|refusal| message::written(&refusal, &[]))
 }

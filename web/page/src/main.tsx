@@ -11,19 +11,19 @@ import { read } from './state/fragment';
 import { Catalog } from './setup/parameters';
 import './style.css';
 
-/** Draws the page while the worker `hand` compiles the core. */
+/** Draws the page while the worker `interactive` compiles the core. */
 async function start(place: HTMLElement) {
-  const [hand, desk] = [new Lane(), new Lane()];
-  const started = hand.start(packedCore());
+  const [interactive, background] = [new Lane(), new Lane()];
+  const started = interactive.start(packedCore());
   const catalog = new Catalog(listed.parameters, listed.presets, listed.choices);
   const { state, unknown } = read(location.hash, catalog);
-  const explorer = new Explorer(catalog, hand, desk, state);
+  const explorer = new Explorer(catalog, interactive, background, state);
   const address = new Address(explorer, unknown);
   explorer.refresh();
   place.textContent = '';
   render(<PageContext.Provider value={{ explorer, address }}><App /></PageContext.Provider>, place);
   try {
-    await desk.start(await started);
+    await background.start(await started);
   } catch (error) {
     render(null, place);
     throw error;

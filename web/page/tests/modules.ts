@@ -3,7 +3,7 @@ export * from '../src/parts/lengths';
 export * from '../src/setup/design';
 export * from '../src/setup/file';
 export * from '../src/setup/parameters';
-export * from '../src/setup/travel';
+export * from '../src/setup/slider';
 export * from '../src/setup/words';
 export * from '../src/state/best';
 export * from '../src/state/explorer';

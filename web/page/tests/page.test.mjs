@@ -293,7 +293,7 @@ test('a drag whose worker has no memory left traps, and a new worker goes on', a
     await page.evaluate(() => {
       const range = (name, low, high) => ({ name, low, high });
       const request = { setup: {}, of: ['carry'], across: range('club.loft', 0.1, 0.2), up: range('swing.speed', 40, 50), nodes: [500, 500] };
-      window.exhaust = { kind: 'calls', calls: [{ door: 'map', request }] };
+      window.exhaust = { kind: 'calls', calls: [{ endpoint: 'map', request }] };
     });
     await slider(page, 'swing.speed').press('ArrowRight');
     await recovers(page);

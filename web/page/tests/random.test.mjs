@@ -96,7 +96,7 @@ test(`${COUNT.links} random links give a state of which all was named, and the c
     for (const name of Object.keys(design.set)) {
       const parameter = catalog.parameter(name, page.lawOf(design, catalog));
       if (!parameter) continue;
-      const { low, high, step } = page.travelOf(parameter, page.numberOf(name, { ...design, set: {} }, catalog), page.numberOf(name, design, catalog));
+      const { low, high, step } = page.sliderRangeOf(parameter, page.numberOf(name, { ...design, set: {} }, catalog), page.numberOf(name, design, catalog));
       assert.ok(low <= high && step > 0, `${about} ${name} ${low} ${high} ${step}`);
     }
     const { head } = core.drive({ setup: page.setupOf(design), of: [state.goal], wrt: ['club.loft', 'swing.speed'], order: 2, path: true });

@@ -3,7 +3,7 @@ import type { Packed } from './load';
 
 /** A function of the core that answers with numbers, and its request. */
 export interface Call {
-  door: 'drive' | 'map' | 'aim' | 'loop' | 'iterations';
+  endpoint: 'drive' | 'map' | 'aim' | 'loop' | 'iterations';
   request: Record<string, unknown>;
 }
 

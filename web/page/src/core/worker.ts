@@ -43,7 +43,7 @@ function work(message: Exclude<ToWorker, { kind: 'start' }>) {
   }
   const begin = performance.now();
   const current = core;
-  const numbers = message.calls.map(({ door, request }) => current[door](request));
+  const numbers = message.calls.map(({ endpoint, request }) => current[endpoint](request));
   say({ kind: 'numbers', number, numbers, milliseconds: performance.now() - begin });
 }
 

@@ -117,7 +117,7 @@ function Causes({ other }: { other: number }) {
   const words = ['compare', first.preset, second.preset, ...settingsOf(first, '--set-a'),
     ...settingsOf(second, '--set-b'), '--of', goal, '--json'];
   const difference = useAnswer(key, 300, async () => {
-    const reply = await explorer.desk.command('compare', words);
+    const reply = await explorer.background.command('compare', words);
     if (!reply) return undefined;
     const found = reply.exit === 0 ? (JSON.parse(reply.answer) as { outcomes: Difference[] }).outcomes[0] : null;
     return found ?? null;

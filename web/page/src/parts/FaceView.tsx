@@ -36,7 +36,7 @@ export function FaceView() {
     ] as const;
     const [toTheToe, above] = point.map((metres, axis) => {
       const name = axis === 0 ? 'strike.toe' : 'strike.high';
-      const { low, high: most } = explorer.travel(name);
+      const { low, high: most } = explorer.sliderRange(name);
       return textOf(Math.min(most, Math.max(low, metres)), 'mm', 1);
     });
     explorer.changeDesign(withValues(

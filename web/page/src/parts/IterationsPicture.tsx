@@ -1,7 +1,7 @@
 // One iteration of the optimizer: the iterate, the model of the outcome, the trust region, the step.
 import { useMemo } from 'preact/hooks';
 import { labelOf } from '../setup/parameters';
-import type { Travel } from '../setup/travel';
+import type { SliderRange } from '../setup/slider';
 import { fromSI, symbolOf, toSI } from '../setup/units';
 import { isRefused } from '../drive/drive';
 import type { Explorer } from '../state/explorer';
@@ -37,7 +37,7 @@ export function IterationsPicture(props: Props) {
   const design = explorer.design.value;
   const map = useAnswer(`${mapKey(design, axes)} ${JSON.stringify([names, design.set[axes.up]])}`, 0, async () => {
     const nodes = isCurve ? [CURVE, 2] as const : [NODES, NODES] as const;
-    const first = (await explorer.desk.calls('iterations map', [mapCall(axes, explorer.setup(), nodes)]))?.numbers[0];
+    const first = (await explorer.background.calls('iterations map', [mapCall(axes, explorer.setup(), nodes)]))?.numbers[0];
     if (!first) return undefined;
     return isRefused(first) ? null : readMap(first, axes);
   });
@@ -62,7 +62,7 @@ function axesOf({ names, ranges }: Iterations, explorer: Explorer): MapAxes {
     return { across: names[0]!, up, ranges: [ranges[0]!, { low: value, high: value, step: 0 }], goal };
   }
   const [across, up] = names.length === 2 ? names as [string, string] : ofMap;
-  const range = (name: string): Travel => ranges[names.indexOf(name)] ?? explorer.travel(name);
+  const range = (name: string): SliderRange => ranges[names.indexOf(name)] ?? explorer.sliderRange(name);
   return { across, up, ranges: [range(across), range(up)], goal };
 }
 
@@ -79,7 +79,7 @@ function coordinate(x: ArrayLike<number>, { names }: Iterations, name: string, e
  * The ends of the trust region on an axis; those of the axis if the search does not vary its
  * parameter.
  */
-function region(iteration: Iteration, { names }: Iterations, name: string, { low, high }: Travel): [number, number] {
+function region(iteration: Iteration, { names }: Iterations, name: string, { low, high }: SliderRange): [number, number] {
   const varied = names.indexOf(name);
   return varied < 0 ? [low, high] : [iteration.low[varied] ?? low, iteration.high[varied] ?? high];
 }

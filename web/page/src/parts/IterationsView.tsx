@@ -29,9 +29,9 @@ export function IterationsView() {
 async function search(explorer: Explorer): Promise<Iterations | { refused: string } | undefined> {
   const { goal, units } = explorer.state.value;
   const names = varyOf(explorer.state.value);
-  const ranges = names.map((name) => explorer.travel(name));
+  const ranges = names.map((name) => explorer.sliderRange(name));
   const call = iterationsCall(explorer.setup(), goal, units, names, ranges);
-  const first = (await explorer.desk.calls('iterations', [call]))?.numbers[0];
+  const first = (await explorer.background.calls('iterations', [call]))?.numbers[0];
   if (!first) return undefined;
   return isRefused(first) ? { refused: refusalOf(first).message } : readIterations(first, ranges);
 }

@@ -24,7 +24,7 @@ interface LoopMap extends Grid {
 
 async function fly(explorer: Explorer, map: MapData, nodes: number, step: number, key: string): Promise<LoopMap | null | undefined> {
   const calls = loopMapCalls(map, explorer.setup(), nodes, step);
-  const answer = await explorer.desk.calls(`loop map ${nodes}`, calls);
+  const answer = await explorer.background.calls(`loop map ${nodes}`, calls);
   if (!answer) return undefined;
   if (answer.numbers.some(isRefused)) return null;
   const rows = answer.numbers.map(readLoop);

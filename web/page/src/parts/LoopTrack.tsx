@@ -20,19 +20,19 @@ const ROOM = 4;
 export function LoopTrack({ name }: { name: string }) {
   const { explorer } = usePage();
   const step = explorer.loopStep.value;
-  return step !== null && mapOf(explorer.state.value)[0] === name ? <Teeth name={name} step={step} /> : null;
+  return step !== null && mapOf(explorer.state.value)[0] === name ? <ErrorCurve name={name} step={step} /> : null;
 }
 
-function Teeth({ name, step }: { name: string; step: number }) {
+function ErrorCurve({ name, step }: { name: string; step: number }) {
   const { explorer } = usePage();
-  const { low, high, step: difference } = explorer.travel(name);
+  const { low, high, step: difference } = explorer.sliderRange(name);
   const { preset, set } = explorer.design.value;
   // leave out the parameter's own value: the loop along the parameter does not depend on it
   const others = Object.entries(set).filter(([each]) => each !== name);
   const key = JSON.stringify([name, low, high, step, preset, others]);
   const loop = useAnswer(key, 150, async () => {
     const call = loopCall(explorer.setup(), { name, low, high }, NODES, step, difference);
-    const first = (await explorer.desk.calls('loop slider', [call]))?.numbers[0];
+    const first = (await explorer.background.calls('loop slider', [call]))?.numbers[0];
     if (!first) return undefined;
     return isRefused(first) ? null : readLoop(first);
   });

@@ -20,16 +20,16 @@ import { useWidth } from './size';
 
 const NODES = 300;
 const HEIGHT = 170;
-/** The fraction of a slider's travel that is shown. */
+/** The fraction of a slider's range that is shown. */
 const PART = 0.06;
 
 async function flyLoop(explorer: Explorer, name: string, step: number, difference: number): Promise<Loop | { refused: string } | undefined> {
-  const { low, high } = explorer.travel(name);
+  const { low, high } = explorer.sliderRange(name);
   const middle = explorer.value(name) ?? (low + high) / 2;
   const half = (PART * (high - low)) / 2;
   const along = { name, low: middle - half, high: middle + half };
   const call = loopCall(explorer.setup(), along, NODES, step, difference);
-  const first = (await explorer.hand.calls('loop', [call]))?.numbers[0];
+  const first = (await explorer.interactive.calls('loop', [call]))?.numbers[0];
   if (!first) return undefined;
   return isRefused(first) ? { refused: refusalOf(first).message } : readLoop(first);
 }

@@ -3,7 +3,7 @@ import { useState } from 'preact/hooks';
 import { bandOf, LOSS, priceOf } from '../drive/price';
 import { NONE, WHEN_UNSET } from '../setup/design';
 import { labelInGroup, labelOf } from '../setup/parameters';
-import { decimalsOf } from '../setup/travel';
+import { decimalsOf } from '../setup/slider';
 import { digits, fromSI, parts, symbolOf, toSI, unitIn, withUnit } from '../setup/units';
 import { varyOf } from '../state/state';
 import type { Explorer } from '../state/explorer';
@@ -23,7 +23,7 @@ export function SliderRow({ name, isInGroup = false }: Props) {
   const id = name.replace(/\./g, '-');
   const label = isInGroup ? labelInGroup(name) : labelOf(name);
   const row = useSteady(() => explorer.rowKey(name), () => rowOf(explorer, name));
-  const { travel, unit, value, at, decimals, isSet, units, message } = row;
+  const { sliderRange, unit, value, at, decimals, isSet, units, message } = row;
   const slide = (event: Event, isFinal: boolean) =>
     explorer.slide(name, toSI(Number((event.target as HTMLInputElement).value), unit), isFinal);
   const spoken = value === null ? 'not stated' : withUnit(digits(fromSI(at, unit), decimals), unit);
@@ -39,9 +39,9 @@ export function SliderRow({ name, isInGroup = false }: Props) {
           onClick={() => setAsked(!isAsked)}>?</button>
       </div>
       <LoopTrack name={name} />
-      <Track name={name} travel={travel} value={value} units={units}>
-        <input type="range" id={`slide-${id}`} min={fromSI(travel.low, unit)}
-          max={fromSI(travel.high, unit)} step={travel.step / (toSI(1, unit) - toSI(0, unit))}
+      <Track name={name} sliderRange={sliderRange} value={value} units={units}>
+        <input type="range" id={`slide-${id}`} min={fromSI(sliderRange.low, unit)}
+          max={fromSI(sliderRange.high, unit)} step={sliderRange.step / (toSI(1, unit) - toSI(0, unit))}
           value={fromSI(at, unit)} aria-valuetext={spoken} aria-describedby={`price-${id}`}
           onInput={(event) => slide(event, false)} onChange={(event) => slide(event, true)} />
       </Track>
@@ -56,20 +56,20 @@ type Row = ReturnType<typeof rowOf>;
 
 /** The content of a parameter's row. */
 function rowOf(explorer: Explorer, name: string) {
-  const travel = explorer.travel(name);
+  const sliderRange = explorer.sliderRange(name);
   const unit = explorer.unit(name);
   const value = explorer.value(name);
   const isNumber = value !== null && Number.isFinite(value);
   const preset = explorer.presetValue(name);
   const isSet = name in explorer.design.value.set;
-  const usual = preset ?? WHEN_UNSET[name] ?? (travel.low + travel.high) / 2;
+  const usual = preset ?? WHEN_UNSET[name] ?? (sliderRange.low + sliderRange.high) / 2;
   const refusal = explorer.refusal.value;
   return {
-    travel,
+    sliderRange,
     unit,
     value,
     at: isNumber ? value : usual,
-    decimals: decimalsOf(travel, unit),
+    decimals: decimalsOf(sliderRange, unit),
     units: explorer.units.value,
     shown: shownOf(explorer, name),
     isSet,
@@ -87,13 +87,13 @@ function About({ name, label }: { name: string; label: string }) {
     <div class="about">
       <p>{explorer.parameter(name).doc} (<code>{name}</code>)</p>
       <p>Value of the preset: {preset?.sources[name] ?? 'no source'}.</p>
-      <Freedom name={name} label={label} />
+      <VarySwitch name={name} label={label} />
     </div>
   );
 }
 
 /** A switch that lets the best drive change the parameter. */
-function Freedom({ name, label }: { name: string; label: string }) {
+function VarySwitch({ name, label }: { name: string; label: string }) {
   const { explorer } = usePage();
   const state = explorer.state.value;
   const names = varyOf(state);
@@ -116,14 +116,14 @@ function Freedom({ name, label }: { name: string; label: string }) {
 function PriceLine({ name, id, row }: { name: string; id: string; row: Row }) {
   const { explorer } = usePage();
   const slope = explorer.slopes.value.get(name);
-  const { at, units, unit, decimals, travel } = row;
+  const { at, units, unit, decimals, sliderRange } = row;
   const isUnset = row.value === null;
   const why = explorer.noSlope.value.get(name);
   if (!slope) return <p class="price" id={`price-${id}`}>{why ?? (isUnset ? 'not stated' : '\u00a0')}</p>;
   const { low, high } = bandOf(at, slope, LOSS[units]);
   const end = (value: number) => withUnit(digits(fromSI(value, unit), decimals), unit);
-  const from = low <= travel.low ? null : end(low);
-  const to = high >= travel.high ? null : end(high);
+  const from = low <= sliderRange.low ? null : end(low);
+  const to = high >= sliderRange.high ? null : end(high);
   const loss = units === 'us' ? '1 yd' : '1 m';
   const band = from && to ? `${digits(fromSI(low, unit), decimals)} to ${to}` : from ? `above ${from}` : to ? `below ${to}` : 'everywhere';
   return (

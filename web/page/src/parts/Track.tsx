@@ -1,7 +1,7 @@
 // The slider of a parameter with marks: its band (the values that cost little) and its best value.
 import type { ComponentChildren } from 'preact';
 import { bandOf, LOSS } from '../drive/price';
-import type { Travel } from '../setup/travel';
+import type { SliderRange } from '../setup/slider';
 import type { System } from '../setup/units';
 import { usePage } from './context';
 
@@ -12,13 +12,13 @@ const place = (part: number) => `calc(${KNOB}px + ${part} * (100% - ${2 * KNOB}p
 
 interface Props {
   name: string;
-  travel: Travel;
+  sliderRange: SliderRange;
   value: number | null;
   units: System;
   children: ComponentChildren;
 }
 
-export function Track({ name, travel: { low, high }, value, units, children }: Props) {
+export function Track({ name, sliderRange: { low, high }, value, units, children }: Props) {
   const { explorer } = usePage();
   const slope = explorer.slopes.value.get(name);
   const best = explorer.best.value?.values[name];

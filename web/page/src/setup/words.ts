@@ -2,7 +2,7 @@
 import type { Design } from './design';
 import { hasLaunch, isReplaced } from './design';
 import type { Parameter } from './parameters';
-import type { Travel } from './travel';
+import type { SliderRange } from './slider';
 import { compact, textOf } from './units';
 
 export function settingsOf(design: Design, option = '--set'): string[] {
@@ -15,7 +15,7 @@ export function settingsOf(design: Design, option = '--set'): string[] {
 export const setupWords = (design: Design) => [design.preset, ...settingsOf(design)];
 
 /** The argument of a range: club.loft=4deg..20deg. */
-export function rangeWords({ parameter, shown_in }: Parameter, { low, high }: Travel): string {
+export function rangeWords({ parameter, shown_in }: Parameter, { low, high }: SliderRange): string {
   const [from, to] = [low, high].map((end) => compact(textOf(end, shown_in, 6)));
   return `${parameter}=${from}..${to}`;
 }

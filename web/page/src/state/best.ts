@@ -3,8 +3,8 @@ import type { Reply } from '../core/messages';
 import type { Design } from '../setup/design';
 import { withValues } from '../setup/design';
 import type { Parameter } from '../setup/parameters';
-import type { Travel } from '../setup/travel';
-import { decimalsOf } from '../setup/travel';
+import type { SliderRange } from '../setup/slider';
+import { decimalsOf } from '../setup/slider';
 import { textOf } from '../setup/units';
 import { rangeWords, setupWords } from '../setup/words';
 import type { State } from './state';
@@ -26,7 +26,7 @@ export interface Best {
 /** Finds a parameter, and the range of its slider, by name. */
 interface Fields {
   parameter(name: string): Parameter;
-  travel(name: string): Travel;
+  sliderRange(name: string): SliderRange;
 }
 
 interface OptimizeAnswer {
@@ -41,7 +41,7 @@ export function bestWords(
   fields: Fields, { goal, units }: State, design: Design, names: readonly string[],
 ): string[] {
   const vary = names.flatMap((name) =>
-    ['--vary', rangeWords(fields.parameter(name), fields.travel(name))]);
+    ['--vary', rangeWords(fields.parameter(name), fields.sliderRange(name))]);
   return ['optimize', ...setupWords(design), '--maximize', goal, ...vary, '--units', units, '--json'];
 }
 
@@ -51,7 +51,7 @@ export function readBest({ exit, answer }: Reply, design: Design, fields: Fields
   const names = Object.keys(optimum);
   const texts = names.map((name) => {
     const { shown_in: unit } = fields.parameter(name);
-    const decimals = Math.max(3, decimalsOf(fields.travel(name), unit) + 2);
+    const decimals = Math.max(3, decimalsOf(fields.sliderRange(name), unit) + 2);
     return [name, textOf(optimum[name] ?? NaN, unit, decimals)] as const;
   });
   const beyond = names.map((name) => {

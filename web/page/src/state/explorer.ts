@@ -8,13 +8,13 @@ import type { Design } from '../setup/design';
 import { WHEN_UNSET, firstOf, hasLaunch, lawOf, numberOf, setupOf, together, withValues } from '../setup/design';
 import type { Catalog, Parameter } from '../setup/parameters';
 import { AIR_FIRST, groupOf } from '../setup/parameters';
-import type { Travel } from '../setup/travel';
-import { decimalsOf, travelOf } from '../setup/travel';
+import type { SliderRange } from '../setup/slider';
+import { decimalsOf, sliderRangeOf } from '../setup/slider';
 import { digits, fromSI, textOf, unitIn } from '../setup/units';
 import { setupWords } from '../setup/words';
 import type { Best } from './best';
 import { bestWords, readBest } from './best';
-import { Later } from './later';
+import { Debounce } from './debounce';
 import type { MapAxes, MapData } from './map';
 import { mapCall, mapKey, readMap } from './map';
 import type { State } from './state';
@@ -29,8 +29,10 @@ const REST = 150;
 
 export class Explorer {
   readonly catalog: Catalog;
-  readonly hand: Lane;
-  readonly desk: Lane;
+  /** The worker for answers that follow a slider. */
+  readonly interactive: Lane;
+  /** The worker for searches and other long work. */
+  readonly background: Lane;
 
   readonly state;
   readonly drive = signal<Drive | null>(null);
@@ -72,21 +74,21 @@ export class Explorer {
 
   #mapKey = '';
   #traps = 0;
-  readonly #rest = new Later(REST);
+  readonly #rest = new Debounce(REST);
   /** Called after each change; `isFinal` is false during a drag. */
   onChange: (state: State, isFinal: boolean) => void = () => {};
 
-  constructor(catalog: Catalog, hand: Lane, desk: Lane, state: State) {
+  constructor(catalog: Catalog, interactive: Lane, background: Lane, state: State) {
     this.catalog = catalog;
-    this.hand = hand;
-    this.desk = desk;
+    this.interactive = interactive;
+    this.background = background;
     this.state = signal(state);
-    for (const lane of [hand, desk]) {
+    for (const lane of [interactive, background]) {
       lane.onTrap = (message) => this.#trapped(message);
       // look only after the receivers of the last answer have sent their requests
       lane.onIdle = () => setTimeout(() => this.#look(), 0);
     }
-    desk.onProgress = (progress) => {
+    background.onProgress = (progress) => {
       const what = this.working.value;
       this.progress.value = progress && what ? { ...progress, what } : null;
     };
@@ -149,8 +151,8 @@ export class Explorer {
     return numberOf(name, { preset: this.design.value.preset, set: {} }, this.catalog);
   }
 
-  travel(name: string): Travel {
-    return travelOf(this.parameter(name), this.presetValue(name), this.value(name));
+  sliderRange(name: string): SliderRange {
+    return sliderRangeOf(this.parameter(name), this.presetValue(name), this.value(name));
   }
 
   unit(name: string): string {
@@ -159,7 +161,7 @@ export class Explorer {
 
   field(name: string) {
     const unit = this.unit(name);
-    return { parameter: this.parameter(name), unit, decimals: decimalsOf(this.travel(name), unit) };
+    return { parameter: this.parameter(name), unit, decimals: decimalsOf(this.sliderRange(name), unit) };
   }
 
   /**
@@ -191,7 +193,7 @@ export class Explorer {
   }
 
   #look() {
-    this.busy.value = this.#rest.isWaiting || !this.hand.isIdle || !this.desk.isIdle;
+    this.busy.value = this.#rest.isWaiting || !this.interactive.isIdle || !this.background.isIdle;
   }
 
   /** Requests all answers about the state. A worker that has no core yet keeps the requests. */
@@ -227,10 +229,10 @@ export class Explorer {
     const setup = this.setup();
     const wrt = this.#priced();
     const calls: Call[] = [
-      { door: 'drive', request: { setup, units, path: true, of: [goal], wrt, ...PRICES } }];
+      { endpoint: 'drive', request: { setup, units, path: true, of: [goal], wrt, ...PRICES } }];
     const unset = this.#unsetCall();
     if (unset) calls.push(unset);
-    const answer = await this.hand.calls('drive', calls);
+    const answer = await this.interactive.calls('drive', calls);
     if (!answer) return;
     const [first] = answer.numbers;
     if (!first) return;
@@ -272,14 +274,14 @@ export class Explorer {
       outcomes: false,
       ...PRICES,
     };
-    return { door: 'drive', request };
+    return { endpoint: 'drive', request };
   }
 
   async #findBest() {
     const state = this.state.value;
     const design = this.design.value;
     const names = varyOf(state);
-    const reply = await this.desk.command('best', bestWords(this, state, design, names));
+    const reply = await this.background.command('best', bestWords(this, state, design, names));
     if (!reply || design !== this.design.value) return;
     const best = readBest(reply, design, this);
     this.bestMessage.value = best ? null : messageOf(reply);
@@ -288,8 +290,8 @@ export class Explorer {
       this.ghost.value = null;
       return;
     }
-    const call: Call = { door: 'drive', request: { setup: this.setup(best.design), path: true, order: 0 } };
-    const answer = await this.hand.calls('ghost', [call]);
+    const call: Call = { endpoint: 'drive', request: { setup: this.setup(best.design), path: true, order: 0 } };
+    const answer = await this.interactive.calls('ghost', [call]);
     const first = answer?.numbers[0];
     if (first && !isRefused(first)) this.ghost.value = readDrive(first);
   }
@@ -301,8 +303,8 @@ export class Explorer {
       return;
     }
     const calls = designs.map((design): Call =>
-      ({ door: 'drive', request: { setup: this.setup(design), units, path: true, order: 0 } }));
-    const answer = await this.hand.calls('others', calls);
+      ({ endpoint: 'drive', request: { setup: this.setup(design), units, path: true, order: 0 } }));
+    const answer = await this.interactive.calls('others', calls);
     if (!answer) return;
     this.others.value = answer.numbers.map((numbers) =>
       (isRefused(numbers) ? refusalOf(numbers) : readDrive(numbers)));
@@ -311,7 +313,7 @@ export class Explorer {
   /** The axes of the map. A drag does not change their ranges, so the map stays. */
   #mapAxes(): MapAxes {
     const [across, up] = mapOf(this.state.value);
-    const range = (name: string) => travelOf(this.parameter(name), this.presetValue(name), null);
+    const range = (name: string) => sliderRangeOf(this.parameter(name), this.presetValue(name), null);
     return { across, up, ranges: [range(across), range(up)], goal: this.state.value.goal };
   }
 
@@ -328,7 +330,7 @@ export class Explorer {
     const key = mapKey(this.design.value, axes);
     const isKnown = key === this.#mapKey && (this.map.value?.columns ?? 0) >= nodes;
     if (isKnown || this.refusal.value) return;
-    const answer = await this.hand.calls('map', [mapCall(axes, this.setup(), [nodes, nodes])]);
+    const answer = await this.interactive.calls('map', [mapCall(axes, this.setup(), [nodes, nodes])]);
     const first = answer?.numbers[0];
     if (!first) return;
     if (isRefused(first)) {
@@ -344,7 +346,7 @@ export class Explorer {
     const design = this.design.value;
     const key = mapKey(design, this.#mapAxes());
     const words = bestWords(this, this.state.value, design, mapOf(this.state.value));
-    const reply = await this.desk.command('map best', words);
+    const reply = await this.background.command('map best', words);
     // a change of the axes' own parameters changes neither the map nor its best point
     const isCurrent = key === mapKey(this.design.value, this.#mapAxes());
     if (reply && isCurrent) this.mapBest.value = readBest(reply, design, this);
@@ -355,10 +357,10 @@ export class Explorer {
    * the sliders allow.
    */
   async aim(names: readonly [string, string], carry: number, lateral: number) {
-    const vary = names.map((name) => ({ name, ...ends(this.travel(name)) }));
+    const vary = names.map((name) => ({ name, ...ends(this.sliderRange(name)) }));
     const request = { setup: this.setup(), units: this.state.value.units, vary, carry, lateral };
     this.busy.value = true;
-    const answer = await this.hand.calls('aim', [{ door: 'aim', request }]);
+    const answer = await this.interactive.calls('aim', [{ endpoint: 'aim', request }]);
     const first = answer?.numbers[0];
     if (!first) return;
     const message = first.head.message ?? null;
@@ -376,14 +378,14 @@ export class Explorer {
   async run(what: string, words: string[], files: Record<string, Uint8Array> = {}): Promise<Reply | null> {
     const command = { what };
     this.#long.value = [...this.#long.value, command];
-    const reply = await this.desk.command('long', words, files);
+    const reply = await this.background.command('long', words, files);
     this.#long.value = this.#long.value.filter((other) => other !== command);
     return reply;
   }
 
   /** Ends the long command. */
   end() {
-    this.desk.end();
+    this.background.end();
   }
 
   #trapped(message: string) {
@@ -399,7 +401,7 @@ export class Explorer {
   }
 }
 
-const ends = ({ low, high }: Travel) => ({ low, high });
+const ends = ({ low, high }: SliderRange) => ({ low, high });
 
 /** The message of a command without an answer. */
 export function messageOf({ answer, said }: Reply): string {

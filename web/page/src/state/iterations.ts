@@ -1,6 +1,6 @@
 // The iterations of the search for the best drive, each with its quadratic model.
 import type { Call, Numbers } from '../core/messages';
-import type { Travel } from '../setup/travel';
+import type { SliderRange } from '../setup/slider';
 
 /** One iteration, SI. Arrays have a number for each parameter that the search varies. */
 export interface Iteration {
@@ -37,20 +37,20 @@ export interface Trial {
 
 export interface Iterations {
   names: readonly string[];
-  ranges: readonly Travel[];
+  ranges: readonly SliderRange[];
   /** How the search ended. */
   message: string;
   list: readonly Iteration[];
 }
 
 export function iterationsCall(
-  setup: unknown, of: string, units: string, names: readonly string[], ranges: readonly Travel[],
+  setup: unknown, of: string, units: string, names: readonly string[], ranges: readonly SliderRange[],
 ): Call {
   const vary = names.map((name, k) => ({ name, low: ranges[k]!.low, high: ranges[k]!.high }));
-  return { door: 'iterations', request: { setup, units, of, vary } };
+  return { endpoint: 'iterations', request: { setup, units, of, vary } };
 }
 
-export function readIterations({ head, block }: Numbers, ranges: readonly Travel[]): Iterations {
+export function readIterations({ head, block }: Numbers, ranges: readonly SliderRange[]): Iterations {
   const names = head.parameters ?? [];
   const n = names.length;
   let at = 0;

@@ -28,7 +28,7 @@ const COLUMNS = 6;
 
 export const loopCall = (
   setup: unknown, along: Along, nodes: number, step: number, difference: number,
-): Call => ({ door: 'loop', request: { setup, along, nodes, step, difference } });
+): Call => ({ endpoint: 'loop', request: { setup, along, nodes, step, difference } });
 
 export function readLoop({ head, block }: Numbers): Loop {
   const nodes = Number(head.nodes);

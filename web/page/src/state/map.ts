@@ -1,14 +1,14 @@
 // The map: an outcome over two parameters.
 import type { Call, Numbers } from '../core/messages';
 import type { Design } from '../setup/design';
-import type { Travel } from '../setup/travel';
+import type { SliderRange } from '../setup/slider';
 import type { Goal } from './state';
 
 /** The parameters of a map with their ranges, SI, and the outcome. */
 export interface MapAxes {
   across: string;
   up: string;
-  ranges: readonly [Travel, Travel];
+  ranges: readonly [SliderRange, SliderRange];
   goal: Goal;
 }
 
@@ -34,7 +34,7 @@ export function mapCall(
     return { name, low, high };
   });
   const request = { setup, of: [goal], across: first, up: second, nodes };
-  return { door: 'map', request };
+  return { endpoint: 'map', request };
 }
 
 export const readMap = ({ head, block }: Numbers, axes: MapAxes): MapData =>

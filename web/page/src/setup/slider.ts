@@ -2,7 +2,7 @@
 import type { Parameter } from './parameters';
 import { sizeOf, toSI } from './units';
 
-export interface Travel {
+export interface SliderRange {
   low: number;
   high: number;
   /** The smallest step of the slider, SI. */
@@ -47,7 +47,7 @@ const ROWS: Readonly<Record<string, Row>> = {
  * The range of a slider that has no row in `ROWS`: from half of the value to three halves of it, or
  * from −5 to 5 units if the value is 0 or unset.
  */
-function around(value: number | null, unit: string): Travel {
+function around(value: number | null, unit: string): SliderRange {
   const size = value === null || value === 0 || !Number.isFinite(value)
     ? 10 * sizeOf(unit) : Math.abs(value);
   const middle = value !== null && Number.isFinite(value) ? value : 0;
@@ -58,21 +58,21 @@ const within = (end: number | string, value: number) =>
   typeof end === 'number' ? end : value;
 
 /** The range of a slider. It stays within the range of the program, and contains the value. */
-export function travelOf(parameter: Parameter, preset: number | null, value: number | null): Travel {
+export function sliderRangeOf(parameter: Parameter, preset: number | null, value: number | null): SliderRange {
   const row = ROWS[parameter.parameter];
   const unit = parameter.shown_in;
-  const travel = row
+  const range = row
     ? { low: toSI(row[0], row[3]), high: toSI(row[1], row[3]), step: row[2] * sizeOf(row[3]) }
     : around(preset, unit);
   const { low, high } = parameter.range ?? { low: '-inf', high: 'inf' };
-  travel.low = Math.max(travel.low, within(low, travel.low));
-  travel.high = Math.min(travel.high, within(high, travel.high));
-  if (value === null || !Number.isFinite(value)) return travel;
-  return { ...travel, low: Math.min(travel.low, value), high: Math.max(travel.high, value) };
+  range.low = Math.max(range.low, within(low, range.low));
+  range.high = Math.min(range.high, within(high, range.high));
+  if (value === null || !Number.isFinite(value)) return range;
+  return { ...range, low: Math.min(range.low, value), high: Math.max(range.high, value) };
 }
 
 /** Number of digits after the point in a field. */
-export function decimalsOf({ step }: Travel, unit: string): number {
+export function decimalsOf({ step }: SliderRange, unit: string): number {
   const inUnit = step / sizeOf(unit);
   return Math.max(0, Math.min(8, Math.ceil(-Math.log10(inUnit) - 1e-9)));
 }

@@ -5,7 +5,7 @@
     reason = "exported names, and the functions of the linker and of the page"
 )]
 
-use crate::{Door, answered};
+use crate::{Endpoint, answered};
 use std::cell::RefCell;
 
 thread_local! {
@@ -48,43 +48,43 @@ extern "C" fn output() -> *const u8 {
 
 #[unsafe(no_mangle)]
 extern "C" fn ask() -> usize {
-    answer(Door::Ask)
+    answer(Endpoint::Ask)
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn drive() -> usize {
-    answer(Door::Drive)
+    answer(Endpoint::Drive)
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn map() -> usize {
-    answer(Door::Map)
+    answer(Endpoint::Map)
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn aim() -> usize {
-    answer(Door::Aim)
+    answer(Endpoint::Aim)
 }
 
 #[unsafe(export_name = "loop")]
 extern "C" fn while_loop() -> usize {
-    answer(Door::Loop)
+    answer(Endpoint::Loop)
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn step() -> usize {
-    answer(Door::Step)
+    answer(Endpoint::Step)
 }
 
 #[unsafe(no_mangle)]
 extern "C" fn iterations() -> usize {
-    answer(Door::Iterations)
+    answer(Endpoint::Iterations)
 }
 
 /// Answers the request, and returns the size of the answer, bytes.
-fn answer(door: Door) -> usize {
+fn answer(endpoint: Endpoint) -> usize {
     let request = REQUEST.take();
-    let answer = answered(door, &request, |done, of| progress(done, of));
+    let answer = answered(endpoint, &request, |done, of| progress(done, of));
     let bytes = answer.len();
     ANSWER.set(answer);
     bytes

@@ -370,7 +370,7 @@ test('an outcome that is given twice gets a message', () => {
 
 test('malformed input gets a message and never a trap', async () => {
   const next = random(4);
-  const doors = ['ask', 'drive', 'map', 'aim', 'loop', 'step', 'iterations'];
+  const endpoints = ['ask', 'drive', 'map', 'aim', 'loop', 'step', 'iterations'];
   const loft = range('club.loft', 0.1, 0.2);
   const good = {
     ask: { words: ['simulate', 'tour-average', '--set', 'club.loft=10deg'] },
@@ -396,15 +396,15 @@ test('malformed input gets a message and never a trap', async () => {
   };
   const isAnswered = head => assert.ok(typeof head.status === 'string' && (head.status !== 'error' || 'exit' in head || head.message.length > 0));
   for (let k = 0; k < 2000; k += 1) {
-    const door = pick(doors);
-    const answer = core[door](changed(good[door]));
+    const endpoint = pick(endpoints);
+    const answer = core[endpoint](changed(good[endpoint]));
     isAnswered(answer.head ?? answer);
   }
   // bytes that are no message
   const { instance, call } = await raw();
   for (let k = 0; k < 500; k += 1) {
     const bytes = Uint8Array.from({ length: Math.floor(40 * next()) }, () => Math.floor(256 * next()));
-    isAnswered(call(pick(doors), bytes));
+    isAnswered(call(pick(endpoints), bytes));
   }
   assert.ok(instance.exports.memory.buffer.byteLength < 1 << 28);
 });
@@ -417,10 +417,10 @@ async function raw() {
   await start();
   WebAssembly.instantiate = Instance;
   const { memory, input, output } = instance.exports;
-  const call = (door, bytes) => {
+  const call = (endpoint, bytes) => {
     const address = input(bytes.length);
     new Uint8Array(memory.buffer, address, bytes.length).set(bytes);
-    instance.exports[door]();
+    instance.exports[endpoint]();
     const at = output();
     const length = new DataView(memory.buffer, at, 8).getUint32(0, true);
     return JSON.parse(new TextDecoder().decode(new Uint8Array(memory.buffer, at + 8, length)));

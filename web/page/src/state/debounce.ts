@@ -1,6 +1,6 @@
 // Debouncing: work that starts when no further request for it has come for a while.
 
-export class Later {
+export class Debounce {
   readonly #milliseconds: number;
   #timer = 0;
 
