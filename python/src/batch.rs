@@ -5,7 +5,7 @@ use crate::boundary::{Answer, Failure, answer};
 use crate::hessians::Hessians;
 use crate::names::{listed, outcomes_named, refuse_repeated, variables};
 use crate::pool;
-use crate::results::{Piece, Results, Shared};
+use crate::results::{Chunk, Results, Shared};
 use crate::setup::PySetup;
 use crate::step::{PyIntegration, step_choice};
 use longdrive::batch::{Batch, Block, CHUNK, Points, Run};
@@ -242,7 +242,7 @@ impl Work {
         stop: &AtomicBool,
     ) -> longdrive::Result<()> {
         let width = self.request.width();
-        let piece = |block: Block| Piece::of(&block, width, hessians);
+        let chunk = |block: Block| Chunk::of(&block, width, hessians);
         let run = Run {
             first_row: self.first_row as u64,
             threads: self.threads,
@@ -250,11 +250,11 @@ impl Work {
             ..Run::default()
         };
         if self.rows() > CHUNK {
-            let sink = |piece: Piece| {
-                self.to.append(&piece);
+            let sink = |chunk: Chunk| {
+                self.to.append(&chunk);
                 Ok(())
             };
-            batch.run(&mut self.arrays, &run, piece, sink)?;
+            batch.run(&mut self.arrays, &run, chunk, sink)?;
             return Ok(());
         }
         // all rows in one chunk: this thread computes them alone
@@ -264,7 +264,7 @@ impl Work {
             return Ok(());
         }
         if let Some(block) = batch.evaluate_until(run.first_row, values, stop) {
-            self.to.append(&piece(block));
+            self.to.append(&chunk(block));
         }
         Ok(())
     }

@@ -29,7 +29,7 @@ const ANSWER_TIME: Duration = Duration::from_secs(2);
 /// A program in Python that calls a command: the `Host` of the command.
 #[derive(Default)]
 struct Caller {
-    now: Mutex<Now>,
+    state: Mutex<HostState>,
     files: Mutex<Files>,
     /// The setup, as the text of a setup file.
     setup: String,
@@ -42,7 +42,7 @@ struct Caller {
 }
 
 #[derive(Default)]
-struct Now {
+struct HostState {
     answer: String,
     messages: Vec<(&'static str, String)>,
     stop: Option<Arc<AtomicBool>>,
@@ -108,11 +108,11 @@ struct Files {
 }
 
 impl Caller {
-    fn now(&self) -> MutexGuard<'_, Now> {
-        self.now.lock().unwrap_or_else(PoisonError::into_inner)
+    fn state(&self) -> MutexGuard<'_, HostState> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn written(&self) -> MutexGuard<'_, Files> {
+    fn lock_files(&self) -> MutexGuard<'_, Files> {
         self.files.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -122,8 +122,8 @@ impl Caller {
 
     /// Adds a note with the position of the progress bar and the best value so far.
     fn note_progress(&self) {
-        let mut now = self.now();
-        let Some(bar) = now.bar.clone().filter(|bar| bar.length() > 0) else {
+        let mut state = self.state();
+        let Some(bar) = state.bar.clone().filter(|bar| bar.length() > 0) else {
             return;
         };
         let best = match bar.message().as_str() {
@@ -131,17 +131,17 @@ impl Caller {
             best => format!(", best {best}"),
         };
         let message = format!("{} of {} done{best}", bar.position(), bar.length());
-        now.messages.push(("note", message));
+        state.messages.push(("note", message));
     }
 
     /// Stops the current work. Returns the time to wait for its answer: zero, unless the work can
     /// stop or has ended, so that only the answer is left to make.
-    fn stops(&self) -> Duration {
-        let now = self.now();
-        if let Some(stop) = &now.stop {
+    fn stop(&self) -> Duration {
+        let state = self.state();
+        if let Some(stop) = &state.stop {
             stop.store(true, Ordering::Relaxed);
         }
-        if now.stop.is_some() || now.has_ended {
+        if state.stop.is_some() || state.has_ended {
             ANSWER_TIME
         } else {
             Duration::ZERO
@@ -151,7 +151,7 @@ impl Caller {
 
 impl Host for Caller {
     fn print(&self, text: &str) -> io::Result<()> {
-        self.now().answer.push_str(text);
+        self.state().answer.push_str(text);
         Ok(())
     }
 
@@ -164,7 +164,7 @@ impl Host for Caller {
             MessageKind::Usage => return,
             MessageKind::Error => "error",
         };
-        self.now().messages.push((kind, text.to_owned()));
+        self.state().messages.push((kind, text.to_owned()));
     }
 
     /// Always true: the level of Python's log selects the messages.
@@ -201,16 +201,16 @@ impl Host for Caller {
     }
 
     fn can_stop(&self, _: &'static str, stop: &Arc<AtomicBool>) {
-        self.now().stop = Some(stop.clone());
+        self.state().stop = Some(stop.clone());
     }
 
     fn cannot_stop(&self) {
-        let mut now = self.now();
-        now.has_ended |= now.stop.take().is_some();
+        let mut state = self.state();
+        state.has_ended |= state.stop.take().is_some();
     }
 
     fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {
-        let mut files = self.written();
+        let mut files = self.lock_files();
         if files.is_abandoned {
             drop(files);
             // end this thread, without the message of a panic: the call has returned, and its
@@ -220,12 +220,12 @@ impl Host for Caller {
         Box::new(move |path| files.written.push(path.display().to_string()))
     }
 
-    fn shows(&self, work: Work<'_>) -> SharedProgress {
+    fn show_progress(&self, work: Work<'_>) -> SharedProgress {
         let bar = Arc::new(Bar::default());
         if let Work::Searches(all) = work {
             bar.set_length(all);
         }
-        self.now().bar = Some(bar.clone());
+        self.state().bar = Some(bar.clone());
         bar
     }
 }
@@ -312,7 +312,7 @@ fn ran<'py>(
     let host = caller.clone();
     let watch = || pass_on(&caller, say).and_then(|()| shown(&caller, progress));
     let patience = |raised: &PyErr| {
-        let time = caller.stops();
+        let time = caller.stop();
         // wait for the answer only after Ctrl-C: other exceptions come from `say` or `progress`
         if raised.is_instance_of::<PyKeyboardInterrupt>(py) {
             time
@@ -327,7 +327,7 @@ fn ran<'py>(
                 caller.note_progress();
                 pass_on(&caller, say)?;
                 let written = py.detach(|| {
-                    let mut files = caller.written();
+                    let mut files = caller.lock_files();
                     files.is_abandoned = true;
                     std::mem::take(&mut files.written)
                 });
@@ -337,7 +337,7 @@ fn ran<'py>(
         };
     // the user may also press Ctrl-C during these last messages
     let raised = raised.or(pass_on(&caller, say).err());
-    let text = std::mem::take(&mut caller.now().answer);
+    let text = std::mem::take(&mut caller.state().answer);
     let outputs = PyDict::new(py);
     for (name, content) in caller.outputs().drain() {
         outputs.set_item(name.to_string_lossy(), PyBytes::new(py, &content))?;
@@ -346,7 +346,7 @@ fn ran<'py>(
 }
 
 fn pass_on(caller: &Caller, say: &Bound<'_, PyAny>) -> PyResult<()> {
-    let messages = std::mem::take(&mut caller.now().messages);
+    let messages = std::mem::take(&mut caller.state().messages);
     messages
         .into_iter()
         .try_for_each(|message| say.call1(message).map(drop))
@@ -356,7 +356,7 @@ fn shown(caller: &Caller, progress: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
     let Some(progress) = progress else {
         return Ok(());
     };
-    let bar = caller.now().bar.clone();
+    let bar = caller.state().bar.clone();
     if let Some(bar) = bar {
         progress.call1((bar.position(), bar.length()))?;
     }

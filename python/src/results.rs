@@ -25,14 +25,14 @@ pub struct Results {
 }
 
 /// The results of a chunk.
-pub struct Piece {
+pub struct Chunk {
     columns: Vec<f64>,
     status: Vec<i8>,
     hessians: Vec<f64>,
     status_counts: StatusCounts,
 }
 
-impl Piece {
+impl Chunk {
     pub fn of(block: &Block, width: usize, hessians: Option<&Hessians>) -> Self {
         let rows = block.rows();
         let mut status: Vec<i8> = (0..rows).map(|row| block.status(row) as i8).collect();
@@ -112,20 +112,20 @@ impl Results {
     }
 
     /// Appends the rows of a chunk.
-    fn take(&mut self, piece: &Piece) {
-        let rows = piece.status.len();
+    fn append(&mut self, chunk: &Chunk) {
+        let rows = chunk.status.len();
         for (to, from) in self
             .columns
             .chunks_exact_mut(self.room.max(1))
-            .zip(piece.columns.chunks_exact(rows))
+            .zip(chunk.columns.chunks_exact(rows))
         {
             to[self.done..self.done + rows].copy_from_slice(from);
         }
-        self.status[self.done..self.done + rows].copy_from_slice(&piece.status);
-        let width = piece.hessians.len() / rows;
+        self.status[self.done..self.done + rows].copy_from_slice(&chunk.status);
+        let width = chunk.hessians.len() / rows;
         self.hessians[self.done * width..(self.done + rows) * width]
-            .copy_from_slice(&piece.hessians);
-        self.status_counts.merge(&piece.status_counts);
+            .copy_from_slice(&chunk.hessians);
+        self.status_counts.merge(&chunk.status_counts);
         self.done += rows;
     }
 }
@@ -145,10 +145,10 @@ impl Shared {
     }
 
     /// Appends the rows of a chunk, unless Python has taken the results.
-    pub fn append(&self, piece: &Piece) {
+    pub fn append(&self, chunk: &Chunk) {
         self.with(|results| {
             if let Some(results) = results {
-                results.take(piece);
+                results.append(chunk);
                 self.done.store(results.done as u64, Ordering::Relaxed);
             }
         });

@@ -126,7 +126,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(assumed_ground(&request, &table, &plan));
     let follow = FitObserver {
         iteration: Some(Arc::new(show_iteration(args.starts > 1))),
-        interrupt: interrupt::stops(BEST_SO_FAR),
+        interrupt: interrupt::enable(BEST_SO_FAR),
     };
     let found = calibrate(&setup, &table, &plan, &follow)?;
     warn(validity_warnings(

@@ -57,7 +57,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = request.for_many(setup, &ranges)?;
     warn(setup.warnings());
-    let stop = interrupt::stops(BEST_SO_FAR);
+    let stop = interrupt::enable(BEST_SO_FAR);
     request.note_starts(&setup, &search.vary);
     if !at.is_sorted_by(|a, b| a < b) {
         note("the values of `at` are used in ascending order, each once");
@@ -69,7 +69,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         DefaultRanges::longest_drive,
     )?;
     let chart = follow(&setup, &search, along, &at, &stop);
-    interrupt::ends();
+    interrupt::disable();
     let chart = match chart {
         Err(error) if error.has_valid_input() => {
             note_error(&error);

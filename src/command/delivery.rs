@@ -212,7 +212,7 @@ fn of_shots(
         .partition(|unknown| table.gives(unknown.parameter));
     note_assumed(&assumed);
     note_measured(setup, &measured);
-    let all = deliveries(setup, &table, unknowns, &interrupt::stops(BEST_SO_FAR));
+    let all = deliveries(setup, &table, unknowns, &interrupt::enable(BEST_SO_FAR));
     let population = Population::of(setup, &all, unknowns);
     Ok(Deliveries {
         left_out: table.shots.len() - all.len(),

@@ -95,7 +95,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     } else {
         vec![]
     };
-    interrupt::ends();
+    interrupt::disable();
     let kept = kept(&optimum.search.vary, || {
         Ok(DefaultRanges::new(usual_vary(&found.setup)?, &request))
     })?;

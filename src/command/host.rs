@@ -118,7 +118,7 @@ pub trait Host: Send + Sync {
 
     /// Announces long work, and returns the receiver of its progress. `--quiet` suppresses the
     /// progress.
-    fn shows(&self, _work: Work<'_>) -> SharedProgress {
+    fn show_progress(&self, _work: Work<'_>) -> SharedProgress {
         Arc::new(())
     }
 }

@@ -10,14 +10,14 @@ pub const BEST_SO_FAR: &str = "stopping with the best result so far";
 
 /// A flag that the `Host` sets to stop the following work. The work then returns its result so far,
 /// and the `Host` shows the message `stopping`.
-pub fn stops(stopping: &'static str) -> Arc<AtomicBool> {
+pub fn enable(stopping: &'static str) -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     running().host.can_stop(stopping, &stop);
     stop
 }
 
 /// Announces that the following work cannot be interrupted.
-pub fn ends() {
+pub fn disable() {
     running().host.cannot_stop();
 }
 

@@ -28,7 +28,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     // `build` completes the names of subcommands, and adds the global options to each of them
     program.build();
     let Some(folder) = &args.output else {
-        return Ok(Answer::text(page(found(&program, &args.command)?)?));
+        return Ok(Answer::text(page(named_command(&program, &args.command)?)?));
     };
     let mut pages = vec![];
     all(&program, &mut pages)?;
@@ -48,7 +48,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 }
 
 /// The command or subcommand that these words name.
-fn found<'a>(program: &'a Command, words: &[String]) -> Result<&'a Command> {
+fn named_command<'a>(program: &'a Command, words: &[String]) -> Result<&'a Command> {
     let mut command = program;
     // split words at spaces: the shell passes a quoted command as a single word
     for word in words.iter().flat_map(|words| words.split_whitespace()) {

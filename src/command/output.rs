@@ -376,7 +376,7 @@ pub fn shown(work: Work<'_>) -> SharedProgress {
     let running = running();
     match running.options.quiet {
         true => Arc::new(()),
-        false => running.host.shows(work),
+        false => running.host.show_progress(work),
     }
 }
 

@@ -170,7 +170,7 @@ fn follow_front(request: &Request, args: &GoalArgs) -> Result<FollowedFront> {
             }
         }
     });
-    let interrupt = interrupt::stops("stopping with the points so far");
+    let interrupt = interrupt::enable("stopping with the points so far");
     let follow = Observers {
         iteration: Some(iteration),
         interrupt: interrupt.clone(),
@@ -184,7 +184,7 @@ fn follow_front(request: &Request, args: &GoalArgs) -> Result<FollowedFront> {
         .into_iter()
         .chain(found.warnings(&interrupt))
         .collect();
-    interrupt::ends();
+    interrupt::disable();
     Ok(FollowedFront {
         setup,
         found,

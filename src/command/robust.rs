@@ -73,7 +73,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     note_models(&models);
     warn(lost_settings(&request, &setup, &models));
     let spinner = spinner("searching for one design for all models");
-    let interrupt = interrupt::stops("stopping with the best design so far");
+    let interrupt = interrupt::enable("stopping with the best design so far");
     let follow = Observers {
         interrupt: interrupt.clone(),
         ..Observers::default()
@@ -83,7 +83,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let found = found?;
     let is_found = found.is_found();
     let mut warnings = found.warnings(&interrupt);
-    interrupt::ends();
+    interrupt::disable();
     let mut written = None;
     if let Some(output) = &output {
         if is_found {

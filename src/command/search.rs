@@ -114,12 +114,12 @@ impl OptimumArgs {
     /// Runs the search, with its progress on standard error.
     pub fn optima(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
         let found = self.run_search(setup, search);
-        interrupt::ends();
+        interrupt::disable();
         Ok(found?.0)
     }
 
     /// Runs the search, which Ctrl-C can stop. Also returns the flag that Ctrl-C sets. The caller
-    /// must then call [`interrupt::ends`].
+    /// must then call [`interrupt::disable`].
     pub fn run_search(
         &self,
         setup: &Setup<f64>,
@@ -146,7 +146,7 @@ impl OptimumArgs {
             None => None,
         };
         let mut follow = Observers {
-            interrupt: interrupt::stops(BEST_SO_FAR),
+            interrupt: interrupt::enable(BEST_SO_FAR),
             checkpoint,
             ..Observers::default()
         };

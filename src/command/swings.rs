@@ -176,7 +176,7 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     let search = search_over_swings(&request, search, &args.swings, &started, scenarios)?;
     request.note_starts(&setup, &search.vary);
     let found = optimize_and_write(args, &request, setup, swings, search)?;
-    interrupt::ends();
+    interrupt::disable();
     // the search holds no stated parameter: by default it varies only the loft, and it is refused
     // if the request states the loft
     let origin = request.origin_of_search(&found.optima.best.search.vary);
@@ -190,7 +190,7 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
 }
 
 /// Runs the search, which Ctrl-C can stop, and writes the setup if a file is given. The caller
-/// calls [`interrupt::ends`] afterwards.
+/// calls [`interrupt::disable`] afterwards.
 pub fn optimize_and_write(
     args: &OptimizeArgs,
     request: &Request,

@@ -173,7 +173,7 @@ impl Host for Terminal {
         Box::new(move |path| now.written.push(path.display().to_string()))
     }
 
-    fn shows(&self, work: Work<'_>) -> SharedProgress {
+    fn show_progress(&self, work: Work<'_>) -> SharedProgress {
         Arc::new(bar_of(work))
     }
 }

@@ -48,7 +48,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let setup = request.within_tolerance(request.setup()?)?;
     let of = outcomes(&args.of)?;
     let wrt = variables(&setup, &args.wrt, &of)?;
-    let stop = interrupt::stops("stopping after the parameters under way");
+    let stop = interrupt::enable("stopping after the parameters under way");
     let certificate = with_bar("parameters", |show| {
         certify(&setup, &of, &wrt, &|done, all| {
             show(done, all);
@@ -69,7 +69,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         vec![]
     };
     // a Ctrl-C before this line stops the work, and the command still prints its answer
-    interrupt::ends();
+    interrupt::disable();
     let report = CertificateReport::new(&certificate, &loops);
     let answer = Answer::report(&report, &request.origin(), request.is_json);
     Ok(answer.found(certificate.passed()))

@@ -34,7 +34,7 @@ pub fn serve(state: &str) -> Result<()> {
             )
         })?,
     };
-    let stop = interrupt::stops("ending");
+    let stop = interrupt::enable("ending");
     let address = format!("http://{}{}#{state}\n", listener.address, site.path);
     running()
         .host

@@ -64,7 +64,7 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
     warn(setup.warnings());
     let wanted = SocketAddr::new(args.address, port);
     let listener = Listener::bind(wanted).map_err(|error| refused(wanted, &error))?;
-    let stop = interrupt::stops("ending after the messages under way");
+    let stop = interrupt::enable("ending after the messages under way");
     note(&format!(
         "listening on {} for messages of GSPro Open Connect; Ctrl-C ends",
         listener.address

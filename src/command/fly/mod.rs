@@ -48,7 +48,7 @@ fn fly(args: &Args) -> Result<Answer> {
     let setup = setup(&request, &format!("the rows of {}", file.display()))?;
     let format = format_of(args, request.is_json)?;
     let destination = destination(args, file, &request)?;
-    let stop = interrupt::stops("stopping after the rows under way");
+    let stop = interrupt::enable("stopping after the rows under way");
     let filter = RowFilter::read(&args.only)?;
     let mut shots = read_shots(file, filter, &request, &setup)?;
     // `requested_outcomes` prints notes about the outcomes: call it after all checks of the input
@@ -64,7 +64,7 @@ fn fly(args: &Args) -> Result<Answer> {
         ..Run::default()
     };
     let maker = shots.maker();
-    let (tally, output) = written(&destination, format, &flying, &mut shots, &run)?;
+    let (tally, output) = write_rows(&destination, format, &flying, &mut shots, &run)?;
     let final_remarks = shots.final_remarks();
     note_each(file.display(), &final_remarks);
     remarks.extend(final_remarks);
@@ -195,7 +195,7 @@ fn of_lofted(tally: &ShotStatistics, law: &Law<f64>) -> Option<String> {
 }
 
 /// Flies the shots and writes the rows. The caller finishes the output.
-fn written(
+fn write_rows(
     destination: &Destination,
     format: FlyFormat,
     flying: &Flying,

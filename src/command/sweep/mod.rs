@@ -43,7 +43,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 fn whole_sweep(args: &Args) -> Result<Answer> {
     refuse_options_of_parts(args)?;
     // interruptible from here on: reading a long table takes time before the first drive
-    let stop = interrupt::stops("stopping after the drives under way");
+    let stop = interrupt::enable("stopping after the drives under way");
     let request = args.setup_args.request()?;
     let format = format_of(args)?;
     let destination = destination(args, &request, format)?;

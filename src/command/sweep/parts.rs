@@ -44,7 +44,8 @@ pub struct CheckedParts {
 
 /// Writes a part.
 pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
-    let stop = interrupt::stops("stopping after the drives under way; nothing of the part is kept");
+    let stop =
+        interrupt::enable("stopping after the drives under way; nothing of the part is kept");
     let request = args.setup_args.request()?;
     let SweepRequest {
         setup,

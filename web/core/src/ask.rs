@@ -218,7 +218,7 @@ impl Host for Page {
         self.state().outputs.push((name.into(), content));
     }
 
-    fn shows(&self, work: Work<'_>) -> SharedProgress {
+    fn show_progress(&self, work: Work<'_>) -> SharedProgress {
         let length = match work {
             Work::Searches(all) => all,
             _ => 0,

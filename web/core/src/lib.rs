@@ -5,9 +5,9 @@
 
 pub mod aim;
 pub mod ask;
+pub mod drive;
 #[cfg(target_family = "wasm")]
 mod endpoints;
-pub mod drive;
 pub mod iterations;
 pub mod map;
 pub mod message;
