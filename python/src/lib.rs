@@ -42,8 +42,8 @@ mod _longdrive {
     use crate::drive::{PySimulated, simulate};
     #[pymodule_export]
     use crate::names::{
-        is_out_of_range, names_in, outcomes, parameters, presets, requested_names, unit_of,
-        unit_of_goal, unknown_key,
+        is_out_of_range, outcomes, parameter_names_in, parameters, presets, requested_names,
+        unit_of, unit_of_goal, unknown_key,
     };
     #[pymodule_export]
     use crate::objective::PyObjective;

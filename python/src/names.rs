@@ -84,7 +84,7 @@ pub fn refuse_repeated<'a>(what: &str, names: impl IntoIterator<Item = &'a str>)
 
 /// The dotted names of the parameters in a dict that describes a setup.
 #[pyfunction]
-pub fn names_in(dict: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
+pub fn parameter_names_in(dict: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     answer(|| {
         Ok(flattened(dict)?
             .into_iter()

@@ -394,11 +394,11 @@ def test_answers_show_themselves_in_notebooks():
 def test_ctrl_c_ends_a_search_early():
     is_at_work = threading.Event()
 
-    def press() -> None:
+    def press_ctrl_c() -> None:
         is_at_work.wait()
         signal.raise_signal(signal.SIGINT)
 
-    presser = threading.Thread(target=press, daemon=True)
+    presser = threading.Thread(target=press_ctrl_c, daemon=True)
     presser.start()
     with pytest.raises(longdrive.Interrupted) as caught:
         # minutes of work

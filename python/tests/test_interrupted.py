@@ -33,7 +33,7 @@ SWINGS: dict[str, Any] = {
 }
 
 
-def press() -> None:
+def press_ctrl_c() -> None:
     signal.raise_signal(signal.SIGINT)
 
 
@@ -44,7 +44,7 @@ def when(is_time: Callable[[int], bool]) -> Callable[[int, int], None]:
     def look(done: int, of: int) -> None:
         if is_time(done) and not pressed:
             pressed.append(done)
-            press()
+            press_ctrl_c()
 
     return look
 
@@ -64,7 +64,7 @@ def pressing_at() -> Iterator[Callable[[str], None]]:
         def emit(self, record: logging.LogRecord) -> None:
             if not self.pressed and self.pattern.search(record.getMessage()):
                 self.pressed = True
-                press()
+                press_ctrl_c()
 
     def at(pattern: str) -> None:
         handlers.append(Pressing(pattern))
@@ -131,7 +131,7 @@ def test_a_search_interrupted_before_its_first_point_raises() -> None:
     def look(done: int, of: int) -> None:
         looks.append(done)
         if len(looks) == 2:
-            press()
+            press_ctrl_c()
 
     with pytest.raises(Interrupted) as caught:
         longdrive.optimize(
@@ -206,7 +206,7 @@ def test_ctrl_c_after_the_work_has_its_own_message(
     real = getattr(run_command, function)
 
     def pressing(*given: Any, **named: Any) -> Any:
-        press()
+        press_ctrl_c()
         return real(*given, **named)
 
     monkeypatch.setattr(run_command, function, pressing)
@@ -333,7 +333,7 @@ def test_same_file_of_an_interrupted_and_resumed_sweep(tmp_path: Path) -> None:
 def test_ctrl_c_before_the_first_row_is_interrupted_too() -> None:
     class Pressing(dict[str, Any]):
         def items(self) -> Any:
-            press()
+            press_ctrl_c()
             return super().items()
 
     with pytest.raises(

@@ -136,7 +136,7 @@ def test_ctrl_c_ends_the_evaluation_of_a_goal_over_many_swings() -> None:
     mean = longdrive.objective("mae494", "mean(carry)", "club.loft", scenarios=20_000, **swings)
     heard, is_over = [], threading.Event()
 
-    def hear(*_: object) -> None:
+    def on_signal(*_: object) -> None:
         heard.append(True)
         # raise at the third signal within one call. Without checks during the call, Python would
         # see only one signal, at the end of the call
@@ -147,7 +147,7 @@ def test_ctrl_c_ends_the_evaluation_of_a_goal_over_many_swings() -> None:
         while not is_over.wait(0.005):
             signal.raise_signal(signal.SIGINT)
 
-    before = signal.signal(signal.SIGINT, hear)
+    before = signal.signal(signal.SIGINT, on_signal)
     presser = threading.Thread(target=press)
     try:
         presser.start()

@@ -1,7 +1,7 @@
 // these doc comments are help texts, in which "carry [yd]" is a column head, not a link
 #![allow(rustdoc::broken_intra_doc_links)]
 
-use crate::command::args::{SetupArgs, U32, whole};
+use crate::command::args::{SetupArgs, U32_MAX, whole};
 use crate::command::files::{Destination, Folder, OutputRule};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{Answer, note, system, warn};
@@ -58,7 +58,7 @@ pub struct Args {
         long,
         value_name = "N",
         default_value_t = 1,
-        value_parser = whole::<u32>(1..=U32, "`starts 8`"),
+        value_parser = whole::<u32>(1..=U32_MAX, "`starts 8`"),
         allow_negative_numbers = true,
     )]
     pub starts: u32,
@@ -69,7 +69,7 @@ pub struct Args {
         long,
         value_name = "K",
         default_value_t = 0,
-        value_parser = whole::<u32>(0..=U32, "`folds 5`"),
+        value_parser = whole::<u32>(0..=U32_MAX, "`folds 5`"),
         allow_negative_numbers = true,
     )]
     pub folds: u32,

@@ -1,6 +1,6 @@
 //! One design for several models of impact and flight.
 
-use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, U32, whole};
+use crate::command::args::{SearchArgs, SetupArgs, SwingsArgs, U32_MAX, whole};
 use crate::command::files::OutputRule;
 use crate::command::interrupt;
 use crate::command::names::note_the_run;
@@ -33,7 +33,7 @@ pub struct Args {
         long,
         value_name = "N",
         default_value_t = 1,
-        value_parser = whole::<u32>(1..=U32, "`starts 8`"),
+        value_parser = whole::<u32>(1..=U32_MAX, "`starts 8`"),
         allow_negative_numbers = true,
     )]
     pub starts: u32,

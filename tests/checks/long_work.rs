@@ -51,8 +51,11 @@ fn whole() -> Solution {
 
 /// A search that saves its snapshots, and stops after `most` iterations.
 fn stopped_after(most: u64) -> (Solution, Option<Snapshot>) {
-    let kept = Rc::new(RefCell::new(None));
-    let (keeper, flag) = (Rc::clone(&kept), Arc::new(AtomicBool::new(most == 0)));
+    let last_snapshot = Rc::new(RefCell::new(None));
+    let (keeper, flag) = (
+        Rc::clone(&last_snapshot),
+        Arc::new(AtomicBool::new(most == 0)),
+    );
     let stop = flag.clone();
     let observer = Observer {
         interrupt: flag,
@@ -76,7 +79,7 @@ fn stopped_after(most: u64) -> (Solution, Option<Snapshot>) {
         observer,
     )
     .unwrap();
-    let snapshot = kept.borrow_mut().take();
+    let snapshot = last_snapshot.borrow_mut().take();
     (solution, snapshot)
 }
 
@@ -145,8 +148,8 @@ fn no_block_starts_after_cancellation_and_the_search_ends_with_a_complete_point(
             blocks: Cell::default(),
             finished: RefCell::default(),
         };
-        let kept: Rc<RefCell<Option<Snapshot>>> = Rc::default();
-        let (keeper, shown) = (Rc::clone(&kept), Rc::new(Cell::new(0)));
+        let last_snapshot: Rc<RefCell<Option<Snapshot>>> = Rc::default();
+        let (keeper, shown) = (Rc::clone(&last_snapshot), Rc::new(Cell::new(0)));
         let counted = Rc::clone(&shown);
         let observer = Observer {
             interrupt: flag,
@@ -186,7 +189,7 @@ fn no_block_starts_after_cancellation_and_the_search_ends_with_a_complete_point(
                 )
             );
         }
-        let resume = kept.borrow_mut().take();
+        let resume = last_snapshot.borrow_mut().take();
         assert_eq!(
             resume.as_ref().map_or(0, |snapshot| snapshot.iterations),
             stopped.iterations
@@ -274,7 +277,7 @@ fn same_optima_when_some_searches_are_resumed() {
     )
     .unwrap();
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("kept.json");
+    let path = folder.path().join("last_snapshot.json");
     let observers = || Observers {
         checkpoint: Some(Arc::new(Checkpoint::open(&path, "valley").unwrap())),
         ..Observers::default()

@@ -36,8 +36,8 @@ fn disc(n: usize) -> Domain {
 
 /// The search after five iterations.
 fn snapshot() -> Snapshot {
-    let kept = Arc::new(Mutex::new(None));
-    let (keeper, interrupt) = (kept.clone(), Observer::default().interrupt);
+    let last_snapshot = Arc::new(Mutex::new(None));
+    let (keeper, interrupt) = (last_snapshot.clone(), Observer::default().interrupt);
     let stop = interrupt.clone();
     let keep = move |snapshot: &Snapshot| {
         *keeper.lock().unwrap() = Some(snapshot.clone());
@@ -58,7 +58,7 @@ fn snapshot() -> Snapshot {
     )
     .unwrap();
     assert_eq!(found.status, Status::Interrupted);
-    let snapshot = kept.lock().unwrap().take().unwrap();
+    let snapshot = last_snapshot.lock().unwrap().take().unwrap();
     assert!(snapshot.iterations >= 5);
     snapshot
 }
@@ -154,12 +154,12 @@ fn a_checkpoint_of_another_problem_is_refused() {
         let checkpoint = Checkpoint::open(&folder.path().join(run), "valley").unwrap();
         let done =
             || minimize(&Exact(Valley), &disc(2), &[-1.2, 1.0], &Options::default()).unwrap();
-        let kept = if run == "going" {
+        let last_snapshot = if run == "going" {
             SavedSearch::Unfinished(Box::new(snapshot()))
         } else {
             SavedSearch::Done(Box::new(done()))
         };
-        checkpoint.save(0, kept).unwrap();
+        checkpoint.save(0, last_snapshot).unwrap();
         let observers = Observers {
             checkpoint: Some(Arc::new(checkpoint)),
             ..Observers::default()

@@ -37,8 +37,8 @@ __all__ = [
     "jacobian",
     "main",
     "merge_parts",
-    "names_in",
     "outcomes",
+    "parameter_names_in",
     "parameters",
     "plan",
     "presets",
@@ -237,7 +237,7 @@ def arrow_stream(
     at: int,
     metadata: Mapping[str, str],
 ) -> Any: ...
-def names_in(dict: Mapping[str, Any]) -> list[str]: ...
+def parameter_names_in(dict: Mapping[str, Any]) -> list[str]: ...
 def requested_names(
     setup: SetupLike, of: Names, wrt: Names | None
 ) -> tuple[list[str], list[str]]: ...

@@ -101,7 +101,7 @@ def stated_in(setup: Any) -> list[str]:
     """
     if not isinstance(setup, Mapping) or isinstance(setup, _longdrive.Setup):
         return []
-    return [name for name in _longdrive.names_in(setup) if not name.startswith("launch.")]
+    return [name for name in _longdrive.parameter_names_in(setup) if not name.startswith("launch.")]
 
 
 def refuse_stated(stated: Sequence[str], columns: Any) -> None:
@@ -125,7 +125,7 @@ def refuse_stated_launch(setup: Any, arguments: Mapping[str, Any]) -> None:
     """
     if not isinstance(setup, Mapping) or isinstance(setup, _longdrive.Setup):
         return
-    stated = [name for name in _longdrive.names_in(setup) if name.startswith("launch.")]
+    stated = [name for name in _longdrive.parameter_names_in(setup) if name.startswith("launch.")]
     measured = [name for name in _MEASURED_LAUNCH if arguments.get(name) is not None]
     if stated and measured:
         raise InputError(

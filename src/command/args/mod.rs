@@ -8,7 +8,7 @@ mod output;
 mod search;
 mod setup;
 
-pub use number::{U32, refuse_threads, whole};
+pub use number::{U32_MAX, refuse_threads, whole};
 pub use output::OutputOptions;
 pub use search::{OptimizeArgs, OptimumArgs, SearchArgs, SwingsArgs};
 pub use setup::{DriveArgs, OwnLaw, SetupArgs};

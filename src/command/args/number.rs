@@ -36,7 +36,7 @@ pub fn whole<T: TryFrom<u64>>(
 }
 
 /// Largest value of an option that is a `u32`.
-pub const U32: u64 = u32::MAX as u64;
+pub const U32_MAX: u64 = u32::MAX as u64;
 
 /// Refuses several threads in WebAssembly, where only one thread exists.
 ///
@@ -54,11 +54,11 @@ pub fn refuse_threads(threads: usize) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use super::{U32, whole};
+    use super::{U32_MAX, whole};
 
     #[test]
     fn ends_of_the_ranges_are_accepted_and_messages_name_range_and_example() {
-        let starts = whole::<u32>(1..=U32, "`starts 8`");
+        let starts = whole::<u32>(1..=U32_MAX, "`starts 8`");
         assert_eq!((starts("1"), starts("4294967295")), (Ok(1), Ok(u32::MAX)));
         for wrong in [
             "0",

@@ -1,7 +1,7 @@
 //! Arguments of a search for an optimum.
 
 use super::SetupArgs;
-use super::number::{U32, whole};
+use super::number::{U32_MAX, whole};
 use std::path::PathBuf;
 
 /// Objective, variables and constraints of a search.
@@ -72,7 +72,7 @@ pub struct SwingsArgs {
     #[arg(
         long,
         value_name = "SEED",
-        value_parser = whole::<u32>(0..=U32, "`seed 7`"),
+        value_parser = whole::<u32>(0..=U32_MAX, "`seed 7`"),
         allow_negative_numbers = true,
     )]
     pub seed: Option<u32>,
@@ -98,7 +98,7 @@ pub struct OptimumArgs {
         long,
         value_name = "N",
         default_value_t = 1,
-        value_parser = whole::<u32>(1..=U32, "`starts 8`"),
+        value_parser = whole::<u32>(1..=U32_MAX, "`starts 8`"),
         allow_negative_numbers = true,
     )]
     pub starts: u32,

@@ -3,7 +3,7 @@
 // these doc comments are help texts, in which "carry [yd]" is a column head, not a link
 #![allow(rustdoc::broken_intra_doc_links)]
 
-use crate::command::args::{SetupArgs, U32, whole};
+use crate::command::args::{SetupArgs, U32_MAX, whole};
 use crate::number::Level;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
@@ -35,7 +35,7 @@ pub struct Args {
         value_name = "SEED",
         default_value_t = 0,
         requires = "sample",
-        value_parser = whole::<u32>(0..=U32, "`seed 7`"),
+        value_parser = whole::<u32>(0..=U32_MAX, "`seed 7`"),
         allow_negative_numbers = true,
     )]
     pub seed: u32,
