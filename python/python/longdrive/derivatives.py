@@ -69,7 +69,8 @@ def gradient(
         The outcome.
     wrt : Names | None
         Parameters to differentiate by, a name or several; ``"all"`` for every one that can be
-        varied in this setup. Without it loft and attack angle.
+        varied in this setup, for an outcome of the flight without those of the roll-out. Without it
+        loft and attack angle.
     tolerance : Amount | None
         The largest error of a length, m or a text; without it 1 µm, unless the setup states its
         method or step.
