@@ -836,7 +836,7 @@ fn bad_input_to_a_sweep_is_status_2_with_advice() {
         ),
         (
             with(&["-o", "Cargo.toml", "--format", "csv", "--resume"]),
-            "error: Cargo.toml: there is nothing to resume, because Cargo.toml.resume does not exist",
+            "nothing to resume, because Cargo.toml.resume does not exist",
         ),
         (with(&["--resume"]), "only a file can be resumed"),
         (with(&["--max-size", "much"]), "write a size like"),

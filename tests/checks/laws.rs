@@ -717,7 +717,7 @@ fn a_plot_of_laws_draws_all_of_them_and_refuses_other_options() {
             "this is not used",
         ),
         (&["--spin-ratio", "0.1"], "this is not used"),
-        (&["--reynolds", "-5"], "from 1 to 10000000"),
+        (&["--reynolds", "-5"], "outside its range 1 .. 10000000"),
         (&["--reynolds", "much"], "--reynolds"),
         (&["--set", "air.density=0 kg/m^3"], "there is no air"),
     ] {

@@ -466,13 +466,10 @@ fn weather_without_a_value_is_uncertain_about_the_mean_of_its_distribution() {
         );
     }
     let (_, alone) = json(&["uncertainty", given[0], given[1]]);
-    let (_, set) = json(&[
-        "uncertainty",
-        given[0],
-        given[1],
-        "--set",
-        "air.humidity=0.5",
-    ]);
+    let folder = tempfile::tempdir().unwrap();
+    let humid = folder.path().join("humid.toml");
+    std::fs::write(&humid, "[air]\nhumidity = 0.5\n").unwrap();
+    let (_, set) = json(&["uncertainty", humid.to_str().unwrap(), given[0], given[1]]);
     assert_eq!(alone["outcomes"], set["outcomes"]);
 }
 
