@@ -85,7 +85,7 @@ def test_a_point_without_a_drive_raises_or_is_nan() -> None:
     down = [0.1, math.radians(-40)]
     with pytest.raises(NoAnswerError, match="no flight"):
         longdrive.objective(Setup(), "carry", WRT).fun(down)
-    with pytest.raises(InputError, match="club.loft = 2 rad"):
+    with pytest.raises(InputError, match=r"club.loft = 114.5916 deg \(2 rad\)"):
         longdrive.objective(Setup(), "carry", WRT).fun([2.0, 0.0])
     carry = longdrive.objective(Setup(), "carry", WRT, invalid="nan")
     for x in (down, [2.0, 0.0], [math.nan, 0.0]):
