@@ -295,6 +295,14 @@ fn bad_tables_are_refused_with_file_line_and_advice() {
             &["line 3, column cd", "'a lot' is not a number"],
         ),
         (
+            "re;cd;cl\n50,000;0.25;0.1\n150,000;0.25;0.1\n",
+            &[
+                "line 2, column cd",
+                "'0.25' has a point, but '50,000' has a comma",
+                "nothing between thousands",
+            ],
+        ),
+        (
             "s,cd,cl\n0.1,0.2,0.1\n0.2,-0.2,0.2\n",
             &[
                 "line 3, column cd",

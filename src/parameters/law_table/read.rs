@@ -109,6 +109,10 @@ pub(super) fn nodes(text: &str) -> Result<GridNodes, LawTableFault> {
         })
     };
     let (speed, spin, mut rows) = (axis(false), axis(true), vec![]);
+    let mut marks = DecimalMarks {
+        separator,
+        first: None,
+    };
     for record in reader.records() {
         let record = record.map_err(|error| unreadable(&error))?;
         // spreadsheets end a table with rows of empty cells
@@ -121,7 +125,12 @@ pub(super) fn nodes(text: &str) -> Result<GridNodes, LawTableFault> {
                  between its nodes"
             )));
         }
-        rows.push(node(&record, &columns, line(record.position()), separator)?);
+        rows.push(node(
+            &record,
+            &columns,
+            line(record.position()),
+            &mut marks,
+        )?);
     }
     Ok(GridNodes { speed, spin, rows })
 }
@@ -130,7 +139,7 @@ fn node(
     record: &StringRecord,
     columns: &[LawColumn],
     line: u64,
-    separator: u8,
+    marks: &mut DecimalMarks,
 ) -> Result<GridNode, LawTableFault> {
     let mut node = GridNode {
         line,
@@ -140,7 +149,8 @@ fn node(
         lift: 0.0,
     };
     for (column, cell) in columns.iter().zip(record.iter()) {
-        let value = number(cell, separator)
+        let value = marks
+            .number(cell)
             .and_then(|value| in_range(column, value * column.unit_size))
             .map_err(|reason| LawTableFault {
                 place: format!(", line {line}, column {}", column.head),
@@ -251,21 +261,60 @@ fn column(head: &str) -> Result<LawColumn, String> {
     })
 }
 
-/// Parses a number. A decimal comma is accepted if the comma does not separate cells.
-fn number(cell: &str, separator: u8) -> Result<f64, String> {
-    if cell.is_empty() {
-        return Err("the cell is empty; every row needs a value".into());
+/// Decimal marks of a table: points, or commas if a comma does not separate cells. A table that
+/// has both is refused, since one of them may separate thousands.
+struct DecimalMarks {
+    /// Cell separator.
+    separator: u8,
+    /// The first cell with a mark.
+    first: Option<MarkedNumber>,
+}
+
+struct MarkedNumber {
+    mark: char,
+    cell: String,
+}
+
+impl DecimalMarks {
+    /// Parses a number.
+    fn number(&mut self, cell: &str) -> Result<f64, String> {
+        if cell.is_empty() {
+            return Err("the cell is empty; every row needs a value".into());
+        }
+        let mut plain = cell.replace('\u{2212}', "-");
+        if self.separator != b',' {
+            self.check(cell)?;
+            plain = plain.replacen(',', ".", 1);
+        }
+        match plain.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            Ok(_) => Err(format!("'{cell}' is not finite; give a number")),
+            Err(_) => Err(format!(
+                "'{cell}' is not a number; a unit is written in the head, as in 'speed [m/s]'"
+            )),
+        }
     }
-    let mut plain = cell.replace('\u{2212}', "-");
-    if separator != b',' && !plain.contains('.') {
-        plain = plain.replacen(',', ".", 1);
-    }
-    match plain.parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
-        Ok(_) => Err(format!("'{cell}' is not finite; give a number")),
-        Err(_) => Err(format!(
-            "'{cell}' is not a number; a unit is written in the head, as in 'speed [m/s]'"
-        )),
+
+    /// Refuses a cell with another mark than the first.
+    fn check(&mut self, cell: &str) -> Result<(), String> {
+        let Some(mark) = [',', '.'].into_iter().find(|mark| cell.contains(*mark)) else {
+            return Ok(());
+        };
+        let first = self.first.get_or_insert_with(|| MarkedNumber {
+            mark,
+            cell: cell.into(),
+        });
+        if first.mark == mark {
+            return Ok(());
+        }
+        let name = |mark: char| if mark == ',' { "comma" } else { "point" };
+        Err(format!(
+            "'{cell}' has a {}, but '{}' has a {}; write all decimals of the table with the same \
+             mark, and nothing between thousands",
+            name(mark),
+            first.cell,
+            name(first.mark)
+        ))
     }
 }
 
