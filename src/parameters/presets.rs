@@ -309,7 +309,7 @@ pub static PRESETS: &[Preset] = &[
 impl Preset {
     /// The preset of this name; `None` if no preset has it.
     pub fn named(name: &str) -> Option<&'static Self> {
-        PRESETS.iter().find(|preset| preset.name == name)
+        Self::index_of(name).map(|index| &PRESETS[index])
     }
 
     /// The preset of this name.
@@ -317,16 +317,17 @@ impl Preset {
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no preset has this name.
     pub fn known(name: &str) -> Result<&'static Self> {
-        Self::index_of(name).map(|index| &PRESETS[index])
+        Self::named(name).ok_or_else(|| Self::unknown(name))
     }
 
-    fn index_of(name: &str) -> Result<usize> {
-        let index = PRESETS.iter().position(|preset| preset.name == name);
-        index.ok_or_else(|| {
-            let names = PRESETS.iter().map(|preset| preset.name);
-            let advice = format!("the presets are {}", Self::names());
-            Error::unknown("preset", name, names, advice)
-        })
+    fn index_of(name: &str) -> Option<usize> {
+        PRESETS.iter().position(|preset| preset.name == name)
+    }
+
+    fn unknown(name: &str) -> Error {
+        let names = PRESETS.iter().map(|preset| preset.name);
+        let advice = format!("the presets are {}", Self::names());
+        Error::unknown("preset", name, names, advice)
     }
 
     /// True for the average of many golfers.
@@ -354,7 +355,7 @@ impl Setup<f64> {
         // parsed once: the texts with their units take longer to parse than a drive takes
         static SETUPS: [OnceLock<Setup<f64>>; PRESETS.len()] =
             [const { OnceLock::new() }; PRESETS.len()];
-        let index = Preset::index_of(name)?;
+        let index = Preset::index_of(name).ok_or_else(|| Preset::unknown(name))?;
         if let Some(setup) = SETUPS[index].get() {
             return Ok(*setup);
         }
