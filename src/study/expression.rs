@@ -461,6 +461,11 @@ impl Scope<'_> {
         if let Self::Relation { .. } = self {
             let amount = Amount::read(piece.text).map_err(|error| piece.error(error))?;
             self.check_kind(piece, amount.quantity(), quantity)?;
+            let is_one_parameter =
+                matches!(goal.terms[..], [(weight, Measure::Parameter(_))] if weight == 1.0);
+            if amount.is_on_scale && !is_one_parameter {
+                return Err(piece.error(TEMPERATURE_IN_SUM));
+            }
             let unit = quantity.split(piece.text).ok();
             return Ok(Limit {
                 value: amount.value,
@@ -490,6 +495,10 @@ fn advice_on_parameter(text: &str) -> Option<String> {
     })
 }
 
+/// Message for a temperature that may be either a point on its scale or a difference.
+const TEMPERATURE_IN_SUM: &str = "a sum of terms takes temperatures and their differences in K; write for example 293.15 K in \
+     place of 20 degC";
+
 /// Parses `AMOUNT` or `[AMOUNT *] PARAMETER`.
 fn relation_term(setup: &Setup<f64>, piece: Piece<'_>) -> Result<Term> {
     let (amount, parameter) = match piece.text.rsplit_once('*') {
@@ -498,6 +507,9 @@ fn relation_term(setup: &Setup<f64>, piece: Piece<'_>) -> Result<Term> {
         None => (piece.text, None),
     };
     let mut amount = Amount::read(amount).map_err(|error| piece.error(error))?;
+    if amount.is_on_scale {
+        return Err(piece.error(TEMPERATURE_IN_SUM));
+    }
     let mut measure = Measure::One;
     let weight = amount.value;
     if let Some(name) = parameter {

@@ -2,10 +2,14 @@ use super::Quantity;
 use super::expression::read_unit;
 use super::symbols::Dimension;
 
-/// A number with a unit of any quantity: its SI value and its dimension.
+/// A number with a unit of any quantity.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Amount {
+    /// SI value.
     pub value: f64,
+    /// True if the number counts from the zero of a temperature scale: 20 degC is 293.15 K, but a
+    /// difference of 20 degC is 20 K.
+    pub is_on_scale: bool,
     dimension: Dimension,
 }
 
@@ -24,13 +28,15 @@ impl Amount {
         if unit.is_empty() {
             return Ok(Self {
                 value: number,
+                is_on_scale: false,
                 dimension: Dimension::NONE,
             });
         }
         let unit = read_unit(unit)
             .ok_or_else(|| format!("'{unit}' is no unit; write for example 12 cm^2 or 0.5 g/mm"))?;
         Ok(Self {
-            value: unit.difference(number),
+            value: unit.value(number),
+            is_on_scale: unit.has_zero(),
             dimension: unit.dimension,
         })
     }

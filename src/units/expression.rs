@@ -26,6 +26,11 @@ impl Unit {
         (value - self.zero.unwrap_or(0.0)) / self.difference(1.0)
     }
 
+    /// True for a temperature scale with its own zero.
+    pub fn has_zero(&self) -> bool {
+        self.zero.is_some()
+    }
+
     /// SI value of a difference in this unit: 25 degC is 25 K.
     pub fn difference(&self, number: f64) -> f64 {
         number * self.numerator / self.denominator

@@ -199,6 +199,30 @@ fn varied_mass_has_a_budget() {
     );
 }
 
+#[test]
+fn exact_limit_of_a_temperature_on_its_scale() {
+    let mut setup = Setup::default();
+    setup.set("air.temperature", "25 degC").unwrap();
+    let read = |text: &str| Constraint::read_relation(&setup, text);
+    for (limit, kelvin) in [
+        ("20 degC", 293.15),
+        ("68 degF", 293.15),
+        ("293.15 K", 293.15),
+    ] {
+        let found = read(&format!("cool: air.temperature <= {limit}")).unwrap();
+        close(found.high, kelvin, 1.0, 1e-9, limit);
+    }
+    // 20 degC may be a temperature or a difference here
+    for sum in [
+        "2*air.temperature <= 20 degC",
+        "air.temperature - 5 degC <= 20 K",
+        "air.temperature - 5 K <= 20 degC",
+    ] {
+        let error = read(&format!("cool: {sum}")).unwrap_err().to_string();
+        assert!(error.contains("differences in K"), "{error}");
+    }
+}
+
 /// The answer has the value of a relation that the user states. Its multiplier is the derivative of
 /// the best goal by its limit.
 #[test]
