@@ -231,20 +231,22 @@ fn valid_parts(
             misnamed.push((number, name));
         }
     }
+    let named = |(part, (name, _)): (&u64, &(String, Footer))| (*part, name.clone());
+    let mut first_copies: BTreeMap<u64, String> = valid.iter().map(named).collect();
     for (part, file) in misnamed {
-        let name = file_name(part, definition.parts);
-        faults.push(match valid.contains_key(&part) {
-            true => Fault {
-                file,
-                kind: FaultKind::Doubled,
-                reason: format!("it is a second copy of part {part}; the first is {name}"),
-            },
-            false => Fault {
-                file,
-                kind: FaultKind::Foreign,
-                reason: format!("it is part {part}; rename it to {name}"),
-            },
-        });
+        let (kind, reason) = match first_copies.get(&part) {
+            Some(first) => (
+                FaultKind::Doubled,
+                format!("it is a second copy of part {part}; the first is {first}"),
+            ),
+            None => {
+                first_copies.insert(part, file.clone());
+                let name = file_name(part, definition.parts);
+                let reason = format!("it is part {part}; rename it to {name}");
+                (FaultKind::Foreign, reason)
+            }
+        };
+        faults.push(Fault { file, kind, reason });
     }
     valid
 }

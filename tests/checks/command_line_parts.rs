@@ -513,6 +513,18 @@ fn a_check_names_missing_double_damaged_and_foreign_parts() {
         checked_copy(&swapped, &[]).1,
         fault("part-00007.parquet", "foreign")
     );
+    let twice_misnamed = |folder: &Path| {
+        fs::rename(place(folder), folder.join("a.parquet")).unwrap();
+        fs::copy(folder.join("a.parquet"), folder.join("b.parquet")).unwrap();
+    };
+    let (missing, faults, answer) = checked_copy(&twice_misnamed, &[]);
+    assert_eq!(missing, serde_json::json!([3]));
+    assert_eq!(
+        faults,
+        [fault("a.parquet", "foreign"), fault("b.parquet", "doubled")].concat()
+    );
+    let reason = answer["faults"][1]["reason"].as_str().unwrap();
+    assert!(reason.ends_with("the first is a.parquet"), "{reason}");
     let strange = |folder: &Path| fs::write(folder.join("mine.parquet"), "PAR1").unwrap();
     assert_eq!(
         checked_copy(&strange, &[]).1,
