@@ -3,6 +3,7 @@
 use super::flown::Flown;
 use super::source::Shots;
 use crate::drive::Outcome;
+use crate::statistics::median;
 use crate::units::{Message, Quantity};
 
 /// Maximum number of ratios kept for a median.
@@ -212,10 +213,4 @@ fn mistaken(
         .iter()
         .find(|mistake| is_it(mistake))
         .map(|mistake| (ratio, *mistake))
-}
-
-fn median(values: &[f64]) -> Option<f64> {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    sorted.get(values.len() / 2).copied()
 }

@@ -24,6 +24,7 @@
 
 mod extent;
 mod histogram;
+mod median;
 mod moments;
 mod ranking;
 mod summary;
@@ -31,6 +32,7 @@ mod summary;
 pub use crate::json::JsonNumber;
 pub(crate) use extent::{extent, largest_magnitude};
 pub use histogram::Histogram;
+pub(crate) use median::median;
 pub use moments::Moments;
 pub use ranking::{RankedRow, Ranking};
 pub use summary::{Summary, SummarySpec};

@@ -141,14 +141,15 @@ fn the_searches_in_validation_md_are_those_of_the_program() {
             .unwrap();
         let count = searches.ends.len();
         let missed = searches.missed(best);
-        let [median, worst] = [missed[missed.len() / 2], missed[missed.len() - 1]];
+        let median = f64::midpoint(missed[(count - 1) / 2], missed[count / 2]);
+        let worst = missed[count - 1];
         let found = format!("{} of {count}", searches.within(0.01, best));
         let misses = if worst < 0.005 {
             "0".to_owned()
         } else {
             format!("{median:.2} m, {worst:.2} m")
         };
-        let flights = (searches.flights() / count as u64).to_string();
+        let flights = format!("{:.0}", searches.flights() as f64 / count as f64);
         assert_eq!(row[2..], [found, misses, flights], "{landing:?} {method:?}");
     }
 }

@@ -2,7 +2,7 @@ use crate::optimize::least_squares::FitStatus;
 use crate::parameters::Parameter;
 use crate::report::document::{Document, DocumentTable, Line};
 use crate::report::shown;
-use crate::statistics::largest_magnitude;
+use crate::statistics::{largest_magnitude, median};
 use crate::study::delivery::{
     Delivered, Population, Posterior, Recovered, ShotDelivery, Spread, Unidentified, Unknown,
 };
@@ -227,12 +227,11 @@ pub(super) fn median_identified(all: &[ShotDelivery], parameter: &Parameter) -> 
         .iter()
         .filter_map(ShotDelivery::explained)
         .flat_map(|delivered| &delivered.posteriors);
-    let mut fractions: Vec<f64> = known
+    let fractions: Vec<f64> = known
         .filter(|known| known.unknown.parameter == parameter)
         .filter_map(|known| known.variance_removed)
         .collect();
-    fractions.sort_by(f64::total_cmp);
-    fractions.get(fractions.len() / 2).copied()
+    median(&fractions)
 }
 
 fn percent(fraction: Option<f64>) -> String {

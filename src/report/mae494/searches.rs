@@ -4,6 +4,7 @@ use crate::report::document::{Document, DocumentTable};
 use crate::report::plot::{Figure, Hue, Layer};
 use crate::report::published::{PaperUnits, angles};
 use crate::reproduce::{DeliveryCarry, LandingDefinition, Mae494, SearchMethod, Searches};
+use crate::statistics::median;
 use crate::units::Quantity;
 
 /// A search counts as successful if its carry is at most this much below the best carry, m.
@@ -39,12 +40,11 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: PaperUnit
     let rows = found.noise.searches.iter().map(|searches| {
         let missed = searches.missed(best.carry);
         let worst = missed.last().copied().unwrap_or_default();
-        let median = missed.get(missed.len() / 2).copied().unwrap_or_default();
         vec![
             format!("{} of {count}", searches.within(FOUND, best.carry)),
-            shown.length(median),
+            shown.length(median(&missed).unwrap_or_default()),
             shown.length(worst),
-            format!("{}", searches.flights() / count.max(1) as u64),
+            format!("{:.0}", searches.flights() as f64 / count.max(1) as f64),
             landing(searches.landing).into(),
             method(searches.method).into(),
         ]

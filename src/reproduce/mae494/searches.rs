@@ -55,6 +55,9 @@ pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
         &[setup.club.loft, setup.swing.attack_angle],
         8 * STARTS,
     )? {
+        if begun.len() == STARTS {
+            break;
+        }
         if let Some(carry) = carried_if_flown(&delivered(setup, x[0], x[1]))? {
             begun.push(DeliveryCarry {
                 loft: x[0],
@@ -63,7 +66,6 @@ pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
             });
         }
     }
-    begun.truncate(STARTS);
     let one = |(landing, method): (LandingDefinition, SearchMethod)| {
         let ends = begun
             .iter()
