@@ -1,6 +1,7 @@
 //! Air density of each shot, from an export.
 
-use super::column::{AIR, Column, Content};
+use super::column::{Column, Content};
+use super::heads::AIR;
 use crate::atmosphere::in_effect;
 use crate::parameters::Setup;
 use crate::units::Quantity;

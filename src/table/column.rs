@@ -1,6 +1,6 @@
 //! Meaning, unit and number format of a column.
 
-use super::heads::Meaning;
+use super::heads::{AIR, Meaning};
 use super::launch_monitor;
 use super::numbers;
 use super::numbers::{CellSide, cell_number, unwrapped};
@@ -38,8 +38,6 @@ pub(crate) struct Column {
     /// quantity.
     size: Option<Unit>,
     pub format: TableFormat,
-    /// True if the column is an angle of an export and has no unit. It is read in degrees.
-    pub is_in_assumed_degrees: bool,
     /// True for a launch condition whose column head is its dotted name: `launch.ball_speed`.
     pub is_dotted_condition: bool,
     /// True for an air column that the setup overrides.
@@ -80,8 +78,6 @@ const STATUS: &str = "status";
 pub(crate) const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
 /// Prefixes of columns that `fly` adds.
 const FLOWN_PREFIXES: [&str; 2] = ["Predicted ", "Residual "];
-/// Parameter of the air density that launch monitors state.
-pub(super) const AIR: &str = "air.density";
 /// Group of the launch conditions.
 const LAUNCH: &str = "launch.";
 
@@ -140,11 +136,7 @@ impl Column {
         };
         let is_of_an_export = format.is_export && launch_monitor::meaning(name).is_some();
         if is_of_an_export && column.unit.is_none() && column.quantity() == Some(Quantity::ANGLE) {
-            (
-                column.unit,
-                column.is_in_assumed_degrees,
-                column.is_unit_assumed,
-            ) = (Some("deg".into()), true, true);
+            (column.unit, column.is_unit_assumed) = (Some("deg".into()), true);
         }
         Ok(column.with_parsed_unit())
     }
@@ -187,7 +179,6 @@ impl Column {
             unit: None,
             size: None,
             format: TableFormat::default(),
-            is_in_assumed_degrees: false,
             is_dotted_condition,
             is_overridden_air: false,
             golfer: Golfer::Right,
@@ -205,7 +196,7 @@ impl Column {
 
     /// True if the column is an angle without a unit, and is read in degrees.
     pub fn is_in_assumed_degrees(&self) -> bool {
-        self.is_in_assumed_degrees && self.content != Content::Note
+        self.is_unit_assumed && !self.has_units_in_cells && self.quantity() == Some(Quantity::ANGLE)
     }
 
     /// True for a parameter of the groups swing, strike, club and impact.
@@ -351,11 +342,7 @@ impl Column {
 
     /// Size of the column's unit, SI.
     pub fn unit_size(&self) -> f64 {
-        let size = self
-            .unit
-            .as_ref()
-            .and_then(|unit| self.quantity()?.size_of(unit));
-        size.unwrap_or(1.0)
+        self.size.map_or(1.0, |unit| unit.difference(1.0))
     }
 
     /// The unit in the column head; the SI unit if the head states no unit.

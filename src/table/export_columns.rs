@@ -28,7 +28,6 @@ pub(crate) fn assume_unit(at: usize, column: &mut Column, rows: &[Vec<String>]) 
     }
     if rows.iter().any(|row| column.has_unit_in(&row[at])) {
         column.has_units_in_cells = true;
-        column.is_in_assumed_degrees = false;
         return None;
     }
     if !column.lacks_unit() {

@@ -20,6 +20,9 @@ pub(crate) struct TableOptions {
     /// ([`without_redundant_spins`](super::conditions::without_redundant_spins)); false if all rows
     /// use the same columns.
     pub selects_spin_by_row: bool,
+    /// True if each row may have its own air, as only shots may: a sweep needs a value in every
+    /// row, and a delivery does not depend on the air.
+    pub has_air_of_rows: bool,
     /// Advice for unknown column heads.
     pub advice: &'static str,
 }
@@ -29,24 +32,28 @@ impl TableOptions {
     pub const LAUNCHES: Self = Self {
         club: ClubColumns::Ignored,
         selects_spin_by_row: true,
+        has_air_of_rows: true,
         advice: OF_LAUNCHES,
     };
     /// Shots with measurements, for a calibration.
     pub const MEASUREMENTS: Self = Self {
         club: ClubColumns::Ignored,
         selects_spin_by_row: true,
+        has_air_of_rows: true,
         advice: OF_SHOTS,
     };
     /// Measured launches, to find their deliveries.
     pub const DELIVERIES: Self = Self {
         club: ClubColumns::Read,
         selects_spin_by_row: true,
+        has_air_of_rows: false,
         advice: OF_SHOTS,
     };
     /// Points of a sweep, and swings.
     pub const POINTS: Self = Self {
         club: ClubColumns::Ignored,
         selects_spin_by_row: false,
+        has_air_of_rows: false,
         advice: OF_POINTS,
     };
 }
@@ -98,14 +105,9 @@ impl TableHead {
         };
         let columns = all(heads.iter().enumerate().map(column), wanted.advice);
         let mut columns = columns?;
-        // only shots may have their own air: a sweep needs a value in every row, and a delivery
-        // does not depend on the air
-        let is_air_of_rows = wanted.club == ClubColumns::Ignored && wanted.selects_spin_by_row;
-        for column in columns
-            .iter_mut()
-            .filter(|column| !is_air_of_rows && column.is_stated_air())
-        {
-            column.content = Content::Note;
+        if !wanted.has_air_of_rows {
+            let of_air = columns.iter_mut().filter(|column| column.is_stated_air());
+            of_air.for_each(|column| column.content = Content::Note);
         }
         let remarks = if is_export {
             ignore_columns(&mut columns, wanted.club, wanted.selects_spin_by_row)

@@ -59,6 +59,9 @@ pub(crate) fn rest_of_head(words: &str) -> Option<Outcome> {
     of_rest.find(|of| of.column_heads().contains(&words))
 }
 
+/// Parameter of the air density that launch monitors state.
+pub(super) const AIR: &str = "air.density";
+
 /// True for the head of a column that states the conditions of the values in a row, such as the
 /// weather to which they are normalized. `words` is the head in lower case without punctuation.
 pub(crate) fn is_condition_head(words: &str) -> bool {

@@ -1,6 +1,6 @@
 //! Column heads, units and separators as launch monitors write them.
 
-use super::heads::{Meaning, NOT_USED, heads};
+use super::heads::{AIR, Meaning, NOT_USED, heads};
 use super::numbers::{cell_number, is_unit};
 use super::records::cells;
 use crate::drive::Outcome;
@@ -42,14 +42,8 @@ fn is_own(name: &str) -> bool {
 
 /// A column head in lower case, without punctuation.
 pub(crate) fn words(name: &str) -> String {
-    let plain = |c: char| {
-        if c.is_alphanumeric() {
-            c.to_ascii_lowercase()
-        } else {
-            ' '
-        }
-    };
-    let words: String = name.chars().map(plain).collect();
+    let plain = |c: char| if c.is_alphanumeric() { c } else { ' ' };
+    let words = name.chars().map(plain).collect::<String>().to_lowercase();
     words.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
@@ -77,7 +71,7 @@ pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
         "Time" if is_time => Some(Meaning::Outcome(Outcome::FlightTime)),
         // without a unit, the density may be in g/L or in lb/ft³ (a factor of 16)
         _ if is_density && ["air density", "luftdichte"].contains(&words(name).as_str()) => {
-            Some(Meaning::Input("air.density"))
+            Some(Meaning::Input(AIR))
         }
         _ => None,
     };
@@ -236,6 +230,7 @@ mod tests {
             ("Ball Speed", Meaning::Outcome(Outcome::BallSpeed)),
             ("BallSpeed", Meaning::Outcome(Outcome::BallSpeed)),
             ("Ballgeschwindigkeit", Meaning::Outcome(Outcome::BallSpeed)),
+            ("SCHLAGFLÄCHE", Meaning::Input("swing.face_angle")),
             ("LaunchAngle", Meaning::Outcome(Outcome::LaunchAngle)),
             ("Launch V", Meaning::Outcome(Outcome::LaunchAngle)),
             ("spin_rate", Meaning::Outcome(Outcome::Spin)),

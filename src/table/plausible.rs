@@ -5,39 +5,61 @@ use super::CONDITIONS;
 use super::conditions::{StatedConditions, conditions, without_redundant_spins};
 use crate::drive::{Outcome, Sign};
 use crate::parameters::Range;
-use crate::units::Quantity;
+use crate::units::{DisplayUnit, Quantity};
 use std::sync::LazyLock;
 
-/// Range of each club parameter. The fastest recorded club speed is below 170 mph (76 m/s).
-const OF_CLUB: &[(&str, f64, f64, &str)] = &[
-    ("swing.speed", 0.0, 170.0, "mph"),
-    ("swing.attack_angle", -45.0, 45.0, "deg"),
-    ("swing.path", -45.0, 45.0, "deg"),
-    ("swing.face_angle", -60.0, 60.0, "deg"),
-];
-
-fn quantity_in(unit: &str) -> Quantity {
-    if unit == "mph" {
-        Quantity::SPEED
-    } else {
-        Quantity::ANGLE
-    }
+/// Plausible range of a club parameter.
+struct ClubRange {
+    parameter: &'static str,
+    /// Lowest and highest value, in the unit `shown`.
+    ends: [f64; 2],
+    shown: DisplayUnit,
 }
 
-static OF_CLUB_IN_SI: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| {
-    let range = |(_, low, high, unit): &(&str, f64, f64, &str)| {
-        let size = quantity_in(unit).size_of(unit).unwrap_or(1.0);
-        [low * size, high * size]
-    };
-    OF_CLUB.iter().map(range).collect()
-});
+const MPH: DisplayUnit = DisplayUnit {
+    quantity: Quantity::SPEED,
+    unit: "mph",
+};
+
+const DEG: DisplayUnit = DisplayUnit {
+    quantity: Quantity::ANGLE,
+    unit: "deg",
+};
+
+/// Range of each club parameter. The fastest recorded club speed is below 170 mph (76 m/s).
+const CLUB_RANGES: [ClubRange; 4] = [
+    ClubRange {
+        parameter: "swing.speed",
+        ends: [0.0, 170.0],
+        shown: MPH,
+    },
+    ClubRange {
+        parameter: "swing.attack_angle",
+        ends: [-45.0, 45.0],
+        shown: DEG,
+    },
+    ClubRange {
+        parameter: "swing.path",
+        ends: [-45.0, 45.0],
+        shown: DEG,
+    },
+    ClubRange {
+        parameter: "swing.face_angle",
+        ends: [-60.0, 60.0],
+        shown: DEG,
+    },
+];
+
+static CLUB_RANGES_IN_SI: LazyLock<[[f64; 2]; 4]> =
+    LazyLock::new(|| CLUB_RANGES.map(|range| range.ends.map(|end| end * range.shown.size())));
 
 /// Message for an implausible value of the club, and for a club speed of 0; `None` for a plausible
 /// value. `head` is the column head.
 pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Option<String> {
-    let at = OF_CLUB.iter().position(|(known, ..)| *known == parameter)?;
-    let [lowest, highest] = OF_CLUB_IN_SI[at];
-    let (_, low, high, unit) = OF_CLUB[at];
+    let at = CLUB_RANGES
+        .iter()
+        .position(|range| range.parameter == parameter)?;
+    let [lowest, highest] = CLUB_RANGES_IN_SI[at];
     // 0 is within the range of the speed, but a club at rest strikes no ball
     let is_still = lowest == 0.0 && value == 0.0;
     if (lowest..=highest).contains(&value) && !is_still {
@@ -46,10 +68,15 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
     if is_still {
         return Some(format!("{head}: a club speed of 0 counts as not measured"));
     }
-    let shown = quantity_in(unit).show(value, unit);
+    let ClubRange {
+        ends: [low, high],
+        shown,
+        ..
+    } = CLUB_RANGES[at];
     Some(format!(
-        "{head}: {shown} is outside of the range of clubs, {low} to {high} {unit}; it counts as \
-         not measured"
+        "{head}: {} is outside of the range of clubs, {low} to {high} {}; it counts as not measured",
+        shown.show(value),
+        shown.unit
     ))
 }
 
