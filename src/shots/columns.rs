@@ -130,11 +130,17 @@ impl ShotColumns {
     }
 
     fn detect_decimal_mark(&mut self, rows: &[Vec<String>]) {
-        let of_numbers = self.read.iter().map(|read| read.at);
+        let measured = self.read.iter().map(|read| read.at);
+        let parameters = self.other_parameters.iter().map(|row| row.at);
+        let club = self.club.iter().flatten().map(|(at, _)| *at);
+        let of_numbers = measured.chain(parameters).chain(club);
         self.decimal_mark = DecimalMark::detect(self.separator, of_numbers, rows);
         let has_comma = self.separator != b',' && self.decimal_mark != Some(DecimalMark::Point);
-        for read in &mut self.read {
-            read.column.format.has_decimal_comma = has_comma;
+        let measured = self.read.iter_mut().map(|read| &mut read.column);
+        let parameters = self.other_parameters.iter_mut().map(|row| &mut row.column);
+        let club = self.club.iter_mut().flatten().map(|(_, column)| column);
+        for column in measured.chain(parameters).chain(club) {
+            column.format.has_decimal_comma = has_comma;
         }
     }
 
@@ -336,9 +342,21 @@ impl ShotColumns {
     /// Message for a row without usable air; `None` if the row states its air, or if the table has
     /// no air column.
     pub(super) fn air_note(&self, row: &[Cow<'_, str>]) -> Option<String> {
-        let air = self.stated_air()?;
-        let stated = air.column.stated_air(&row[air.at]);
+        let stated = self.density(self.stated_air()?, row);
         stated.err().map(|why| air_of_setup(&why))
+    }
+
+    /// The air density that a row states in the column `air`, SI.
+    pub(super) fn density(
+        &self,
+        air: &RowParameter,
+        row: &[Cow<'_, str>],
+    ) -> std::result::Result<f64, String> {
+        let (column, cell) = (&air.column, &row[air.at]);
+        match self.ambiguous_mark(cell) {
+            Some(why) if !column.is_weather => Err(format!("{}: {why}", column.head)),
+            _ => column.stated_air(cell),
+        }
     }
 }
 

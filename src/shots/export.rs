@@ -1,11 +1,11 @@
 //! Reads the rows of an export as shots.
 
-use super::columns::{MeasuredColumn, ShotColumns};
+use super::columns::ShotColumns;
 use super::shot::{Club, Origin, REFUSED, RowParameter, Shot, StatedValue, within};
 use crate::drive::Outcome;
 use crate::table::{
-    CONDITIONS, DecimalMark, Record, Refusal, RowFault, StatedConditions, cells, conditions,
-    contradiction, implausible, implausible_launch,
+    CONDITIONS, Column, DecimalMark, Record, Refusal, RowFault, StatedConditions, cells,
+    conditions, contradiction, implausible, implausible_launch,
 };
 use std::borrow::Cow;
 
@@ -51,14 +51,21 @@ impl ShotColumns {
     }
 
     /// The number in the cell `text`, SI; `None` for an empty cell.
-    fn number(&self, read: &MeasuredColumn, text: &str) -> Result<Option<f64>, String> {
-        if DecimalMark::is_ambiguous(self.decimal_mark, text) {
-            return Err(format!(
+    fn number(&self, column: &Column, text: &str) -> Result<Option<f64>, String> {
+        match self.ambiguous_mark(text) {
+            Some(why) => Err(why),
+            None => column.value(text),
+        }
+    }
+
+    /// Message for a number whose mark may separate decimals or thousands; `None` for another cell.
+    pub(super) fn ambiguous_mark(&self, text: &str) -> Option<String> {
+        DecimalMark::is_ambiguous(self.decimal_mark, text).then(|| {
+            format!(
                 "the mark in '{text}' may separate decimals or thousands; write a number without a \
                  mark between thousands"
-            ));
-        }
-        read.column.value(text)
+            )
+        })
     }
 
     fn of_cells(&self, row: &[Cow<'_, str>]) -> Shot {
@@ -69,7 +76,7 @@ impl ShotColumns {
         for read in &self.read {
             let (of, name) = (read.of, &read.column.head);
             let is_condition = CONDITIONS.contains(&of);
-            match self.number(read, cell(read.at)) {
+            match self.number(&read.column, cell(read.at)) {
                 Ok(None) => {}
                 Ok(Some(value)) => {
                     let range = (!is_condition)
@@ -94,7 +101,7 @@ impl ShotColumns {
             let Some((at, column)) = club else {
                 return Ok(None);
             };
-            let value = column.value(cell(*at));
+            let value = self.number(column, cell(*at));
             value.map_err(|why| format!("{}: {why}", column.head))
         });
         shot.club = Club::measured(stated, heads, &mut shot.notes);
@@ -126,18 +133,18 @@ impl ShotColumns {
             |of| self.name_of(of),
             |of| self.column_of(of).is_some(),
         )?;
-        for RowParameter {
-            at,
-            parameter,
-            column,
-        } in &self.other_parameters
-        {
-            let (name, cell) = (&column.head, &row[*at]);
+        for stated in &self.other_parameters {
+            let RowParameter {
+                at,
+                parameter,
+                column,
+            } = stated;
             if column.is_stated_air() {
-                point.push(column.stated_air(cell).unwrap_or(self.air));
+                point.push(self.density(stated, row).unwrap_or(self.air));
                 continue;
             }
-            let value = column.value(cell);
+            let name = &column.head;
+            let value = self.number(column, &row[*at]);
             let value =
                 value.map_err(|why| Refusal::new(Refusal::UNREADABLE, format!("{name}: {why}")))?;
             let Some(value) = value else {

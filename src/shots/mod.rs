@@ -57,7 +57,7 @@ pub(crate) use interpretation::Interpretation;
 pub use objects::Objects;
 pub(crate) use open_connect::ASSUMED;
 pub use shot::{Club, Origin, Shot, StatedValue};
-pub(crate) use sizes::size;
+pub(crate) use sizes::conversion_factor;
 pub(crate) use source::is_json;
 pub use source::{Section, Shots};
 pub use statistics::{BANDS, Band, ClubShots, Refused, ShotStatistics, Sums, instrument_deviation};

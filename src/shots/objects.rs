@@ -71,8 +71,11 @@ impl Objects {
 
     /// Makes a record of an unfinished object or text at the end of the input.
     pub fn finish(&mut self) {
-        if self.is_under_way() {
-            self.end(false);
+        match self.state {
+            ScannerState::Between => {}
+            // its record was made at the length limit
+            ScannerState::TooLong => self.state = ScannerState::Between,
+            _ => self.end(false),
         }
     }
 
@@ -219,11 +222,14 @@ mod tests {
         ] {
             assert_eq!(pieces(text), expected, "{text}");
         }
-        let long = format!("{{\"a\": \"{}\"}}\n{{\"b\": 1}}", "x".repeat(LONGEST));
-        let found = pieces(&long);
+        let long = format!("{{\"a\": \"{}\"}}", "x".repeat(LONGEST));
+        let found = pieces(&format!("{long}\n{{\"b\": 1}}"));
         assert_eq!(
             (found.len(), found[0].2, &found[1]),
             (2, false, &whole(2, "{\"b\": 1}"))
         );
+        for at_the_end in [long.clone(), long + "\n"] {
+            assert_eq!(pieces(&at_the_end).len(), 1);
+        }
     }
 }

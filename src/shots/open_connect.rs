@@ -2,7 +2,7 @@
 
 use super::export::{OF_SPIN, add_notes, launch};
 use super::shot::{Club, Origin, REFUSED, Shot, StatedValue};
-use super::sizes::size;
+use super::sizes::conversion_factor;
 use super::written;
 use crate::drive::Outcome;
 use crate::error::nearest;
@@ -159,6 +159,14 @@ fn fill(
         return written::fill(shot, message, other_parameters);
     }
     let ball = ball_data(message)?;
+    if let Some(parameter) = other_parameters.first() {
+        let reason = format!(
+            "the message has no value of {}, but the first flown line has one; put messages and \
+             lines of 'fly' into separate files",
+            parameter.name
+        );
+        return Err(Refusal::new(Refusal::MISSING, reason));
+    }
     let (speed_unit, length_unit) = units(message)?;
     fill_ball(shot, message, speed_unit, length_unit)?;
     if option(message, "ContainsClubData") != Some(false) {
@@ -211,7 +219,7 @@ fn fill_ball(
         match number(ball, "BallData", key) {
             Ok(Some(_)) if is_assumed(message, of) => {}
             Ok(Some(number)) => {
-                let value = number * size(of.quantity(), unit);
+                let value = number * conversion_factor(of.quantity(), unit);
                 match implausible(of, value, || format!("BallData.{key}"))
                     .filter(|_| of == Outcome::CarryDistance)
                 {
@@ -275,9 +283,9 @@ fn club_data(club: &Map<String, Json>, speed_unit: &str, notes: &mut Vec<String>
         Ok(number) => Ok(number.map(|number| number * unit)),
         Err(refusal) => Err(refusal.reason),
     };
-    let degree = size(Quantity::ANGLE, "deg");
+    let degree = conversion_factor(Quantity::ANGLE, "deg");
     let stated = [
-        value("Speed", size(Quantity::SPEED, speed_unit)),
+        value("Speed", conversion_factor(Quantity::SPEED, speed_unit)),
         value("AngleOfAttack", degree),
         value("Path", degree),
         value("FaceToTarget", degree),

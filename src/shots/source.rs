@@ -14,6 +14,7 @@ use crate::table::{
     remark_from_line,
 };
 use crate::units::Message;
+use std::collections::VecDeque;
 use std::io::{self, Read};
 use std::path::Path;
 use std::sync::Arc;
@@ -35,7 +36,17 @@ pub struct Shots {
 /// Source of the unread rows: a table, or JSON objects.
 pub(super) enum UnreadRows {
     Table(Box<TableRows>),
-    Objects(Box<dyn Read + Send>, Objects, SourceName),
+    Objects(JsonRecords),
+}
+
+/// The JSON objects of a text.
+pub(super) struct JsonRecords {
+    name: SourceName,
+    source: Box<dyn Read + Send>,
+    objects: Objects,
+    buffer: Vec<u8>,
+    /// Records that were read before the flights begin.
+    ahead: VecDeque<Record>,
 }
 
 /// The rows of a table, section by section.
@@ -121,13 +132,18 @@ impl Shots {
                      messages; leave out `only`";
                 return Err(text.name.refused(String::new(), reason));
             }
-            let other_parameters = written::other_parameters(setup, &text.beginning);
             let is_written = written::begins(&text.beginning);
-            let rows = UnreadRows::Objects(text.source, Objects::default(), text.name);
+            let mut records = JsonRecords {
+                name: text.name,
+                source: text.source,
+                objects: Objects::default(),
+                buffer: vec![0; PIECE],
+                ahead: VecDeque::new(),
+            };
             return Ok(Self {
                 columns: None,
-                rows,
-                other_parameters,
+                other_parameters: records.other_parameters(setup)?,
+                rows: UnreadRows::Objects(records),
                 is_written,
             });
         }
@@ -182,12 +198,12 @@ impl Shots {
         }
     }
 
-    /// Remarks on later sections and on the selection of rows, complete after the last row.
+    /// Remarks on later sections and on the whole table, complete after the last row.
     pub fn final_remarks(&self) -> Vec<Message> {
         match &self.rows {
             UnreadRows::Table(rows) => {
-                let of_filter = rows.table.filter.remark();
-                rows.remarks.iter().cloned().chain(of_filter).collect()
+                let of_table = rows.table.final_remarks();
+                rows.remarks.iter().cloned().chain(of_table).collect()
             }
             UnreadRows::Objects(..) => vec![],
         }
@@ -295,28 +311,58 @@ impl UnreadRows {
     pub fn next_rows(&mut self, most: usize) -> Result<Option<Chunk>> {
         match self {
             Self::Table(rows) => rows.next_rows(most),
-            Self::Objects(source, objects, name) => {
+            Self::Objects(source) => {
                 let mut records = vec![];
-                let mut bytes = vec![0; PIECE];
                 while records.len() < most {
-                    if let Some(message) = objects.next_object() {
-                        records.push(message);
-                        continue;
-                    }
-                    let read = name.io(source.read(&mut bytes))?;
-                    if read > 0 {
-                        objects.push(&bytes[..read]);
-                    } else if objects.is_under_way() {
-                        objects.finish();
-                    } else {
+                    let Some(record) = source.next()? else {
                         break;
-                    }
+                    };
+                    records.push(record);
                 }
                 let chunk = Chunk {
                     section: None,
                     records,
                 };
                 Ok(Some(chunk).filter(|chunk| !chunk.records.is_empty()))
+            }
+        }
+    }
+}
+
+impl JsonRecords {
+    /// The parameters besides the launch of the first flown shot. Reads ahead until this shot.
+    fn other_parameters(&mut self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
+        while let Some(record) = self.read()? {
+            let parameters = written::other_parameters(setup, &record.text);
+            self.ahead.push_back(record);
+            if let Some(parameters) = parameters {
+                return Ok(parameters);
+            }
+        }
+        Ok(vec![])
+    }
+
+    /// The next record; `None` at the end.
+    fn next(&mut self) -> Result<Option<Record>> {
+        match self.ahead.pop_front() {
+            Some(record) => Ok(Some(record)),
+            None => self.read(),
+        }
+    }
+
+    /// Reads a record from the source.
+    fn read(&mut self) -> Result<Option<Record>> {
+        loop {
+            if let Some(record) = self.objects.next_object() {
+                return Ok(Some(record));
+            }
+            let count = self.name.io(self.source.read(&mut self.buffer))?;
+            if count > 0 {
+                self.objects.push(&self.buffer[..count]);
+            } else if self.objects.is_under_way() {
+                self.objects.finish();
+            } else {
+                return Ok(None);
             }
         }
     }

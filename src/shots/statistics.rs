@@ -159,6 +159,8 @@ pub struct ShotStatistics {
     pub all: Vec<Sums>,
     /// Shots by the name of the club, for tables with such a column; at most 40 clubs.
     pub clubs: BTreeMap<String, ClubShots>,
+    /// Number of rows of clubs beyond the first 40, which are not in `clubs`.
+    pub rows_of_further_clubs: u64,
     /// Number of rows whose spin is estimated or modelled, as the export states.
     pub spin_not_measured: u64,
     /// Number of rows whose values are normalized, as the export states.
@@ -167,21 +169,21 @@ pub struct ShotStatistics {
     pub noted: u64,
     /// Number of landed drives that exceed each validity limit of the model.
     pub exceeded: ExceededCount,
-    /// Number of landed drives whose spin ratio at launch is too large for a driver.
+    /// Number of landed drives whose spin ratio at launch is too large for a driver. It is computed
+    /// with the ball radius of the setup.
     pub lofted: u64,
     /// Predicted and measured values, for checks of units and signs.
     unit_checks: UnitChecks,
 }
 
 /// True if the spin ratio rω/v of a launch (ball speed, angle, direction, backspin and sidespin,
-/// SI) is above 0.12: the club has more loft than a driver.
-fn is_lofted(launch: &[f64]) -> bool {
-    const RADIUS: f64 = 0.021_335;
+/// SI) of a ball of this radius is above 0.12: the club has more loft than a driver.
+fn is_lofted(launch: &[f64], ball_radius: f64) -> bool {
     const OF_DRIVES: f64 = 0.12;
     let [speed, _, _, back, side] = launch else {
         return false;
     };
-    RADIUS * back.hypot(*side) > OF_DRIVES * speed
+    ball_radius * back.hypot(*side) > OF_DRIVES * speed
 }
 
 impl ShotStatistics {
@@ -202,6 +204,7 @@ impl ShotStatistics {
             bands: (0..=BANDS.len()).map(band).collect(),
             all: none.clone(),
             clubs: BTreeMap::new(),
+            rows_of_further_clubs: 0,
             spin_not_measured: 0,
             normalized: 0,
             noted: 0,
@@ -236,11 +239,15 @@ impl ShotStatistics {
             if flown.status(row) == Some(Status::Landed) {
                 self.flown += 1;
                 self.exceeded.add(flown.exceeded(row));
+                let is_lofted = |launch| is_lofted(launch, flown.ball_radius);
                 self.lofted += u64::from(shot.launch().is_some_and(is_lofted));
             }
             self.unit_checks.add(flown, row);
-            if let Some(club) = shot.club_name.as_deref().and_then(|name| self.club(name)) {
-                club.add(flown, row);
+            if let Some(name) = shot.club_name.as_deref() {
+                match self.club(name) {
+                    Some(club) => club.add(flown, row),
+                    None => self.rows_of_further_clubs += 1,
+                }
             }
             let Some(speed) = shot.launch().map(|launch| launch[0]) else {
                 continue;
@@ -285,9 +292,11 @@ impl ShotStatistics {
         self.exceeded.merge(other.exceeded);
         self.lofted += other.lofted;
         self.unit_checks.merge(other.unit_checks);
+        self.rows_of_further_clubs += other.rows_of_further_clubs;
         for (name, shots) in &other.clubs {
-            if let Some(club) = self.club(name) {
-                club.merge(shots);
+            match self.club(name) {
+                Some(club) => club.merge(shots),
+                None => self.rows_of_further_clubs += shots.rows,
             }
         }
         for (kind, refused) in other.refused {

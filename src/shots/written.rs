@@ -32,23 +32,28 @@ pub(super) fn begins(beginning: &str) -> bool {
         .is_some_and(is_written)
 }
 
-/// The parameters that a text written by `fly` states besides the launch, from its first flown
-/// line.
-pub(super) fn other_parameters(setup: &Setup<f64>, beginning: &str) -> Vec<&'static Parameter> {
-    let mut objects = Objects::default();
-    objects.push(beginning.as_bytes());
-    let lines = std::iter::from_fn(|| objects.next_object());
-    let mut lines =
-        lines.filter_map(|piece| serde_json::from_str::<Map<String, Json>>(&piece.text).ok());
-    let flown = lines.find(|line| {
-        is_written(line) && line.get("flight").and_then(Json::as_str) != Some(REFUSED)
-    });
-    let own = flown
-        .and_then(|line| line.get("parameters").and_then(Json::as_object).cloned())
-        .unwrap_or_default();
-    own.keys()
-        .filter_map(|name| setup.parameter(name).ok())
-        .collect()
+/// The parameters that a flown shot states besides the launch: a message of Open Connect states
+/// none. `None` for a line that `fly` refused, and for a text that is no JSON object.
+pub(super) fn other_parameters(setup: &Setup<f64>, text: &str) -> Option<Vec<&'static Parameter>> {
+    let message: Map<String, Json> = serde_json::from_str(text).ok()?;
+    if !is_written(&message) {
+        return Some(vec![]);
+    }
+    if is_refused(&message) {
+        return None;
+    }
+    let own = message.get("parameters").and_then(Json::as_object);
+    let names = own.into_iter().flat_map(Map::keys);
+    Some(
+        names
+            .filter_map(|name| setup.parameter(name).ok())
+            .collect(),
+    )
+}
+
+/// True for the line of a row that `fly` refused.
+fn is_refused(message: &Map<String, Json>) -> bool {
+    message.get("flight").and_then(Json::as_str) == Some(REFUSED)
 }
 
 fn wrong(key: &str, found: impl std::fmt::Display) -> Refusal {
@@ -87,7 +92,7 @@ pub(super) fn fill(
         .and_then(|(_, row)| row.trim_end().strip_suffix('}'));
     shot.text = own.map_or(text, str::to_owned);
     read_stated(shot, message)?;
-    if message.get("flight").and_then(Json::as_str) == Some(REFUSED) {
+    if is_refused(message) {
         let reason = message
             .get("reason")
             .and_then(Json::as_str)
@@ -110,13 +115,7 @@ fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refus
             .and_then(|(_, origin)| Origin::read(origin.as_str()?));
         shot.values.push(StatedValue { of, value, origin });
     }
-    let club = members(message, "club")?;
-    let of_club = |name: &str| {
-        club.iter()
-            .find(|(key, _)| *key == name)
-            .and_then(|(_, value)| value.as_f64())
-    };
-    shot.club = Club::of(Club::NAMES.map(of_club));
+    shot.club = club(message)?;
     shot.condition = message
         .get("condition")
         .and_then(Json::as_str)
@@ -134,6 +133,18 @@ fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refus
         .filter_map(|note| note.as_str().map(str::to_owned))
         .collect();
     Ok(())
+}
+
+fn club(message: &Map<String, Json>) -> Result<Club, Refusal> {
+    let mut values = [None; Club::NAMES.len()];
+    for (name, value) in members(message, "club")? {
+        let at = Club::NAMES.iter().position(|known| known == name);
+        let (Some(at), Some(value)) = (at, value.as_f64()) else {
+            return Err(wrong(&format!("club.{name}"), value));
+        };
+        values[at] = Some(value);
+    }
+    Ok(Club::of(values))
 }
 
 /// Input of the flight of a line, SI: the launch parameters, then the other parameters of the

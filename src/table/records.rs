@@ -44,6 +44,8 @@ impl Record {
 pub(super) struct Lines {
     source: Box<dyn BufRead + Send>,
     encoding: Encoding,
+    /// True if all lines so far are in ASCII, which is both UTF-8 and Windows-1252.
+    is_ascii: bool,
     /// Line terminator.
     end: u8,
     /// Number of lines that have been read from the source.
@@ -64,6 +66,7 @@ impl Lines {
         Self {
             source,
             encoding,
+            is_ascii: true,
             end,
             read: 0,
             held: VecDeque::new(),
@@ -94,9 +97,21 @@ impl Lines {
         while matches!(bytes.last(), Some(b'\n' | b'\r')) {
             bytes.pop();
         }
+        if self.is_ascii && !bytes.is_ascii() {
+            self.is_ascii = false;
+            // the encoding was detected from first bytes in ASCII
+            if std::str::from_utf8(&bytes).is_err() {
+                self.encoding = Encoding::Windows1252;
+            }
+        }
         let text = self.encoding.text(bytes);
         let text = text.map_err(|why| io::Error::other(format!("line {}: {why}", self.read)))?;
         Ok((count > 0).then_some((self.read, text)))
+    }
+
+    /// Encoding of the lines read so far.
+    pub fn encoding(&self) -> Encoding {
+        self.encoding
     }
 
     /// Pushes a line back to the front of the input.

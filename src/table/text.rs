@@ -11,6 +11,7 @@ use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
 use crate::input_file::InputFile;
 use crate::parameters::Setup;
+use crate::units::Message;
 use std::io::{self, BufReader, Cursor, Read};
 use std::path::Path;
 
@@ -25,6 +26,9 @@ const MOST_ROWS: usize = 200;
 
 /// Number of records searched for the column heads.
 const MOST_RECORDS: usize = 25;
+
+/// Remark on the encoding.
+const IN_WINDOWS_1252: &str = "its text is not in UTF-8, and is read as Windows-1252";
 
 /// Name of the file, for messages.
 #[derive(Clone, Debug)]
@@ -112,7 +116,8 @@ pub(crate) struct TextTable {
     lines: Lines,
     /// Cell separator.
     pub separator: u8,
-    encoding: Encoding,
+    /// Encoding of the lines up to the first column heads.
+    encoding_of_head: Encoding,
     /// True for exports, which may contain further lines of column heads.
     has_sections: bool,
     /// The column heads of the current section.
@@ -153,7 +158,7 @@ impl TextTable {
             name,
             lines,
             separator: place.separator,
-            encoding,
+            encoding_of_head: encoding,
             has_sections: false,
             heads: vec![],
             units: None,
@@ -169,8 +174,9 @@ impl TextTable {
         let mut head = table.head(&record, setup, wanted)?;
         table.has_sections = head.format.is_export;
         (table.heads, table.units) = (head.heads.clone(), head.units.clone());
-        if table.encoding == Encoding::Windows1252 {
-            head.encoding = Some("its text is not in UTF-8, and is read as Windows-1252");
+        table.encoding_of_head = table.lines.encoding();
+        if table.encoding_of_head == Encoding::Windows1252 {
+            head.encoding = Some(IN_WINDOWS_1252);
         }
         Ok((table, head))
     }
@@ -261,6 +267,13 @@ impl TextTable {
             }
         }
         Ok(Some(TableEntry::Row(record)))
+    }
+
+    /// Remarks on the whole table, complete after the last row.
+    pub fn final_remarks(&self) -> Vec<Message> {
+        let is_detected_later = self.lines.encoding() != self.encoding_of_head;
+        let encoding = is_detected_later.then(|| Message::from(IN_WINDOWS_1252));
+        self.filter.remark().into_iter().chain(encoding).collect()
     }
 
     /// Pushes a record back to the front of the input.

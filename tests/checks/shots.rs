@@ -234,6 +234,33 @@ fn same_table_in_every_encoding() {
     );
 }
 
+#[test]
+fn same_table_in_windows_1252_whose_first_other_character_is_far_from_the_beginning() {
+    let heads = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Player,Carry [yd]\n";
+    let rows = "160,12,2500,A,262\n".repeat(6000);
+    let text = format!("{heads}{rows}160,12\u{b0},2500,B,262\n");
+    assert!(text.len() > 1 << 16);
+    let bytes: Vec<u8> = text.chars().map(|c| u8::try_from(c).unwrap()).collect();
+    let (shots, all, tally) = flown(io::Cursor::new(bytes.clone()));
+    let (.., of_utf_8) = flown(io::Cursor::new(text));
+    assert_eq!((tally.rows, tally.flown), (6001, 6001));
+    assert_eq!(tally.all, of_utf_8.all);
+    let last = all.last().unwrap().shots.last().unwrap();
+    assert_eq!(last.text, "160,12\u{b0},2500,B,262");
+    let says = "its text is not in UTF-8, and is read as Windows-1252";
+    let remarks = shots.final_remarks();
+    assert!(remarks.iter().any(|remark| remark.to_string() == says));
+    let table = longdrive::study::calibrate::ShotTable::read(&Setup::default(), "a", &bytes[..]);
+    let table = table.unwrap();
+    assert_eq!(table.shots.len(), 6001);
+    assert!(
+        table
+            .remarks
+            .iter()
+            .any(|remark| remark.to_string() == says)
+    );
+}
+
 /// Rows that cannot be flown, each with the kind and some words of its reason.
 const BAD: [(&str, &str, &str); 13] = [
     (
@@ -574,6 +601,43 @@ fn ambiguous_decimal_and_thousands_marks_are_refused() {
     assert_eq!(all[0].predicted(0, 0), all[0].predicted(1, 0));
     let (_, all, _) = rows("Ball Speed [mph];Launch Angle [deg];Spin Rate [rpm]\n160;12;2,500\n");
     assert!(all[0].shots[0].refusal().is_some(), "nothing tells");
+}
+
+#[test]
+fn marks_of_parameters_and_of_the_club_are_read_as_those_of_the_launch() {
+    let heads = "Ball Speed [mph];Launch Angle [deg];Spin Rate [rpm];ball.mass [mg];Club Speed \
+                 [mm/s]\n";
+    let rows = |cells: &str| {
+        let text = format!("{heads}{cells}\n");
+        crate::shots::flown(io::Cursor::new(text)).1.remove(0)
+    };
+    // points are decimals here, so that a comma separates thousands
+    let found = rows("160.5;12.1;2500;45,930;46,000");
+    let expected = rows("160.5;12.1;2500;45930;46000");
+    assert_eq!(found.predicted(0, 0), expected.predicted(0, 0));
+    assert!(found.predicted(0, 0).is_some());
+    assert_eq!(found.shots[0].club, expected.shots[0].club);
+    assert_eq!(found.shots[0].club.speed, Some(46.0));
+    let unclear = rows("160;12;2500;45,930;46,000");
+    let reason = &unclear.shots[0].refusal().unwrap().reason;
+    let says = "the mark in '45,930' may separate decimals or thousands";
+    assert!(reason.contains(says), "{reason}");
+    assert_eq!(unclear.shots[0].club.speed, None);
+}
+
+#[test]
+fn the_loft_of_a_club_is_judged_with_the_radius_of_the_ball() {
+    let lofted = |radius: f64| {
+        let mut setup = Setup::default();
+        setup.ball.radius = radius;
+        let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n150,12,3500\n";
+        let mut shots = Shots::read(&setup, "shots.csv", text.as_bytes()).unwrap();
+        let flying = Flying::new(&setup, &shots, &OF).unwrap();
+        let tally = flying.fly(&mut shots, &Run::default(), |_| (), |()| Ok(()));
+        tally.unwrap().lofted
+    };
+    // 0.12 · 150 mph / 3500 rpm = 0.02196 m
+    assert_eq!((lofted(0.0219), lofted(0.0220)), (0, 1));
 }
 
 #[test]

@@ -123,6 +123,102 @@ fn same_flights_of_json_lines_with_their_own_parameters() {
 }
 
 #[test]
+fn same_flights_of_json_lines_whose_first_flown_line_is_far_from_the_beginning() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let heads = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],air.density [kg/m^3]\n";
+    let refused = "500,12,2700,1.1\n".repeat(400);
+    let text = format!("{heads}{refused}150,12,2700,1.1\n150,12,2700,1.2\n");
+    let table = file_with(folder.path(), "shots.csv", &text);
+    for (from, to) in [(&table, "1.jsonl"), (&place("1.jsonl"), "2.jsonl")] {
+        let output = longdrive(&["fly", from, "-o", &place(to)]);
+        assert_eq!(output.status, 0, "{}", output.err);
+    }
+    assert!(fs::read(place("1.jsonl")).unwrap().len() > 1 << 17);
+    let [first, second] = ["1.jsonl", "2.jsonl"].map(|name| lines(&place(name)));
+    let predicted = |lines: &[Value]| -> Vec<Value> {
+        lines.iter().map(|line| line["predicted"].clone()).collect()
+    };
+    assert!(first[400]["predicted"]["carry_distance"].is_number());
+    assert_eq!(predicted(&first), predicted(&second));
+}
+
+#[test]
+fn shots_without_the_parameters_of_the_first_flown_line_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],air.density \
+                [kg/m^3]\n150,12,2700,1.1\n";
+    let table = file_with(folder.path(), "shots.csv", text);
+    assert_eq!(
+        longdrive(&["fly", &table, "-o", &place("1.jsonl")]).status,
+        0
+    );
+    let line = fs::read_to_string(place("1.jsonl")).unwrap();
+    let without = line.replace("\"air.density\":1.1", "");
+    let message = "{\"BallData\": {\"Speed\": 150, \"VLA\": 12, \"TotalSpin\": 2700}}\n";
+    let mixed = file_with(
+        folder.path(),
+        "mixed.jsonl",
+        &format!("{line}{without}{message}{line}"),
+    );
+    assert_eq!(
+        longdrive(&["fly", &mixed, "-o", &place("2.jsonl")]).status,
+        0
+    );
+    let found = lines(&place("2.jsonl"));
+    let reasons = [&found[1], &found[2]].map(|line| line["reason"].as_str().unwrap());
+    assert!(
+        reasons[0].contains("parameters.air.density is missing")
+            && reasons[1].contains("the message has no value of air.density"),
+        "{reasons:?}"
+    );
+    assert_eq!(found[0]["predicted"], found[3]["predicted"]);
+}
+
+#[test]
+fn a_changed_value_of_the_club_is_refused_as_one_of_the_ball_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path().join("1.jsonl").display().to_string();
+    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Club Speed \
+                [mph]\n150,12,2700,103\n";
+    let table = file_with(folder.path(), "shots.csv", text);
+    assert_eq!(longdrive(&["fly", &table, "-o", &place]).status, 0);
+    let mut line = lines(&place).remove(0);
+    line["club"]["swing.speed"] = "fast".into();
+    let changed = file_with(folder.path(), "changed.jsonl", &line.to_string());
+    let (_, answer) = json(&["fly", &changed]);
+    let reason = answer["refused"][0]["first_reason"].as_str().unwrap();
+    assert!(
+        reason.contains("club.swing.speed: \"fast\" is not a value that 'fly' writes here"),
+        "{reason}"
+    );
+}
+
+#[test]
+fn same_measured_totals_in_the_columns_of_a_launch_monitor() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let table = file_with(
+        folder.path(),
+        "shots.csv",
+        "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Total [yd],Total Side \
+         [yd]\n150,12,2700,270,12\n",
+    );
+    let columns = place("1.csv");
+    let output = longdrive(&["fly", &table, "--format", "launch-monitor", "-o", &columns]);
+    assert_eq!(output.status, 0, "{}", output.err);
+    for (from, to) in [(&table, "1.jsonl"), (&columns, "2.jsonl")] {
+        assert_eq!(longdrive(&["fly", from, "-o", &place(to)]).status, 0);
+    }
+    let [first, second] = ["1.jsonl", "2.jsonl"].map(|name| lines(&place(name)).remove(0));
+    for of in ["total", "lateral_total"] {
+        let [stated, again] = [&first, &second].map(|line| number(&line["stated"][of]));
+        assert!((stated - again).abs() < 1e-4, "{of}: {stated} {again}");
+    }
+}
+
+#[test]
 fn totals_are_compared_only_on_a_named_ground() {
     let file = shots("trackman.csv");
     let (_, answer) = json(&["fly", &file, "--of", "total"]);
@@ -573,6 +669,38 @@ fn same_shots_in_parquet_and_in_json_lines() {
         output.status == 2 && output.err.contains("Parquet needs a file"),
         "{}",
         output.err
+    );
+}
+
+#[cfg(feature = "full")]
+#[test]
+fn a_parameter_without_a_column_in_parquet_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let heads = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]";
+    let text = format!("{heads}\n150,12,2700\n{heads},ball.mass [g]\n150,12,2700,45.5\n");
+    let table = file_with(folder.path(), "shots.csv", &text);
+    for (name, is_named) in [("a.parquet", true), ("a.jsonl", false)] {
+        let (_, answer) = json(&["fly", &table, "-o", &place(name)]);
+        assert_eq!(answer["flown"], 2, "{answer}");
+        let says = "which have no column in the Parquet file (JSON lines have them): ball.mass";
+        let remarks = answer["remarks"].to_string();
+        assert_eq!(remarks.contains(says), is_named, "{remarks}");
+    }
+}
+
+#[test]
+fn rows_of_clubs_without_statistics_of_their_own_are_counted() {
+    let folder = tempfile::tempdir().unwrap();
+    let row = |club: u32| format!("150,12,2700,club {}\n", club % 42);
+    let rows: String = (0..84).map(row).collect();
+    let text = format!("Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Club Type\n{rows}");
+    let (_, answer) = json(&["fly", &file_with(folder.path(), "shots.csv", &text)]);
+    assert_eq!(answer["clubs"].as_array().unwrap().len(), 40);
+    let remarks = answer["remarks"].to_string();
+    assert!(
+        remarks.contains("the statistics by club lack 4 rows: they have at most 40 clubs"),
+        "{remarks}"
     );
 }
 

@@ -64,8 +64,14 @@ fn fly(args: &Args) -> Result<Answer> {
         ..Run::default()
     };
     let maker = shots.maker();
-    let (tally, output) = write_rows(&destination, format, &flying, &mut shots, &run)?;
-    let final_remarks = shots.final_remarks();
+    let Written {
+        tally,
+        output,
+        of_format,
+    } = write_rows(&destination, format, &flying, &mut shots, &run)?;
+    let mut final_remarks = shots.final_remarks();
+    final_remarks.extend(of_format);
+    final_remarks.extend(of_further_clubs(&tally));
     note_each(file.display(), &final_remarks);
     remarks.extend(final_remarks);
     let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
@@ -194,6 +200,26 @@ fn of_lofted(tally: &ShotStatistics, law: &Law<f64>) -> Option<String> {
     })
 }
 
+/// A remark on rows that the table by club lacks.
+fn of_further_clubs(tally: &ShotStatistics) -> Option<Message> {
+    (tally.rows_of_further_clubs > 0).then(|| {
+        format!(
+            "the statistics by club lack {}: they have at most {} clubs; select clubs with `only`",
+            counted(tally.rows_of_further_clubs, "row"),
+            tally.clubs.len()
+        )
+        .into()
+    })
+}
+
+/// Flown shots and their unfinished output.
+struct Written {
+    tally: ShotStatistics,
+    output: OutputStream,
+    /// A remark on values that the format lacks.
+    of_format: Option<Message>,
+}
+
 /// Flies the shots and writes the rows. The caller finishes the output.
 fn write_rows(
     destination: &Destination,
@@ -201,7 +227,7 @@ fn write_rows(
     flying: &Flying,
     shots: &mut Shots,
     run: &Run<'_>,
-) -> Result<(ShotStatistics, OutputStream)> {
+) -> Result<Written> {
     let of = flying.outcomes();
     let mut output = destination.begin()?;
     let writer = match format {
@@ -221,7 +247,11 @@ fn write_rows(
                 |flown| output.write(&writer.push(flown)?),
             )?;
             output.write(&writer.finish()?)?;
-            return Ok((tally, output));
+            return Ok(Written {
+                tally,
+                output,
+                of_format: writer.remark(),
+            });
         }
     };
     output.write(&writer.head())?;
@@ -231,7 +261,11 @@ fn write_rows(
         |flown| writer.rows(&flown),
         |bytes| output.write(&bytes),
     )?;
-    Ok((tally, output))
+    Ok(Written {
+        tally,
+        output,
+        of_format: None,
+    })
 }
 
 /// The note about an interruption: the number of rows before it, and the state of the file.

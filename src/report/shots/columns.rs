@@ -21,13 +21,16 @@ const CLUB: [(&str, Outcome); 4] = [
     ("Face Angle", Outcome::LaunchAngle),
 ];
 
-const MEASURED: [(&str, Outcome); 6] = [
+/// Columns of measured outcomes.
+pub(super) const MEASURED: [(&str, Outcome); 8] = [
     ("Carry", Outcome::CarryDistance),
     ("Carry Side", Outcome::Lateral),
     ("Max Height", Outcome::ApexHeight),
     ("Hang Time", Outcome::FlightTime),
     ("Landing Angle", Outcome::DescentAngle),
     ("Carry Flat - Ball Speed", Outcome::LandingSpeed),
+    ("Total", Outcome::Total),
+    ("Total Side", Outcome::LateralTotal),
 ];
 
 /// Columns of text: the origin of the spin, and the conditions for which the values hold.

@@ -2,7 +2,7 @@
 
 use crate::drive::Outcome;
 use crate::report::sweep::push_number;
-use crate::shots::{Flown, ShotColumns, size};
+use crate::shots::{Flown, ShotColumns, conversion_factor};
 use crate::table::{OF_FLOWN, quoted};
 use crate::units::System;
 use std::sync::Arc;
@@ -44,7 +44,7 @@ impl PredictionColumns {
     /// Appends a number in a unit; an empty cell for `None`.
     pub fn push(&self, bytes: &mut Vec<u8>, value: Option<f64>, unit: &'static str, of: Outcome) {
         let Some(value) = value else { return };
-        let number = (value / size(of.quantity(), unit) * DECIMALS).round() / DECIMALS;
+        let number = (value / conversion_factor(of.quantity(), unit) * DECIMALS).round() / DECIMALS;
         let from = bytes.len();
         push_number(bytes, number);
         if self.has_decimal_comma {

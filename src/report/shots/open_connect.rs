@@ -5,7 +5,7 @@ use crate::batch::Status;
 use crate::drive::Outcome;
 use crate::parameters::Golfer;
 use crate::report::json::ByName;
-use crate::shots::{ASSUMED, Flown, Shot, size};
+use crate::shots::{ASSUMED, Flown, Shot, conversion_factor};
 use serde::Serialize;
 
 /// A shot with the keys and units of the protocol.
@@ -99,7 +99,7 @@ fn in_unit(
     of: Outcome,
     unit: &str,
 ) -> Option<(&'static str, f64)> {
-    let number = value? / size(of.quantity(), unit);
+    let number = value? / conversion_factor(of.quantity(), unit);
     Some((key, (number * 1e6).round() / 1e6))
 }
 

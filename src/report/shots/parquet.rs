@@ -1,27 +1,18 @@
 //! Flown shots as Parquet, in SI. Each row has the stated values of a shot, the predictions, and
 //! the original row.
 
-use super::columns::{LAUNCH, launch};
+use super::columns::{LAUNCH, MEASURED, launch};
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::report::parquet::{Cells, ColumnType, MAGIC, ParquetTable, PlacedGroup};
 use crate::shots::{Club, Flown, Shots};
+use crate::table::columns_remark;
+use crate::units::Message;
 use parquet::data_type::ByteArray;
 
 /// A row group is complete once it has at least this many rows.
 const ROWS: usize = 32 * CHUNK;
-
-const MEASURED: [Outcome; 8] = [
-    Outcome::CarryDistance,
-    Outcome::Lateral,
-    Outcome::ApexHeight,
-    Outcome::FlightTime,
-    Outcome::DescentAngle,
-    Outcome::LandingSpeed,
-    Outcome::Total,
-    Outcome::LateralTotal,
-];
 
 #[derive(Clone, Copy)]
 enum ColumnSource {
@@ -44,6 +35,10 @@ enum ColumnSource {
 pub struct ShotParquet {
     table: ParquetTable,
     columns: Vec<ColumnSource>,
+    /// Number of parameters that have a column.
+    parameters: usize,
+    /// Parameters of later sections, which have no column.
+    without_column: Vec<&'static str>,
     waiting: Vec<Flown>,
     placed: Vec<PlacedGroup>,
     /// Offset of the next row group in the file, bytes.
@@ -52,7 +47,7 @@ pub struct ShotParquet {
 
 impl ShotParquet {
     /// The table of these shots with their predicted outcomes. A parameter that only a later
-    /// section of the shots states has no column.
+    /// section of the shots states has no column; [`remark`](Self::remark) names it.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow the columns.
@@ -78,7 +73,7 @@ impl ShotParquet {
             .iter()
             .enumerate()
             .for_each(|(at, row)| number(row.name.into(), ColumnSource::Parameter(at)));
-        MEASURED.iter().for_each(|of| {
+        MEASURED.iter().for_each(|(_, of)| {
             number(
                 format!("measured_{}", of.name()),
                 ColumnSource::Measured(*of),
@@ -117,6 +112,8 @@ impl ShotParquet {
         Ok(Self {
             table,
             columns,
+            parameters: shots.other_parameters().len(),
+            without_column: vec![],
             waiting: vec![],
             placed: vec![],
             at,
@@ -133,6 +130,14 @@ impl ShotParquet {
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow a value of the shots.
     pub fn push(&mut self, flown: Flown) -> Result<Vec<u8>> {
+        if let Some(section) = &flown.section {
+            let of_section = section.columns.other_parameters();
+            for parameter in of_section.iter().skip(self.parameters) {
+                if !self.without_column.contains(&parameter.name) {
+                    self.without_column.push(parameter.name);
+                }
+            }
+        }
         self.waiting.push(flown);
         match self.waiting.iter().map(Flown::rows).sum::<usize>() >= ROWS {
             true => self.group(),
@@ -152,6 +157,13 @@ impl ShotParquet {
         };
         bytes.extend(self.table.footer(&self.placed, &[])?);
         Ok(bytes)
+    }
+
+    /// A remark on parameters without a column, complete after the last shot.
+    pub fn remark(&self) -> Option<Message> {
+        let what = "parameters of later sections, which have no column in the Parquet file (JSON \
+                    lines have them)";
+        columns_remark(what, &self.without_column)
     }
 
     fn group(&mut self) -> Result<Vec<u8>> {

@@ -3,7 +3,7 @@
 use super::columns::launch;
 use crate::drive::Outcome;
 use crate::report::shown;
-use crate::shots::{Flown, size};
+use crate::shots::{Flown, conversion_factor};
 use crate::units::{System, fixed, printed, signed};
 
 /// Width of the column with the line numbers, in characters.
@@ -72,7 +72,7 @@ impl Screen {
         };
         let unit = self.system.unit(of.unit());
         let decimals = usize::from(unit != "rpm");
-        let text = fixed(value / size(of.quantity(), unit), decimals);
+        let text = fixed(value / conversion_factor(of.quantity(), unit), decimals);
         if has_sign { signed(value, text) } else { text }
     }
 }

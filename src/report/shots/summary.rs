@@ -4,7 +4,9 @@ use crate::drive::Outcome;
 use crate::report::document::{Document, DocumentTable, Line};
 use crate::report::reply::{Ending, Report};
 use crate::report::shown;
-use crate::shots::{Band, ClubShots, Refused, ShotStatistics, Sums, instrument_deviation, size};
+use crate::shots::{
+    Band, ClubShots, Refused, ShotStatistics, Sums, conversion_factor, instrument_deviation,
+};
 use crate::units::{Message, System, counted, fixed, printed, signed};
 use serde::Serialize;
 
@@ -248,7 +250,12 @@ fn speeds(band: &Band, system: System) -> String {
     let of = Outcome::BallSpeed;
     let unit = system.unit(of.unit());
     let decimals = usize::from(unit != of.unit());
-    let shown = |speed: f64| format!("{:.decimals$}", speed / size(of.quantity(), unit));
+    let shown = |speed: f64| {
+        format!(
+            "{:.decimals$}",
+            speed / conversion_factor(of.quantity(), unit)
+        )
+    };
     match (band.from, band.to) {
         (None, Some(to)) => format!("below {} {unit}", shown(to)),
         (Some(from), Some(to)) => format!("{} to {} {unit}", shown(from), shown(to)),
@@ -270,7 +277,7 @@ impl ResidualFormat {
         let unit = system.unit(of.unit());
         Self {
             unit,
-            size: size(of.quantity(), unit),
+            size: conversion_factor(of.quantity(), unit),
             decimals: if unit == "s" { 2 } else { 1 },
         }
     }

@@ -99,7 +99,7 @@ impl ShotTable {
                 }
             }
         }
-        rows.table(&table.filter)
+        rows.table(&table.filter, table.final_remarks())
     }
 
     /// Shots from messages of GSPro Open Connect, or from lines that `fly` wrote.
@@ -117,6 +117,6 @@ impl ShotTable {
         for shot in &shots {
             rows.take_shot(&reading, shot, &other_parameters);
         }
-        rows.table(&RowFilter::default())
+        rows.table(&RowFilter::default(), vec![])
     }
 }

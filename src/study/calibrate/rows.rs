@@ -355,11 +355,11 @@ impl ShotRows {
         }
     }
 
-    /// Builds the table.
+    /// Builds the table. `final_remarks` are those of [`TextTable`](crate::table::TextTable).
     ///
     /// # Errors
     /// [`Error::Table`] if the table has no usable shot.
-    pub fn table(mut self, filter: &RowFilter) -> Result<ShotTable> {
+    pub fn table(mut self, filter: &RowFilter, final_remarks: Vec<Message>) -> Result<ShotTable> {
         let left_out = self.rejected();
         if self.shots.is_empty() {
             return Err(self.without_shots(&left_out));
@@ -379,7 +379,7 @@ impl ShotRows {
         let is_launched = readings().any(|reading| reading.is_launched);
         let launch_beside_club = readings().find_map(Reading::launch_beside_club);
         let mut remarks = self.remarks(left_out);
-        remarks.extend(filter.remark());
+        remarks.extend(final_remarks);
         remarks.extend(self.air_remarks());
         remarks.extend(self.rows_without_air.drain(..).map(Message::from));
         let sigma_origin = self.sigma_origin(&mut remarks);
