@@ -186,7 +186,7 @@ impl PySetup {
     }
 
     fn of_file(file: SetupFile) -> Answer<Self> {
-        file.setup.validate_but_launch()?;
+        file.setup.validate_values()?;
         Ok(Self::based_on(file.setup, Arc::new(file)))
     }
 
@@ -219,7 +219,7 @@ impl PySetup {
             .filter(|row| setup.value(row).is_some() && !is_back(row));
         let names: Vec<_> = set.map(|row| row.name).collect();
         setup.refuse_replaced(&names)?;
-        setup.validate_but_launch()?;
+        setup.validate_values()?;
         Ok((Self::based_on(setup, Arc::clone(&self.file)), bare_angles))
     }
 

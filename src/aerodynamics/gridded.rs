@@ -6,7 +6,7 @@ use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
 use crate::parameters::{AxisVariable, CoefficientGrid, LawTableAxis};
 
 /// C_D and C_L of a grid, multiplied by `factors`. Beyond the edges of the grid, speed and spin are
-/// clamped. Below the limit ω₁ of spin or spin ratio in `full_lift`, the lift is multiplied by 1 −
+/// clamped. Below the limit ω₁ of spin or spin ratio in `lift_onset`, the lift is multiplied by 1 −
 /// (1 − ω/ω₁)³, so that it is 0 without spin.
 #[inline(always)]
 pub(super) fn grid_coefficients<T: Numbers>(
@@ -41,7 +41,7 @@ fn grid_coefficients_inlined<T: Numbers>(
         lift = lift.mul_add(u, along);
     }
     let mut lift = cl_factor * lift;
-    if let Some((variable, per_least)) = grid.full_lift {
+    if let Some((variable, per_least)) = grid.lift_onset {
         let part = value(variable, &stream) * per_least;
         let short = T::constant(1.0) - part.select(T::constant(1.0), part.below(1.0));
         lift = lift * (T::constant(1.0) - short * short * short);

@@ -40,7 +40,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
             continuous_derivatives: Some(2),
             // C_D is constant below the least spin of a table, so C_D has a slope at zero spin only
             // if the least spin is 0
-            has_corner_at_zero_spin: self.table.grid.full_lift.is_none(),
+            has_corner_at_zero_spin: self.table.grid.lift_onset.is_none(),
         }
     }
 }

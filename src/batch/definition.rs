@@ -35,7 +35,7 @@ impl Batch {
         of: &[Outcome],
         wrt: &[&'static Parameter],
     ) -> Result<Self> {
-        setup.validate_but_launch()?;
+        setup.validate_values()?;
         if of.is_empty() {
             return Err(Error::Nothing {
                 doing: "evaluate",

@@ -49,7 +49,7 @@ static ALTERNATIVES: [Alternatives; 2] = [
 
 impl Alternatives {
     /// True if a parameter is in `by` or in `replaced`.
-    pub(crate) fn has(&self, parameter: &Parameter) -> bool {
+    pub(crate) fn concerns(&self, parameter: &Parameter) -> bool {
         [self.by, self.replaced]
             .iter()
             .any(|names| names.contains(&parameter.name))
@@ -71,7 +71,7 @@ impl Alternatives {
 }
 
 /// The quantities that the two setups describe by different parameters.
-pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Alternatives> {
+pub(crate) fn described_differently([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Alternatives> {
     ALTERNATIVES
         .iter()
         .filter(|one| one.given_in(a) != one.given_in(b))
@@ -81,7 +81,7 @@ pub(crate) fn given_otherwise([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Alternat
 /// True if the parameter describes the air or the wind (see [`Alternatives`]), and both setups
 /// describe that quantity by the same parameters with the same values.
 pub(crate) fn is_given_alike([a, b]: [&Setup<f64>; 2], parameter: &Parameter) -> bool {
-    let Some(alternatives) = ALTERNATIVES.iter().find(|one| one.has(parameter)) else {
+    let Some(alternatives) = ALTERNATIVES.iter().find(|one| one.concerns(parameter)) else {
         return false;
     };
     let given = alternatives.given_in(a);

@@ -6,7 +6,7 @@ use super::choices::{GOLFER, METHOD, SPEED_OF};
 use super::declare::{Parameter, UNSET};
 use super::law_table::{TABLE, TABLE_LAW};
 use super::presets::{DEFAULT_PRESET, Preset};
-use super::setup::table_beside;
+use super::setup::table_with_another_law;
 use super::table::{LAW, Law, Setup};
 use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
@@ -225,7 +225,7 @@ impl Setup<f64> {
         if item.key == LAW {
             let name = string(item).map_err(at_value)?;
             if matches!(self.law, Law::Table(_)) && name.trim() != TABLE_LAW {
-                return Err(at_value(table_beside(name)));
+                return Err(at_value(table_with_another_law(name)));
             }
             return self.set_law(name).map_err(at_value);
         }

@@ -22,7 +22,7 @@ pub use air::Alternatives;
 #[cfg(feature = "reports")]
 pub(crate) use air::is_given_alike;
 pub(crate) use air::{
-    DEFAULT_TEMPERATURE, LAPSE_RATE, SEA_LEVEL_TEMPERATURE, given_otherwise, refuse_replaced,
+    DEFAULT_TEMPERATURE, LAPSE_RATE, SEA_LEVEL_TEMPERATURE, described_differently, refuse_replaced,
 };
 #[cfg(feature = "commands")]
 pub(crate) use air::{follows_from, is_reset};

@@ -333,7 +333,7 @@ impl Setup<f64> {
         let of = |name: &'static str| settings.iter().filter(move |setting| setting.name == name);
         for table in of(TABLE) {
             if let Some(law) = of(LAW).find(|law| law.text.trim() != TABLE_LAW) {
-                return Err(table_beside(law.text.trim()));
+                return Err(table_with_another_law(law.text.trim()));
             }
             self.apply_setting(table)?;
         }
@@ -485,7 +485,7 @@ impl Setup<f64> {
     /// tensor is not positive definite; [`Error::Launch`] if the launch conditions are incomplete
     /// or conflict; [`Error::Together`] if weather or wind is given twice or incompletely.
     pub fn validate(&self) -> Result<()> {
-        self.validate_but_launch()?;
+        self.validate_values()?;
         self.check_launch(&[])?;
         self.check_air(&[])
     }
@@ -495,7 +495,7 @@ impl Setup<f64> {
     ///
     /// # Errors
     /// The errors of [`validate`](Self::validate).
-    pub fn validate_but_launch(&self) -> Result<()> {
+    pub fn validate_values(&self) -> Result<()> {
         for parameter in self.parameters() {
             if let Some(value) = self.value(parameter) {
                 parameter.check(value)?;
@@ -652,7 +652,7 @@ pub(crate) fn refuse_twice(wrt: &[&'static Parameter]) -> Result<()> {
 }
 
 /// The error for a user's own table (`aero.table`) together with another law (`aero.law`).
-pub(super) fn table_beside(law: &str) -> Error {
+pub(super) fn table_with_another_law(law: &str) -> Error {
     let reason = format!("a table is a law of its own, {LAW} = {TABLE_LAW}; keep one of the two");
     Error::Together {
         given: format!("{TABLE} and {LAW} = {law} are both given"),

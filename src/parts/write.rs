@@ -110,7 +110,7 @@ impl Dataset {
                  part {part}"
             ))
         };
-        let mut file = Unfinished {
+        let mut file = PartFile {
             file: create_beside(&path).map_err(unwritten)?,
             hash: Sha256::default(),
             bytes: 0,
@@ -140,7 +140,7 @@ impl Dataset {
     }
 
     /// The description of a part. All of its rows must have been written to `file`.
-    fn part(&self, part: u64, first_row: u64, file: &mut Unfinished) -> Part {
+    fn part(&self, part: u64, first_row: u64, file: &mut PartFile) -> Part {
         Part {
             part,
             parts: self.definition.parts,
@@ -157,7 +157,7 @@ impl Dataset {
     /// stopped.
     fn write_rows(
         &self,
-        file: &mut Unfinished,
+        file: &mut PartFile,
         points: &mut dyn Points,
         run: &Run<'_>,
         progress: &mut impl FnMut(u64),
@@ -190,7 +190,7 @@ impl Dataset {
 
     fn write_group(
         &self,
-        file: &mut Unfinished,
+        file: &mut PartFile,
         waiting: &mut Vec<Block>,
         unwritten: impl Fn(io::Error) -> Error,
     ) -> Result<()> {
@@ -256,7 +256,7 @@ impl Dataset {
 }
 
 /// A part that is being written to a temporary file.
-struct Unfinished {
+struct PartFile {
     file: tempfile::NamedTempFile,
     /// Hash of the bytes written so far.
     hash: Sha256,
@@ -268,7 +268,7 @@ struct Unfinished {
     summary: Summary,
 }
 
-impl Unfinished {
+impl PartFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.file.write_all(bytes)?;
         self.hash.update(bytes);

@@ -50,7 +50,7 @@ impl DeliveryCarry {
         Ok(Self {
             loft,
             attack_angle,
-            carry: carried(&delivered(setup, loft, attack_angle))?,
+            carry: carry(&with_delivery(setup, loft, attack_angle))?,
         })
     }
 
@@ -65,27 +65,27 @@ impl DeliveryCarry {
 
     /// The setup with this delivery.
     pub(super) fn set(&self, setup: &Setup<f64>) -> Setup<f64> {
-        delivered(setup, self.loft, self.attack_angle)
+        with_delivery(setup, self.loft, self.attack_angle)
     }
 }
 
 /// The setup with this loft and attack angle.
-pub(super) fn delivered(setup: &Setup<f64>, loft: f64, attack_angle: f64) -> Setup<f64> {
+pub(super) fn with_delivery(setup: &Setup<f64>, loft: f64, attack_angle: f64) -> Setup<f64> {
     let mut setup = *setup;
     (setup.club.loft, setup.swing.attack_angle) = (loft, attack_angle);
     setup
 }
 
 /// Carry of a drive, m.
-pub(super) fn carried(setup: &Setup<f64>) -> Result<f64> {
+pub(super) fn carry(setup: &Setup<f64>) -> Result<f64> {
     Ok(Drive::new(setup)?.landed()?.carry)
 }
 
 /// Carry of a drive, m; `None` if the ball does not fly.
-pub(super) fn carried_if_flown(setup: &Setup<f64>) -> Result<Option<f64>> {
-    match carried(setup) {
+pub(super) fn carry_if_flown(setup: &Setup<f64>) -> Result<Option<f64>> {
+    match carry(setup) {
         Err(Error::NoFlight { .. }) => Ok(None),
-        carried => carried.map(Some),
+        carry => carry.map(Some),
     }
 }
 

@@ -1,4 +1,4 @@
-use super::delivery::{DeliveryCarry, Ranges, carried_if_flown};
+use super::delivery::{DeliveryCarry, Ranges, carry_if_flown};
 use crate::error::Result;
 use crate::optimize::Observers;
 use crate::parameters::Setup;
@@ -32,7 +32,7 @@ impl RecomputedOptimum {
         Ok(Self {
             printed,
             best,
-            at_printed: carried_if_flown(&at)?,
+            at_printed: carry_if_flown(&at)?,
         })
     }
 

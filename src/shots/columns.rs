@@ -169,7 +169,7 @@ impl ShotColumns {
     ///
     /// # Errors
     /// The name of a parameter that has no column in this section.
-    pub(super) fn align(
+    pub(super) fn order_parameters_like(
         &mut self,
         first: &[&'static Parameter],
     ) -> std::result::Result<(), &'static str> {
@@ -216,7 +216,7 @@ impl ShotColumns {
                     return Ok(());
                 };
                 if let Content::Input(parameter) = again.content
-                    && let Some(club) = Club::place(parameter)
+                    && let Some(club) = Club::index_of(parameter)
                     && self.club[club].is_none()
                     && again.clone().in_unit("mph").check_unit().is_ok()
                 {
@@ -263,7 +263,7 @@ impl ShotColumns {
                 || self.club.iter().flatten().any(|(club, _)| *club == at)
                 || [self.spin_type, self.condition].contains(&Some(at))
         };
-        let is_told = |column: &Column| {
+        let is_reported_elsewhere = |column: &Column| {
             let is_twice = || {
                 self.read
                     .iter()
@@ -271,10 +271,9 @@ impl ShotColumns {
             };
             column.content == Content::Written || column.is_overridden_air || is_twice()
         };
-        let not_read = columns
-            .iter()
-            .enumerate()
-            .filter(|(at, column)| !is_read(*at) && !column.head.is_empty() && !is_told(column));
+        let not_read = columns.iter().enumerate().filter(|(at, column)| {
+            !is_read(*at) && !column.head.is_empty() && !is_reported_elsewhere(column)
+        });
         let not_read = not_read.map(|(_, column)| {
             if column.is_unknown() && origin(&column.head).is_none() {
                 with_nearest(&column.head)

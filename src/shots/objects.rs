@@ -15,7 +15,7 @@ enum ScannerState {
     /// after a backslash.
     Text(usize, bool),
     /// In text outside of objects, until the end of the line.
-    Astray,
+    OutsideText,
     /// In the rest of an object that is too long.
     TooLong,
 }
@@ -60,12 +60,12 @@ impl Objects {
 
     /// The next record: an object, a truncated object or text outside of objects. `None` if no
     /// further record is complete.
-    pub fn next_object(&mut self) -> Option<Record> {
+    pub fn next_record(&mut self) -> Option<Record> {
         self.found.pop_front()
     }
 
     /// True if the bytes so far end within an object or within other text.
-    pub fn is_under_way(&self) -> bool {
+    pub fn is_incomplete(&self) -> bool {
         self.state != ScannerState::Between
     }
 
@@ -103,9 +103,9 @@ impl Objects {
                 // array syntax, separators, and bytes of a byte-order mark
                 b'[' | b']' | b',' | 0 | 0xef | 0xbb | 0xbf => {}
                 _ if byte.is_ascii_whitespace() => {}
-                _ => self.begin(ScannerState::Astray, byte),
+                _ => self.begin(ScannerState::OutsideText, byte),
             },
-            ScannerState::Astray => match byte {
+            ScannerState::OutsideText => match byte {
                 b'\n' => self.end(false),
                 b'{' => {
                     self.end(false);
@@ -172,7 +172,7 @@ mod tests {
             objects.push(bytes);
         }
         objects.finish();
-        std::iter::from_fn(|| objects.next_object())
+        std::iter::from_fn(|| objects.next_record())
             .map(|piece| (piece.line, piece.text, piece.is_whole))
             .collect()
     }

@@ -87,7 +87,7 @@ impl Club {
                 None
             })
         });
-        if Self::is_still(stated) {
+        if Self::is_unmeasured(stated) {
             return Self::default();
         }
         let mut values = [None; 4];
@@ -114,13 +114,13 @@ impl Club {
     }
 
     /// True if the stated values include the club speed and are all 0: the club was not measured.
-    pub(crate) fn is_still(values: [Option<f64>; 4]) -> bool {
+    pub(crate) fn is_unmeasured(values: [Option<f64>; 4]) -> bool {
         values[0].is_some() && values.into_iter().flatten().all(|value| value == 0.0)
     }
 
     /// Index of a parameter in [`NAMES`](Self::NAMES); `None` for a parameter that is not club
     /// data.
-    pub(crate) fn place(parameter: &Parameter) -> Option<usize> {
+    pub(crate) fn index_of(parameter: &Parameter) -> Option<usize> {
         Self::NAMES.iter().position(|name| *name == parameter.name)
     }
 

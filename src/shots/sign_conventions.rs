@@ -7,7 +7,7 @@ use crate::table::{Column, Content, has_outcome};
 const SHARE: f64 = 0.8;
 
 /// The side of a lateral curve counts if the curve exceeds this fraction of the carry.
-const STRAIGHT: f64 = 0.01;
+const LEAST_CURVE: f64 = 0.01;
 
 /// Reverses the signs of spin columns whose positive values are to the left, and returns a message
 /// about them.
@@ -62,7 +62,7 @@ fn turned_spins(
 }
 
 /// Signs of the values of a row, true for +; `None` for a missing value, for 0, and for a curve
-/// below [`STRAIGHT`].
+/// below [`LEAST_CURVE`].
 struct Signs {
     sidespin: Option<bool>,
     axis: Option<bool>,
@@ -82,7 +82,7 @@ impl Signs {
         let curve = || {
             let (carry, side) = (value(Outcome::CarryDistance)?, value(Outcome::Lateral)?);
             let curve = side - carry * value(Outcome::LaunchDirection)?.sin();
-            sign(curve).filter(|_| curve.abs() > STRAIGHT * carry)
+            sign(curve).filter(|_| curve.abs() > LEAST_CURVE * carry)
         };
         let [sidespin, axis] =
             [Outcome::Sidespin, Outcome::SpinAxis].map(|of| value(of).and_then(sign));

@@ -20,7 +20,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Buffer size, bytes.
-const PIECE: usize = 1 << 16;
+const BUFFER: usize = 1 << 16;
 
 /// Shots in a file.
 pub struct Shots {
@@ -56,9 +56,9 @@ pub(super) struct TableRows {
     /// Column heads of the current section.
     columns: Arc<ShotColumns>,
     /// The parameters that the first section states besides the launch.
-    of_first: Vec<&'static Parameter>,
+    first_parameters: Vec<&'static Parameter>,
     /// True if a section other than the first began after the previous chunk.
-    is_begun: bool,
+    section_began: bool,
     is_air_given: bool,
     /// Remarks on later sections.
     remarks: Vec<Message>,
@@ -137,7 +137,7 @@ impl Shots {
                 name: text.name,
                 source: text.source,
                 objects: Objects::default(),
-                buffer: vec![0; PIECE],
+                buffer: vec![0; BUFFER],
                 ahead: VecDeque::new(),
             };
             return Ok(Self {
@@ -159,8 +159,8 @@ impl Shots {
             table,
             setup,
             columns: columns.clone(),
-            of_first: columns.other_parameters(),
-            is_begun: false,
+            first_parameters: columns.other_parameters(),
+            section_began: false,
             is_air_given,
             remarks: vec![],
         };
@@ -273,7 +273,7 @@ impl TableRows {
         if records.is_empty() {
             return Ok(None);
         }
-        let begins = std::mem::take(&mut self.is_begun);
+        let begins = std::mem::take(&mut self.section_began);
         let section = Some(Section {
             columns: self.columns.clone(),
             begins,
@@ -289,7 +289,7 @@ impl TableRows {
             return Ok(());
         };
         let mut columns = ShotColumns::read(&self.setup, head, &self.table, self.is_air_given)?;
-        columns.align(&self.of_first).map_err(|missing| {
+        columns.order_parameters_like(&self.first_parameters).map_err(|missing| {
             let reason = format!(
                 "its column heads lack {missing}, which the first section has; give all sections \
                  the same columns, or put them in separate files"
@@ -301,7 +301,7 @@ impl TableRows {
         let remarks = columns.remarks.iter();
         self.remarks
             .extend(remarks.map(|remark| remark_from_line(record.line, remark)));
-        (self.columns, self.is_begun) = (Arc::new(columns), true);
+        (self.columns, self.section_began) = (Arc::new(columns), true);
         Ok(())
     }
 }
@@ -353,13 +353,13 @@ impl JsonRecords {
     /// Reads a record from the source.
     fn read(&mut self) -> Result<Option<Record>> {
         loop {
-            if let Some(record) = self.objects.next_object() {
+            if let Some(record) = self.objects.next_record() {
                 return Ok(Some(record));
             }
             let count = self.name.io(self.source.read(&mut self.buffer))?;
             if count > 0 {
                 self.objects.push(&self.buffer[..count]);
-            } else if self.objects.is_under_way() {
+            } else if self.objects.is_incomplete() {
                 self.objects.finish();
             } else {
                 return Ok(None);

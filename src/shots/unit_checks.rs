@@ -22,10 +22,10 @@ const NEAR: f64 = 0.06;
 const NEAR_ONE: f64 = 0.025;
 
 /// The side of a landing counts if the landing point is farther than this from the target line, m.
-const STRAIGHT: f64 = 3.0;
+const LEAST_OFFLINE: f64 = 3.0;
 
 /// Minimum fraction of rows with opposite sides for a warning.
-const MOST_DISAGREE: f64 = 0.8;
+const LEAST_DISAGREE: f64 = 0.8;
 
 /// Pairs of units: values in the first unit may have been read in the second.
 const MISTAKEN: [(Quantity, &str, &str); 6] = [
@@ -56,8 +56,9 @@ const SLOW: f64 = 22.0;
 pub(super) struct UnitChecks {
     /// Ratios predicted/measured of each outcome.
     ratios: Vec<Vec<f64>>,
-    /// Number of rows whose predicted and measured landings are both farther than [`STRAIGHT`] from
-    /// the target line, and number of those rows with landings on opposite sides.
+    /// Number of rows whose predicted and measured landings are both farther than
+    /// [`LEAST_OFFLINE`] from the target line, and number of those rows with landings on opposite
+    /// sides.
     sides: [usize; 2],
     /// Ratios of measured carry to ball speed, s.
     carries: Vec<f64>,
@@ -89,7 +90,7 @@ impl UnitChecks {
             };
             let measured = predicted - residual;
             if of.is_lateral() {
-                if predicted.abs().min(measured.abs()) > STRAIGHT && *of == Outcome::Lateral {
+                if predicted.abs().min(measured.abs()) > LEAST_OFFLINE && *of == Outcome::Lateral {
                     self.sides[0] += 1;
                     self.sides[1] += usize::from(predicted * measured < 0.0);
                 }
@@ -144,7 +145,7 @@ impl UnitChecks {
         } else {
             let units = of.iter().zip(&self.ratios).filter_map(|(of, ratios)| {
                 let (ratio, (_, meant, read)) =
-                    mistaken(of.quantity(), ratios, shots.unit_of(*of))?;
+                    likely_unit_error(of.quantity(), ratios, shots.unit_of(*of))?;
                 Some(format!(
                     "{}: predicted values are {ratio:.2} times the measured values in the median, \
                      as if the measured values were in {meant} and read in {read}; {advice}",
@@ -154,7 +155,7 @@ impl UnitChecks {
             warnings.extend(units);
         }
         let [all, disagree] = self.sides;
-        if all >= LEAST_NEAR_ONE && disagree as f64 >= MOST_DISAGREE * all as f64 {
+        if all >= LEAST_NEAR_ONE && disagree as f64 >= LEAST_DISAGREE * all as f64 {
             warnings.push(format!(
                 "{}: of {all} rows that end off the target line {disagree} end on the opposite \
                  side of the prediction; positive values of this column, of the launch direction \
@@ -188,7 +189,7 @@ impl UnitChecks {
 
 /// Median of predicted/measured, and the pair of units that explains this ratio, for values that
 /// were read in `unit`. `None` if no pair of units explains it, or if there are too few values.
-fn mistaken(
+fn likely_unit_error(
     quantity: Quantity,
     ratios: &[f64],
     unit: Option<&str>,

@@ -24,7 +24,7 @@ pub(super) fn begins(beginning: &str) -> bool {
     let mut objects = Objects::default();
     objects.push(beginning.as_bytes());
     let first = objects
-        .next_object()
+        .next_record()
         .and_then(|piece| serde_json::from_str::<Json>(&piece.text).ok());
     first
         .as_ref()

@@ -3,9 +3,9 @@ use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 
 /// Default number of bins.
-const USUAL: usize = 64;
+const DEFAULT_BINS: usize = 64;
 /// Maximum number of bins. Every part of a sweep stores all bins.
-const MOST: usize = 100_000;
+const MOST_BINS: usize = 100_000;
 
 /// Histogram of an outcome.
 ///
@@ -54,12 +54,12 @@ impl Histogram {
         let (name, rest) = text.split_once('=').ok_or_else(|| refuse(example.into()))?;
         let of = Outcome::named(name.trim())?;
         let (range, count) = match rest.rsplit_once(':') {
-            None => (rest, USUAL),
+            None => (rest, DEFAULT_BINS),
             Some((range, count)) => match count.trim().parse() {
-                Ok(count) if (1..=MOST).contains(&count) => (range, count),
+                Ok(count) if (1..=MOST_BINS).contains(&count) => (range, count),
                 _ => {
                     return Err(refuse(format!(
-                        "'{count}' is not a number of bins from 1 to {MOST}; {example}"
+                        "'{count}' is not a number of bins from 1 to {MOST_BINS}; {example}"
                     )));
                 }
             },

@@ -6,9 +6,9 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 /// Default number of ranked rows.
-const USUAL: usize = 10;
+const DEFAULT_ROWS: usize = 10;
 /// Maximum number of ranked rows. Every part of a sweep stores its own ranked rows.
-const MOST: usize = 10_000;
+const MOST_ROWS: usize = 10_000;
 
 /// A row with its number, its value of the outcome, and its point, SI.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -46,12 +46,12 @@ impl Ranking {
     /// [`Error::Unreadable`] if N is invalid, and [`Error::Unknown`] if the outcome is unknown.
     pub fn read(text: &str, highest: bool) -> Result<Self> {
         let (name, most) = match text.rsplit_once(':') {
-            None => (text, Some(USUAL)),
+            None => (text, Some(DEFAULT_ROWS)),
             Some((name, count)) => (name, count.trim().parse().ok()),
         };
         let of = Outcome::named(name.trim())?;
         match most {
-            Some(most) if (1..=MOST).contains(&most) => Ok(Self {
+            Some(most) if (1..=MOST_ROWS).contains(&most) => Ok(Self {
                 of: of.name().into(),
                 highest,
                 most,
@@ -59,7 +59,8 @@ impl Ranking {
             }),
             _ => {
                 let reason = format!(
-                    "the number of rows must be from 1 to {MOST}; write for example {name}:{USUAL}"
+                    "the number of rows must be from 1 to {MOST_ROWS}; write for example \
+                     {name}:{DEFAULT_ROWS}"
                 );
                 let option = if highest { "`highest`" } else { "`lowest`" };
                 Err(Error::unreadable(

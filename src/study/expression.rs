@@ -496,8 +496,8 @@ fn advice_on_parameter(text: &str) -> Option<String> {
 }
 
 /// Message for a temperature that may be either a point on its scale or a difference.
-const TEMPERATURE_IN_SUM: &str = "a sum of terms takes temperatures and their differences in K; write for example 293.15 K in \
-     place of 20 degC";
+const TEMPERATURE_IN_SUM: &str = "a sum of terms takes temperatures and their differences in K; \
+                                  write for example 293.15 K in place of 20 degC";
 
 /// Parses `AMOUNT` or `[AMOUNT *] PARAMETER`.
 fn relation_term(setup: &Setup<f64>, piece: Piece<'_>) -> Result<Term> {

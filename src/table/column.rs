@@ -64,9 +64,9 @@ pub(crate) struct TableFormat {
 }
 
 /// Advice for tables of measured shots.
-pub(super) const OF_SHOTS: &str = "give each a name that is known, or take it out: a column is a \
-                                   parameter, an outcome, 'sigma OUTCOME', 'stationary', 'sigma \
-                                   stationary' or 'note'";
+pub(super) const SHOTS_ADVICE: &str = "give each a name that is known, or take it out: a column is \
+                                       a parameter, an outcome, 'sigma OUTCOME', 'stationary', \
+                                       'sigma stationary' or 'note'";
 
 /// Column head of stationary parameters.
 const STATIONARY: &str = "stationary";
@@ -319,7 +319,7 @@ impl Column {
     }
 
     /// True if a cell of this column may state this side in place of a sign.
-    fn has(&self, side: CellSide) -> bool {
+    fn accepts_side(&self, side: CellSide) -> bool {
         let of_parameter = |names: &[&str]| match self.content {
             Content::Input(parameter) => names.contains(&parameter.name),
             _ => false,
@@ -368,10 +368,10 @@ impl Column {
         if self.format.is_export && stated.number.abs() >= MISSING {
             return Ok(None);
         }
-        if stated.side.is_some_and(|side| !self.has(side))
+        if stated.side.is_some_and(|side| !self.accepts_side(side))
             || stated.unit.is_some() && !self.format.is_export
         {
-            return Err(self.is_not(cell, "not a number"));
+            return Err(self.unreadable_cell(cell, "not a number"));
         }
         let sign = stated.side.map_or(1.0, CellSide::sign) * self.sign(stated.side);
         let value = self.converted(cell, stated.number, stated.unit.as_deref())?;
@@ -449,12 +449,12 @@ impl Column {
                 Ok(infinite)
             }
             _ if self.format.is_export && is_missing(unwrapped(cell)) => Ok(None),
-            (_, Some(_)) => Err(self.is_not(cell, "not finite")),
-            (_, None) => Err(self.is_not(cell, "not a number")),
+            (_, Some(_)) => Err(self.unreadable_cell(cell, "not finite")),
+            (_, None) => Err(self.unreadable_cell(cell, "not a number")),
         }
     }
 
-    fn is_not(&self, cell: &str, what: &str) -> String {
+    fn unreadable_cell(&self, cell: &str, what: &str) -> String {
         if let Some((whole, decimals)) = cell
             .split_once(',')
             .filter(|_| !self.format.has_decimal_comma)
@@ -570,7 +570,12 @@ fn known(setup: &Setup<f64>, name: &str) -> Result<&'static Parameter> {
         Error::Unknown { .. } => {
             let names: Vec<_> = setup.parameters().iter().map(|row| row.name).collect();
             let outcomes = Outcome::ALL.iter().map(|outcome| outcome.name());
-            Error::unknown("column", name, names.into_iter().chain(outcomes), OF_SHOTS)
+            Error::unknown(
+                "column",
+                name,
+                names.into_iter().chain(outcomes),
+                SHOTS_ADVICE,
+            )
         }
         error => error,
     })

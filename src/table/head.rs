@@ -1,7 +1,7 @@
 //! The column heads of a table: meaning of the columns, and errors in column heads.
 
 use super::CONDITIONS;
-use super::column::{Column, Content, OF_SHOTS, TableFormat};
+use super::column::{Column, Content, SHOTS_ADVICE, TableFormat};
 use super::export_columns::{ClubColumns, ignore_columns};
 use super::launch_monitor::{is_export, units_row};
 use crate::drive::Outcome;
@@ -33,28 +33,28 @@ impl TableOptions {
         club: ClubColumns::Ignored,
         selects_spin_by_row: true,
         has_air_of_rows: true,
-        advice: OF_LAUNCHES,
+        advice: LAUNCHES_ADVICE,
     };
     /// Shots with measurements, for a calibration.
     pub const MEASUREMENTS: Self = Self {
         club: ClubColumns::Ignored,
         selects_spin_by_row: true,
         has_air_of_rows: true,
-        advice: OF_SHOTS,
+        advice: SHOTS_ADVICE,
     };
     /// Measured launches, to find their deliveries.
     pub const DELIVERIES: Self = Self {
         club: ClubColumns::Read,
         selects_spin_by_row: true,
         has_air_of_rows: false,
-        advice: OF_SHOTS,
+        advice: SHOTS_ADVICE,
     };
     /// Points of a sweep, and swings.
     pub const POINTS: Self = Self {
         club: ClubColumns::Ignored,
         selects_spin_by_row: false,
         has_air_of_rows: false,
-        advice: OF_POINTS,
+        advice: POINTS_ADVICE,
     };
 }
 
@@ -136,7 +136,7 @@ impl TableHead {
     pub fn in_si(setup: &Setup<f64>, names: &[String]) -> Result<Self, ColumnErrors> {
         let names_in_order = names.iter().enumerate();
         let columns = names_in_order.map(|(at, name)| (at, Column::in_si(setup, name)));
-        let mut columns = all(columns, OF_POINTS)?;
+        let mut columns = all(columns, POINTS_ADVICE)?;
         resolve_sweep_names(&mut columns);
         Ok(Self {
             line: 1,
@@ -218,15 +218,15 @@ pub(crate) struct ColumnErrors {
 }
 
 /// Advice for tables of points or swings.
-pub(super) const OF_POINTS: &str = "give each a name that is known, or take it out: a column is a \
-                                    parameter, with its unit as in 'swing.speed [mph]', or a \
-                                    result that a sweep has written, which is ignored";
+pub(super) const POINTS_ADVICE: &str = "give each a name that is known, or take it out: a column \
+                                        is a parameter, with its unit as in 'swing.speed [mph]', \
+                                        or a result that a sweep has written, which is ignored";
 
 /// Advice for tables of shots to fly.
-pub(super) const OF_LAUNCHES: &str = "name the columns of the launch by known heads, as in 'Ball \
-                                      Speed [mph]', 'Launch Angle [deg]', 'Spin Rate [rpm]', and \
-                                      take the others out; the heads must be in one of the first \
-                                      lines";
+pub(super) const LAUNCHES_ADVICE: &str = "name the columns of the launch by known heads, as in \
+                                          'Ball Speed [mph]', 'Launch Angle [deg]', 'Spin Rate \
+                                          [rpm]', and take the others out; the heads must be in \
+                                          one of the first lines";
 
 impl ColumnErrors {
     /// Collects the errors of columns, which are numbered from 0. A message about unknown names

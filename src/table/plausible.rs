@@ -74,7 +74,8 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
         ..
     } = CLUB_RANGES[at];
     Some(format!(
-        "{head}: {} is outside of the range of clubs, {low} to {high} {}; it counts as not measured",
+        "{head}: {} is outside of the range of clubs, {low} to {high} {}; it counts as not \
+         measured",
         shown.show(value),
         shown.unit
     ))

@@ -140,7 +140,7 @@ fn the_searches_in_validation_md_are_those_of_the_program() {
             .find(|of| (of.landing, of.method) == (landing, method))
             .unwrap();
         let count = searches.ends.len();
-        let missed = searches.missed(best);
+        let missed = searches.losses(best);
         let median = f64::midpoint(missed[(count - 1) / 2], missed[count / 2]);
         let worst = missed[count - 1];
         let found = format!("{} of {count}", searches.within(0.01, best));

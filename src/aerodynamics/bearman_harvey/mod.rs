@@ -49,7 +49,7 @@ static GRID: LazyLock<CoefficientGrid> = LazyLock::new(|| {
             ends: [slowest, fastest],
             over: SPEED_OVER,
         }),
-        full_lift: Some((AxisVariable::Spin, 1.0 / least)),
+        lift_onset: Some((AxisVariable::Spin, 1.0 / least)),
         surface: Surface::new(&SPEEDS, SPIN_OF_ROW.as_slice(), CELLS.as_slice()),
     }
 });

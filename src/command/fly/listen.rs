@@ -133,7 +133,7 @@ fn serve(
             Err(error) if error.kind() == ErrorKind::Interrupted => true,
             Err(error) => return Err(error),
         };
-        while let Some(message) = objects.next_object() {
+        while let Some(message) = objects.next_record() {
             let flown = flying.message(message);
             let of = match flown.status(0) {
                 Some(Status::Landed) => &counts.flown,

@@ -101,7 +101,7 @@ impl Request {
         };
         request.apply_settings()?;
         request.refuse_given_twice(&request.partial_setup, &[])?;
-        request.partial_setup.validate_but_launch()?;
+        request.partial_setup.validate_values()?;
         if request.partial_setup.launch.is_given() {
             request.refuse_club("the drive is given by its launch")?;
             request.note_unused_club();

@@ -3,7 +3,7 @@
 
 use super::grid::{AxisVariable, CoefficientGrid, LawTableAxis};
 use super::read::{GridNode, GridNodes, LawTableFault};
-use super::surface::{Cell, Surface, steps, stored_cells};
+use super::surface::{Cell, Surface, intervals, stored_cells};
 
 /// Spin ratio below which the lift falls to 0, for a table that has no axis of spin or spin ratio.
 /// Usual drives have larger spin ratios: 0.08 at 72 m/s and 2500 rpm.
@@ -34,8 +34,8 @@ pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, LawTableFault> 
             "it has {found}; a law needs at least two nodes along an axis"
         )));
     }
-    let speeds = lines(rows.iter().map(|node| node.speed), nodes.speed)?;
-    let spins = lines(rows.iter().map(|node| node.spin), nodes.spin)?;
+    let speeds = grid_lines(rows.iter().map(|node| node.speed), nodes.speed)?;
+    let spins = grid_lines(rows.iter().map(|node| node.spin), nodes.spin)?;
     let sorted = full_grid(nodes, &speeds, &spins)?;
     let drag: Vec<f64> = sorted.iter().map(|node| node.drag).collect();
     let lift: Vec<f64> = sorted.iter().map(|node| node.lift).collect();
@@ -52,7 +52,7 @@ pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, LawTableFault> 
     }
     let speed = nodes.speed.map(|variable| axis(variable, &speeds));
     let spin = nodes.spin.map(|variable| axis(variable, &spins));
-    let full_lift = match spin {
+    let lift_onset = match spin {
         Some(LawTableAxis { ends: [0.0, _], .. }) => None,
         Some(LawTableAxis {
             variable,
@@ -69,13 +69,13 @@ pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, LawTableFault> 
     Ok(CoefficientGrid {
         speed,
         spin,
-        full_lift,
+        lift_onset,
         surface,
     })
 }
 
 /// The lines of the grid along an axis, in ascending order.
-fn lines(
+fn grid_lines(
     values: impl Iterator<Item = f64>,
     variable: Option<AxisVariable>,
 ) -> Result<Vec<f64>, LawTableFault> {
@@ -172,7 +172,7 @@ fn check_between_nodes(
     [columns, rows]: [usize; 2],
     nodes: &GridNodes,
 ) -> Result<(), LawTableFault> {
-    let wide = steps(columns);
+    let wide = intervals(columns);
     for (i, cell) in cells.iter().enumerate() {
         if !cell.iter().all(|number| number.is_finite()) {
             return Err(LawTableFault::of_file(

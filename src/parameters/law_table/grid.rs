@@ -63,6 +63,6 @@ pub(crate) struct CoefficientGrid {
     pub spin: Option<LawTableAxis>,
     /// Below a limit of this variable (spin ratio or spin), the lift falls smoothly to 0. The
     /// number is the reciprocal of the limit, SI. `None` if the grid begins at zero spin.
-    pub full_lift: Option<(AxisVariable, f64)>,
+    pub lift_onset: Option<(AxisVariable, f64)>,
     pub surface: Surface,
 }

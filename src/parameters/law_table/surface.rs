@@ -38,7 +38,7 @@ impl Surface {
 
     /// The cell that contains a point, or the nearest cell for a point outside of the grid.
     pub fn cell(&self, x: f64, y: f64) -> &'static Cell {
-        &self.cells[self.y.step(y) * (self.x.last + 1) + self.x.step(x)]
+        &self.cells[self.y.interval(y) * (self.x.last + 1) + self.x.interval(x)]
     }
 }
 
@@ -46,7 +46,7 @@ impl Surface {
 /// the grid lines, in ascending order; `tables` lists the values row by row. If `x` or `y` has a
 /// single coordinate, the surfaces are constant in that direction.
 pub(super) fn stored_cells(x: &[f64], y: &[f64], tables: [&[f64]; 2]) -> Vec<Cell> {
-    let mut cells = vec![[0.0; 36]; steps(x.len()) * steps(y.len())];
+    let mut cells = vec![[0.0; 36]; intervals(x.len()) * intervals(y.len())];
     let mut work = [(); 4].map(|()| vec![0.0; tables[0].len()]);
     let work = work.each_mut().map(Vec::as_mut_slice);
     fill(x, y, tables, work, &mut cells);
@@ -77,13 +77,13 @@ const MOST_LINEAR: usize = 16;
 impl Knots {
     fn new(at: &'static [f64]) -> Self {
         let (first, last) = (at[0], at[at.len() - 1]);
-        let even = (last - first) / steps(at.len()) as f64;
+        let even = (last - first) / intervals(at.len()) as f64;
         let is_even = |(i, knot): (usize, &f64)| {
             (first + even * i as f64 - knot).abs() <= 1e-12 * (last - first)
         };
         let per_unit = (at.len() > 1 && at.iter().enumerate().all(is_even)).then_some(1.0 / even);
         Self {
-            last: steps(at.len()) - 1,
+            last: intervals(at.len()) - 1,
             at,
             per_unit,
         }
@@ -92,7 +92,7 @@ impl Knots {
     /// Index of the interval that contains a value; for a value outside of the grid, the nearest
     /// interval.
     #[inline]
-    fn step(&self, value: f64) -> usize {
+    fn interval(&self, value: f64) -> usize {
         if let Some(per_unit) = self.per_unit {
             // NaN as usize is 0
             let place = ((value - self.at[0]) * per_unit) as usize;
@@ -110,12 +110,12 @@ impl Knots {
 }
 
 /// Number of intervals between this many knots; 1 for a single knot.
-pub(super) fn steps(knots: usize) -> usize {
+pub(super) fn intervals(knots: usize) -> usize {
     (knots - 1).max(1)
 }
 
 /// Start and width of an interval; infinite width for a single knot.
-fn step(knots: &[f64], i: usize) -> (f64, f64) {
+fn interval(knots: &[f64], i: usize) -> (f64, f64) {
     (
         knots[i],
         knots
@@ -139,8 +139,8 @@ fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells:
             slopes(y, by_x, by_xy, diagonal, |i| i * columns + column);
         }
         for (place, cell) in cells.iter_mut().enumerate() {
-            let (row, column) = (place / steps(x.len()), place % steps(x.len()));
-            let ((corner, wide), (low, high)) = (step(x, column), step(y, row));
+            let (row, column) = (place / intervals(x.len()), place % intervals(x.len()));
+            let ((corner, wide), (low, high)) = (interval(x, column), interval(y, row));
             // a single grid line is the first and the last line of its cells
             let ends = |first: usize, count: usize| [first, (first + 1).min(count - 1)];
             let scaled = |slope: f64, width: f64| {

@@ -105,7 +105,7 @@ impl<'a> Mae494Report<'a> {
         Self {
             found,
             study: STUDY,
-            slipped_optimum: found.slipped,
+            slipped_optimum: found.with_wrong_powers,
             optimum: OptimumRow::new(&found.optimum),
             table1: rows(&found.table1),
             table2: rows(&found.table2),

@@ -23,7 +23,7 @@ pub(super) fn energy(document: &mut Document, found: &Mae494, shown: PaperUnits)
         shown.length(energy.farthest.carry),
         shown.degrees(energy.farthest.angle),
         spin(&energy.farthest),
-        ratio(LENGTH, SPEED, energy.price_of_speed, shown.system, 4),
+        ratio(LENGTH, SPEED, energy.carry_per_ball_speed, shown.system, 4),
         shown.printed(LENGTH, longest),
         shown.computed(SPEED, energy.needed.speed),
         energy.ball_needed,

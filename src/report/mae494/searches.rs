@@ -38,11 +38,11 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: PaperUnit
         shown.length(best.carry),
     ));
     let rows = found.noise.searches.iter().map(|searches| {
-        let missed = searches.missed(best.carry);
-        let worst = missed.last().copied().unwrap_or_default();
+        let losses = searches.losses(best.carry);
+        let worst = losses.last().copied().unwrap_or_default();
         vec![
             format!("{} of {count}", searches.within(FOUND, best.carry)),
-            shown.length(median(&missed).unwrap_or_default()),
+            shown.length(median(&losses).unwrap_or_default()),
             shown.length(worst),
             format!("{:.0}", searches.flights() as f64 / count.max(1) as f64),
             landing(searches.landing).into(),
@@ -112,7 +112,7 @@ fn ends(searches: &[Searches], best: &DeliveryCarry) -> Figure {
             let points = searches
                 .ends
                 .iter()
-                .map(|end| [end.at.loft, end.at.attack_angle])
+                .map(|search| [search.end.loft, search.end.attack_angle])
                 .collect();
             figure = figure.with(Layer::dots(
                 format!("{} on the report's loop", method(by)),

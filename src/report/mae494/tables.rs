@@ -173,13 +173,13 @@ pub(super) fn regression(document: &mut Document, found: &Mae494, shown: PaperUn
          have their maximum at {} ({}); the ordinary polynomial 1 … λ⁴ through the same points has \
          it at {} ({}). In the report's model a ball struck with loft \
          {} at attack angle 10° carries {}.",
-        shown.degrees(fit.slipped.loft),
-        shown.length(fit.slipped.distance),
+        shown.degrees(fit.with_wrong_powers.loft),
+        shown.length(fit.with_wrong_powers.distance),
         shown.degrees(fit.as_fitted.loft),
         shown.length(fit.as_fitted.distance),
         shown.degrees(fit.ordinary.loft),
         shown.length(fit.ordinary.distance),
-        shown.degrees(found.slipped.loft),
-        shown.length(found.slipped.carry),
+        shown.degrees(found.with_wrong_powers.loft),
+        shown.length(found.with_wrong_powers.carry),
     ));
 }

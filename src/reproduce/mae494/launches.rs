@@ -54,8 +54,7 @@ pub struct Energy {
     /// Launch of maximum carry at the maximum ball speed; launch angle and spin are varied.
     pub farthest: Launched,
     /// Derivative of carry by ball speed at that launch, m per m/s.
-    #[serde(rename = "carry_per_ball_speed")]
-    pub price_of_speed: f64,
+    pub carry_per_ball_speed: f64,
     /// Slowest launch that reaches the report's longest carry.
     pub needed: Launched,
     /// The club's kinetic energy, ½ M V², J.
@@ -147,7 +146,7 @@ impl Energy {
         Ok(Self {
             fastest,
             farthest,
-            price_of_speed: prices[0],
+            carry_per_ball_speed: prices[0],
             needed,
             club: energy(head, setup.swing.speed),
             ball: energy(ball, fastest),

@@ -42,7 +42,7 @@ pub struct Mae494 {
     /// The report's regression.
     pub regression: Regression,
     /// Optimum of the regression with the wrong powers, and the carry of this optimum in the model.
-    pub slipped: DeliveryCarry,
+    pub with_wrong_powers: DeliveryCarry,
     /// Energy argument against the printed distances.
     pub energy: Energy,
     /// Optima of the subsystems.
@@ -73,7 +73,8 @@ pub fn mae494(mut progress: impl FnMut(&str)) -> Result<Mae494> {
     progress("the regression");
     let regression = Regression::new()?;
     let attack_angle = printed::REGRESSION_ATTACK.to_radians();
-    let slipped = DeliveryCarry::flown(&setup, regression.slipped.loft, attack_angle)?;
+    let with_wrong_powers =
+        DeliveryCarry::flown(&setup, regression.with_wrong_powers.loft, attack_angle)?;
     progress("the tables");
     let recomputed = |loft: f64, attack: f64, carry: f64, names: &[&str]| {
         let printed = DeliveryCarry::in_degrees(loft, attack, carry);
@@ -107,7 +108,7 @@ pub fn mae494(mut progress: impl FnMut(&str)) -> Result<Mae494> {
         table1,
         table2,
         regression,
-        slipped,
+        with_wrong_powers,
         energy,
         subsystems,
         noise,

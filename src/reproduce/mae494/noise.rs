@@ -4,7 +4,7 @@ use crate::derivative;
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{LOFT, carried, delivered};
+use crate::reproduce::delivery::{LOFT, carry, with_delivery};
 use serde::Serialize;
 
 /// The "noise" of the report's flight loop: carry is a sawtooth function of loft, and finite
@@ -120,7 +120,7 @@ impl Noise {
     /// Studies the noise, with the air and the club of `setup`.
     pub(super) fn new(setup: &Setup<f64>, progress: &mut impl FnMut(&str)) -> Result<Self> {
         let (step, difference) = (setup.flight.step, f64::EPSILON.sqrt());
-        let smooth_at = |loft: f64| carried(&delivered(setup, loft, 0.0));
+        let smooth_at = |loft: f64| carry(&with_delivery(setup, loft, 0.0));
         let ten = 10.0_f64.to_radians();
 
         let zoom = (0..=ZOOM).map(|k| {
@@ -167,7 +167,7 @@ impl Noise {
 impl Landings {
     /// The carries at this loft and attack angle 0°.
     fn at(setup: &Setup<f64>, loft: f64) -> Result<Self> {
-        let level = delivered(setup, loft, 0.0);
+        let level = with_delivery(setup, loft, 0.0);
         let LoopLanding {
             overshot,
             interpolated,
@@ -176,7 +176,7 @@ impl Landings {
             loft,
             overshot,
             interpolated,
-            smooth: carried(&level)?,
+            smooth: carry(&level)?,
         })
     }
 }
@@ -185,7 +185,7 @@ impl Slopes {
     fn at(setup: &Setup<f64>, loft: f64, difference: f64) -> Result<Self> {
         let step = setup.flight.step;
         let [overshot, interpolated] = loop_slopes(setup, loft, difference, step)?;
-        let (exact, at_fixed_time) = exact_slopes(&delivered(setup, loft, 0.0))?;
+        let (exact, at_fixed_time) = exact_slopes(&with_delivery(setup, loft, 0.0))?;
         Ok(Self {
             loft,
             exact,
@@ -199,8 +199,8 @@ impl Slopes {
 
 /// Forward differences of the report's loop and of its interpolated landing, m/rad.
 fn loop_slopes(setup: &Setup<f64>, loft: f64, by: f64, step: f64) -> Result<[f64; 2]> {
-    let here = fly_past_the_ground(&delivered(setup, loft, 0.0), step)?;
-    let there = fly_past_the_ground(&delivered(setup, loft + by, 0.0), step)?;
+    let here = fly_past_the_ground(&with_delivery(setup, loft, 0.0), step)?;
+    let there = fly_past_the_ground(&with_delivery(setup, loft + by, 0.0), step)?;
     Ok([
         (there.overshot - here.overshot) / by,
         (there.interpolated - here.interpolated) / by,

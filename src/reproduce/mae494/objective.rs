@@ -7,7 +7,7 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::optimize::{Domain, Taylor};
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{ATTACK_ANGLE, LOFT, Ranges, carried, delivered};
+use crate::reproduce::delivery::{ATTACK_ANGLE, LOFT, Ranges, carry, with_delivery};
 use serde::Serialize;
 use std::cell::Cell;
 
@@ -91,13 +91,13 @@ impl<'a> CarryObjective<'a> {
     /// −carry.
     pub fn value(&self, x: &[f64]) -> Result<f64> {
         self.flights.set(self.flights.get() + 1);
-        let at = delivered(self.setup, x[0], x[1]);
+        let at = with_delivery(self.setup, x[0], x[1]);
         Ok(-match self.landing {
             LandingDefinition::Overshot => fly_past_the_ground(&at, at.flight.step)?.overshot,
             LandingDefinition::Interpolated => {
                 fly_past_the_ground(&at, at.flight.step)?.interpolated
             }
-            LandingDefinition::Smooth => carried(&at)?,
+            LandingDefinition::Smooth => carry(&at)?,
         })
     }
 

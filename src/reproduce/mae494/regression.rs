@@ -14,7 +14,8 @@ use serde::Serialize;
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Regression {
     /// Maximum with the wrong powers, as in the listing.
-    pub slipped: Peak,
+    #[serde(rename = "slipped")]
+    pub with_wrong_powers: Peak,
     /// Maximum with the fitted powers.
     pub as_fitted: Peak,
     /// Maximum of the polynomial with the powers 1, λ, λ², λ³, λ⁴ through the same points.
@@ -40,20 +41,20 @@ impl Regression {
     /// a search for a maximum fails.
     pub fn new() -> Result<Self> {
         let (fitted, evaluated) = ([0, 2, 3, 4, 5], [0, 1, 2, 3, 4]);
-        let slipped = RegressionPolynomial {
+        let with_wrong_powers = RegressionPolynomial {
             coefficients: through_the_data(fitted)?,
             powers: evaluated,
         };
         let as_fitted = RegressionPolynomial {
             powers: fitted,
-            ..slipped
+            ..with_wrong_powers
         };
         let ordinary = RegressionPolynomial {
             coefficients: through_the_data(evaluated)?,
             powers: evaluated,
         };
         Ok(Self {
-            slipped: slipped.peak()?,
+            with_wrong_powers: with_wrong_powers.peak()?,
             as_fitted: as_fitted.peak()?,
             ordinary: ordinary.peak()?,
         })

@@ -3,7 +3,7 @@ use super::objective::{CarryObjective, LandingDefinition, SearchMethod, domain};
 use crate::error::Result;
 use crate::optimize::{Evaluation, Options, minimize, starts};
 use crate::parameters::Setup;
-use crate::reproduce::delivery::{DeliveryCarry, carried_if_flown, delivered};
+use crate::reproduce::delivery::{DeliveryCarry, carry_if_flown, with_delivery};
 use serde::Serialize;
 
 /// Searches with one definition of the landing and one method. All combinations use the same
@@ -26,8 +26,7 @@ pub struct End {
     /// Starting point.
     pub start: DeliveryCarry,
     /// End point, with the carry of the smooth landing.
-    #[serde(rename = "end")]
-    pub at: DeliveryCarry,
+    pub end: DeliveryCarry,
     /// Number of computed flights. A flight with exact derivatives counts as one.
     pub flights: u64,
     /// Termination message of the method.
@@ -58,7 +57,7 @@ pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
         if begun.len() == STARTS {
             break;
         }
-        if let Some(carry) = carried_if_flown(&delivered(setup, x[0], x[1]))? {
+        if let Some(carry) = carry_if_flown(&with_delivery(setup, x[0], x[1]))? {
             begun.push(DeliveryCarry {
                 loft: x[0],
                 attack_angle: x[1],
@@ -94,10 +93,10 @@ fn search(objective: &CarryObjective<'_>, start: DeliveryCarry) -> Result<End> {
             (found.x, format!("{}: {}", found.status, found.message))
         }
     };
-    let carry = carried_if_flown(&delivered(objective.setup, x[0], x[1]))?;
+    let carry = carry_if_flown(&with_delivery(objective.setup, x[0], x[1]))?;
     Ok(End {
         start,
-        at: DeliveryCarry {
+        end: DeliveryCarry {
             loft: x[0],
             attack_angle: x[1],
             carry: carry.unwrap_or_default(),
@@ -112,15 +111,19 @@ impl Searches {
     pub fn within(&self, distance: f64, best: f64) -> usize {
         self.ends
             .iter()
-            .filter(|end| best - end.at.carry <= distance)
+            .filter(|search| best - search.end.carry <= distance)
             .count()
     }
 
     /// Loss of carry of each search against the best carry, m, in ascending order.
-    pub fn missed(&self, best: f64) -> Vec<f64> {
-        let mut missed: Vec<f64> = self.ends.iter().map(|end| best - end.at.carry).collect();
-        missed.sort_by(f64::total_cmp);
-        missed
+    pub fn losses(&self, best: f64) -> Vec<f64> {
+        let mut losses: Vec<f64> = self
+            .ends
+            .iter()
+            .map(|search| best - search.end.carry)
+            .collect();
+        losses.sort_by(f64::total_cmp);
+        losses
     }
 
     /// Number of flights of all searches.

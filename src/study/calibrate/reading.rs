@@ -265,7 +265,7 @@ impl Reading {
                 .iter()
                 .filter_map(|name| setup.variable(name).ok());
             let is_given = |parameter: &&Parameter| {
-                ClubOfShot::place(parameter)
+                ClubOfShot::index_of(parameter)
                     .is_some_and(|at| shots.iter().any(|shot| shot.club.values()[at].is_some()))
             };
             columns.extend(
@@ -301,7 +301,7 @@ impl Reading {
             Content::Outcome(outcome) => shot.value(outcome).map(|value| value.value),
             Content::Input(parameter) => {
                 let at = || other_parameters.iter().position(|own| *own == parameter);
-                ClubOfShot::place(parameter).map_or_else(
+                ClubOfShot::index_of(parameter).map_or_else(
                     || shot.other_parameters().get(at()?).copied(),
                     |at| shot.club.values()[at],
                 )
@@ -489,7 +489,7 @@ impl Reading {
             let parameter = self.setup.parameter(name).ok()?;
             self.cell(record, Content::Input(parameter)).ok().flatten()
         });
-        ClubOfShot::is_still(stated)
+        ClubOfShot::is_unmeasured(stated)
     }
 
     /// Value of a club column in a row.

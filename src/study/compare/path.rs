@@ -3,7 +3,7 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::json::{JsonNumber, by_name, number};
 use crate::parameters::{
-    Alternatives, GOLFER, Kind, LAW, Parameter, SPEED_OF, Setup, given_otherwise,
+    Alternatives, GOLFER, Kind, LAW, Parameter, SPEED_OF, Setup, described_differently,
 };
 use serde::{Serialize, Serializer};
 
@@ -185,14 +185,14 @@ impl SetupPath {
         if ends[0].speed_of != ends[1].speed_of && !are_given.contains(&true) {
             discrete.push(Cause::SpeedOf);
         }
-        let otherwise = given_otherwise(&ends);
+        let otherwise = described_differently(&ends);
         discrete.extend(otherwise.iter().map(|one| Cause::Alternatives(one)));
         let mut continuous = vec![];
         for parameter in ends[0].parameters() {
             let is_of_the_whole = (parameter.is_of_strike() && are_given.contains(&true))
                 || (parameter.is_of_launch() && differ_in_launch)
                 || (parameter.law.is_some() && differ_in_law)
-                || otherwise.iter().any(|one| one.has(parameter));
+                || otherwise.iter().any(|one| one.concerns(parameter));
             // one setup suffices: what the setups give by different parameters is in `otherwise`
             let is_replaced = ends[0].why_replaced(parameter).is_some();
             if is_of_the_whole || is_replaced || parameter.kind == Kind::Setting {
@@ -286,7 +286,7 @@ impl SetupPath {
                 let of = setup
                     .parameters()
                     .into_iter()
-                    .filter(|parameter| alternatives.has(parameter));
+                    .filter(|parameter| alternatives.concerns(parameter));
                 of.for_each(|parameter| take(setup, to, parameter));
             }
         }

@@ -46,7 +46,7 @@ impl ColumnarFile for ArrowFile {
         self.batch = None;
     }
 
-    fn left(&mut self) -> Result<usize, String> {
+    fn rows_left(&mut self) -> Result<usize, String> {
         loop {
             match &self.batch {
                 Some(batch) if batch.num_rows() > self.passed => {
@@ -72,7 +72,7 @@ impl ColumnarFile for ArrowFile {
             .ok_or("it is not a column of numbers".into())
     }
 
-    fn pass(&mut self, rows: usize) {
+    fn advance(&mut self, rows: usize) {
         self.passed += rows;
     }
 }

@@ -21,13 +21,13 @@ pub(super) trait ColumnarFile: Sized {
 
     /// Number of unread rows of the current piece. If there are none, moves to the next piece and
     /// returns its number of rows; 0 at the end.
-    fn left(&mut self) -> Result<usize, String>;
+    fn rows_left(&mut self) -> Result<usize, String>;
 
-    /// The next `rows` values of a column; `rows` must not exceed [`left`](Self::left).
+    /// The next `rows` values of a column; `rows` must not exceed [`rows_left`](Self::rows_left).
     fn values(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, String>;
 
     /// Marks the next `rows` rows as read.
-    fn pass(&mut self, rows: usize);
+    fn advance(&mut self, rows: usize);
 }
 
 /// Rows of a file read in pieces.
@@ -93,7 +93,7 @@ impl<P: ColumnarFile> PointRows for ColumnarRows<P> {
             };
             let left = self
                 .pieces
-                .left()
+                .rows_left()
                 .map_err(|reason| refused(place(), reason))?;
             if left == 0 {
                 break;
@@ -110,13 +110,13 @@ impl<P: ColumnarFile> PointRows for ColumnarRows<P> {
                 let values = values.into_iter().chain(std::iter::repeat(None));
                 for (row, value) in values.take(wanted).enumerate() {
                     into[first + row * parameters.len() + i] =
-                        sound(parameter, value).map_err(|reason| {
+                        checked(parameter, value).map_err(|reason| {
                             let row = self.next + row as u64 + 1;
                             refused(format!(", row {row}, column {}", parameter.name), reason)
                         })?;
                 }
             }
-            self.pieces.pass(wanted);
+            self.pieces.advance(wanted);
             self.next += wanted as u64;
             rows += wanted;
         }
@@ -126,7 +126,7 @@ impl<P: ColumnarFile> PointRows for ColumnarRows<P> {
 
 /// A value of a row; NaN if it is missing. Refuses infinity, unless the parameter allows it (a flat
 /// face).
-fn sound(parameter: &Parameter, value: Option<f64>) -> Result<f64, String> {
+fn checked(parameter: &Parameter, value: Option<f64>) -> Result<f64, String> {
     let Some(value) = value else {
         return Ok(f64::NAN);
     };

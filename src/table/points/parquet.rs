@@ -113,7 +113,7 @@ impl ColumnarFile for ParquetFile {
         (self.group, self.passed, self.columns) = (0, 0, BTreeMap::new());
     }
 
-    fn left(&mut self) -> Result<usize, String> {
+    fn rows_left(&mut self) -> Result<usize, String> {
         while let Some(group) = self.file.metadata().row_groups().get(self.group) {
             match usize::try_from(group.num_rows()).unwrap_or(0) - self.passed {
                 0 => (self.group, self.passed, self.columns) = (self.group + 1, 0, BTreeMap::new()),
@@ -128,7 +128,7 @@ impl ColumnarFile for ParquetFile {
             .map_err(|error| parquet_error_text(&error))
     }
 
-    fn pass(&mut self, rows: usize) {
+    fn advance(&mut self, rows: usize) {
         self.passed += rows;
     }
 }

@@ -62,7 +62,7 @@ impl<R: PointRows> TablePoints<R> {
                 let wrong = ranges
                     .iter()
                     .zip(row)
-                    .find_map(|(range, value)| wrong(range.parameter, *value));
+                    .find_map(|(range, value)| why_invalid(range.parameter, *value));
                 if let Some(wrong) = wrong {
                     invalid.add(row_number, &wrong);
                 }
@@ -120,7 +120,7 @@ impl InvalidRows {
 }
 
 /// Reason why a value is invalid: it is missing or out of range. `None` for a valid value.
-fn wrong(parameter: &'static Parameter, value: f64) -> Option<String> {
+fn why_invalid(parameter: &'static Parameter, value: f64) -> Option<String> {
     let name = parameter.name;
     if value.is_nan() {
         return Some(format!("{name} is missing"));
