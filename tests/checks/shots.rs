@@ -241,8 +241,8 @@ fn same_table_in_windows_1252_whose_first_other_character_is_far_from_the_beginn
     let text = format!("{heads}{rows}160,12\u{b0},2500,B,262\n");
     assert!(text.len() > 1 << 16);
     let bytes: Vec<u8> = text.chars().map(|c| u8::try_from(c).unwrap()).collect();
-    let (shots, all, tally) = flown(io::Cursor::new(bytes.clone()));
-    let (.., of_utf_8) = flown(io::Cursor::new(text));
+    let (shots, all, tally) = fly_shots(io::Cursor::new(bytes.clone()));
+    let (.., of_utf_8) = fly_shots(io::Cursor::new(text));
     assert_eq!((tally.rows, tally.flown), (6001, 6001));
     assert_eq!(tally.all, of_utf_8.all);
     let last = all.last().unwrap().shots.last().unwrap();
@@ -609,7 +609,7 @@ fn marks_of_parameters_and_of_the_club_are_read_as_those_of_the_launch() {
                  [mm/s]\n";
     let rows = |cells: &str| {
         let text = format!("{heads}{cells}\n");
-        crate::shots::flown(io::Cursor::new(text)).1.remove(0)
+        fly_shots(io::Cursor::new(text)).1.remove(0)
     };
     // points are decimals here, so that a comma separates thousands
     let found = rows("160.5;12.1;2500;45,930;46,000");
