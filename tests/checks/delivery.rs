@@ -267,12 +267,12 @@ fn a_launch_on_the_command_line_becomes_a_setup_for_a_search() {
     ];
     let ran = longdrive(&launch);
     assert_eq!(ran.status, 0, "{}", ran.err);
+    let remark = ran.err.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
-        ran.out.contains("most probable delivery") && ran.err.contains("how golfers differ"),
+        ran.out.contains("most probable delivery") && remark.contains("how golfers differ"),
         "{}",
         ran.err
     );
-    let remark = ran.err.split_whitespace().collect::<Vec<_>>().join(" ");
     let command = format!("longdrive optimize '{file}' --vary club.loft=4deg..20deg");
     assert!(remark.contains(&command), "{remark}");
     let golfer = Setup::from_file(std::path::Path::new(file)).unwrap();
