@@ -46,7 +46,6 @@ pub(crate) enum Continuation {
     ExtrapolatedOrHeld,
 }
 
-/// As text: "extrapolated", "held", or "extrapolated or held".
 impl Display for Continuation {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

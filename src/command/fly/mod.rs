@@ -64,7 +64,7 @@ fn fly(args: &Args) -> Result<Answer> {
         ..Run::default()
     };
     let maker = shots.maker();
-    let Written {
+    let WrittenShots {
         tally,
         output,
         of_format,
@@ -213,7 +213,7 @@ fn of_further_clubs(tally: &ShotStatistics) -> Option<Message> {
 }
 
 /// Flown shots and their unfinished output.
-struct Written {
+struct WrittenShots {
     tally: ShotStatistics,
     output: OutputStream,
     /// A remark on values that the format lacks.
@@ -227,7 +227,7 @@ fn write_rows(
     flying: &Flying,
     shots: &mut Shots,
     run: &Run<'_>,
-) -> Result<Written> {
+) -> Result<WrittenShots> {
     let of = flying.outcomes();
     let mut output = destination.begin()?;
     let writer = match format {
@@ -247,7 +247,7 @@ fn write_rows(
                 |flown| output.write(&writer.push(flown)?),
             )?;
             output.write(&writer.finish()?)?;
-            return Ok(Written {
+            return Ok(WrittenShots {
                 tally,
                 output,
                 of_format: writer.remark(),
@@ -261,7 +261,7 @@ fn write_rows(
         |flown| writer.rows(&flown),
         |bytes| output.write(&bytes),
     )?;
-    Ok(Written {
+    Ok(WrittenShots {
         tally,
         output,
         of_format: None,

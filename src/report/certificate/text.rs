@@ -295,8 +295,8 @@ fn landing(certificate: &Certificate) -> Option<String> {
     ))
 }
 
-/// How many finite differences of the while-loop's carry would pass, and the largest error, as
-/// text. `None` if no difference can be compared.
+/// The number of finite differences of the while-loop's carry that would pass, and the largest
+/// error, as text. `None` if no difference can be compared.
 fn while_loop(loops: &[LoopRow]) -> Option<String> {
     let relative_error = |row: &&LoopRow| {
         row.difference.map_or(0.0, |it| {

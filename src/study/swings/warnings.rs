@@ -11,8 +11,8 @@ use crate::study::cancellable::{LIMITS_NOT_CHECKED, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
-/// Of the swings that land, the share that exceeds each validity limit of the model, with the
-/// design of `setup`. `None` once `stop` is true.
+/// The share of the landing swings that exceeds each validity limit of the model, with the design
+/// of `setup`. `None` once `stop` is true.
 fn exceeded_shares(
     setup: &Setup<f64>,
     scenarios: &Scenarios,
