@@ -3,7 +3,7 @@
 //! longdrive solves
 //!
 //! ```text
-//!   maximise   carry(x)          x: loft λ, attack angle ε, or any other parameters, rad, m, kg, s
+//!   maximize   carry(x)          x: loft λ, attack angle ε, or any other parameters, rad, m, kg, s
 //!   subject to low ≤ x ≤ high    limits of club and golfer
 //! ```
 //!

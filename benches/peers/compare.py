@@ -371,7 +371,7 @@ def wrong(rows):
     for task in TASKS:
         for row in rows.of(task):
             if not row["peer"].startswith(("longdrive", "cpp-", "ceres")):
-                continue  # finite differences and other discretisations: their errors are in the table
+                continue  # finite differences and other discretizations: their errors are in the table
             if row["peer"] == "longdrive, steps as in T1":
                 continue  # short flights have larger errors
             is_near = "at 1 µm" in row["peer"]

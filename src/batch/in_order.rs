@@ -37,8 +37,8 @@ fn processors() -> usize {
 /// Calls `work` on each chunk from `next` in parallel, and `sink` on the results in the order of
 /// the chunks. The number of chunks that are begun but not yet passed to `sink` is bounded.
 /// `threads` is the number of threads, at most 256 and at most `chunks`, the number of chunks or
-/// `u64::MAX`; 0 means one per processor. Without threads (WebAssembly) the chunks are processed one
-/// by one.
+/// `u64::MAX`; 0 means one per processor. Without threads (WebAssembly) the chunks are processed
+/// one by one.
 ///
 /// # Errors
 /// Errors of `next` and `sink`. If `next` fails, the earlier results are delivered first.

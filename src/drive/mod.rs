@@ -109,8 +109,9 @@ impl<T: Number> Drive<T> {
     }
 }
 
-/// Calls `compute`. After [`Error::Diverged`] or [`Error::LargeDefect`], halves the step in `setup` and calls `compute`
-/// again, at most [`MAX_HALVINGS`] times. If `largest_defect` is infinite, the step is kept.
+/// Calls `compute`. After [`Error::Diverged`] or [`Error::LargeDefect`], halves the step in `setup`
+/// and calls `compute` again, at most [`MAX_HALVINGS`] times. If `largest_defect` is infinite, the
+/// step is kept.
 ///
 /// # Errors
 /// The errors of `compute`.

@@ -47,22 +47,23 @@ impl<T: Numbers, U, Read: Fn(T) -> U + Copy> OutcomeInputs<'_, T, Read> {
 /// Uncertainty of ball speed, from golflaunchlab.com/guides/golf-launch-monitor-accuracy (read in a
 /// stored copy). Two better sources could not be read: a maker's data sheet, and the numbers of
 /// Leach, Forrester, Mears & Roberts (Measurement 112, 2017, 125–136).
-const BALL_SPEED_SOURCE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide that names \
-                     no test): {0.8 mph} of {165 mph}, rounded up";
+const BALL_SPEED_SOURCE: &str = "two radar units agree to about 0.5 % (golflaunchlab.com, a guide \
+                                 that names no test): {0.8 mph} of {165 mph}, rounded up";
 /// Uncertainty of launch angles: no source was found.
 const LAUNCH_ANGLE_SOURCE: &str = "assumed: three times the resolution of exports, 0.1°";
 /// Uncertainty of spin: no source was found.
 const SPIN_SOURCE: &str = "assumed: 4 % of a driver's 2500 rpm";
 /// Uncertainty of distances: the difference between launch monitors for the same launch.
-const CARRY_SOURCE: &str = "for the same launch, launch monitors predict carries within about {3 yd} of each other (docs/sources.md)";
+const CARRY_SOURCE: &str = "for the same launch, launch monitors predict carries within about \
+                            {3 yd} of each other (docs/sources.md)";
 /// Uncertainty of totals: the differences between two monitors on the same shots (Bliss & Langdown
 /// 2026). The ground models of the monitors differ.
-const TOTAL_SOURCE: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one standard \
-                    deviation): {8 yd} each, docs/sources.md";
+const TOTAL_SOURCE: &str = "the totals of two monitors on the same shots differ by {11.5 yd} (one \
+                            standard deviation): {8 yd} each, docs/sources.md";
 /// Uncertainty of apex height and descent angle: published averages are rounded to whole yards and
 /// degrees.
-const WHOLE_UNITS_SOURCE: &str = "assumed: tables print whole units of length and whole degrees; indoors \
-                       both are computed from the launch";
+const WHOLE_UNITS_SOURCE: &str = "assumed: tables print whole units of length and whole degrees; \
+                                  indoors both are computed from the launch";
 
 /// Declares the outcomes: for each a variant with its formula and its [`Declaration`].
 macro_rules! outcomes {

@@ -16,7 +16,7 @@ use argmin::core::{Executor, KV, State};
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// Minimises a function within a domain from a start, which is first projected on the bounds.
+/// Minimizes a function within a domain from a start, which is first projected on the bounds.
 ///
 /// # Errors
 /// [`Error::Optimizer`] if the domain, the start or an option is invalid, or if the number of
@@ -144,7 +144,7 @@ fn run(
 }
 
 /// If the kink lies on a bound towards which the objective falls, fixes the variable on this bound
-/// and minimises over the other variables, with the remaining iterations. The one-sided derivative
+/// and minimizes over the other variables, with the remaining iterations. The one-sided derivative
 /// is the multiplier of the bound. Returns the point `found` if the kink does not lie on such a
 /// bound, or if the new search does not converge.
 fn fix_on_bound(

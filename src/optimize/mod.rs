@@ -1,12 +1,12 @@
-//! Minimisation of smooth functions with exact Hessians, within bounds and nonlinear constraints.
+//! Minimization of smooth functions with exact Hessians, within bounds and nonlinear constraints.
 //! The module contains nothing about golf.
 //!
 //! ```text
-//!   minimise f(x)  subject to  low ≤ x ≤ high  and  least ≤ c(x) ≤ most
+//!   minimize f(x)  subject to  low ≤ x ≤ high  and  least ≤ c(x) ≤ most
 //! ```
 //!
-//! by sequential quadratic programming (SQP) with a trust region. Each iteration minimises the
-//! quadratic model of the Lagrangian within the bounds, the linearised constraints and a box-shaped
+//! by sequential quadratic programming (SQP) with a trust region. Each iteration minimizes the
+//! quadratic model of the Lagrangian within the bounds, the linearized constraints and a box-shaped
 //! trust region (`qp`). The step is accepted if the merit function falls by a sufficient fraction
 //! of the predicted reduction. The search ends where the KKT conditions hold ([`status`]). The SQP
 //! loop (`sqp`) is an argmin `Solver`, run by argmin's `Executor`.

@@ -1,4 +1,4 @@
-//! Quadratic model of the Lagrangian at a point, and the trial step that minimises it.
+//! Quadratic model of the Lagrangian at a point, and the trial step that minimizes it.
 
 use super::bundle::Bundle;
 use super::convex::{Convexified, convexify};
@@ -42,7 +42,7 @@ const STEP_WEIGHT: f64 = 1e-8;
 const ROUNDING: f64 = 1e-12;
 
 impl LagrangianModel<'_> {
-    /// Minimises the model. If the linearised constraints are inconsistent within bounds and trust
+    /// Minimizes the model. If the linearized constraints are inconsistent within bounds and trust
     /// region, they are relaxed by the smallest violation that a step can reach.
     pub fn trial_step(&self, solver: &mut QpSolver, workspace: &mut Workspace) -> TrialStep {
         self.trial_step_with_values(|j| self.point.f.constraints[j].value, solver, workspace)
@@ -132,7 +132,7 @@ impl LagrangianModel<'_> {
     }
 
     /// Writes the quadratic program in scaled variables: the model at the iterate, the models of
-    /// the other sides of nearby kinks, and the linearised constraints.
+    /// the other sides of nearby kinks, and the linearized constraints.
     fn write_program(
         &self,
         value: impl Fn(usize) -> f64,
@@ -247,10 +247,11 @@ impl LagrangianModel<'_> {
         Some(&eigen.eigenvectors * raised * eigen.eigenvectors.transpose())
     }
 
-    /// Corrects the multipliers of active rows for the curvature that was added to the Hessian along
-    /// the active normals. This curvature adds a gradient along each active normal, proportional to
-    /// the step's component along the normal. The multipliers of the quadratic program contain this
-    /// gradient; the correction restores the multipliers of the original model.
+    /// Corrects the multipliers of active rows for the curvature that was added to the Hessian
+    /// along the active normals. This curvature adds a gradient along each active normal,
+    /// proportional to the step's component along the normal. The multipliers of the quadratic
+    /// program contain this gradient; the correction restores the multipliers of the original
+    /// model.
     fn correct_multipliers(
         &self,
         added_curvature: f64,
@@ -347,7 +348,7 @@ fn zero_step(variables: usize, rows: usize) -> QpStep {
     }
 }
 
-/// Elastic program: minimises ½‖e‖² + ½ STEP_WEIGHT ‖d‖² with |dᵢ| ≤ `radius`. The variable eⱼ is
+/// Elastic program: minimizes ½‖e‖² + ½ STEP_WEIGHT ‖d‖² with |dᵢ| ≤ `radius`. The variable eⱼ is
 /// the violation of row j.
 fn elastic(program: &QuadraticProgram, radius: f64) -> QuadraticProgram {
     let (n, m) = (program.low.len(), program.rows.len());

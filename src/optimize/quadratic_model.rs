@@ -24,7 +24,7 @@ pub struct QuadraticModel {
     /// Trial point x + d of the next iteration, before any second-order correction.
     pub trial: Vec<f64>,
     /// True if the step uses H with its negative eigenvalues reflected, because H is not positive
-    /// definite on the tangents of the active constraints. The trial point then need not minimise
+    /// definite on the tangents of the active constraints. The trial point then need not minimize
     /// m.
     pub is_reflected: bool,
 }

@@ -4,7 +4,7 @@
 //! negative curvature reduces the violation. This point may be a local minimum of the violation, or
 //! a point where gradient and curvature of the violation vanish together. Neither proves that the
 //! constraints are inconsistent. Before the search ends as infeasible, the violation is therefore
-//! minimised from other points.
+//! minimized from other points.
 
 use super::domain::Domain;
 use super::least_squares::{self, Rows};
@@ -32,7 +32,7 @@ const CONTINUE_BELOW: f64 = 0.99;
 const MOVE_BELOW: f64 = 1.0 - 1e-6;
 
 impl SearchState {
-    /// Minimises the violation by least squares from several points of the box, and stops at the
+    /// Minimizes the violation by least squares from several points of the box, and stops at the
     /// first feasible result. If the best violation is below [`CONTINUE_BELOW`] times the violation
     /// of the iterate, restarts the search there and returns true.
     pub fn restore(
@@ -103,7 +103,7 @@ impl SearchState {
         Ok(is_moved)
     }
 
-    /// Minimises the violation ‖v‖₂ of the constraints from a start. Returns the violation and the
+    /// Minimizes the violation ‖v‖₂ of the constraints from a start. Returns the violation and the
     /// point; `None` if the functions are undefined at the start.
     pub(super) fn minimize_violation(
         &mut self,

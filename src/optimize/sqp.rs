@@ -75,7 +75,7 @@ impl Sqp {
         number: u64,
         evaluate: &mut Evaluate<'_>,
     ) -> Result<Iteration, Error> {
-        // linearise the constraints, convexify the Hessian, solve the quadratic program: minimise
+        // linearize the constraints, convexify the Hessian, solve the quadratic program: minimize
         // ½ dᵀB d + ∇f·d with c + ∇c·d within limits, x + d within bounds, ‖d‖∞ ≤ Δ
         let mut step = state.trial_step();
         // ν ≥ ‖λ‖₂, and large enough for a predicted reduction of φ (eq. 18.36)

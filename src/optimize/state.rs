@@ -42,10 +42,11 @@ pub struct Effort {
     /// Number of quadratic programs solved by Clarabel, then polished to an exact KKT point of the
     /// active set.
     pub clarabel: u64,
-    /// Quadratic programs without an exact KKT point near Clarabel's solution: the step is the exact
-    /// point of Clarabel's active set with Clarabel's multipliers, or Clarabel's own solution.
+    /// Quadratic programs without an exact KKT point near Clarabel's solution: the step is the
+    /// exact point of Clarabel's active set with Clarabel's multipliers, or Clarabel's own
+    /// solution.
     pub unpolished: u64,
-    /// Quadratic programs with inconsistent linearised constraints, which were relaxed.
+    /// Quadratic programs with inconsistent linearized constraints, which were relaxed.
     pub relaxed: u64,
     /// Second-order corrections computed.
     pub corrections: u64,

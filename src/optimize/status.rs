@@ -200,13 +200,13 @@ pub(super) fn is_diverging(outward: Option<&Outward>, tolerance: f64) -> bool {
     outward.is_some_and(|outward| outward.distance >= FAR && outward.rate > tolerance)
 }
 
-/// Unbounded: the constraints are satisfied, no bound or constraint lies ahead, and one of these
-/// holds:
+/// Unbounded: the constraints are satisfied, no bound or constraint limits the variables in the
+/// direction in which the objective decreases, and one of these holds:
 ///
-/// - A variable is 1e15 scales from 0, and doubling it would still reduce the objective by 1e-3 of
-///   its size. A function bounded below cannot do this: its derivative falls faster than 1/x.
-/// - The objective still falls, and is below −1e60 times its initial size (−1e200 with constraints:
-///   a curved constraint may still stop the fall).
+/// - A variable is 1e15 of its scales away from 0, and the objective would decrease by 1e-3 of its
+///   size if the variable doubled. A function with a lower bound does not decrease so much there.
+/// - The objective decreases, and is below −1e60 times its initial size. With constraints the
+///   factor is −1e200, because a curved constraint may still stop the decrease.
 pub(super) fn unbounded_test(
     outward: Option<&Outward>,
     state: &SearchState,
@@ -238,7 +238,7 @@ pub(super) fn unbounded_test(
     Some(SearchVerdict::new(Status::Unbounded, message))
 }
 
-/// Infeasible: no step reduces the violation of the linearised constraints.
+/// Infeasible: no step reduces the violation of the linearized constraints.
 pub(super) fn infeasible_test(
     step: &TrialStep,
     radius: f64,

@@ -14,13 +14,13 @@ pub(super) struct TrialStep {
     pub objective_reduction: f64,
     /// Norm ‖v‖₂ of the violations before the step, in units of γ.
     pub violation: f64,
-    /// Norm ‖v‖₂ of the linearised constraints' violations after the step.
+    /// Norm ‖v‖₂ of the linearized constraints' violations after the step.
     pub linear_violation: f64,
     /// Multipliers λ of the constraints.
     pub multipliers: Vec<f64>,
     /// Number of active terms of the piecewise model; 1 away from kinks.
     pub active_terms: usize,
-    /// True if the linearised constraints were inconsistent and were relaxed.
+    /// True if the linearized constraints were inconsistent and were relaxed.
     pub is_relaxed: bool,
     /// True if negative curvature of the model was reflected.
     pub is_reflected: bool,

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::units::{Digits, Message, Quantity};
 
 /// Temperature, K, that is used if pressure, altitude or humidity is given without a temperature:
-/// 25 °C, TrackMan's normalised air.
+/// 25 °C, TrackMan's normalized air.
 pub(crate) const DEFAULT_TEMPERATURE: f64 = 273.15 + 25.0;
 
 /// Temperature of the standard atmosphere at sea level, K (ISO 2533:1975).

@@ -157,7 +157,7 @@ pub static PRESETS: &[Preset] = &[
             entry(
                 "swing.speed",
                 "110 mph",
-                "Winfield & Tan (1994), the speed they optimise at (their single shot: 103 mph)",
+                "Winfield & Tan (1994), the speed they optimize at (their single shot: 103 mph)",
             ),
             entry(
                 "swing.attack_angle",

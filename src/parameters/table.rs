@@ -17,7 +17,7 @@ parameter_groups! {
     swing: Swing {
         /// Speed of the head's centre of mass.
         speed: T = "swing.speed", "V", SPEED in "mph", Range::above_to(0.0, 1000.0),
-            "110 mph", "a fast amateur's swing, and the speed Winfield & Tan (1994) optimise at";
+            "110 mph", "a fast amateur's swing, and the speed Winfield & Tan (1994) optimize at";
         /// Attack angle: the velocity's angle above horizontal (Winfield & Tan's swing elevation).
         attack_angle: T = "swing.attack_angle", "ε", ANGLE in "deg", Range::within_degrees(90.0),
             "-0.9 deg", "TrackMan, PGA TOUR averages 2023, driver";
@@ -239,7 +239,7 @@ parameter_groups! {
         /// Density; 0 is a vacuum. If temperature, pressure, altitude or humidity is set, the
         /// density follows from them.
         density: T = "air.density", "ρ", DENSITY in "kg/m^3", Range::from_to(0.0, 1000.0),
-            "1.184 kg/m^3", "25 °C at sea level, TrackMan's normalised air";
+            "1.184 kg/m^3", "25 °C at sea level, TrackMan's normalized air";
         /// Dynamic viscosity. If temperature, pressure, altitude or humidity is set, the viscosity
         /// follows from the temperature.
         viscosity: T = "air.viscosity", "μ", VISCOSITY in "Pa s", Range::above_to(0.0, 1.0),
@@ -519,10 +519,10 @@ law_coefficients! { $
         /// Coefficient of the squared spin ratio in the drag coefficient.
         cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE,
             "1.098", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
-        /// Drag coefficient, cubic in the spin ratio.
+        /// Coefficient of the cubed spin ratio in the drag coefficient.
         cd3: T = "aero.cd3", "cd3", NUMBER in "", Range::FINITE,
             "-1.760", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
-        /// Drag coefficient, with the fourth power of the spin ratio.
+        /// Coefficient of the fourth power of the spin ratio in the drag coefficient.
         cd4: T = "aero.cd4", "cd4", NUMBER in "", Range::FINITE,
             "0.7510", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
         /// Lift coefficient extrapolated to no spin.
@@ -534,10 +534,10 @@ law_coefficients! { $
         /// Coefficient of the squared spin ratio in the lift coefficient.
         cl2: T = "aero.cl2", "cl2", NUMBER in "", Range::FINITE,
             "-1.644", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
-        /// Lift coefficient, cubic in the spin ratio.
+        /// Coefficient of the cubed spin ratio in the lift coefficient.
         cl3: T = "aero.cl3", "cl3", NUMBER in "", Range::FINITE,
             "1.006", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
-        /// Lift coefficient, with the fourth power of the spin ratio.
+        /// Coefficient of the fourth power of the spin ratio in the lift coefficient.
         cl4: T = "aero.cl4", "cl4", NUMBER in "", Range::FINITE,
             "-0.2158", "Naruo, Mizota & Shimozono (2004), docs/sources.md";
     }

@@ -54,15 +54,15 @@ impl Vary {
     ///
     /// # Errors
     /// The errors of [`Setup::set_value`].
-    pub fn initialised(setup: &Setup<f64>, vary: &[Self]) -> Result<Setup<f64>> {
-        let mut initialised = *setup;
+    pub fn initialized(setup: &Setup<f64>, vary: &[Self]) -> Result<Setup<f64>> {
+        let mut initialized = *setup;
         for vary in vary
             .iter()
             .filter(|vary| setup.value(vary.parameter).is_none())
         {
-            initialised.set_value(vary.parameter, Some(vary.start(setup)))?;
+            initialized.set_value(vary.parameter, Some(vary.start(setup)))?;
         }
-        Ok(initialised)
+        Ok(initialized)
     }
 
     fn read_of(text: &str, find: impl Fn(&str) -> Result<&'static Parameter>) -> Result<Self> {

@@ -60,7 +60,7 @@ impl SweepDefinition {
 
     /// JSON for the metadata of each file.
     pub(super) fn text(&self) -> String {
-        // strings and integers always serialise
+        // strings and integers always serialize
         serde_json::to_string(self).unwrap_or_default()
     }
 

@@ -126,7 +126,7 @@ impl Dataset {
             return Ok(PartResult::Stopped);
         }
         let part = self.part(part, rows.start, &mut file);
-        // serialisation cannot fail: the description has only strings and finite numbers
+        // serialization cannot fail: the description has only strings and finite numbers
         let note = serde_json::to_string(&part).unwrap_or_default();
         let footer = self.table.footer(&file.groups, &[(PART, note)])?;
         file.write(&footer).map_err(unwritten)?;

@@ -263,8 +263,8 @@ fn add_shares(
     document.add(table);
 }
 
-/// Remarks on the causes `without` a share of a difference, and on those `with` a share that changed
-/// in one step.
+/// Remarks on the causes `without` a share of a difference, and on those `with` a share that
+/// changed in one step.
 fn share_remarks(without: &[&Share], with: &[&Share]) -> Vec<String> {
     let mut remarks = vec![];
     if !without.is_empty() {

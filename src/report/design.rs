@@ -13,8 +13,8 @@ use crate::study::Optimum;
 use crate::study::design::{ConstraintState, Design, DesignConstraint, Enforcement, Improvement};
 use crate::units::{System, signed};
 
-/// Threshold of rounding errors, as a fraction of `DesignConstraint::reported_change`. A smaller value is
-/// displayed as 0.
+/// Threshold of rounding errors, as a fraction of `DesignConstraint::reported_change`. A smaller
+/// value is displayed as 0.
 const ROUNDING: f64 = 1e-6;
 
 /// A design with its limits and its changes.

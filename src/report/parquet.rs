@@ -47,8 +47,8 @@ pub(super) enum Cells {
 }
 
 /// A table. Each row group is created as a separate file in memory. A file with many row groups
-/// consists of `MAGIC`, the bytes of the groups, and a [`footer`](Self::footer) made from the metadata
-/// of the groups. An interrupted file can therefore continue after any of its groups.
+/// consists of `MAGIC`, the bytes of the groups, and a [`footer`](Self::footer) made from the
+/// metadata of the groups. An interrupted file can therefore continue after any of its groups.
 pub(super) struct ParquetTable {
     schema: TypePtr,
     properties: WriterPropertiesPtr,
@@ -87,8 +87,8 @@ fn damaged(_: ParquetError) -> Error {
 pub(crate) const DEFINITION_KEY: &str = "longdrive";
 
 impl ParquetTable {
-    /// A table of these columns. `definition` describes the request; the file stores it under the key
-    /// [`DEFINITION_KEY`].
+    /// A table of these columns. `definition` describes the request; the file stores it under the
+    /// key [`DEFINITION_KEY`].
     ///
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `columns`.

@@ -9,7 +9,7 @@ use serde::Serialize;
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Reply<T> {
-    /// The command; `null` if none was recognised.
+    /// The command; `null` if none was recognized.
     pub command: Option<&'static str>,
     /// The status in a word.
     pub status: &'static str,

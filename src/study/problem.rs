@@ -94,7 +94,7 @@ impl SearchProblem {
                 outcomes.push(outcome);
             }
         }
-        let begun = Vary::initialised(setup, &search.vary)?;
+        let begun = Vary::initialized(setup, &search.vary)?;
         // the second derivatives of a goal with a kink or jump depend on the few drives near it: a
         // subset of the drives does not represent these
         let (subset, multiplicities) = if search.goals().any(Goal::has_edge) {

@@ -1090,7 +1090,7 @@ fn exact_minima_from_starts_with_zero_gradients() {
         ]
     };
     ends(&lines, &[(0.0, 0.0)], [0.0, 0.0], -4.0);
-    // y with x − y² = 0 and x + y² = 2, from y = 0, where the linearised equations are dependent
+    // y with x − y² = 0 and x + y² = 2, from y = 0, where the linearized equations are dependent
     // and contradictory; both equations hold at x = 1, y = ±1
     let parabolas = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);

@@ -467,7 +467,7 @@ fn a_changed_table_is_another_sweep() {
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let (set, kept) = (format!("{TABLE}={name}"), file("kept.json"));
     let search = || longdrive(&["optimize", "--set", &set, "--checkpoint", &kept]);
-    // sweeps recognise their setup by its debug form
+    // sweeps recognize their setup by its debug form
     let identity = || {
         let mut setup = Setup::default();
         setup.set(TABLE, &name).unwrap();

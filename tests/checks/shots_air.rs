@@ -23,7 +23,7 @@ fn garmin_with_air(air: &[&str]) -> String {
     })
 }
 
-/// A section with that shot whose air column is not recognised, then a section with the shot in air
+/// A section with that shot whose air column is not recognized, then a section with the shot in air
 /// of 0.9 kg/m³.
 fn air_in_second_section() -> String {
     let with_air = garmin_with_air(&["0.9,77,77.0,50"]);

@@ -82,7 +82,7 @@ fn same_mean_and_derivatives_by_sums_over_single_drives() {
         close(*found, *sum, 1e3, 1e-12, "gradient");
     }
     for (found, sum) in best.solution.hessian.concat().iter().zip(&second) {
-        // the Hessian of the minimised function
+        // the Hessian of the minimized function
         close(-found, *sum, sum.abs().max(1.0), 1e-11, "Hessian");
     }
 }

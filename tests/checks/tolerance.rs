@@ -317,8 +317,8 @@ fn same_positions_of_flat_apexes_in_shorter_steps_within_a_micrometre() {
 }
 
 /// A light ball whose airspeed decreases to 0.5 m/s at its apex, where |v| v varies within a step.
-/// The step chosen from other drives has an error of 8.6 µm there; the square of Hermite's defect
-/// is too small to show it.
+/// The step of a sweep is chosen from a few drives. This row has an error of 8.6 µm in this step,
+/// and the error estimate of a row (docs/model.md, eq. 16a) does not show it.
 #[test]
 fn same_row_that_nearly_stops_at_its_apex_in_shorter_steps_after_a_retry() {
     let setup = random_setups(158).last().unwrap();

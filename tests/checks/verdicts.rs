@@ -383,8 +383,9 @@ impl Functions for GreatestLoss {
     }
 }
 
-/// At the optimum y is at its bound 0.087, and x is in the middle between the smallest and the
-/// largest mₖ: t = c ((max m − min m)/2)².
+/// The problem [`GreatestLoss`]. Its closed form: y is at its bound 0.087, x is in the middle between
+/// the smallest and the largest of `bests`, and the greatest loss is `curvature` times the square of
+/// half their difference.
 #[test]
 fn exact_smallest_greatest_losses_from_three_starts() {
     for k in 0..100 {

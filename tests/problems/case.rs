@@ -1,6 +1,6 @@
 use longdrive::optimize::Evaluation;
 
-/// A published problem: minimise f(x) over bounds, with constraint functions between limits.
+/// A published problem: minimize f(x) over bounds, with constraint functions between limits.
 pub struct Case {
     /// Its name in the collection: `HS71`.
     pub name: &'static str,

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// Minimises |A z − b| with zⱼ ≥ 0 for each j that is not `free`. It normalises the columns of A
+/// Minimizes |A z − b| with zⱼ ≥ 0 for each j that is not `free`. It normalizes the columns of A
 /// internally.
 pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool]) -> DVector<f64> {
     let columns = a.ncols();

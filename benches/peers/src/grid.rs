@@ -2,7 +2,7 @@
 //! every point, on one thread.
 
 use crate::clock;
-use crate::tasks::{Discretisation, mae494, two};
+use crate::tasks::{Discretization, mae494, two};
 use longdrive::batch::{Batch, Block, Grid, GridAxis, Run, gradient_batch};
 use longdrive::{Outcome, Result};
 use std::hint::black_box;
@@ -21,7 +21,7 @@ const REPEATS: usize = 5;
 /// Largest duration of the repetitions of a row, s.
 const PATIENCE: f64 = 0.1;
 
-fn axes(by: &Discretisation) -> Result<Vec<GridAxis>> {
+fn axes(by: &Discretization) -> Result<Vec<GridAxis>> {
     let setup = mae494(by)?;
     AXES.iter()
         .map(|text| GridAxis::read(&setup, text))
@@ -71,7 +71,7 @@ pub struct Rows {
 }
 
 impl Rows {
-    pub fn new(by: &Discretisation) -> Result<Self> {
+    pub fn new(by: &Discretization) -> Result<Self> {
         let (setup, axes) = (mae494(by)?, axes(by)?);
         let wrt = two(&setup)?;
         Ok(Self {
@@ -128,7 +128,7 @@ impl Rows {
 
 /// Computation time per point, s, and the check sums, if one call computes the whole grid on one
 /// thread.
-pub fn whole(by: &Discretisation) -> Result<(f64, Sums)> {
+pub fn whole(by: &Discretization) -> Result<(f64, Sums)> {
     let setup = mae494(by)?;
     let mut grid = Grid::new(axes(by)?)?;
     let run = Run {
@@ -152,7 +152,7 @@ pub fn whole(by: &Discretisation) -> Result<(f64, Sums)> {
 }
 
 /// The carries at every 25th row and column.
-pub fn carries(by: &Discretisation) -> Result<Vec<f64>> {
+pub fn carries(by: &Discretization) -> Result<Vec<f64>> {
     let (setup, axes) = (mae494(by)?, axes(by)?);
     let batch = Batch::new(&setup, &two(&setup)?, &[Outcome::Carry], &[])?;
     let every = || (0..SIDE).step_by(EVERY as usize);

@@ -1,7 +1,7 @@
 //! longdrive's side of the comparison. See run.sh.
 
 mod clock;
-mod discretisation;
+mod discretization;
 mod grid;
 mod start;
 mod tasks;
@@ -9,7 +9,7 @@ mod tasks;
 use serde_json::json;
 use std::error::Error;
 use std::hint::black_box;
-use tasks::Discretisation;
+use tasks::Discretization;
 
 const USAGE: &str = "usage: peers [--method M] [--step S] [--peer NAME] [TASK [once | count N]]
          all tasks or one, timed; once: printed untimed; count: N times, printing nothing (for \
@@ -25,7 +25,7 @@ const BUDGET: f64 = 0.4;
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let mut words: Vec<&str> = arguments.iter().map(String::as_str).collect();
-    let (mut by, mut peer) = (Discretisation::default(), "longdrive".to_owned());
+    let (mut by, mut peer) = (Discretization::default(), "longdrive".to_owned());
     while let ["--method" | "--step" | "--peer", value, ..] = words[..] {
         match words[0] {
             "--method" => by.method = Some(value.into()),
@@ -35,8 +35,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         words.drain(..2);
     }
     match words[..] {
-        ["one-micrometre"] => println!("{}", discretisation::one_micrometre()?),
-        ["work-precision"] => discretisation::work_precision(|row| println!("{row}"))?,
+        ["one-micrometre"] => println!("{}", discretization::one_micrometre()?),
+        ["work-precision"] => discretization::work_precision(|row| println!("{row}"))?,
         ["start", name, task, ref command @ ..] => {
             emit(name, task, start::time(command)?, 0.0, &[], "")
         }
@@ -53,7 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn time(peer: &str, task: &str, by: &Discretisation, once: bool) -> Result<(), Box<dyn Error>> {
+fn time(peer: &str, task: &str, by: &Discretization, once: bool) -> Result<(), Box<dyn Error>> {
     if let Some(operation) = tasks::operation(task, by)? {
         let (value, derivatives, note) = operation()?.parts();
         let seconds = if once {
@@ -73,7 +73,7 @@ fn time(peer: &str, task: &str, by: &Discretisation, once: bool) -> Result<(), B
     Ok(())
 }
 
-fn repeat(task: &str, by: &Discretisation, count: u64) -> Result<(), Box<dyn Error>> {
+fn repeat(task: &str, by: &Discretization, count: u64) -> Result<(), Box<dyn Error>> {
     if let Some(operation) = tasks::operation(task, by)? {
         for _ in 0..count {
             black_box(operation()?);

@@ -32,12 +32,12 @@ const TWELVE: [&str; 12] = [
 
 /// Step and method of the flight, in place of the preset's.
 #[derive(Clone, Debug, Default)]
-pub struct Discretisation {
+pub struct Discretization {
     pub method: Option<String>,
     pub step: Option<String>,
 }
 
-impl Discretisation {
+impl Discretization {
     pub fn new(method: &str, step: f64) -> Self {
         Self {
             method: Some(method.into()),
@@ -57,12 +57,12 @@ impl Discretisation {
 }
 
 /// The drive of the peers: loft 10°, attack angle 0°.
-pub fn mae494(by: &Discretisation) -> Result<Setup<f64>> {
+pub fn mae494(by: &Discretization) -> Result<Setup<f64>> {
     by.apply(Setup::preset("mae494")?)
 }
 
 /// A drive without mirror symmetry: its path leaves the vertical plane of the target line.
-fn in_space(by: &Discretisation) -> Result<Setup<f64>> {
+fn in_space(by: &Discretization) -> Result<Setup<f64>> {
     let mut setup = Setup::preset("modern-driver")?;
     setup.set_all([
         ("swing.path", "2 deg"),
@@ -175,7 +175,7 @@ type Operation = Box<dyn Fn() -> Result<Answer>>;
 
 /// The operation of a task of a single drive; `None` for any other task. Arguments are checked
 /// here, so that the operation does not check them at each repetition.
-pub fn operation(task: &str, by: &Discretisation) -> Result<Option<Operation>> {
+pub fn operation(task: &str, by: &Discretization) -> Result<Option<Operation>> {
     match task {
         "W&T" => return winfield_tan(None).map(Some),
         "W&T-1um" => return winfield_tan(Some(1e-6)).map(Some),

@@ -67,7 +67,7 @@ impl Request {
     /// The errors of [`integration`](Self::integration).
     pub fn for_many(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
         warn_of_idle_wind(&setup, ranges);
-        let begun = Vary::initialised(&setup, ranges)?;
+        let begun = Vary::initialized(&setup, ranges)?;
         let found = self.integration(&begun, ranges, &of_the_flight())?;
         let accuracy = found.accuracy;
         Ok(accuracy.map_or(setup, |accuracy| accuracy.applied_to(&setup)))

@@ -43,7 +43,7 @@ impl Identity {
             SweepFormat::Jsonl => RowFormatter::JsonLines(SweepJsonLines::new(batch)),
             #[cfg(feature = "parquet")]
             SweepFormat::Parquet => {
-                // strings always serialise
+                // strings always serialize
                 let note = serde_json::to_string(self).unwrap_or_default();
                 RowFormatter::Parquet(Box::new(SweepParquet::new(batch, &note)?))
             }

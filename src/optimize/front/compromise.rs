@@ -46,7 +46,7 @@ pub(super) struct FrontPlane<'a> {
 }
 
 impl FrontPlane<'_> {
-    /// The problem that minimises a + b, and optionally constrains a − b.
+    /// The problem that minimizes a + b, and optionally constrains a − b.
     fn combined(&self, is_constrained: bool) -> Combined<'_> {
         let [a, b] = self.span.map(|span| 1.0 / span);
         Combined {

@@ -37,7 +37,7 @@ pub(super) struct Combined<'a> {
 }
 
 impl<'a> Combined<'a> {
-    /// Problem that minimises the sum with the weights `objective`, without a constraint on a
+    /// Problem that minimizes the sum with the weights `objective`, without a constraint on a
     /// second sum.
     pub fn minimized(problem: &'a dyn Problem, objective: [f64; 2]) -> Self {
         Self {
@@ -105,7 +105,7 @@ impl FrontContext<'_> {
         minimize_observed(problem, domain, from, options, observer)
     }
 
-    /// Minimises one function and ignores the other.
+    /// Minimizes one function and ignores the other.
     pub fn minimum_of(&self, function: usize, start: &[f64]) -> Result<Solution, FrontError> {
         let problem = Combined::minimized(self.problem, weights_of(function));
         let found = self.search(&problem, &self.domain, start, self.options)?;
@@ -140,7 +140,7 @@ impl FrontContext<'_> {
         ])
     }
 
-    /// Returns the front as a single point, if one point minimises both functions.
+    /// Returns the front as a single point, if one point minimizes both functions.
     pub fn common_minimum(&self, ends: &[Solution; 2], values: [[f64; 2]; 2]) -> Option<Front> {
         let size = |k: usize| values[0][k].abs().max(values[1][k].abs());
         let is_minimal_at_both = |k: &usize| span_of(values, *k) <= SAME * size(*k);

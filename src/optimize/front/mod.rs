@@ -2,7 +2,7 @@
 //! of the other function.
 //!
 //! Let a and b be the two functions, scaled to 0 at their own minimum and 1 at the other function's
-//! minimum. The front is followed along s = a − b from −1 to 1: at each s, a + b is minimised
+//! minimum. The front is followed along s = a − b from −1 to 1: at each s, a + b is minimized
 //! subject to a − b = s (normal-boundary intersection, Das & Dennis 1998). The multiplier μ of this
 //! equality gives the slope of the front, da/db = −(1 − μ)/(1 + μ), and the KKT system gives dx/ds.
 //! The ε-constraint method, a bound ε on b, finds the same points, but dx/dε is infinite at an end
@@ -23,14 +23,14 @@ pub use result::{Front, FrontError, FrontEvent, FrontPoint};
 use std::cell::Cell;
 
 /// Pareto front of two functions: the problem's objective, and its last constraint function, whose
-/// limits are ignored. Both are minimised subject to the other constraints. `count` points,
+/// limits are ignored. Both are minimized subject to the other constraints. `count` points,
 /// including the ends, are spread evenly along the front in the plane of the two functions; points
 /// at changes of the active set and at the knee are added.
 ///
 /// `observers` receive every search, with its number, and can interrupt the work.
 ///
 /// # Errors
-/// [`FrontError::NoEnd`] if the minimisation of one function does not converge, and
+/// [`FrontError::NoEnd`] if the minimization of one function does not converge, and
 /// [`FrontError::Refused`] with the errors of [`minimize`](super::minimize()).
 pub fn front(
     problem: &dyn Problem,

@@ -68,7 +68,7 @@ pub(super) fn trace_front(
     points.extend(knee);
     points.sort_by(|a, b| a.at.total_cmp(&b.at));
     let (mut points, dominated) = nondominated(points, &path, plane.span);
-    // at an end of the front, take the active set from the minimisation of a single function: in a
+    // at an end of the front, take the active set from the minimization of a single function: in a
     // search for a compromise the multipliers at the end are 0
     for place in points.iter_mut().filter(|place| place.at.abs() >= 1.0) {
         let end = &ends[usize::from(place.at > 0.0)];
@@ -103,7 +103,7 @@ fn trace_from_both_ends(
             && place.at >= 1.0 - END_REACHED
     });
     if reaches_second {
-        // replace the traced end by the result of the second function's minimisation
+        // replace the traced end by the result of the second function's minimization
         second.point.event = path
             .points
             .pop_if(|place| place.at >= 1.0)
@@ -348,7 +348,7 @@ fn nondominated(
             .last_mut()
             .filter(|last| (last.at - place.at).abs() <= 2.0 * LOCATED);
         match duplicate {
-            // prefer the result of a single function's minimisation at an end
+            // prefer the result of a single function's minimization at an end
             Some(last) if place.at >= 1.0 => *last = place,
             Some(last) if place.point.event.is_some() && last.at > -1.0 => *last = place,
             Some(_) => {}

@@ -342,7 +342,7 @@ impl FitState {
         }
     }
 
-    /// Step that minimises the model with this damping; `None` if the step is too long or not
+    /// Step that minimizes the model with this damping; `None` if the step is too long or not
     /// found.
     fn step(&mut self, bounds: &Bounds, damping: f64) -> Option<ModelStep> {
         self.at.step(bounds, &self.scale, damping, &mut self.solver)

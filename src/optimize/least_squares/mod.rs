@@ -2,10 +2,10 @@
 //! golf.
 //!
 //! ```text
-//!   minimise F(x) = Σ ρ(rᵢ(x))  subject to  low ≤ x ≤ high,   ρ(r) = ½ r², or Huber's
+//!   minimize F(x) = Σ ρ(rᵢ(x))  subject to  low ≤ x ≤ high,   ρ(r) = ½ r², or Huber's
 //! ```
 //!
-//! by the Levenberg–Marquardt method: each step minimises the damped Gauss–Newton model within the
+//! by the Levenberg–Marquardt method: each step minimizes the damped Gauss–Newton model within the
 //! bounds, a convex quadratic program (`optimize::qp`) whose active bounds are exact. The
 //! damping follows the gain ratio. If the residuals are undefined at a trial point, the step is
 //! rejected and the damping grows.
@@ -278,7 +278,7 @@ mod tests {
 
     #[test]
     fn exact_kkt_conditions_at_an_active_bound() {
-        // Misra1a with the bound b₁ ≤ 230 active: b₂ then minimises a function of one variable, and
+        // Misra1a with the bound b₁ ≤ 230 active: b₂ then minimizes a function of one variable, and
         // the derivative by b₂ is 0
         let found = fitted(&SETS[0], &[200.0, 6e-4], 0.0, 230.0);
         assert_eq!((found.status, found.x[0]), (FitStatus::Converged, 230.0));

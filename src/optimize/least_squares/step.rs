@@ -101,7 +101,7 @@ impl GaussNewtonPoint {
         (0..self.x.len()).map(of).fold(0.0, f64::max)
     }
 
-    /// Minimises the model ½ dᵀ(JᵀWJ + μ D²) d + gᵀd within the bounds, with the damping μ and the
+    /// Minimizes the model ½ dᵀ(JᵀWJ + μ D²) d + gᵀd within the bounds, with the damping μ and the
     /// diagonal matrix D of `scale`. Returns the trial point and the predicted reduction of the
     /// undamped model; `None` if the step is too long, or if the quadratic program has no solution.
     pub fn step(

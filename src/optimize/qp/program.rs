@@ -1,6 +1,6 @@
 use nalgebra::{DMatrix, DVector};
 
-/// Quadratic program: minimise ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d) over low ≤ d ≤ high and
+/// Quadratic program: minimize ½ dᵀB d + maxₖ (offsetₖ + gradientₖ · d) over low ≤ d ≤ high and
 /// linear constraints, with B positive semidefinite.
 ///
 /// The model of a smooth function has one term; the model of a function with a kink has one term

@@ -17,8 +17,8 @@ const LEAST_DISTANCE: f64 = 1e-9;
 /// The splines are evaluated up to half this width beyond the last node.
 const CLAMP_WIDTH: f64 = 0.5;
 
-/// Upper bound of |u|ᵃ |w|ᵇ, a, b ≤ 3, in a cell and in the clamps beside it, where |u| and |w| are at
-/// most 1 + [`CLAMP_WIDTH`]/2 = 1.25: 1.25⁶ = 3.8.
+/// Upper bound of |u|ᵃ |w|ᵇ, a, b ≤ 3, in a cell and in the clamps beside it, where |u| and |w| are
+/// at most 1 + [`CLAMP_WIDTH`]/2 = 1.25: 1.25⁶ = 3.8.
 const LARGEST_POWER: f64 = 4.0;
 
 /// Checks the nodes, and makes the grid with its splines.

@@ -43,8 +43,9 @@ pub struct CertificateReport<'a> {
     pub step_errors: &'a [StepError],
     /// Omitted checks, with the reasons.
     pub not_examined: &'a [NotExamined],
-    /// Finite differences of the carry that the while-loop of the MAE 494 report computes, for each
-    /// parameter with a certified derivative of carry.
+    /// For comparison: finite differences of the carry of the MAE 494 report's while-loop, which
+    /// does not interpolate the landing. A row for each parameter with a certified derivative of
+    /// carry.
     pub while_loop: &'a [LoopRow],
     /// Outcomes without derivatives at this drive, with the reasons.
     pub missing: &'a [Missing],

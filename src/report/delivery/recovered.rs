@@ -66,7 +66,7 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
             ""
         };
         let comment = format!(
-            "mean ± {}, deviation ± {}; a shot determines {:.0} % of the variance{rest}",
+            "mean ± {}, deviation ± {}; one shot reduces the assumed variance by {:.0} %{rest}",
             errors[0],
             errors[1],
             100.0 * variance_removed

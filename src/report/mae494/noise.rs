@@ -133,7 +133,7 @@ fn slopes(slopes: &[Slopes]) -> Figure {
     ));
     Figure::new(
         "slopes",
-        "Slopes of carry by loft, attack angle 0°",
+        "d carry/d loft over the loft, attack angle 0°",
         angles("loft"),
         slope,
     )

@@ -7,8 +7,8 @@ use crate::study::{LOFT_OUTCOMES, Plane};
 use crate::units::{System, leading_number};
 use maud::{Markup, html};
 
-/// A row for each loft, a column for each attack angle; each cell has the carry, and the total below
-/// it.
+/// A row for each loft, a column for each attack angle; each cell has the carry, and the total
+/// below it.
 pub(super) fn lofts(plane: &Plane) -> Markup {
     let rows: Vec<usize> = (0..plane.rows).map(|row| row * plane.columns).collect();
     let unit = |system: System| match system {

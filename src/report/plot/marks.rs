@@ -100,7 +100,8 @@ fn write_legend_marks(
     }
 }
 
-/// Writes the label of a mark, with a line to the mark if the label is farther away than `CONNECT_DISTANCE`.
+/// Writes the label of a mark, with a line to the mark if the label is farther away than
+/// `CONNECT_DISTANCE`.
 fn write_connected(labels: &mut Labels<'_>, mark: &Mark, middle: [f64; 2]) {
     let [low, high] = Labels::extent(&mark.name, middle);
     let end = [0, 1].map(|axis| mark.at[axis].clamp(low[axis], high[axis]));
@@ -257,7 +258,8 @@ fn beside(
     let is_clear = |middle: &[f64; 2]| {
         let extent = Labels::extent(name, *middle);
         let own = distance(*at, extent);
-        // a label farther away than `CONNECT_DISTANCE` has a line to its mark, so that other marks may be nearer
+        // a label farther away than `CONNECT_DISTANCE` has a line to its mark, so that other marks
+        // may be nearer
         let least = CLEAR + if own > CONNECT_DISTANCE { SIZE } else { own };
         let mut others = others.iter();
         others.all(|other| distance(other.at, extent) > least)

@@ -14,8 +14,8 @@ const MOST_BYTES: usize = 16 << 20;
 /// A batch as Parquet: optional `DOUBLE` columns, and the status as a required string.
 ///
 /// Row groups are created one at a time. A file with many row groups consists of the
-/// [`head`](Self::head), the bytes of the groups, and a [`footer`](Self::footer) made from the metadata
-/// of the groups. An interrupted file can therefore continue after any of its groups.
+/// [`head`](Self::head), the bytes of the groups, and a [`footer`](Self::footer) made from the
+/// metadata of the groups. An interrupted file can therefore continue after any of its groups.
 pub struct SweepParquet {
     table: ParquetTable,
     /// Number of parameters, outcomes and derivatives.

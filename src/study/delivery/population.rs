@@ -109,13 +109,16 @@ impl PredictedOutcome {
 }
 
 impl Population {
-    /// Estimates the normal distribution of the swings behind shots with an explained launch, by
-    /// maximum likelihood.
+    /// Estimates the normal distribution of a golfer's swings by maximum likelihood, from the shots
+    /// for which a delivery was found.
     ///
-    /// Along unidentified directions the swings have their prior distribution. Because an impact is
-    /// nonlinear, the predicted launches may then scatter more than the shots; if so, the prior
-    /// deviation along these directions is reduced. A club value that was measured with a launch
-    /// counts as a measurement of that swing. The priors of the other unknowns do not.
+    /// In directions of the unknowns that the launches do not determine, the swings have their
+    /// prior distribution. The launches predicted from this distribution may scatter more than the
+    /// shots, because an impact is nonlinear. The prior deviation in these directions is then
+    /// reduced.
+    ///
+    /// A club value that was measured with a shot is a measurement of that swing. A prior that holds
+    /// for all shots is not.
     ///
     /// # Errors
     /// [`Error::Delivery`] for fewer than [`LEAST_SHOTS`] shots, and if most swings of the

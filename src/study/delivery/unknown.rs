@@ -31,7 +31,8 @@ const GOLFERS: &str = "assumed: how golfers differ from each other";
 const STRIKES: &str = "assumed: how far amateurs strike from the middle of the face";
 const EVENLY: &str = "assumed: spread evenly over its range";
 const CLUB: &str = "assumed: the error of a launch monitor's club values";
-const UNKNOWN_ERROR: &str = "assumed: as uncertain as without a measurement, since the error of its measurement is not known";
+const UNKNOWN_ERROR: &str = "assumed: as uncertain as without a measurement, since the error of \
+                             its measurement is not known";
 
 /// Default unknowns: name, prior standard uncertainty, and the source of the uncertainty.
 const DEFAULT_UNKNOWNS: [(&str, &str, &str); 7] = [

@@ -169,7 +169,7 @@ impl Design {
         rule: &'static GolfRule,
         of: Outcome,
     ) -> Result<Option<Enforcement>> {
-        let begun = Vary::initialised(setup, &self.search.vary)?;
+        let begun = Vary::initialized(setup, &self.search.vary)?;
         let moves = |row: &Parameter| changes_the_head(&begun, row);
         let places: Vec<_> = (0..scenarios.parameters.len())
             .filter(|k| moves(scenarios.parameters[*k]))

@@ -154,13 +154,14 @@ impl Measure {
     }
 }
 
-/// Sum over the drives k of a function hₖ of the drive's outcome fₖ. Each term is fₖ with
-/// derivatives, and [hₖ, hₖ′, hₖ″] at fₖ. `centre` is c, or empty for c = 0.
+/// Sum over the drives k of a function hₖ of fₖ − m: fₖ is an outcome of the drive, and m a centre,
+/// such as the mean. A term has fₖ with its derivatives, and the values hₖ, hₖ′ and hₖ″. `centre` is
+/// ∇m, or empty without a centre. The second derivatives of a mean have the factor Σ hₖ′ = 0.
 ///
 /// ```text
 ///   value    = Σ hₖ
-///   gradient = Σ hₖ′ (∇fₖ − c)
-///   Hessian  = Σ hₖ″ (∇fₖ − c)(∇fₖ − c)ᵀ + Σ hₖ′ ∇²fₖ, without the last term if ∇²fₖ is missing
+///   gradient = Σ hₖ′ (∇fₖ − ∇m)
+///   Hessian  = Σ hₖ″ (∇fₖ − ∇m)(∇fₖ − ∇m)ᵀ + Σ hₖ′ ∇²fₖ, without the last term if ∇²fₖ is missing
 /// ```
 fn summed<'a>(
     terms: impl Iterator<Item = (&'a Taylor, [f64; 3])>,

@@ -27,8 +27,8 @@ use std::path::Path;
 
 /// Opens a table by its file name extension: CSV (`.csv`, including exports of launch monitors
 /// separated by commas, semicolons or tabs), Parquet (`.parquet`), or Arrow IPC file or stream
-/// (`.arrow`, `.arrows`, `.feather`). Columns are parameters: the heads of CSV name the
-/// units, other tables are in SI. The whole table is read once, so that errors appear before any work.
+/// (`.arrow`, `.arrows`, `.feather`). Columns are parameters: the heads of CSV name the units,
+/// other tables are in SI. The whole table is read once, so that errors appear before any work.
 ///
 /// # Errors
 /// [`Error::Table`](crate::Error::Table) if the extension is unknown, if the file is unreadable,

@@ -2,7 +2,7 @@
 
 use crate::clock;
 use crate::grid;
-use crate::tasks::{Discretisation, mae494, operation, two};
+use crate::tasks::{Discretization, mae494, operation, two};
 use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::{Outcome, Result};
 use serde_json::{Value, json};
@@ -25,11 +25,11 @@ const STEPS: u32 = 200;
 /// Longest tried step, s.
 const LONGEST_STEP: f64 = 2.0;
 
-fn reference() -> Discretisation {
-    Discretisation::new("rk4", 0.0005)
+fn reference() -> Discretization {
+    Discretization::new("rk4", 0.0005)
 }
 
-fn taylors(by: &Discretisation, order: Order) -> Result<Vec<Taylor>> {
+fn taylors(by: &Discretization, order: Order) -> Result<Vec<Taylor>> {
     let setup = mae494(by)?;
     let evaluator = Evaluator::new(&setup, &[Outcome::Carry], &two(&setup)?, order)?;
     PLACES
@@ -64,7 +64,7 @@ fn errors(found: &[Taylor], exact: &[Taylor]) -> [f64; 3] {
 }
 
 /// Computation times of value, gradient and Hessian, s.
-fn times(by: &Discretisation, budget: f64) -> Result<[f64; 3]> {
+fn times(by: &Discretization, budget: f64) -> Result<[f64; 3]> {
     let mut seconds = [f64::NAN; 3];
     for (seconds, task) in seconds.iter_mut().zip(["T1", "T2", "T3"]) {
         if let Some(operation) = operation(task, by)? {
@@ -77,22 +77,22 @@ fn times(by: &Discretisation, budget: f64) -> Result<[f64; 3]> {
 /// The methods, fastest first, each with its largest step for which it and all shorter tried steps
 /// have errors of at most 1 µm. A method without such a step is omitted.
 fn choose(
-    error: impl Fn(&Discretisation) -> Result<f64>,
-    time: impl Fn(&Discretisation) -> Result<f64>,
+    error: impl Fn(&Discretization) -> Result<f64>,
+    time: impl Fn(&Discretization) -> Result<f64>,
 ) -> Result<Value> {
     let mut candidates = vec![];
     for method in METHODS {
         let mut best = None;
         for i in 1..=STEPS {
             let step = LONGEST_STEP * f64::from(i) / f64::from(STEPS);
-            let error = error(&Discretisation::new(method, step))?;
+            let error = error(&Discretization::new(method, step))?;
             if error > MICROMETRE {
                 break;
             }
             best = Some((step, error));
         }
         let Some((step, error)) = best else { continue };
-        let seconds = time(&Discretisation::new(method, step))?;
+        let seconds = time(&Discretization::new(method, step))?;
         candidates.push((
             seconds,
             json!({"method": method, "step": step, "error": error, "seconds": seconds}),
@@ -114,7 +114,7 @@ pub fn one_micrometre() -> Result<Value> {
         |by| Ok(times(by, 0.1)?[1]),
     )?;
     let exact = grid::carries(&reference())?;
-    let over_grid = |by: &Discretisation| Ok(largest(grid::carries(by)?.iter().zip(&exact)));
+    let over_grid = |by: &Discretization| Ok(largest(grid::carries(by)?.iter().zip(&exact)));
     Ok(
         json!({"single": single, "grid": choose(over_grid, |by| Ok(grid::Rows::new(by)?.time_middle()))?}),
     )
@@ -125,7 +125,7 @@ pub fn work_precision(mut row: impl FnMut(Value)) -> Result<()> {
     let exact = taylors(&reference(), Order::Second)?;
     for (method, ladder) in METHODS.iter().zip(LADDERS) {
         for step in ladder {
-            let by = Discretisation::new(method, step);
+            let by = Discretization::new(method, step);
             let [carry, gradient, hessian] = errors(&taylors(&by, Order::Second)?, &exact);
             row(json!({
                 "method": method,
