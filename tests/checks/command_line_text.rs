@@ -337,7 +337,7 @@ fn completions_and_manual_pages_name_every_command() {
         "{}",
         one.out
     );
-    let none = longdrive(&["man", "optimize"]);
+    let none = longdrive(&["man", "optimise"]);
     assert!(
         none.status == 2 && none.err.contains("did you mean 'optimize'?"),
         "{}",

@@ -160,7 +160,7 @@ impl Question {
                     1 => {}
                     2 => self.args.extend(["plot", "contour"].map(str::to_owned)),
                     _ => {
-                        let name = choices.good_or_bad(&named, &["optimize", "", "plot contours"]);
+                        let name = choices.good_or_bad(&named, &["optimise", "", "plot contours"]);
                         self.push(name);
                     }
                 }
