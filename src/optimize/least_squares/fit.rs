@@ -397,7 +397,10 @@ impl FitState {
             let why = self.rejected.last.as_ref().map_or(String::new(), |why| {
                 format!(" (last undefined trial point: {why})")
             });
-            stalled(&format!("no step makes the sum smaller{why}"), self.cosine)
+            stalled(
+                &format!("no step makes the minimized sum smaller{why}"),
+                self.cosine,
+            )
         })
     }
 
@@ -419,14 +422,15 @@ impl FitState {
                 false => "",
             };
             let message = format!(
-                "the sum is at its smallest: a step could lower it by {part:.1e} of its value at \
-                 most{note}"
+                "the minimized sum is at its smallest: a step could lower it by {part:.1e} \
+                 of its value at most{note}"
             );
             return SearchVerdict::new(FitStatus::Converged, message);
         }
         self.rounding_verdict(bounds).unwrap_or_else(|| {
             stalled(
-                "the next step of the fit is too small to show whether the sum still falls",
+                "the next step of the fit is too small to show whether the minimized sum \
+                 still falls",
                 self.cosine,
             )
         })
@@ -446,8 +450,9 @@ impl FitState {
         let distance = length(&|i| x[i].abs().max((x[i] - self.initial_point[i]).abs()));
         (step <= SHORTEST * distance).then(|| {
             let message = format!(
-                "no step makes the sum smaller, and a step without damping would move the point by \
-                 only {:.1e} of its size: because of rounding the sum can fall no further",
+                "no step makes the minimized sum smaller, and a step without damping would move the \
+                 point by only {:.1e} of its size: because of rounding the minimized sum can fall no \
+                 further",
                 if distance > 0.0 { step / distance } else { 0.0 }
             );
             SearchVerdict::new(FitStatus::Converged, message)
