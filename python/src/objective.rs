@@ -160,11 +160,10 @@ impl SwingArguments {
             return Ok(vec![setup.variable("club.loft")?]);
         }
         let outcomes = match self.is_given() {
-            true => self.goal(of).map(|goal| goal.outcomes()),
-            false => outcomes_named(&[of.to_owned()]),
+            true => self.goal(of)?.outcomes(),
+            false => outcomes_named(&[of.to_owned()])?,
         };
-        // an invalid goal is refused later
-        variables(setup, &outcomes.unwrap_or_default(), wrt)
+        variables(setup, &outcomes, wrt)
     }
 
     fn scenarios(&self, setup: &Setup<f64>) -> Answer<Scenarios> {

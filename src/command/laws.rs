@@ -1,7 +1,7 @@
 use crate::Result;
 use crate::command::args::OwnLaw;
 use crate::command::output::Answer;
-use crate::report::{LawsReport, Line, Reply, Report, SetupOrigin};
+use crate::report::{LawsReport, SetupOrigin};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -15,18 +15,5 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let report = LawsReport::new(args.own.law()?);
-    let advice = [
-        Line::item("choose one with `set aero.law=NAME`; `parameters()` lists the coefficients"),
-        Line::item("or your own table with `set aero.table=mine.csv`; `plot laws()` draws them"),
-    ];
-    Ok(Answer::of(
-        args.json,
-        &SetupOrigin::default(),
-        |warnings| Reply::of(&report, warnings),
-        |system| {
-            let mut document = report.document(system);
-            document.list(advice);
-            document
-        },
-    ))
+    Ok(Answer::report(&report, &SetupOrigin::default(), args.json))
 }

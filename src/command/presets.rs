@@ -1,6 +1,6 @@
 use crate::Result;
 use crate::command::output::Answer;
-use crate::report::{Line, PresetsReport, Reply, Report, SetupOrigin, preset_toml};
+use crate::report::{PresetsReport, SetupOrigin, preset_toml};
 
 #[derive(clap::Args)]
 pub struct Args {
@@ -18,17 +18,5 @@ pub fn run(args: &Args) -> Result<Answer> {
         return Ok(Answer::text(preset_toml(name)?));
     }
     let report = PresetsReport::new(args.name.as_deref())?;
-    Ok(Answer::of(
-        args.json,
-        &SetupOrigin::default(),
-        |warnings| Reply::of(&report, warnings),
-        |system| {
-            let mut document = report.document(system);
-            document.list([Line::item(
-                "'longdrive presets NAME' prints one as a setup file, with the source of each \
-                 number",
-            )]);
-            document
-        },
-    ))
+    Ok(Answer::report(&report, &SetupOrigin::default(), args.json))
 }

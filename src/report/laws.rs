@@ -47,6 +47,14 @@ impl Report for LawsReport {
         for law in &self.laws {
             document.list(law.lines(system));
         }
+        document.list([
+            Line::item(
+                "choose one with `set aero.law=NAME`; `parameters()` lists the coefficients",
+            ),
+            Line::item(
+                "or your own table with `set aero.table=mine.csv`; `plot laws()` draws them",
+            ),
+        ]);
         document
     }
 }

@@ -1,4 +1,4 @@
-use super::document::{Document, DocumentTable};
+use super::document::{Document, DocumentTable, Line};
 use super::json::{ByName, Settings, settings};
 use super::reply::Report;
 use super::shown;
@@ -348,6 +348,9 @@ impl Report for PresetsReport {
             .map(|preset| vec![preset.name.into(), preset.about.into()]);
         let mut document = Document::default();
         document.add(DocumentTable::new(["preset", ""], rows).right([]));
+        document.list([Line::item(
+            "`presets()` with a name prints one as a setup file, with the source of each number",
+        )]);
         document
     }
 }
