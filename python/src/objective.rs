@@ -160,10 +160,11 @@ impl SwingArguments {
             return Ok(vec![setup.variable("club.loft")?]);
         }
         let outcomes = match self.is_given() {
-            true => self.goal(of)?.outcomes(),
-            false => outcomes_named(&[of.to_owned()])?,
+            true => self.goal(of).map(|goal| goal.outcomes()),
+            false => outcomes_named(&[of.to_owned()]),
         };
-        variables(setup, &outcomes, wrt)
+        // an invalid goal is refused where the function is made, which knows whether swings are given
+        variables(setup, &outcomes.unwrap_or_default(), wrt)
     }
 
     fn scenarios(&self, setup: &Setup<f64>) -> Answer<Scenarios> {
