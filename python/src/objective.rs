@@ -163,7 +163,7 @@ impl SwingArguments {
             true => self.goal(of).map(|goal| goal.outcomes()),
             false => outcomes_named(&[of.to_owned()]),
         };
-        // an invalid goal is refused where the function is made, which knows whether swings are given
+        // an invalid goal is refused where the function is made, with the swings that it needs
         variables(setup, &outcomes.unwrap_or_default(), wrt)
     }
 
