@@ -8,7 +8,7 @@ use crate::command::request::{CommandSetting, Request, Source};
 use crate::parameters::is_of_strike;
 use crate::report::{
     DeliveryReport, SetupOrigin, bound_warnings, delivery_toml, parameter_difference_text,
-    parameter_text, population_warnings, recovered_csv, recovered_toml,
+    parameter_text, population_warnings, recovered_csv, recovered_toml, unusual_warnings,
 };
 use crate::study::calibrate::ShotTable;
 use crate::study::delivery::{
@@ -157,6 +157,7 @@ impl Deliveries {
             warnings.push(format!("interrupted: {rows} were not computed").into());
         }
         warnings.extend(bound_warnings(&self.all, system()));
+        warnings.extend(unusual_warnings(&self.all, system()));
         let population = self.population.iter().flatten();
         warnings.extend(population.flat_map(|found| population_warnings(found, system())));
         warnings

@@ -51,7 +51,7 @@ pub use chart::{ChartPointReport, ChartReport};
 pub use compare::{ComparedDrive, ComparisonReport, DifferenceReport};
 pub use delivery::{
     DeliveryReport, DeliveryRow, bound_warnings, delivery_toml, population_warnings, recovered_csv,
-    recovered_toml,
+    recovered_toml, unusual_warnings,
 };
 pub use design::Designed;
 pub use document::{Document, Line, TextOptions, document_files};
@@ -95,8 +95,8 @@ pub use shots::{
     SumsReport, open_connect_answer,
 };
 pub use shown::{
-    goal as goal_text, outcome as outcome_text, stated as parameter_text,
-    stated_difference as parameter_difference_text,
+    goal as goal_text, outcome as outcome_text, parameter as computed_text,
+    stated as parameter_text, stated_difference as parameter_difference_text,
 };
 #[cfg(feature = "parquet")]
 pub use sweep::SweepParquet;

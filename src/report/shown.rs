@@ -164,7 +164,7 @@ pub(super) fn component(parameter: &Parameter, amount: f64, system: System) -> S
 }
 
 /// A computed value of a parameter, such as an optimum or the end of a window.
-pub(super) fn parameter(parameter: &Parameter, value: f64, system: System) -> String {
+pub fn parameter(parameter: &Parameter, value: f64, system: System) -> String {
     computed(parameter, value).in_units(system)
 }
 

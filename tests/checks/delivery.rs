@@ -495,6 +495,35 @@ fn same_comments_of_unchanged_values_in_a_file_written_from_a_file() {
     }
 }
 
+/// A smash factor of 1.58, or of 1.88, is impossible: the stated speed is wrong, so the message
+/// names it, and no setup is written.
+#[test]
+fn a_stated_speed_that_contradicts_the_launch_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("golfer.toml");
+    let launch = "ball_speed=150mph,launch_angle=12deg,spin=2600rpm";
+    for speed in ["95mph", "80mph"] {
+        let file = file.to_str().unwrap();
+        let (status, answer) =
+            json(&["delivery", "--launch", launch, "--speed", speed, "-o", file]);
+        assert_eq!(
+            (status, &answer["rows"][0]["status"]),
+            (1, &"unexplained".into()),
+            "{speed}"
+        );
+        let message = answer["message"].as_str().unwrap();
+        let given = speed.replace("mph", " mph");
+        assert!(
+            message.contains("has swing.speed")
+                && message.contains(&format!("in place of {given}")),
+            "{message}"
+        );
+    }
+    assert!(!file.exists());
+    let (status, _) = json(&["delivery", "--launch", launch, "--speed", "102mph"]);
+    assert_eq!(status, 0, "a smash factor of 1.47");
+}
+
 #[test]
 fn a_launch_without_a_delivery_is_unexplained_and_not_written() {
     let folder = tempfile::tempdir().unwrap();
@@ -509,7 +538,7 @@ fn a_launch_without_a_delivery_is_unexplained_and_not_written() {
         answer["message"]
             .as_str()
             .unwrap()
-            .contains("ball_speed was measured as 300 mph"),
+            .contains("in place of 300 mph"),
         "{}",
         answer["message"]
     );

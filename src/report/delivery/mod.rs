@@ -10,7 +10,7 @@ use super::reply::{Ending, Report, share};
 use super::setup_file::setup_toml;
 use super::shown;
 use crate::error::Result;
-use crate::parameters::{Setup, SetupFile};
+use crate::parameters::{Parameter, Setup, SetupFile};
 use crate::study::delivery::{
     Explained, Population, Posterior, ShotDelivery, Spread, Unidentified,
 };
@@ -99,7 +99,7 @@ impl Report for DeliveryReport<'_> {
         Ending {
             status: share(found, all.len()),
             message: all.iter().find_map(|delivery| match &delivery.found {
-                Ok(delivered) => verdict(delivered).1,
+                Ok(delivered) => verdict(delivered).1.map(|message| message.to_string()),
                 Err(error) => Some(error.to_string()),
             }),
         }
@@ -123,7 +123,8 @@ impl DeliveryRow {
                 Self {
                     row,
                     status,
-                    message: message.unwrap_or_else(|| delivered.message.clone()),
+                    message: message
+                        .map_or_else(|| delivered.message.clone(), |message| message.to_string()),
                     known: delivered.posteriors.clone(),
                     explained: delivered.explained.clone(),
                     unidentified: delivered.unidentified.clone(),
@@ -187,6 +188,40 @@ pub fn bound_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
         )))
     })
     .collect()
+}
+
+/// Warnings about unstated parameters that lie far from their prior: few golfers have such values,
+/// so the launch or its units may be wrong.
+pub fn unusual_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
+    /// Least distance from the prior, in prior standard deviations.
+    const FAR: f64 = 3.0;
+    let found: Vec<_> = all
+        .iter()
+        .filter_map(|delivery| delivery.found.as_ref().ok())
+        .collect();
+    let first = found.first().map_or(&[][..], |first| &first.posteriors);
+    let unstated = first.iter().filter(|known| !known.unknown.is_stated());
+    let warning = |parameter: &'static Parameter| {
+        let known = found.iter().flat_map(|delivered| &delivered.posteriors);
+        let far: Vec<&Posterior> = known
+            .filter(|known| known.unknown.parameter == parameter && known.residual().abs() > FAR)
+            .collect();
+        let first = far.first()?;
+        let show = |value| shown::parameter(parameter, value, system);
+        let launches = ["launch", "launches"];
+        Some(Message::from(format!(
+            "{} of {} is more than {FAR} prior standard deviations from {}, for example {}: check \
+             the values and units of the launch, or `set` {} to a value nearer to the golfer's",
+            parameter.name,
+            counted_of(far.len() as u64, found.len() as u64, launches),
+            show(first.unknown.prior),
+            show(first.value),
+            parameter.name,
+        )))
+    };
+    unstated
+        .filter_map(|known| warning(known.unknown.parameter))
+        .collect()
 }
 
 /// If a launch removes less than this fraction of a parameter's prior variance, the prior alone

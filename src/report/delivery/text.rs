@@ -2,11 +2,11 @@ use crate::optimize::least_squares::FitStatus;
 use crate::parameters::Parameter;
 use crate::report::document::{Document, DocumentTable, Line};
 use crate::report::shown;
-use crate::statistics::{largest_magnitude, median};
+use crate::statistics::median;
 use crate::study::delivery::{
     Delivered, Population, Posterior, Recovered, ShotDelivery, Spread, Unidentified, Unknown,
 };
-use crate::units::{System, counted, fixed};
+use crate::units::{Message, System, counted, fixed};
 
 /// The delivery of one shot.
 pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
@@ -24,7 +24,27 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
     ];
     document.add(DocumentTable::new(head, known).right([1, 2, 3, 4]));
     document.list(measured_club(delivered, system));
-    let explained = delivered.explained.iter().map(|explained| {
+    document.add(differences(delivered, system));
+    if !delivered.unidentified.is_empty() {
+        let title = Line::flush(
+            "Each of these changes, of one parameter or of several together, hardly changes the \
+             launch. How far the delivery goes along them is assumed (± before), not measured:",
+        );
+        let changes = delivered
+            .unidentified
+            .iter()
+            .map(|change| Line::item(unidentified(change, system)));
+        document.list([title].into_iter().chain(changes));
+    }
+    if let (status, Some(message)) = verdict(delivered) {
+        document.paragraph(format!("{status}: {}", message.in_units(system)));
+    }
+    document
+}
+
+/// The given values of launch and club beside those of the delivery.
+fn differences(delivered: &Delivered, system: System) -> DocumentTable {
+    let of_launch = delivered.explained.iter().map(|explained| {
         let of = explained.measured.outcome;
         vec![
             of.name().into(),
@@ -34,23 +54,18 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
             fixed(explained.residual, 2),
         ]
     });
-    let head = ["launch", "measured", "±", "computed", "difference in ±"];
-    document.add(DocumentTable::new(head, explained).right([1, 2, 3, 4]));
-    if !delivered.unidentified.is_empty() {
-        let title = Line::flush(
-            "The launch does not determine these changes of the delivery, since each of them hardly \
-             changes the launch; the prior decides:",
-        );
-        let changes = delivered
-            .unidentified
-            .iter()
-            .map(|change| Line::item(unidentified(change, system)));
-        document.list([title].into_iter().chain(changes));
-    }
-    if let (status, Some(message)) = verdict(delivered) {
-        document.paragraph(format!("{status}: {message}"));
-    }
-    document
+    let of_club = delivered.stated().map(|posterior| {
+        let of = posterior.unknown.parameter;
+        vec![
+            of.name.into(),
+            shown::parameter(of, posterior.unknown.prior, system),
+            shown::difference(of, posterior.unknown.sigma, system),
+            shown::parameter(of, posterior.value, system),
+            fixed(posterior.residual(), 2),
+        ]
+    });
+    let head = ["given", "value", "±", "of the delivery", "difference in ±"];
+    DocumentTable::new(head, of_launch.chain(of_club)).right([1, 2, 3, 4])
 }
 
 /// The assumed uncertainty of each measured or stated club value.
@@ -163,12 +178,10 @@ fn shots(all: &[ShotDelivery], spread: &[Spread], system: System) -> DocumentTab
             .posteriors
             .iter()
             .map(|known| shown::parameter(known.unknown.parameter, known.value, system));
-        let residuals = delivered.explained.iter().map(|one| one.residual);
-        let worst = largest_magnitude(residuals);
         Some(
             std::iter::once(delivery.row.to_string())
                 .chain(values)
-                .chain([fixed(worst, 2)])
+                .chain([fixed(delivered.largest_residual(), 2)])
                 .collect(),
         )
     });
@@ -178,7 +191,7 @@ fn shots(all: &[ShotDelivery], spread: &[Spread], system: System) -> DocumentTab
 /// Lines with the rows that have no delivery, and the reasons.
 fn failures(all: &[ShotDelivery], system: System) -> Vec<Line> {
     let why = |delivery: &ShotDelivery| match &delivery.found {
-        Ok(delivered) => verdict(delivered).1,
+        Ok(delivered) => verdict(delivered).1.map(|message| message.in_units(system)),
         Err(error) => Some(error.in_units(system)),
     };
     let line = |delivery: &ShotDelivery| {
@@ -241,22 +254,15 @@ fn percent(fraction: Option<f64>) -> String {
 }
 
 /// The status of the search for a delivery, with a sentence if it failed.
-pub(super) fn verdict(delivered: &Delivered) -> (&'static str, Option<String>) {
+pub(super) fn verdict(delivered: &Delivered) -> (&'static str, Option<Message>) {
     if delivered.status != FitStatus::Converged {
-        return (delivered.status.name(), Some(delivered.message.clone()));
+        return (
+            delivered.status.name(),
+            Some(delivered.message.clone().into()),
+        );
     }
-    let Some(worst) = delivered.unexplained() else {
-        return (delivered.status.name(), None);
-    };
-    let of = worst.measured.outcome;
-    let message = format!(
-        "no delivery within the ranges explains this launch: {} was measured as {} but the nearest \
-         possible value is {}, {} standard uncertainties away; check the value, the club (`set`) \
-         and the ranges (`vary`)",
-        of.name(),
-        of.show(worst.measured.value),
-        of.show(worst.computed),
-        fixed(worst.residual.abs(), 1)
-    );
-    ("unexplained", Some(message))
+    match delivered.unexplained() {
+        Some(message) => ("unexplained", Some(message)),
+        None => (delivered.status.name(), None),
+    }
 }

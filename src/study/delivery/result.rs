@@ -4,7 +4,9 @@ use super::unknown::Unknown;
 use crate::json::by_name;
 use crate::optimize::least_squares::FitStatus;
 use crate::parameters::{Parameter, Setup};
+use crate::statistics::largest_magnitude;
 use crate::study::calibrate::Measurement;
+use crate::units::{Digits, DisplayUnit, Message, fixed};
 use nalgebra::{DMatrix, SymmetricEigen};
 use serde::Serialize;
 
@@ -25,6 +27,13 @@ pub struct Posterior {
     // 1 if the launch determines the parameter, 0 if it carries no information
     #[serde(rename = "told")]
     pub variance_removed: Option<f64>,
+}
+
+impl Posterior {
+    /// The found minus the prior value, in prior standard uncertainties.
+    pub fn residual(&self) -> f64 {
+        (self.value - self.unknown.prior) / self.unknown.sigma
+    }
 }
 
 /// An outcome of a launch, measured and computed.
@@ -57,8 +66,11 @@ impl Explained {
     }
 }
 
-/// Largest residual of a launch that counts as explained, in standard uncertainties.
+/// Largest difference from a given value that counts as explained, in standard uncertainties.
 const EXPLAINED_WITHIN: f64 = 3.0;
+
+/// Digits of the values in [`Delivered::unexplained`].
+const DIGITS: Digits = Digits::Significant(4);
 
 /// The most probable delivery for a measured launch.
 #[derive(Clone, Debug)]
@@ -83,14 +95,57 @@ pub struct Delivered {
 }
 
 impl Delivered {
-    /// The outcome with the largest residual, if this residual exceeds 3 standard uncertainties: no
-    /// delivery within the ranges explains the launch. `None` if the launch is explained.
-    pub fn unexplained(&self) -> Option<&Explained> {
+    /// The parameters with a stated value or uncertainty: the delivery has to agree with them as
+    /// with the launch.
+    pub fn stated(&self) -> impl Iterator<Item = &Posterior> {
+        let all = self.posteriors.iter();
+        all.filter(|posterior| posterior.unknown.is_stated())
+    }
+
+    /// The largest difference between the delivery and a value of the launch or a stated value of
+    /// the club, in standard uncertainties.
+    pub fn largest_residual(&self) -> f64 {
+        let launch = self.explained.iter().map(|explained| explained.residual);
+        largest_magnitude(launch.chain(self.stated().map(Posterior::residual)))
+    }
+
+    /// Why the delivery found does not explain the launch: the value that differs by more than 3
+    /// standard uncertainties, or the one that differs most if there are several. `None` if all
+    /// values agree.
+    pub fn unexplained(&self) -> Option<Message> {
+        let size = self.largest_residual();
+        if size <= EXPLAINED_WITHIN {
+            return None;
+        }
+        let message = |name: &str, of: DisplayUnit, values: [f64; 2]| {
+            let [given, found] = values
+                .map(|value| Message::default().quantity(of.quantity, of.unit, value, DIGITS));
+            Message::from(
+                "no delivery within the ranges agrees with all given values of launch and club: \
+                 the most probable one has ",
+            )
+            .words(format!("{name} "))
+            .message(found)
+            .words(" in place of ")
+            .message(given)
+            .words(format!(
+                ", {} standard uncertainties away; check each of these values, the club (`set`) \
+                 and the ranges (`vary`)",
+                fixed(size, 1)
+            ))
+        };
+        let mut launch = self.explained.iter();
+        if let Some(worst) = launch.find(|explained| explained.residual.abs() == size) {
+            let Measurement { outcome, value, .. } = worst.measured;
+            let values = [value, worst.computed];
+            return Some(message(outcome.name(), outcome.into(), values));
+        }
         let worst = self
-            .explained
-            .iter()
-            .max_by(|a, b| a.residual.abs().total_cmp(&b.residual.abs()));
-        worst.filter(|worst| worst.residual.abs() > EXPLAINED_WITHIN)
+            .stated()
+            .find(|stated| stated.residual().abs() == size)?;
+        let parameter = worst.unknown.parameter;
+        let values = [worst.unknown.prior, worst.value];
+        Some(message(parameter.name, parameter.into(), values))
     }
 
     /// True if the search converged and explains the launch.

@@ -62,6 +62,11 @@ impl Unknown {
         [Some(CLUB), Some(UNKNOWN_ERROR)].contains(&self.source)
     }
 
+    /// True if the user gave the value or its uncertainty.
+    pub fn is_stated(&self) -> bool {
+        self.source.is_none() || self.has_assumed_error()
+    }
+
     /// The unknown with a measured value as prior. An uncertainty that the user gave stays. A
     /// default uncertainty becomes that of a launch monitor, if this is known. The search range is
     /// widened to include the range around the value.
