@@ -56,6 +56,9 @@ pub fn run(args: &Args) -> Result<Answer> {
     let requests = args.pair.requests()?;
     let comparison = args.pair.comparison(&requests)?;
     warn(warnings(&comparison));
+    if let Some(advice) = requests.iter().find_map(Request::loft_advice) {
+        note(&advice);
+    }
     let spinner = spinner("splitting the difference");
     let found = comparison.of_each(&of);
     spinner.finish();

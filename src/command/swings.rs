@@ -3,13 +3,13 @@
 use crate::command::args::{OptimizeArgs, OptimumArgs, SearchArgs, SwingsArgs, stated};
 use crate::command::interrupt;
 use crate::command::names::note_the_run;
-use crate::command::output::{Answer, note_each, warn};
+use crate::command::output::{Answer, note, note_each, system, warn};
 use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::search::{options, write};
 use crate::optimize::Status;
 use crate::parameters::Vary;
-use crate::report::{OptimumReport, OverSwings, Reply, optimize_document};
+use crate::report::{OptimumReport, OverSwings, Reply, computed_text, optimize_document};
 use crate::study::swings::{
     Correlation, Rule, Scenarios, Strokes, Swings, analyse_over_swings, bootstrap_optimum,
 };
@@ -75,6 +75,7 @@ impl SwingsArgs {
         let setup = request.partial_setup;
         let swings = self.read(&setup)?;
         request.refuse_stated(&swings.parameters(), "the swings have values of it")?;
+        note_replaced(request, &setup, &swings);
         let setup = request.with_values(
             setup,
             swings.parameters().into_iter().zip(swings.means()),
@@ -133,6 +134,32 @@ impl SwingsArgs {
             .map(|text| Correlation::read(setup, text))
             .collect::<Result<Vec<_>>>()?;
         Swings::distributed(inputs, &correlations)
+    }
+}
+
+/// Names the parameters of the setup file that differ from the mean of the swings, which replace
+/// them.
+fn note_replaced(request: &Request, setup: &Setup<f64>, swings: &Swings) {
+    let means = swings.parameters().into_iter().zip(swings.means());
+    let replaced: Vec<_> = means
+        .filter(|(parameter, _)| {
+            request
+                .source
+                .given_in_file()
+                .any(|given| given == *parameter)
+        })
+        .filter_map(|(parameter, mean)| {
+            let [own, mean] = [setup.value(parameter)?, mean]
+                .map(|value| computed_text(parameter, value, system()));
+            (own != mean).then(|| format!("{} {mean} (in the setup {own})", parameter.name))
+        })
+        .collect();
+    if !replaced.is_empty() {
+        let replaced = replaced.join(", ");
+        note(&format!(
+            "the swings replace values of {}; their means: {replaced}",
+            request.source.name()
+        ));
     }
 }
 

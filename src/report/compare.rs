@@ -159,6 +159,8 @@ impl Report for ComparisonReport<'_> {
         for difference in differences() {
             add_causes(&mut document, difference, system);
         }
+        let off_centre = self.comparison.setups.iter().find_map(shown::gear_effect);
+        document.list(off_centre.map(Line::flush));
         document
     }
 }

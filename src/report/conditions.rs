@@ -3,7 +3,7 @@
 use super::shown;
 use crate::atmosphere::AirState;
 use crate::parameters::Setup;
-use crate::units::{Digits, Message, Quantity, System};
+use crate::units::{Digits, Message, Quantity, System, is_zero, leading_number};
 
 /// Parameters with their values: "swing speed 115 mph, swing path 0 deg".
 pub(super) fn parameters(setup: &Setup<f64>, names: &[&str], system: System) -> String {
@@ -58,5 +58,32 @@ pub(super) fn wind(setup: &Setup<f64>, system: System) -> Option<String> {
         })
     };
     let names: Vec<&str> = WIND.into_iter().filter(is_given).collect();
-    (!names.is_empty()).then(|| parameters(setup, &names, system))
+    if names.is_empty() {
+        return None;
+    }
+    let stated = parameters(setup, &names, system);
+    match setup.wind.speed.zip(setup.wind.from) {
+        Some((speed, from)) if names.contains(&"wind.speed") => {
+            let sides = sides_of_wind(setup, [speed * from.cos(), speed * from.sin()], system);
+            Some(format!("{stated}: {sides}"))
+        }
+        _ => Some(stated),
+    }
+}
+
+/// A wind by its components against the ball and from the right, m/s: "7.1 mph head wind, 7.1 mph
+/// from the left". A component that is zero as shown is omitted.
+fn sides_of_wind(setup: &Setup<f64>, components: [f64; 2], system: System) -> String {
+    let names = [
+        ["head wind", "tail wind"],
+        ["from the right", "from the left"],
+    ];
+    let one = |(component, [positive, negative]): (f64, [&str; 2])| {
+        let row = setup.parameter("wind.downrange").ok()?;
+        let speed = shown::parameter(row, component.abs(), system);
+        let name = if component > 0.0 { positive } else { negative };
+        (!is_zero(leading_number(&speed))).then(|| format!("{speed} {name}"))
+    };
+    let sides: Vec<_> = components.into_iter().zip(names).filter_map(one).collect();
+    sides.join(", ")
 }

@@ -138,7 +138,8 @@ impl Report for DriveReport<'_> {
                 document.add(outcomes("flight", OutcomeGroup::Flight, drive, system));
                 let run = on_the_run(landed.rest.as_ref()).in_units(system);
                 let beyond = extrapolated(drive_setup, drive, system).map(Line::note);
-                let notes = beyond.into_iter().chain([Line::note(run), conditions]);
+                let notes = shown::gear_effect(drive_setup).map(Line::note).into_iter();
+                let notes = notes.chain(beyond).chain([Line::note(run), conditions]);
                 document.list(notes);
             }
             Flight::None(why) => {

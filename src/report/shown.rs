@@ -16,6 +16,12 @@ pub(super) const NONE: &str = "–";
 pub(super) const GEAR_EFFECT: &str =
     "the gear effect of strikes off the centre is known to about 30 %";
 
+/// [`GEAR_EFFECT`] for a strike towards the toe or the heel, with its consequence for a drive.
+pub(super) fn gear_effect(setup: &Setup<f64>) -> Option<String> {
+    let is_off_centre = !setup.launch.is_given() && setup.strike.toe != 0.0;
+    is_off_centre.then(|| format!("{GEAR_EFFECT}, so the curve may be to the other side"))
+}
+
 /// Parameters that have another name on launch monitors.
 const NAMES: [(&str, &str); 2] = [("swing.speed", "club speed"), ("swing.path", "club path")];
 

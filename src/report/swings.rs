@@ -8,9 +8,9 @@ use super::shown;
 use crate::optimize::Status;
 use crate::study::Optimum;
 use crate::study::swings::{
-    BootstrapOptimum, GoalError, Nominal, Rule, SamplingError, Scenarios, SwingsAnalysis,
+    BootstrapOptimum, GoalError, Measure, Nominal, Rule, SamplingError, Scenarios, SwingsAnalysis,
 };
-use crate::units::{System, counted};
+use crate::units::{System, counted, significant};
 use serde::Serialize;
 
 /// Additional results over swings; empty for a single drive.
@@ -216,6 +216,7 @@ pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Li
     }
     notes.extend(designs(best, nominal(over.analysis.as_ref())));
     notes.extend(smoothed_limits(best, system));
+    notes.extend(measures_of_shares(best));
     notes.push(sampling(best, over.analysis.as_ref(), system));
     if best.search.scenarios.rule == Rule::Recorded
         && over.resampled.is_none()
@@ -280,6 +281,27 @@ fn smoothed_limits(best: &Optimum, system: System) -> Vec<String> {
             )
         })
         .collect()
+}
+
+/// The meaning of each measure that is a mean over a share of the swings.
+fn measures_of_shares(best: &Optimum) -> Vec<String> {
+    let terms = best.search.goals().flat_map(|goal| &goal.terms);
+    let mut notes: Vec<String> = vec![];
+    for (_, measure) in terms {
+        let (name, of, share) = match measure {
+            Measure::Lowest(of, share) => ("lowest", of, share),
+            Measure::Highest(of, share) => ("highest", of, share),
+            _ => continue,
+        };
+        let percent = significant(100.0 * share, 4);
+        let of = of.name();
+        let note =
+            format!("{name}({of}, {percent}%): mean {of} of the {name} {percent} % of the swings");
+        if !notes.contains(&note) {
+            notes.push(note);
+        }
+    }
+    notes
 }
 
 /// The number of swings, the rule that chose them, and the uncertainty of the objective.

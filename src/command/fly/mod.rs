@@ -192,9 +192,8 @@ fn warn_about_shots(tally: &ShotStatistics, shots: &Shots, law: &Law<f64>) -> Op
 fn of_lofted(tally: &ShotStatistics, law: &Law<f64>) -> Option<String> {
     (tally.lofted > 0 && law.name() == "launch-monitor").then(|| {
         format!(
-            "{} of clubs with more loft than a driver (spin ratio above 0.12): launch monitors \
-             predict carries 4 to 8 yd longer there; \
-             `set aero.law=ferguson` halves this difference",
+            "{} with a spin ratio above 0.12, as of irons and of slow drivers: for irons, launch \
+             monitors give carries 4 to 8 yd longer, half as much with `set aero.law=ferguson`",
             counted(tally.lofted, "shot")
         )
     })

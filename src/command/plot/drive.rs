@@ -7,7 +7,9 @@ use crate::command::output::{Answer, note, spinner, system};
 use crate::command::picture::{PictureArgs, PlotDestination};
 use crate::command::request::{Request, Source};
 use crate::optimize::{Observer, Status};
+use crate::report::computed_text;
 use crate::report::figures::{face_figure, fairway_figure, launches_figure, strikes_figure};
+use crate::report::plot::Figure;
 use crate::study::{
     Cause, Face, Landing, Launches, NamedDrive, Optimum, Search, causes, optimum, with_defaults,
 };
@@ -32,7 +34,7 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
             &with_defaults(&best.setup, &given, &of)?,
         )?);
     }
-    let figure = fairway_figure(&landings, system());
+    let figure = with_optimum(fairway_figure(&landings, system()), best.as_ref());
     target.write_with_setup(
         &request,
         &setup,
@@ -52,7 +54,7 @@ pub fn launches(args: &PlotSearch) -> Result<Answer> {
     let spinner = spinner("computing the map");
     let map = Launches::around(&drives)?;
     spinner.finish();
-    let figure = launches_figure(&map, system());
+    let figure = with_optimum(launches_figure(&map, system()), best.as_ref());
     target.write_with_setup(
         &request,
         &setup,
@@ -121,6 +123,22 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         what: "design",
     })?;
     target.write_with_setup(&request, &setup, &figure, of_other)
+}
+
+/// Adds the parameters of the optimum to the caption.
+fn with_optimum(figure: Figure, best: Option<&Optimum>) -> Figure {
+    let Some(best) = best else {
+        return figure;
+    };
+    let varied = best.search.vary.iter().zip(&best.solution.x);
+    let varied: Vec<_> = varied
+        .map(|(vary, value)| {
+            let value = computed_text(vary.parameter, *value, system());
+            format!("{} {value}", vary.parameter.name)
+        })
+        .collect();
+    let note = format!("{} The optimum has {}.", figure.note, varied.join(", "));
+    figure.noted(note)
 }
 
 /// Refuses a drive given by its launch, because such a drive has no club face.

@@ -273,13 +273,35 @@ impl Request {
         self.source.title() + &settings.collect::<String>()
     }
 
-    /// The setup that the answer is about.
+    /// The setup that the answer is about. A stated speed with the loft of an average golfer gets
+    /// advice ([`Self::loft_advice`]).
     pub fn origin(&self) -> SetupOrigin {
         SetupOrigin {
             title: self.title(),
             has_name: self.source.has_name(),
+            advice: self.loft_advice().unwrap_or_default(),
             ..SetupOrigin::default()
         }
+    }
+
+    /// Advice if a stated speed is combined with the loft of an average golfer of another speed.
+    pub fn loft_advice(&self) -> Option<String> {
+        let states = |name| self.stated().any(|stated| stated == name);
+        if !self.source.is_average() || !states("swing.speed") || states("club.loft") {
+            return None;
+        }
+        let own = Setup::preset(&self.source.argument).ok()?;
+        let show = |name| {
+            let parameter = own.variable(name).ok()?;
+            Some(parameter_text(parameter, own.value(parameter)?, system()))
+        };
+        Some(format!(
+            "club.loft {} is the loft of {} at {}: at another speed another loft carries farther; \
+             state your loft, for example `set club.loft=10.5deg`",
+            show("club.loft")?,
+            self.source.name(),
+            show("swing.speed")?
+        ))
     }
 
     /// The setup that the answer of a search is about. A search for the loft gets advice if shaft
@@ -287,7 +309,10 @@ impl Request {
     /// degrees.
     pub fn origin_of_search(&self, vary: &[Vary]) -> SetupOrigin {
         let varies_loft = vary.iter().any(|vary| vary.parameter.name == "club.loft");
-        let advice = if varies_loft && self.source.is_average() {
+        if !varies_loft {
+            return self.origin();
+        }
+        let advice = if self.source.is_average() {
             format!(
                 "the loft is for the shaft and strike of {}: for the same launch other golfers \
                  need a loft some degrees higher or lower; `delivery()` starts from your own \
