@@ -479,3 +479,70 @@ fn the_column_of_strokes_has_exactly_this_name() {
     assert_eq!(status, 2);
     assert!(answer["message"].to_string().contains("is there twice"));
 }
+
+/// Lines of answers that state an assumption, and arguments whose answers have the line or not.
+#[test]
+fn answers_state_an_assumption_where_it_applies_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let golfer = folder.path().join("golfer.toml");
+    fs::write(
+        &golfer,
+        "preset = \"tour-average\"\n[swing]\nspeed = \"95 mph\"\n",
+    )
+    .unwrap();
+    let swings = folder.path().join("swings.csv");
+    fs::write(&swings, "swing.speed [mph]\n104\n106\n108\n").unwrap();
+    let [golfer, swings] = [&golfer, &swings].map(|file| file.to_str().unwrap());
+    let is_said = |words: &[&str], line: &str| {
+        let printed = longdrive(words);
+        assert_eq!(printed.status, 0, "{words:?}: {}", printed.err);
+        on_one_line(&(printed.out + &printed.err)).contains(line)
+    };
+    for (line, with, without) in [
+        (
+            "club.loft 8.8° is the loft of tour-average at 115 mph",
+            &["simulate", "--speed", "95mph"][..],
+            &["simulate", "--speed", "95mph", "--loft", "12deg"][..],
+        ),
+        (
+            "club.loft 8.8° is the loft of tour-average at 115 mph",
+            &[
+                "compare",
+                "--speed",
+                "95mph",
+                "--set-b",
+                "swing.speed=100mph",
+            ],
+            &["compare", "--set-b", "club.loft=12deg"],
+        ),
+        (
+            "wind from 0°: 10.00 mph tail wind",
+            &["simulate", "--wind=-10mph", "--set", "wind.from=0deg"],
+            &["simulate", "--wind=10mph", "--set", "wind.from=0deg"],
+        ),
+        (
+            "gear effect of strikes off the centre is known to about 30 %",
+            &["simulate", "--set", "strike.toe=15mm"],
+            &["simulate", "--set", "strike.high=5mm"],
+        ),
+        (
+            "lowest(carry, 10%): mean carry of the lowest 10 % of the swings",
+            &[
+                "optimize",
+                "--swings",
+                swings,
+                "--maximize",
+                "lowest(carry, 10%)",
+            ],
+            &["optimize", "--swings", swings, "--maximize", "mean(carry)"],
+        ),
+        (
+            "their means: swing.speed 106.00 mph (in the setup 95.00 mph)",
+            &["optimize", golfer, "--swings", swings],
+            &["optimize", "--swings", swings],
+        ),
+    ] {
+        assert!(is_said(with, line), "{with:?}");
+        assert!(!is_said(without, line), "{without:?}");
+    }
+}

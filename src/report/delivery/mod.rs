@@ -45,8 +45,9 @@ pub struct DeliveryReport<'a> {
 pub struct DeliveryRow {
     /// The row in the table, from 1.
     pub row: usize,
-    /// The status of the fit: `converged`, `unexplained` (no delivery within the ranges gives the
-    /// launch), `stalled`, `iteration-limit`, or the status of the error.
+    /// The status of the fit: `converged`, `unexplained` (no delivery within the ranges agrees with
+    /// the launch and the stated club values), `stalled`, `iteration-limit`, or the status of the
+    /// error.
     pub status: &'static str,
     /// The status in a sentence.
     pub message: String,
