@@ -10,7 +10,7 @@ mod turf;
 
 use crate::number::{Mask, Numbers, Vector, inlined, smooth_step};
 use bounce::Motion;
-use sliding::Sliding;
+use sliding::slide_to_rest;
 pub(crate) use turf::Turf;
 
 /// Position of the ball at rest.
@@ -141,22 +141,19 @@ impl<T: Numbers> Turf<T> {
         let slip = ball.slip(velocity, normal, radius);
         // friction decelerates the slip s by μ_g g n_x/k, and gravity accelerates the slip by G: it
         // ends like the motion of a sliding body
-        let sliding = Sliding {
-            deceleration: self.friction * plane.normal_gravity / k,
-            pull,
-        };
-        let (time, slip_distance) = sliding.stop(slip);
+        let slip_deceleration = self.friction * plane.normal_gravity / k;
+        let (time, slip_distance) = slide_to_rest(slip, slip_deceleration, pull);
         let pulled = pull * time;
         let half = pull * (time * 0.5);
         // v T + G T²/2 − k (s T + G T²/2 − D), with the time T until the slip s ends, and the
         // integral D of the slip over this time
         let slid = (velocity + half) * time - ((slip + half) * time - slip_distance) * k;
         let rolling_velocity = velocity + pulled - (slip + pulled) * k;
-        let rolling = Sliding {
-            deceleration: self.rolling * plane.normal_gravity,
-            pull: pull * (T::constant(1.0) - k),
-        };
-        let (_, rolled) = rolling.stop(rolling_velocity);
+        let (_, rolled) = slide_to_rest(
+            rolling_velocity,
+            self.rolling * plane.normal_gravity,
+            pull * (T::constant(1.0) - k),
+        );
         slid + rolled
     }
 }

@@ -2,31 +2,24 @@
 
 use crate::number::{Numbers, Vector, inlined};
 
-/// A body that slides under dry friction and a constant force: dv/dt = G − a v/|v|.
-pub(super) struct Sliding<T> {
-    /// a: deceleration by friction, against the velocity, m/s².
-    pub deceleration: T,
-    /// G: acceleration by the constant force, m/s².
-    pub pull: Vector<T>,
-}
-
 /// η, m/s: √(v·v + η²) − η replaces |v|, which has a corner at rest.
 const SMOOTHING_SPEED: f64 = 1e-4;
 
-impl<T: Numbers> Sliding<T> {
-    /// Time T, s, and displacement D, m, until the body rests (eq. 23). NaN if |G| ≥ a, because the
-    /// body does not stop.
-    ///
-    /// T follows from d(a|v| + v·G)/dt = −(a² − |G|²). D follows in the same way from quadratic
-    /// functions of |v| and v·G.
-    #[inline(always)]
-    pub fn stop(&self, velocity: Vector<T>) -> (T, Vector<T>) {
-        T::not_inlined(inlined!(|| self.stop_inlined(velocity)))
-    }
-
-    #[inline(always)]
-    fn stop_inlined(&self, velocity: Vector<T>) -> (T, Vector<T>) {
-        let (a, pull) = (self.deceleration, self.pull);
+/// Time T, s, and displacement D, m, until a body of this velocity rests (eq. 23). The body slides
+/// under dry friction and a constant force: dv/dt = G − a v/|v|, with the `deceleration` a by
+/// friction, m/s², and the acceleration G by the force, `pull`, m/s². NaN if |G| ≥ a, because the
+/// body does not stop.
+///
+/// T follows from d(a|v| + v·G)/dt = −(a² − |G|²). D follows in the same way from quadratic
+/// functions of |v| and v·G.
+#[inline(always)]
+pub(super) fn slide_to_rest<T: Numbers>(
+    velocity: Vector<T>,
+    deceleration: T,
+    pull: Vector<T>,
+) -> (T, Vector<T>) {
+    T::not_inlined(inlined!(|| {
+        let a = deceleration;
         let speed =
             (velocity.dot(velocity) + SMOOTHING_SPEED * SMOOTHING_SPEED).sqrt() - SMOOTHING_SPEED;
         // v·G, |G|² and a²
@@ -41,12 +34,12 @@ impl<T: Numbers> Sliding<T> {
         let displacement = velocity * ((a_speed * 2.0 + v_g) * per_quadruple)
             + pull * (by_pull * per_difference * 0.25);
         ((a_speed + v_g) * per_difference, displacement)
-    }
+    }))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Sliding;
+    use super::slide_to_rest;
     use crate::number::Vector;
 
     /// dv/dt = G − a v/|v|, integrated by the midpoint method in small steps.
@@ -71,11 +64,7 @@ mod tests {
             [0.3, -0.9, 1.1],
         ] {
             let pull = Vector::from_array(pull);
-            let (time, way) = Sliding {
-                deceleration: 2.0,
-                pull,
-            }
-            .stop(velocity);
+            let (time, way) = slide_to_rest(velocity, 2.0, pull);
             let (expected, there) = stepped(2.0, pull, velocity);
             assert!(
                 (time - expected).abs() < 1e-3 * expected,
@@ -89,11 +78,7 @@ mod tests {
         // straight up and down the slope: v²/(2 (a ± G))
         for (pull, expected) in [(-1.0_f64, 100.0 / 6.0), (1.0, 100.0 / 2.0)] {
             let pull = Vector::new(0.0, 0.0, pull);
-            let (_, way) = Sliding {
-                deceleration: 2.0,
-                pull,
-            }
-            .stop(Vector::new(0.0, 0.0, 10.0));
+            let (_, way) = slide_to_rest(Vector::new(0.0, 0.0, 10.0), 2.0, pull);
             assert!((way.z / expected - 1.0).abs() < 1e-3, "{way:?}");
         }
     }
@@ -102,11 +87,7 @@ mod tests {
     fn no_rest_where_gravity_along_the_slope_reaches_the_deceleration() {
         let velocity = Vector::new(0.0_f64, 0.0, 5.0);
         for pull in [2.0, 2.5] {
-            let (time, way) = Sliding {
-                deceleration: 2.0,
-                pull: Vector::new(0.0, pull, 0.0),
-            }
-            .stop(velocity);
+            let (time, way) = slide_to_rest(velocity, 2.0, Vector::new(0.0, pull, 0.0));
             assert!(time.is_nan() && way.z.is_nan());
         }
     }

@@ -16,16 +16,14 @@ pub struct Delivery<T> {
 /// V₁, m/s: head speed for which bend and droop of the shaft are stated, 100 mph.
 const REFERENCE_SPEED: f64 = 44.704;
 
-/// Deflection of the shaft at impact, rad: forward bend and droop (docs/model.md, eqs. 2a, 2b).
-#[derive(Clone, Copy)]
-struct ShaftDeflection<T> {
-    bend: Option<T>,
-    droop: Option<T>,
-}
-
-impl<T: Numbers> ShaftDeflection<T> {
+impl<T: Numbers> Delivery<T> {
+    /// Delivery of a swing (docs/model.md, eqs. 1–2b). The head is turned toe down by the shaft
+    /// droop, pitched up by attack angle − shaft lean + shaft bend, then yawed by the face angle.
     #[inline(always)]
-    fn new(swing: &Swing<T>) -> Self {
+    pub fn new(swing: &Swing<T>) -> Self {
+        let (sin_attack, cos_attack) = swing.attack_angle.sin_cos();
+        let (sin_path, cos_path) = swing.path.sin_cos();
+        // eq. 2a: the shaft at this head speed
         let (mut bend, mut droop) = (swing.shaft_bend, swing.shaft_droop);
         if let Some(power) = swing.shaft_growth
             && (bend.is_some() || droop.is_some())
@@ -35,23 +33,8 @@ impl<T: Numbers> ShaftDeflection<T> {
             let grown = inlined!(|angle: T| angle * growth);
             (bend, droop) = (bend.map(grown), droop.map(grown));
         }
-        Self { bend, droop }
-    }
-}
-
-impl<T: Numbers> Delivery<T> {
-    /// Delivery of a swing (docs/model.md, eqs. 1–2b). The head is turned toe down by the shaft
-    /// droop, pitched up by attack angle − shaft lean + shaft bend, then yawed by the face angle.
-    #[inline(always)]
-    pub fn new(swing: &Swing<T>) -> Self {
-        let (sin_attack, cos_attack) = swing.attack_angle.sin_cos();
-        let (sin_path, cos_path) = swing.path.sin_cos();
-        let shaft = ShaftDeflection::new(swing);
         let pitch = swing.attack_angle - swing.shaft_lean;
-        let (sin_pitch, cos_pitch) = shaft
-            .bend
-            .map_or(pitch, inlined!(|bend| pitch + bend))
-            .sin_cos();
+        let (sin_pitch, cos_pitch) = bend.map_or(pitch, inlined!(|bend| pitch + bend)).sin_cos();
         let (sin_yaw, cos_yaw) = swing.face_angle.sin_cos();
         // eq. 1
         let direction = Vector::new(sin_attack, cos_attack * sin_path, cos_attack * cos_path);
@@ -60,7 +43,7 @@ impl<T: Numbers> Delivery<T> {
         let toe = Vector::new(T::zero(), cos_yaw, -sin_yaw);
         let forward = Vector::new(sin_pitch, cos_pitch * sin_yaw, cos_pitch * cos_yaw);
         // eq. 2b
-        let axes = match shaft.droop {
+        let axes = match droop {
             None => [up, toe, forward],
             Some(droop) => {
                 let (sin, cos) = droop.sin_cos();
