@@ -31,35 +31,6 @@ impl<T> Launch<T> {
 }
 
 impl<T: Numbers> Launch<T> {
-    /// The launch with these launch conditions, SI. The functions [`ball_speed`](Self::ball_speed),
-    /// [`launch_angle`](Self::launch_angle), [`launch_direction`](Self::launch_direction),
-    /// [`backspin`](Self::backspin) and [`sidespin`](Self::sidespin) return them.
-    ///
-    /// ```
-    /// use longdrive::launch::Launch;
-    /// let launch = Launch::with_conditions(70.0, 0.2, 0.1, 300.0, -50.0);
-    /// assert!((launch.ball_speed() - 70.0_f64).abs() < 1e-12);
-    /// assert!((launch.launch_direction() - 0.1).abs() < 1e-15);
-    /// assert!((launch.backspin() - 300.0).abs() < 1e-12 && (launch.sidespin() + 50.0).abs() < 1e-12);
-    /// ```
-    #[inline(always)]
-    pub fn with_conditions(
-        ball_speed: T,
-        angle: T,
-        direction: T,
-        backspin: T,
-        sidespin: T,
-    ) -> Self {
-        let ((rise, run), (right, ahead)) = (angle.sin_cos(), direction.sin_cos());
-        let velocity = Vector::new(rise, run * right, run * ahead) * ball_speed;
-        let back_axis = Vector::new(T::zero(), ahead, -right);
-        let side_axis = Vector::new(-run, rise * right, rise * ahead);
-        Self {
-            velocity,
-            spin: back_axis * backspin + side_axis * sidespin,
-        }
-    }
-
     /// The launch that a setup gives (`launch.*`); `None` if a club strikes the ball.
     #[inline(always)]
     pub fn given(setup: &Setup<T>) -> Option<Self> {
@@ -73,13 +44,15 @@ impl<T: Numbers> Launch<T> {
             }
             None => (or_zero(given.backspin), or_zero(given.sidespin)),
         };
-        Some(Self::with_conditions(
-            speed,
-            angle,
-            or_zero(given.launch_direction),
-            back,
-            side,
-        ))
+        let direction = or_zero(given.launch_direction);
+        let ((rise, run), (right, ahead)) = (angle.sin_cos(), direction.sin_cos());
+        let velocity = Vector::new(rise, run * right, run * ahead) * speed;
+        let back_axis = Vector::new(T::zero(), ahead, -right);
+        let side_axis = Vector::new(-run, rise * right, rise * ahead);
+        Some(Self {
+            velocity,
+            spin: back_axis * back + side_axis * side,
+        })
     }
 }
 

@@ -11,45 +11,36 @@ use crate::parameters::{AxisVariable, CoefficientGrid, LawTableAxis};
 #[inline(always)]
 pub(super) fn grid_coefficients<T: Numbers>(
     grid: &'static CoefficientGrid,
-    factors: [T; 2],
-    stream: Stream<T>,
-) -> Coefficients<T> {
-    T::not_inlined(inlined!(move || grid_coefficients_inlined(
-        grid, factors, stream
-    )))
-}
-
-#[inline(always)]
-fn grid_coefficients_inlined<T: Numbers>(
-    grid: &'static CoefficientGrid,
     [cd_factor, cl_factor]: [T; 2],
     stream: Stream<T>,
 ) -> Coefficients<T> {
-    let speed = coordinate(&grid.speed, &stream);
-    let spin = coordinate(&grid.spin, &stream);
-    let c = speed.gather(spin, inlined!(|speed, spin| grid.surface.cell(speed, spin)));
-    // u and w: speed and spin within the cell, for a bicubic polynomial by Horner's scheme
-    let (u, w) = ((speed - c[0]) * c[1], (spin - c[2]) * c[3]);
-    let (mut drag, mut lift) = (T::zero(), T::zero());
-    let mut power = 4;
-    while power > 0 {
-        power -= 1;
-        let (d, l) = (4 + 4 * power, 20 + 4 * power);
-        let along = w.mul_add(w.mul_add(w.mul_add(c[d + 3], c[d + 2]), c[d + 1]), c[d]);
-        drag = drag.mul_add(u, along);
-        let along = w.mul_add(w.mul_add(w.mul_add(c[l + 3], c[l + 2]), c[l + 1]), c[l]);
-        lift = lift.mul_add(u, along);
-    }
-    let mut lift = cl_factor * lift;
-    if let Some((variable, per_least)) = grid.lift_onset {
-        let part = value(variable, &stream) * per_least;
-        let short = T::constant(1.0) - part.select(T::constant(1.0), part.below(1.0));
-        lift = lift * (T::constant(1.0) - short * short * short);
-    }
-    Coefficients {
-        drag: cd_factor * drag,
-        lift,
-    }
+    T::not_inlined(inlined!(move || {
+        let speed = coordinate(&grid.speed, &stream);
+        let spin = coordinate(&grid.spin, &stream);
+        let c = speed.gather(spin, inlined!(|speed, spin| grid.surface.cell(speed, spin)));
+        // u and w: speed and spin within the cell, for a bicubic polynomial by Horner's scheme
+        let (u, w) = ((speed - c[0]) * c[1], (spin - c[2]) * c[3]);
+        let (mut drag, mut lift) = (T::zero(), T::zero());
+        let mut power = 4;
+        while power > 0 {
+            power -= 1;
+            let (d, l) = (4 + 4 * power, 20 + 4 * power);
+            let along = w.mul_add(w.mul_add(w.mul_add(c[d + 3], c[d + 2]), c[d + 1]), c[d]);
+            drag = drag.mul_add(u, along);
+            let along = w.mul_add(w.mul_add(w.mul_add(c[l + 3], c[l + 2]), c[l + 1]), c[l]);
+            lift = lift.mul_add(u, along);
+        }
+        let mut lift = cl_factor * lift;
+        if let Some((variable, per_least)) = grid.lift_onset {
+            let part = value(variable, &stream) * per_least;
+            let short = T::constant(1.0) - part.select(T::constant(1.0), part.below(1.0));
+            lift = lift * (T::constant(1.0) - short * short * short);
+        }
+        Coefficients {
+            drag: cd_factor * drag,
+            lift,
+        }
+    }))
 }
 
 #[inline(always)]

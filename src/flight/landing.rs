@@ -65,7 +65,13 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     ) -> FlightResult<T> {
         let mut stepper = Stepper::new(self);
         let mut nodes = [self.launch(); 2];
-        let mut step = Step::before_first(&mut nodes);
+        let [from, to] = &mut nodes;
+        let mut step = Step {
+            from,
+            to,
+            position_increment: Vector::zero(),
+            velocity_increment: Vector::zero(),
+        };
         let has_been_above = self.ground.below(0.0);
         let mut lanes = LaneStates {
             flying: lanes & (has_been_above | is_rising(step.to)),

@@ -35,18 +35,7 @@ pub(crate) struct Step<'n, T> {
 /// Callback that receives the start time of each step, and the step.
 pub(crate) type StepObserver<'o, T> = Option<&'o mut dyn FnMut(f64, &Step<'_, T>)>;
 
-impl<'n, T: Numbers> Step<'n, T> {
-    /// The state before the first step, when both nodes are the launch.
-    #[inline(always)]
-    pub fn before_first([from, to]: &'n mut [StepNode<T>; 2]) -> Self {
-        Self {
-            from,
-            to,
-            position_increment: Vector::zero(),
-            velocity_increment: Vector::zero(),
-        }
-    }
-
+impl<T: Numbers> Step<'_, T> {
     /// Defect of a step of length h, m (docs/model.md, eq. 16a): the change of position minus its
     /// value by Hermite's quadrature, times (|Δv|/|v_r|)⁴. The defect of a step is O(h⁹), so the
     /// sum over a flight is O(h⁸).

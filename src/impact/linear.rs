@@ -15,38 +15,32 @@ pub(super) struct SymmetricFactors<T> {
 impl<T: Numbers> SymmetricFactors<T> {
     /// Factorizes the matrix whose lower triangle, row by row, is `lower`.
     #[inline(always)]
-    pub fn new(lower: [T; 6]) -> Self {
-        T::not_inlined(inlined!(|| Self::new_inlined(lower)))
-    }
-
-    #[inline(always)]
-    fn new_inlined([a00, a10, a11, a20, a21, a22]: [T; 6]) -> Self {
-        let first = a00.recip();
-        let (l10, l20) = (a10 * first, a20 * first);
-        let second = (a11 - l10 * a10).recip();
-        let reduced = a21 - l20 * a10;
-        let l21 = reduced * second;
-        let third = (a22 - l20 * a20 - l21 * reduced).recip();
-        Self {
-            inverse_pivots: [first, second, third],
-            below: [l10, l20, l21],
-        }
+    pub fn new([a00, a10, a11, a20, a21, a22]: [T; 6]) -> Self {
+        T::not_inlined(inlined!(|| {
+            let first = a00.recip();
+            let (l10, l20) = (a10 * first, a20 * first);
+            let second = (a11 - l10 * a10).recip();
+            let reduced = a21 - l20 * a10;
+            let l21 = reduced * second;
+            let third = (a22 - l20 * a20 - l21 * reduced).recip();
+            Self {
+                inverse_pivots: [first, second, third],
+                below: [l10, l20, l21],
+            }
+        }))
     }
 
     /// Solves A x = b.
     #[inline(always)]
-    pub fn solve(&self, b: [T; 3]) -> [T; 3] {
-        T::not_inlined(inlined!(|| self.solve_inlined(b)))
-    }
-
-    #[inline(always)]
-    fn solve_inlined(&self, [b0, b1, b2]: [T; 3]) -> [T; 3] {
-        let ([d0, d1, d2], [l10, l20, l21]) = (self.inverse_pivots, self.below);
-        let y1 = b1 - l10 * b0;
-        let y2 = b2 - l20 * b0 - l21 * y1;
-        let x2 = y2 * d2;
-        let x1 = y1 * d1 - l21 * x2;
-        [b0 * d0 - l10 * x1 - l20 * x2, x1, x2]
+    pub fn solve(&self, [b0, b1, b2]: [T; 3]) -> [T; 3] {
+        T::not_inlined(inlined!(|| {
+            let ([d0, d1, d2], [l10, l20, l21]) = (self.inverse_pivots, self.below);
+            let y1 = b1 - l10 * b0;
+            let y2 = b2 - l20 * b0 - l21 * y1;
+            let x2 = y2 * d2;
+            let x1 = y1 * d1 - l21 * x2;
+            [b0 * d0 - l10 * x1 - l20 * x2, x1, x2]
+        }))
     }
 
     /// Lanes in which the matrix is positive definite: all pivots are positive and finite.
