@@ -10,15 +10,16 @@
 //! points, so the output is independent of the number of threads.
 //!
 //! ```
-//! use longdrive::batch::{GridAxis, Grid, Run, simulate_batch};
+//! use longdrive::batch::{Batch, Grid, GridAxis, Points, Run};
 //! use longdrive::{Outcome, Setup};
 //!
 //! let setup = Setup::default();
 //! let axis = |text| GridAxis::read(&setup, text).unwrap();
 //! let axes = vec![axis("club.loft=8deg..12deg:3"), axis("swing.speed=40..50 m/s:2")];
 //! let mut grid = Grid::new(axes).unwrap();
+//! let batch = Batch::new(&setup, grid.parameters(), &[Outcome::BallSpeed], &[]).unwrap();
 //! let mut rows = vec![];
-//! simulate_batch(&setup, &mut grid, &[Outcome::BallSpeed], &Run::default(), |block| {
+//! batch.run(&mut grid, &Run::default(), |block| block, |block| {
 //!     rows.extend((0..block.rows()).map(|row| (block.point(row).to_vec(), block.outcome(row, 0))));
 //!     Ok(())
 //! })
@@ -46,5 +47,5 @@ pub use grid::{Grid, GridAxis};
 pub(crate) use in_order::{HAS_THREADS, in_order};
 pub use points::Points;
 pub(crate) use points::refuse_repeated;
-pub use run::{CHUNK, Run, gradient_batch, simulate_batch};
+pub use run::{CHUNK, Run};
 pub use sequence::Sequence;

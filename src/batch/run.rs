@@ -2,9 +2,8 @@ use super::block::Block;
 use super::definition::Batch;
 use super::in_order::in_order;
 use super::points::Points;
-use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::Parameter;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Number of rows of a chunk, the unit of work of one thread.
@@ -27,8 +26,11 @@ pub struct Run<'a> {
 }
 
 impl Batch {
-    /// Computes the drives of all points. The thread that computed a block also calls `work` on the
-    /// block. `sink` receives the results of `work` in the order of the points. Returns the number
+    /// Computes the drives of all points, in blocks of at most [`CHUNK`] rows. The thread that
+    /// computed a block also calls `work` on the block. `sink` receives the results of `work` in the
+    /// order of the points. A drive without a flight is not an error; its
+    /// [`Status`](super::Status) reports it. The setup determines method and step of the
+    /// integration; [`accuracy`](crate::integration::accuracy()) finds both for a tolerance. Returns the number
     /// of the row after the last delivered row, or `run.first_row` if no row was delivered. Without
     /// an interruption, this is the smaller of `run.end_row` and the number of points.
     ///
@@ -117,64 +119,4 @@ impl Batch {
         );
         Err(Error::Together { given, reason })
     }
-}
-
-/// Computes outcomes of the drives at all points, and passes them to `sink` in order, in blocks of
-/// at most [`CHUNK`] rows. Returns the number of the row after the last delivered row, or
-/// `run.first_row` if no row was delivered. The setup determines method and step of the
-/// integration; [`accuracy`](crate::integration::accuracy()) finds both for a tolerance.
-///
-/// # Errors
-/// Errors of [`Batch::new`] and [`Batch::run`]. A drive without a flight is not an error; its
-/// [`Status`](super::Status) reports it.
-pub fn simulate_batch(
-    setup: &Setup<f64>,
-    points: &mut dyn Points,
-    of: &[Outcome],
-    run: &Run<'_>,
-    mut sink: impl FnMut(&Block) -> Result<()>,
-) -> Result<u64> {
-    of_batch(
-        &Batch::new(setup, points.parameters(), of, &[])?,
-        points,
-        run,
-        &mut sink,
-    )
-}
-
-/// Like [`simulate_batch`], with the exact derivatives of every outcome by each parameter of `wrt`.
-///
-/// # Errors
-/// Errors of [`simulate_batch`]; [`Error::Nothing`] if `wrt` is empty.
-pub fn gradient_batch(
-    setup: &Setup<f64>,
-    points: &mut dyn Points,
-    of: &[Outcome],
-    wrt: &[&'static Parameter],
-    run: &Run<'_>,
-    mut sink: impl FnMut(&Block) -> Result<()>,
-) -> Result<u64> {
-    if wrt.is_empty() {
-        return Err(Error::Nothing {
-            doing: "differentiate by",
-            what: "parameter",
-        });
-    }
-    of_batch(
-        &Batch::new(setup, points.parameters(), of, wrt)?,
-        points,
-        run,
-        &mut sink,
-    )
-}
-
-/// Common code of [`simulate_batch`] and [`gradient_batch`], not generic over the sink, so that it
-/// is compiled once.
-fn of_batch(
-    batch: &Batch,
-    points: &mut dyn Points,
-    run: &Run<'_>,
-    sink: &mut dyn FnMut(&Block) -> Result<()>,
-) -> Result<u64> {
-    batch.run(points, run, |block| block, |block| sink(&block))
 }

@@ -2,7 +2,7 @@
 //! belongs to another batch.
 
 use crate::common::panic_of;
-use longdrive::batch::{Batch, Points, Run, Status, gradient_batch, simulate_batch};
+use longdrive::batch::{Batch, Points, Run, Status};
 use longdrive::parameters::{Parameter, Vary};
 #[cfg(feature = "full")]
 use longdrive::report::SweepParquet;
@@ -133,13 +133,9 @@ fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
             "called for at most 1024 rows, returned 1029 and appended 2058 values",
         ),
     ] {
-        let error = simulate_batch(
-            &setup,
-            &mut points,
-            &[Outcome::BallSpeed],
-            &Run::default(),
-            |_| Ok(()),
-        );
+        let error = Batch::new(&setup, points.parameters(), &[Outcome::BallSpeed], &[])
+            .unwrap()
+            .run(&mut points, &Run::default(), |block| block, |_| Ok(()));
         let error = error.unwrap_err().to_string();
         assert!(error.contains(says), "{error}");
     }
@@ -171,12 +167,17 @@ fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
     }
     let mut rows = 0;
     let mut points = ShortAtTheEnd(CustomPoints::new(&of_both, 1500));
-    let end = gradient_batch(
+    let end = Batch::new(
         &setup,
-        &mut points,
+        points.parameters(),
         &[Outcome::BallSpeed],
         &of_both[..1],
+    )
+    .unwrap()
+    .run(
+        &mut points,
         &Run::default(),
+        |block| block,
         |block| {
             rows += block.rows();
             Ok(())
@@ -198,10 +199,10 @@ fn a_batch_that_starts_after_its_last_point_has_no_blocks() {
     };
     let mut points = CustomPoints::new(&loft_and_speed(&setup), 20);
     assert_eq!(
-        simulate_batch(&setup, &mut points, &[Outcome::Carry], &run, |_| panic!(
-            "no block"
-        ))
-        .unwrap(),
+        Batch::new(&setup, points.parameters(), &[Outcome::Carry], &[])
+            .unwrap()
+            .run(&mut points, &run, |block| block, |_| panic!("no block"))
+            .unwrap(),
         99_999
     );
 }

@@ -5,7 +5,7 @@ use crate::common::close;
 use longdrive::batch::{
     Batch, Block, CHUNK, Grid, GridAxis, Points, Run, Sequence, Status, StatusCounts,
 };
-use longdrive::batch::{gradient_batch, simulate_batch};
+use longdrive::derivative::Order;
 use longdrive::parameters::{Parameter, Vary};
 use longdrive::report::{SweepCsv, SweepJsonLines};
 use longdrive::table::open_table;
@@ -78,44 +78,46 @@ fn same_values_and_gradients_in_a_sweep_and_alone() {
     let wrt = ["swing.face_angle", "air.density"].map(|name| setup.variable(name).unwrap());
     let axes = ["club.loft=8deg..14deg:3", "swing.face_angle=-2deg..3deg:4"];
     let mut seen = 0;
-    let rows = gradient_batch(
-        &setup,
-        &mut grid(&setup, &axes),
-        &of,
-        &wrt,
-        &Run::default(),
-        |block| {
-            for row in 0..block.rows() {
-                let mut moved = setup;
-                [moved.club.loft, moved.swing.face_angle] = block.point(row).try_into().unwrap();
-                assert_eq!(block.status(row), Status::Landed);
-                let taylors = derivative::jacobian(&moved, &of, &wrt).unwrap();
-                let drive = Drive::new(&moved).unwrap();
-                let mut derivatives = block.derivatives(row);
-                for (at, (outcome, taylor)) in of.iter().zip(&taylors).enumerate() {
-                    let value = outcome.value(&drive).unwrap();
-                    close(
-                        block.outcome(row, at).unwrap(),
-                        value,
-                        value.abs().max(1.0),
-                        1e-12,
-                        outcome.name(),
-                    );
-                    for d in &taylor.gradient {
+    let mut points = grid(&setup, &axes);
+    let rows = Batch::new(&setup, points.parameters(), &of, &wrt)
+        .unwrap()
+        .run(
+            &mut points,
+            &Run::default(),
+            |block| block,
+            |block| {
+                for row in 0..block.rows() {
+                    let mut moved = setup;
+                    [moved.club.loft, moved.swing.face_angle] =
+                        block.point(row).try_into().unwrap();
+                    assert_eq!(block.status(row), Status::Landed);
+                    let taylors = derivative::evaluate(&moved, &of, &wrt, Order::First).unwrap();
+                    let drive = Drive::new(&moved).unwrap();
+                    let mut derivatives = block.derivatives(row);
+                    for (at, (outcome, taylor)) in of.iter().zip(&taylors).enumerate() {
+                        let value = outcome.value(&drive).unwrap();
                         close(
-                            derivatives.next().unwrap().unwrap(),
-                            *d,
-                            d.abs().max(1.0),
+                            block.outcome(row, at).unwrap(),
+                            value,
+                            value.abs().max(1.0),
                             1e-12,
                             outcome.name(),
                         );
+                        for d in &taylor.gradient {
+                            close(
+                                derivatives.next().unwrap().unwrap(),
+                                *d,
+                                d.abs().max(1.0),
+                                1e-12,
+                                outcome.name(),
+                            );
+                        }
                     }
+                    seen += 1;
                 }
-                seen += 1;
-            }
-            Ok(())
-        },
-    );
+                Ok(())
+            },
+        );
     assert_eq!((rows.unwrap(), seen), (12, 12));
 }
 
@@ -126,27 +128,28 @@ fn drives_of_every_kind_have_a_status_and_no_nan() {
         let mut found = vec![];
         let of = [Outcome::Carry, Outcome::LaunchAngle];
         let wrt = [setup.variable("club.loft").unwrap()];
-        gradient_batch(
-            setup,
-            &mut grid(setup, &[axis]),
-            &of,
-            &wrt,
-            &Run::default(),
-            |block| {
-                for row in 0..block.rows() {
-                    let numbers = block.outcomes(row).chain(block.derivatives(row));
-                    assert!(numbers.flatten().all(f64::is_finite));
-                    let exist: Vec<_> = block
-                        .outcomes(row)
-                        .chain(block.derivatives(row))
-                        .map(|x| x.is_some())
-                        .collect();
-                    found.push((block.status(row), exist));
-                }
-                Ok(())
-            },
-        )
-        .unwrap();
+        let mut points = grid(setup, &[axis]);
+        Batch::new(setup, points.parameters(), &of, &wrt)
+            .unwrap()
+            .run(
+                &mut points,
+                &Run::default(),
+                |block| block,
+                |block| {
+                    for row in 0..block.rows() {
+                        let numbers = block.outcomes(row).chain(block.derivatives(row));
+                        assert!(numbers.flatten().all(f64::is_finite));
+                        let exist: Vec<_> = block
+                            .outcomes(row)
+                            .chain(block.derivatives(row))
+                            .map(|x| x.is_some())
+                            .collect();
+                        found.push((block.status(row), exist));
+                    }
+                    Ok(())
+                },
+            )
+            .unwrap();
         found
     };
     let launch_only = vec![false, true, false, true];
@@ -196,11 +199,17 @@ fn blocks(run: &Run<'_>) -> Vec<Block> {
         ],
     );
     let mut blocks = vec![];
-    simulate_batch(
+    Batch::new(
         &setup,
-        &mut points,
+        points.parameters(),
         &[Outcome::Carry, Outcome::LaunchAngle],
+        &[],
+    )
+    .unwrap()
+    .run(
+        &mut points,
         run,
+        |block| block,
         |block| {
             blocks.push(block.clone());
             Ok(())
@@ -267,20 +276,27 @@ fn a_batch_stops_on_request_and_at_an_error_of_the_sink() {
         ..Run::default()
     };
     let mut rows = 0;
-    let done = simulate_batch(&setup, &mut points, &[Outcome::BallSpeed], &run, |block| {
-        rows += block.rows() as u64;
-        stop.store(true, Ordering::Relaxed);
-        Ok(())
-    });
+    let done = Batch::new(&setup, points.parameters(), &[Outcome::BallSpeed], &[])
+        .unwrap()
+        .run(
+            &mut points,
+            &run,
+            |block| block,
+            |block| {
+                rows += block.rows() as u64;
+                stop.store(true, Ordering::Relaxed);
+                Ok(())
+            },
+        );
     // only the chunks that were in progress at the stop are delivered
     assert_eq!(done.unwrap(), rows);
     assert!(rows >= CHUNK as u64 && rows <= 10 * CHUNK as u64, "{rows}");
 
     let full = || Error::Output(std::io::ErrorKind::StorageFull.into());
     let run = Run::default();
-    let refused = simulate_batch(&setup, &mut points, &[Outcome::BallSpeed], &run, |_| {
-        Err(full())
-    });
+    let refused = Batch::new(&setup, points.parameters(), &[Outcome::BallSpeed], &[])
+        .unwrap()
+        .run(&mut points, &run, |block| block, |_| Err(full()));
     assert!(matches!(refused, Err(Error::Output(_))));
 }
 
@@ -492,19 +508,21 @@ fn rows_out_of_range_are_rows_of_their_own() {
     let (_folder, path) = table("points.csv", "club.loft [deg]\n10\n120\n-30\n");
     let mut points = open_table(&setup, &path).unwrap();
     let mut found = vec![];
-    simulate_batch(
-        &setup,
-        points.as_mut(),
-        &[Outcome::Carry],
-        &Run::default(),
-        |block| {
-            found.extend(
-                (0..block.rows()).map(|row| (block.status(row), block.outcome(row, 0).is_some())),
-            );
-            Ok(())
-        },
-    )
-    .unwrap();
+    Batch::new(&setup, points.parameters(), &[Outcome::Carry], &[])
+        .unwrap()
+        .run(
+            points.as_mut(),
+            &Run::default(),
+            |block| block,
+            |block| {
+                found.extend(
+                    (0..block.rows())
+                        .map(|row| (block.status(row), block.outcome(row, 0).is_some())),
+                );
+                Ok(())
+            },
+        )
+        .unwrap();
     assert_eq!(
         found,
         [

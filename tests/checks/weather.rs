@@ -4,7 +4,7 @@
 use crate::command_line::{json, longdrive, number};
 use crate::common::{changed, close};
 use longdrive::atmosphere::{AirState, in_effect};
-use longdrive::batch::{Grid, Run, gradient_batch};
+use longdrive::batch::{Batch, Grid, Points, Run};
 use longdrive::derivative::{Order, evaluate};
 use longdrive::parameters::{Parameter, SetupFile};
 use longdrive::report::setup_toml;
@@ -305,43 +305,43 @@ fn same_drives_in_a_sweep_over_the_weather_and_alone() {
     let names = ["air.temperature", "air.altitude", "wind.from"];
     let wrt = names.map(|name| setup.parameter(name).unwrap());
     let mut rows = 0;
-    gradient_batch(
-        &setup,
-        &mut grid,
-        &[Outcome::Carry],
-        &wrt,
-        &Run::default(),
-        |block| {
-            for row in 0..block.rows() {
-                let mut alone = setup;
-                for (parameter, value) in wrt.iter().zip(block.point(row)) {
-                    alone.set_value(parameter, Some(*value)).unwrap();
-                }
-                let exact = evaluate(&alone, &[Outcome::Carry], &wrt, Order::First)
-                    .unwrap()
-                    .remove(0);
-                close(
-                    block.outcome(row, 0).unwrap(),
-                    exact.value,
-                    exact.value,
-                    1e-12,
-                    "carry",
-                );
-                for (ours, theirs) in block.derivatives(row).zip(&exact.gradient) {
+    Batch::new(&setup, grid.parameters(), &[Outcome::Carry], &wrt)
+        .unwrap()
+        .run(
+            &mut grid,
+            &Run::default(),
+            |block| block,
+            |block| {
+                for row in 0..block.rows() {
+                    let mut alone = setup;
+                    for (parameter, value) in wrt.iter().zip(block.point(row)) {
+                        alone.set_value(parameter, Some(*value)).unwrap();
+                    }
+                    let exact = evaluate(&alone, &[Outcome::Carry], &wrt, Order::First)
+                        .unwrap()
+                        .remove(0);
                     close(
-                        ours.unwrap(),
-                        *theirs,
-                        theirs.abs().max(1.0),
-                        1e-11,
-                        "derivative",
+                        block.outcome(row, 0).unwrap(),
+                        exact.value,
+                        exact.value,
+                        1e-12,
+                        "carry",
                     );
+                    for (ours, theirs) in block.derivatives(row).zip(&exact.gradient) {
+                        close(
+                            ours.unwrap(),
+                            *theirs,
+                            theirs.abs().max(1.0),
+                            1e-11,
+                            "derivative",
+                        );
+                    }
+                    rows += 1;
                 }
-                rows += 1;
-            }
-            Ok(())
-        },
-    )
-    .unwrap();
+                Ok(())
+            },
+        )
+        .unwrap();
     assert_eq!(rows, 60);
 }
 

@@ -3,7 +3,7 @@
 
 use crate::clock;
 use crate::tasks::{Discretization, mae494, two};
-use longdrive::batch::{Batch, Block, Grid, GridAxis, Run, gradient_batch};
+use longdrive::batch::{Batch, Block, Grid, GridAxis, Points, Run};
 use longdrive::{Outcome, Result};
 use std::hint::black_box;
 
@@ -137,14 +137,13 @@ pub fn whole(by: &Discretization) -> Result<(f64, Sums)> {
     };
     let start = clock::process();
     let mut sums = Sums::default();
-    gradient_batch(
-        &setup,
+    let batch = Batch::new(&setup, grid.parameters(), &[Outcome::Carry], &two(&setup)?)?;
+    batch.run(
         &mut grid,
-        &[Outcome::Carry],
-        &two(&setup)?,
         &run,
+        |block| block,
         |block| {
-            sums.add(block);
+            sums.add(&block);
             Ok(())
         },
     )?;
