@@ -138,7 +138,7 @@ impl Batch {
             Flight::None(NoFlight::Aloft { .. }) => Status::Aloft,
             Flight::None(_) => Status::NoFlight,
         };
-        block.exceeded[row] = drive.exceeded_limits(setup, CheckScope::Launch, &self.of);
+        block.exceeded[row] = drive.exceeded_limits(setup, CheckScope::Launch, &self.of, stop);
         for (outcome, column) in self.of.iter().zip(&mut block.outcomes) {
             column[row] = outcome.value(&drive).unwrap_or(f64::NAN);
         }

@@ -56,21 +56,6 @@ pub enum OutcomeGroup {
     Head,
 }
 
-impl ComputedFrom {
-    /// The group of outcomes that are computed from this part.
-    pub(super) fn group(self) -> OutcomeGroup {
-        match self {
-            Self::Launch => OutcomeGroup::Launch,
-            Self::Head => OutcomeGroup::Head,
-            Self::Landing
-            | Self::LandingVelocity
-            | Self::ApexHeight
-            | Self::ApexTime
-            | Self::Rest => OutcomeGroup::Flight,
-        }
-    }
-}
-
 /// Sign of the values of an outcome.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sign {

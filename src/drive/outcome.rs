@@ -4,7 +4,6 @@ use super::outcome_table::{Outcome, OutcomeInputs};
 use crate::error::{Error, Result};
 use crate::flight::Flight;
 use crate::number::Number;
-use crate::parameters::Range;
 use crate::units::{DisplayUnit, Quantity};
 use serde::{Serialize, Serializer};
 use std::fmt;
@@ -80,11 +79,6 @@ impl Outcome {
         self.quantity().read(self.instrument()?.sigma).ok()
     }
 
-    /// Plausible values of a drive, in the display unit; `None` if any value is accepted.
-    pub(crate) fn plausible(self) -> Option<Range> {
-        self.instrument()?.plausible
-    }
-
     /// Column heads of exports, in lower case, without punctuation.
     pub(crate) fn column_heads(self) -> &'static [&'static str] {
         self.instrument()
@@ -93,7 +87,15 @@ impl Outcome {
 
     /// The part of a drive that the outcome describes.
     pub fn group(self) -> OutcomeGroup {
-        self.computed_from().group()
+        match self.computed_from() {
+            ComputedFrom::Launch => OutcomeGroup::Launch,
+            ComputedFrom::Head => OutcomeGroup::Head,
+            ComputedFrom::Landing
+            | ComputedFrom::LandingVelocity
+            | ComputedFrom::ApexHeight
+            | ComputedFrom::ApexTime
+            | ComputedFrom::Rest => OutcomeGroup::Flight,
+        }
     }
 
     /// All outcomes of a group.

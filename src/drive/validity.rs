@@ -93,19 +93,9 @@ pub enum CheckScope {
 impl Drive<f64> {
     /// Validity limits that this drive exceeds. `scope` is the part of the drive in which the
     /// ranges of the law are checked. A flat landing counts only if an outcome in `of` depends on
-    /// the run.
+    /// the run. Once `stop` is true, the check of the flight ends, and the ranges of the law count
+    /// as not exceeded.
     pub fn exceeded_limits(
-        &self,
-        setup: &Setup<f64>,
-        scope: CheckScope,
-        of: &[Outcome],
-    ) -> ExceededLimits {
-        self.exceeded_limits_until(setup, scope, of, &AtomicBool::new(false))
-    }
-
-    /// Like [`exceeded_limits`](Self::exceeded_limits). Once `stop` is true, the check of the
-    /// flight ends, and the ranges of the law count as not exceeded.
-    fn exceeded_limits_until(
         &self,
         setup: &Setup<f64>,
         scope: CheckScope,
@@ -144,7 +134,7 @@ pub(crate) fn exceeded_in_flight(
 ) -> Option<ExceededLimits> {
     let drive = Drive::until(setup, stop).ok()?;
     drive.landed().ok()?;
-    Some(drive.exceeded_limits_until(setup, CheckScope::Flight, of, stop))
+    Some(drive.exceeded_limits(setup, CheckScope::Flight, of, stop))
 }
 
 /// Number of drives that exceed each validity limit.

@@ -74,15 +74,10 @@ impl Drive<f64> {
     /// - a strike outside the largest face that the Rules of Golf allow;
     /// - a flight outside the ranges of the law;
     /// - a step so long that the landing depends on it;
-    /// - a temperature at which the real ball has another restitution.
+    /// - a temperature at which the real ball has another restitution;
+    /// - if an outcome in `of` depends on the run, a landing flatter than any measured bounce.
     ///
     /// The warnings need further flights, so a search requests them for its result only.
-    pub fn warnings(&self, setup: &Setup<f64>) -> Vec<Message> {
-        self.warnings_about(setup, &[])
-    }
-
-    /// Like [`warnings`](Self::warnings). If an outcome in `of` depends on the run, there is also a
-    /// warning about a landing flatter than any measured bounce.
     pub fn warnings_about(&self, setup: &Setup<f64>, of: &[Outcome]) -> Vec<Message> {
         self.warnings_until(setup, of, false, &AtomicBool::new(false))
     }
@@ -242,7 +237,7 @@ impl Drive<f64> {
                 change,
             })
         };
-        let flown = self.flown_ranges_until(setup, stop).into_iter().enumerate();
+        let flown = self.flown_ranges(setup, stop).into_iter().enumerate();
         flown.filter_map(one).collect()
     }
 
@@ -285,12 +280,9 @@ impl Drive<f64> {
 
     /// The fitted range of each variable of the law, and its range in the flight, in the order of
     /// [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges). `None` for a variable without a
-    /// known fitted range, and for all variables if there is no air or no flight.
-    pub fn flown_ranges(&self, setup: &Setup<f64>) -> [Option<FlownRange>; 4] {
-        self.flown_ranges_until(setup, &AtomicBool::new(false))
-    }
-
-    fn flown_ranges_until(&self, setup: &Setup<f64>, stop: &AtomicBool) -> [Option<FlownRange>; 4] {
+    /// known fitted range, and for all variables if there is no air or no flight, or once `stop` is
+    /// true.
+    pub fn flown_ranges(&self, setup: &Setup<f64>, stop: &AtomicBool) -> [Option<FlownRange>; 4] {
         let ranges = setup
             .law
             .properties()

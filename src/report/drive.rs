@@ -12,6 +12,7 @@ use crate::number::Vector;
 use crate::parameters::Setup;
 use crate::units::{Digits, Message, Quantity, System, YARD, fixed};
 use serde::Serialize;
+use std::sync::atomic::AtomicBool;
 
 /// Minimum uncertainty of the total, m. It covers the differences between grounds
 /// (docs/limitations.md).
@@ -157,7 +158,7 @@ pub(super) fn law_range(setup: &Setup<f64>, drive: &Drive<f64>) -> Option<LawRan
     if !has_air || matches!(drive.flight, Flight::None(_)) {
         return None;
     }
-    let [spin_ratio, spin, reynolds, speed] = drive.flown_ranges(setup);
+    let [spin_ratio, spin, reynolds, speed] = drive.flown_ranges(setup, &AtomicBool::new(false));
     Some(LawRanges {
         spin_ratio,
         spin,

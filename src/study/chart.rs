@@ -103,7 +103,12 @@ impl Chart {
             let of = best.search.outcomes();
             Some((
                 *at,
-                drive.exceeded_limits(&best.setup, CheckScope::Flight, &of),
+                drive.exceeded_limits(
+                    &best.setup,
+                    CheckScope::Flight,
+                    &of,
+                    &AtomicBool::new(false),
+                ),
             ))
         };
         let exceeded: Vec<_> = self.points.iter().filter_map(exceeded).collect();

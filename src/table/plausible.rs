@@ -86,7 +86,7 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
 /// conversion.
 static IN_SI: LazyLock<Vec<Option<[f64; 2]>>> = LazyLock::new(|| {
     let in_si = |of: &Outcome| {
-        let plausible = of.plausible()?;
+        let plausible = of.instrument()?.plausible?;
         let size = of.quantity().size_of(of.unit()).unwrap_or(1.0);
         let slack = 1e-9 * plausible.high;
         let low = if plausible.low_included {
@@ -120,7 +120,7 @@ pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
         high,
         low_included,
         ..
-    } = of.plausible()?;
+    } = of.instrument()?.plausible?;
     let (shown, unit) = (of.show(value), of.unit());
     let from = if low_included { "" } else { "above " };
     Some(format!(

@@ -9,13 +9,14 @@ use longdrive::optimize::Observer;
 use longdrive::parameters::PRESETS;
 use longdrive::study::{Search, optimum};
 use longdrive::{Drive, Outcome, Setup};
+use std::sync::atomic::AtomicBool;
 
 fn warnings(preset: &str, settings: &[(&str, &str)]) -> Vec<String> {
     let mut setup = Setup::preset(preset).unwrap();
     setup.set_all(settings.iter().copied()).unwrap();
     Drive::new(&setup)
         .unwrap()
-        .warnings(&setup)
+        .warnings_about(&setup, &[])
         .iter()
         .map(ToString::to_string)
         .collect()
@@ -154,7 +155,7 @@ fn presets_and_their_longest_drives_have_no_warning() {
         let at_best = best
             .drive
             .unwrap()
-            .warnings(&best.setup)
+            .warnings_about(&best.setup, &[])
             .iter()
             .map(ToString::to_string)
             .collect();
@@ -191,13 +192,13 @@ fn share_of_the_flight_outside_the_fitted_range_of_the_law() {
     let drive = Drive::new(&setup).unwrap();
     let share = 1.0 - (at_edge * at_edge - ahead * ahead).sqrt() / up;
     let [low, high] = [ahead.hypot(up), ahead].map(|speed| 0.02 * at_edge / speed);
-    let spin_ratio = drive.flown_ranges(&setup)[0].unwrap();
+    let spin_ratio = drive.flown_ranges(&setup, &AtomicBool::new(false))[0].unwrap();
     assert!((spin_ratio.outside - share).abs() < 0.01, "{spin_ratio:?}");
     for (flown, exact) in spin_ratio.flown.into_iter().zip([low, high]) {
         assert!((flown - exact).abs() < 1e-4 * exact, "{spin_ratio:?}");
     }
     // in so thin an air the law hardly changes the carry, so that its range needs no warning
-    assert!(drive.warnings(&setup).is_empty());
+    assert!(drive.warnings_about(&setup, &[]).is_empty());
     assert!(drive.extrapolated_carry(&setup).is_none());
 }
 
@@ -781,7 +782,7 @@ fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
         setup.set("swing.speed", &format!("{mph} mph")).unwrap();
         Drive::new(&setup)
             .unwrap()
-            .warnings(&setup)
+            .warnings_about(&setup, &[])
             .iter()
             .any(|it| it.to_string().contains("fitted to"))
     };
