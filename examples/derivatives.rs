@@ -3,7 +3,7 @@
 //!
 //! `cargo run --release --example derivatives`
 
-use longdrive::derivative::{hessian, jacobian};
+use longdrive::derivative::{Order, evaluate, hessian};
 use longdrive::units::per;
 use longdrive::{Outcome, Setup};
 
@@ -11,7 +11,7 @@ fn main() -> longdrive::Result<()> {
     let setup = Setup::default();
     let wrt = setup.variables();
     let outcomes = [Outcome::Carry, Outcome::Lateral, Outcome::Backspin];
-    let rows = jacobian(&setup, &outcomes, &wrt)?;
+    let rows = evaluate(&setup, &outcomes, &wrt, Order::First)?;
     for (outcome, row) in outcomes.iter().zip(&rows) {
         println!("{} = {}", outcome.name(), outcome.show(row.value));
         // the five parameters with the largest effect of a change by 1 %

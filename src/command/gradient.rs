@@ -1,7 +1,7 @@
 use crate::command::args::SetupArgs;
 use crate::command::names::{outcomes, variables};
 use crate::command::output::{Answer, note_error, warn, with_bar};
-use crate::derivative::{Order, Taylor, default_variables, evaluate_with};
+use crate::derivative::{Evaluator, Order, Taylor, default_variables, evaluate};
 use crate::parameters::Parameter;
 use crate::report::GradientReport;
 use crate::{Drive, Error, Outcome, Result, Setup};
@@ -72,7 +72,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         Order::First
     };
     let evaluated = with_bar("passes", |show| {
-        evaluate_with(&setup, &of, &wrt, order, show)
+        Evaluator::new(&setup, &of, &wrt, order)?.at_setup(None, &mut |done, all| show(done, all))
     });
     let each: Vec<Result<Taylor>> = match evaluated {
         // report the other outcomes if one has no value (no landing, no direction)
@@ -99,7 +99,7 @@ fn one(
     wrt: &[&'static crate::parameters::Parameter],
     order: Order,
 ) -> Result<Taylor> {
-    let taylors = evaluate_with(setup, &[of], wrt, order, |_, _| ())?;
+    let taylors = evaluate(setup, &[of], wrt, order)?;
     taylors.into_iter().next().ok_or(Error::Nothing {
         doing: "evaluate",
         what: "outcome",

@@ -167,8 +167,11 @@ impl Evaluator {
     }
 
     /// Outcomes of the setup itself. `progress` receives the number of completed evaluations of the
-    /// drive and the number of all evaluations.
-    pub(crate) fn at_setup(
+    /// drive and the number of all evaluations. Interrupted once `stop` is true.
+    ///
+    /// # Errors
+    /// The errors of [`at_until`](Self::at_until).
+    pub fn at_setup(
         &self,
         stop: Option<&AtomicBool>,
         progress: &mut dyn FnMut(usize, usize),

@@ -44,19 +44,6 @@ pub fn hessian(setup: &Setup<f64>, of: Outcome, wrt: &[&'static Parameter]) -> R
     Ok(evaluate(setup, &[of], wrt, Order::Second)?.swap_remove(0))
 }
 
-/// Values and gradients of several outcomes of one drive. The gradients are the rows of the
-/// Jacobian.
-///
-/// # Errors
-/// The errors of [`evaluate`].
-pub fn jacobian(
-    setup: &Setup<f64>,
-    of: &[Outcome],
-    wrt: &[&'static Parameter],
-) -> Result<Vec<Taylor>> {
-    evaluate(setup, of, wrt, Order::First)
-}
-
 /// Values and gradients of several outcomes of one drive, and the diagonals of their Hessians: for
 /// each parameter p the second derivative ∂²/∂p². The other entries of the Hessians are 0.
 ///
@@ -74,7 +61,8 @@ pub fn diagonal(
         .at_setup(None, &mut |_, _| ())
 }
 
-/// Outcomes of a drive with their derivatives up to `order`.
+/// Outcomes of a drive with their derivatives up to `order`. The gradients are the rows of the
+/// Jacobian. [`Evaluator::at_setup`] does the same, and reports its progress.
 ///
 /// # Errors
 /// Errors of [`Evaluator::new`] and [`Drive::new`](crate::Drive::new);
@@ -86,22 +74,7 @@ pub fn evaluate(
     wrt: &[&'static Parameter],
     order: Order,
 ) -> Result<Vec<Taylor>> {
-    evaluate_with(setup, of, wrt, order, |_, _| ())
-}
-
-/// Like [`evaluate`]; `progress` receives the number of completed evaluations of the drive and the
-/// number of all evaluations.
-///
-/// # Errors
-/// The errors of [`evaluate`].
-pub fn evaluate_with(
-    setup: &Setup<f64>,
-    of: &[Outcome],
-    wrt: &[&'static Parameter],
-    order: Order,
-    mut progress: impl FnMut(usize, usize),
-) -> Result<Vec<Taylor>> {
-    Evaluator::new(setup, of, wrt, order)?.at_setup(None, &mut progress)
+    Evaluator::new(setup, of, wrt, order)?.at_setup(None, &mut |_, _| ())
 }
 
 /// Like [`evaluate`] to second order, but computes only the second derivatives that involve the

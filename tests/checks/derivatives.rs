@@ -4,9 +4,7 @@
 use crate::command_line::WHOLE;
 use crate::common::{close, landing, mixed, panic_of};
 use longdrive::batch::Batch;
-use longdrive::derivative::{
-    Evaluator, Order, Taylor, diagonal, evaluate, evaluate_with, gradient, hessian, jacobian,
-};
+use longdrive::derivative::{Evaluator, Order, Taylor, diagonal, evaluate, gradient, hessian};
 use longdrive::number::{Jet, Number, Numbers};
 use longdrive::parameters::Parameter;
 use longdrive::report::{GradientReport, Report};
@@ -82,7 +80,7 @@ fn differences_of_values_agree_with_the_gradient_by_every_parameter() {
     for setup in landing(25) {
         let wrt = setup.variables();
         let of = [Outcome::Carry, Outcome::Lateral, Outcome::ApexHeight];
-        let exact = jacobian(&setup, &of, &wrt).unwrap();
+        let exact = evaluate(&setup, &of, &wrt, Order::First).unwrap();
         for (k, parameter) in wrt.iter().enumerate() {
             let value = setup.value(parameter).unwrap();
             let (h, values) = differences(&setup, parameter, value, &of);
@@ -409,14 +407,10 @@ fn derivatives_do_not_depend_on_other_requested_outcomes() {
     assert_eq!((one.gradient.len(), block.hessian.len()), (1, 3));
 
     let mut seen = vec![];
-    evaluate_with(
-        &setup,
-        &[Outcome::Carry],
-        &three,
-        Order::Second,
-        |done, passes| seen.push((done, passes)),
-    )
-    .unwrap();
+    Evaluator::new(&setup, &[Outcome::Carry], &three, Order::Second)
+        .unwrap()
+        .at_setup(None, &mut |done, passes| seen.push((done, passes)))
+        .unwrap();
     // a processor with wider registers needs fewer passes for the three pairs
     let passes = seen.len();
     assert!((1..=3).contains(&passes));

@@ -162,7 +162,7 @@ impl Subsystems {
         let setup = &optimum.best.setup;
         let quantities = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin];
         let wrt = [setup.variable(LOFT)?, setup.variable(ATTACK_ANGLE)?];
-        let impact = derivative::jacobian(setup, &quantities, &wrt)?;
+        let impact = derivative::evaluate(setup, &quantities, &wrt, Order::First)?;
         let launch: Vec<f64> = impact.iter().map(|quantity| quantity.value).collect();
         let alone = FlightAlone::new(setup, None)?;
         let failed = |message| Error::Undefined {

@@ -1,6 +1,6 @@
 use super::searches::{Searches, searches};
 use super::while_loop::{LoopLanding, fly_past_the_ground};
-use crate::derivative;
+use crate::derivative::{self, Order};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Setup;
@@ -242,7 +242,7 @@ fn exact_slopes(setup: &Setup<f64>) -> Result<(f64, f64)> {
         Outcome::LandingSpeed,
         Outcome::DescentAngle,
     ];
-    let at = derivative::jacobian(setup, &of, &[setup.variable(LOFT)?])?;
+    let at = derivative::evaluate(setup, &of, &[setup.variable(LOFT)?], Order::First)?;
     let (carry, time) = (at[0].gradient[0], at[1].gradient[0]);
     let downrange_speed = at[2].value * at[3].value.cos();
     Ok((carry, carry - downrange_speed * time))

@@ -2,7 +2,7 @@ use super::order::{Errors, MEASURED, MeasuredOrder, measure, measure_largest};
 use super::scale::{scale, size_of_terms};
 use crate::aerodynamics::AerodynamicLaw;
 use crate::derivative::check::{NEGLIGIBLE, Verdict};
-use crate::derivative::{Taylor, jacobian};
+use crate::derivative::{Order, Taylor, evaluate};
 use crate::drive::{ComputedFrom, Drive, Outcome};
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
@@ -112,7 +112,7 @@ pub struct Convergence {
 /// that failed. Empty if `goes_on` returns false.
 ///
 /// # Errors
-/// The errors of [`jacobian`].
+/// The errors of [`evaluate`].
 pub(super) fn convergence(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -143,7 +143,7 @@ pub(super) fn convergence(
             level,
             step: setup.flight.step,
             // a flight that fails at too long a step is skipped
-            taylors: jacobian(&setup, of, wrt).ok()?,
+            taylors: evaluate(&setup, of, wrt, Order::First).ok()?,
         })
     };
     let scales = wrt.iter().map(|parameter| scale(setup, parameter));

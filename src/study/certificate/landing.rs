@@ -9,7 +9,7 @@
 use super::rows::{demand, in_few_steps};
 use super::scale::{scale, size_of_terms};
 use crate::derivative::check::{Check, Ladder};
-use crate::derivative::jacobian;
+use crate::derivative::{Order, evaluate};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::flight::{Landed, trajectory};
@@ -54,7 +54,7 @@ pub struct AtLanding {
 /// outside of the range of `ground.height`.
 ///
 /// # Errors
-/// The errors of [`jacobian`].
+/// The errors of [`evaluate`].
 pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Result<Vec<AtLanding>> {
     let mut lowered = *setup;
     lowered.ground.height -= LOWERED_BY;
@@ -62,7 +62,7 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
         return Ok(vec![]);
     }
     let (setup, landed) = ending_with_a_step(setup)?;
-    let exact = jacobian(&setup, &AT_LANDING, wrt)?;
+    let exact = evaluate(&setup, &AT_LANDING, wrt, Order::First)?;
     let drive = Drive::new(&setup)?;
     let judged = if drive.corners(&setup).is_empty() {
         Ladder::judge

@@ -2,7 +2,7 @@
 //! integrated flight, which differs from the exact flight by this error.
 
 use super::scale::{scale, size_of_terms};
-use crate::derivative::jacobian;
+use crate::derivative::{Order, evaluate};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::json::number;
@@ -70,7 +70,7 @@ impl StepError {
 /// setup's time step is not an allowed step.
 ///
 /// # Errors
-/// The errors of [`jacobian`].
+/// The errors of [`evaluate`].
 pub(super) fn step_errors(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -82,7 +82,10 @@ pub(super) fn step_errors(
         return Ok(vec![]);
     }
     let drive = Drive::new(setup)?;
-    let (found, exact) = (jacobian(setup, of, wrt)?, jacobian(&finer, of, wrt)?);
+    let (found, exact) = (
+        evaluate(setup, of, wrt, Order::First)?,
+        evaluate(&finer, of, wrt, Order::First)?,
+    );
     let error = |(i, of): (usize, &Outcome)| {
         let size = size_of_terms(*of, setup, &drive);
         let slopes = found[i].gradient.iter().zip(&exact[i].gradient).zip(wrt);
