@@ -44,26 +44,12 @@ const TOLERANCE: f64 = 1e-10;
 /// Constraint as a row a · x + s = limit of Clarabel's standard form, with s = 0 (equality) or s ≥
 /// 0.
 struct ConeRow {
-    coefficients: RowCoefficients,
+    /// Coefficients in the sparsity pattern, as (variable, value).
+    coefficients: Vec<(usize, f64)>,
     limit: f64,
     constraint: ActiveConstraint,
     /// Factor from Clarabel's multiplier to the program's multiplier.
     multiplier_unit: f64,
-}
-
-enum RowCoefficients {
-    One { variable: usize, value: f64 },
-    All(Vec<f64>),
-}
-
-impl ConeRow {
-    /// Coefficient of variable `column`; `None` outside the sparsity pattern.
-    fn coefficient(&self, column: usize) -> Option<f64> {
-        match &self.coefficients {
-            RowCoefficients::One { variable, value } => (*variable == column).then_some(*value),
-            RowCoefficients::All(all) => Some(all[column]),
-        }
-    }
 }
 
 /// Program in Clarabel's standard form, scaled. The unit of steps is the largest bound. The unit of
@@ -206,14 +192,9 @@ impl StandardForm {
         if terms > 1 {
             for (k, term) in program.max_terms.iter().enumerate() {
                 // gradientₖ · d − t ≤ −offsetₖ
-                let mut coefficients: Vec<f64> = term
-                    .gradient
-                    .iter()
-                    .map(|slope| slope / slope_unit)
-                    .collect();
-                coefficients.push(-1.0);
+                let slopes = term.gradient.iter().map(|slope| slope / slope_unit);
                 form.inequalities.push(ConeRow {
-                    coefficients: RowCoefficients::All(coefficients),
+                    coefficients: slopes.chain([-1.0]).enumerate().collect(),
                     limit: -term.offset / value_unit,
                     constraint: ActiveConstraint::MaxTerm(k),
                     multiplier_unit: 1.0,
@@ -225,7 +206,7 @@ impl StandardForm {
 
     fn add_bounds(&mut self, program: &QuadraticProgram, i: usize) {
         let row = |value: f64, limit: f64, side: Activity| ConeRow {
-            coefficients: RowCoefficients::One { variable: i, value },
+            coefficients: vec![(i, value)],
             limit: limit / self.length_unit,
             constraint: ActiveConstraint::Bound(i, side),
             multiplier_unit: self.value_unit / self.length_unit,
@@ -253,11 +234,14 @@ impl StandardForm {
             1.0
         };
         let cone_row = |sign: f64, limit: f64, side: Activity| {
-            let mut coefficients: Vec<f64> =
-                row.normal.iter().map(|a| sign * a / largest).collect();
-            coefficients.resize(self.size, 0.0);
+            let coefficients = row.normal.iter().map(|a| sign * a / largest);
             ConeRow {
-                coefficients: RowCoefficients::All(coefficients),
+                // 0 for the epigraph variable
+                coefficients: coefficients
+                    .chain(std::iter::repeat(0.0))
+                    .take(self.size)
+                    .enumerate()
+                    .collect(),
                 limit: sign * limit / (self.length_unit * largest),
                 constraint: ActiveConstraint::Row(j, side),
                 multiplier_unit: sign * self.value_unit / (self.length_unit * largest),
@@ -287,16 +271,17 @@ impl StandardForm {
 
     /// Matrix A and limits b of A x + s = b.
     fn constraints(&self) -> (CscMatrix<f64>, Vec<f64>) {
-        let (mut column_starts, mut row_indices, mut values) = (vec![0], vec![], vec![]);
-        for column in 0..self.size {
-            for (at, row) in self.rows().enumerate() {
-                if let Some(value) = row.coefficient(column) {
-                    row_indices.push(at);
-                    values.push(value);
-                }
+        let mut columns = vec![vec![]; self.size];
+        for (at, row) in self.rows().enumerate() {
+            for (column, value) in &row.coefficients {
+                columns[*column].push((at, *value));
             }
-            column_starts.push(values.len());
         }
+        let mut column_starts = vec![0];
+        for column in &columns {
+            column_starts.push(column_starts[column_starts.len() - 1] + column.len());
+        }
+        let (row_indices, values) = columns.into_iter().flatten().unzip();
         let limits: Vec<f64> = self.rows().map(|row| row.limit).collect();
         (
             CscMatrix::new(limits.len(), self.size, column_starts, row_indices, values),

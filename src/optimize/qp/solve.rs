@@ -59,15 +59,13 @@ impl QpSolver {
             return Some(step.found_by(StepSource::Clarabel));
         }
         let approximate = step?;
+        let most_violation =
+            MOST_VIOLATION * (program.largest_bound().min(1.0) + approximate.d.amax());
         program
             .with_multipliers_of(&active, &approximate)
-            .or_else(|| is_feasible(program, &approximate).then_some(approximate))
+            .or_else(|| {
+                (program.violation(&approximate.d) <= most_violation).then_some(approximate)
+            })
             .map(|step| step.found_by(StepSource::Unpolished))
     }
-}
-
-/// True if Clarabel's own solution violates no row by more than [`MOST_VIOLATION`].
-fn is_feasible(program: &QuadraticProgram, step: &QpStep) -> bool {
-    program.violation(&step.d)
-        <= MOST_VIOLATION * (program.largest_bound().min(1.0) + step.d.amax())
 }
