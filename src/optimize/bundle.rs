@@ -5,7 +5,7 @@
 //! one term.
 
 use super::qp::MaxTerm;
-use super::scaling::{EvaluatedPoint, Scaling};
+use super::scaling::{EvaluatedPoint, Scaling, largest_scaled};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
@@ -129,10 +129,10 @@ fn are_sides_of_a_kink(scaling: &Scaling, a: &EvaluatedPoint, b: &EvaluatedPoint
             .sum()
     };
     let n = a.x.len();
-    let change = scaling.largest((0..n).map(jump));
+    let change = largest_scaled((0..n).map(jump), &scaling.scale);
     let is_unexplained = |here_part: f64, there_part: f64| {
         let rest = |i: usize| jump(i) - here_part * curvature(a, i) - there_part * curvature(b, i);
-        scaling.largest((0..n).map(rest)) > 0.5 * change
+        largest_scaled((0..n).map(rest), &scaling.scale) > 0.5 * change
     };
     change > 1e-6 * scaling.size(a)
         && is_unexplained(1.0, 0.0)

@@ -3,7 +3,7 @@
 use super::domain::Domain;
 use super::iteration::Iteration;
 use super::kink::Kink;
-use super::observer::{Observer, SaveSnapshot, Snapshot};
+use super::observer::{Observer, Snapshot};
 use super::options::Options;
 use super::problem::Problem;
 use super::solution::Solution;
@@ -48,7 +48,7 @@ pub fn minimize_observed(
     if observer
         .resume
         .as_ref()
-        .is_some_and(|snapshot| !snapshot.fits(domain))
+        .is_some_and(|snapshot| !snapshot.progress.fits(domain))
     {
         return Err(other_problem());
     }
@@ -173,7 +173,7 @@ fn fix_on_bound(
     end.iterations += found.iterations;
     end.effort += found.effort;
     if end.status != Status::Converged {
-        let (iterations, residual) = (end.iterations, Some(found.kkt_residual()));
+        let (iterations, residual) = (end.iterations, Some(found.residual.largest()));
         let SearchVerdict { status, message } = match end.status {
             Status::Interrupted => SearchVerdict::interrupted(iterations, residual),
             Status::IterationLimit => SearchVerdict::iteration_limit(iterations, residual),
@@ -213,7 +213,7 @@ fn resumed(solver: &Sqp, snapshot: Snapshot) -> Sqp {
 
 /// Connects the observer's `save` and `resume` to argmin's checkpointing.
 struct SnapshotIo {
-    save: Option<RefCell<Box<SaveSnapshot>>>,
+    save: Option<RefCell<Box<dyn FnMut(&Snapshot) -> Result<()>>>>,
     resumed: Option<(Sqp, SqpState)>,
 }
 

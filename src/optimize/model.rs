@@ -405,18 +405,6 @@ fn relaxed(program: &QuadraticProgram, d: &DVector<f64>) -> QuadraticProgram {
     relaxed
 }
 
-/// Hessian of the Lagrangian in scaled variables; `None` if a function has no Hessian.
-pub(super) fn lagrangian_hessian(
-    scaling: &Scaling,
-    at: &EvaluatedPoint,
-    multipliers: &[f64],
-) -> Option<DMatrix<f64>> {
-    let mut sum = DMatrix::default();
-    write_lagrangian_hessian(at, multipliers, &mut sum)?;
-    scaling.scale_hessian(&mut sum);
-    Some(sum)
-}
-
 /// Writes the Hessian of the Lagrangian to `sum`; `None` if a function has no Hessian.
 pub(super) fn write_lagrangian_hessian(
     at: &EvaluatedPoint,

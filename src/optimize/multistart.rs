@@ -27,16 +27,13 @@ pub struct LocalMinimum {
     pub starts: Vec<usize>,
 }
 
-/// Callback that receives the number of a search, and its [`Iteration`] or [`Solution`].
-pub type Callback<T> = Arc<dyn Fn(usize, &T) + Send + Sync>;
-
 /// Callbacks, interrupt flag and checkpoint of searches that run in parallel.
 #[derive(Clone, Default)]
 pub struct Observers {
     /// Called at the start (iteration 0) and after every iteration, with the number of the start.
-    pub iteration: Option<Callback<Iteration>>,
+    pub iteration: Option<Arc<dyn Fn(usize, &Iteration) + Send + Sync>>,
     /// Called at the end of every search, with the number of the start.
-    pub end: Option<Callback<Solution>>,
+    pub end: Option<Arc<dyn Fn(usize, &Solution) + Send + Sync>>,
     /// Interrupt flag: once true, all searches end with their best points so far.
     pub interrupt: Arc<AtomicBool>,
     /// Checkpoint in which the searches are saved, and from which they resume.
@@ -206,7 +203,7 @@ fn distinct_optima(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimu
             Some(local) => {
                 local.starts.push(number);
                 // keep the more accurate of two equal optima
-                if solution.kkt_residual() < local.solution.kkt_residual() {
+                if solution.residual.largest() < local.solution.residual.largest() {
                     local.solution = solution;
                 }
             }

@@ -1,6 +1,5 @@
 //! Observer of a search: receives its iterations and snapshots, and can interrupt it.
 
-use super::domain::Domain;
 use super::iteration::Iteration;
 use super::sqp::SearchProgress;
 use crate::error::Result;
@@ -16,16 +15,13 @@ pub struct Observer {
     /// next evaluation, or during an evaluation that [checks the flag](super::Problem::evaluate).
     pub interrupt: Arc<AtomicBool>,
     /// Called after every iteration with a snapshot to save.
-    pub save: Option<Box<SaveSnapshot>>,
+    pub save: Option<Box<dyn FnMut(&Snapshot) -> Result<()>>>,
     /// Snapshot to resume from.
     pub resume: Option<Snapshot>,
     /// True if every iteration passed to the observer contains the quadratic model at the iterate.
     /// This costs a copy of the search's state and the solution of a quadratic program.
     pub models: bool,
 }
-
-/// Saves a snapshot.
-pub type SaveSnapshot = dyn FnMut(&Snapshot) -> Result<()>;
 
 impl Observer {
     /// Observer that passes every iteration to a closure.
@@ -56,12 +52,4 @@ pub struct Snapshot {
     /// Number of completed iterations.
     pub iterations: u64,
     pub(super) progress: SearchProgress,
-}
-
-impl Snapshot {
-    /// True if the dimensions fit this domain.
-    pub(super) fn fits(&self, domain: &Domain) -> bool {
-        let (n, m) = (domain.variables.dimension(), domain.constraints.dimension());
-        self.progress.has_dimensions(n, m)
-    }
 }

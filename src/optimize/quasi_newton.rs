@@ -1,4 +1,4 @@
-use super::scaling::{EvaluatedPoint, Scaling};
+use super::scaling::{EvaluatedPoint, Scaling, largest_scaled};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
@@ -14,11 +14,9 @@ impl QuasiNewton {
     /// Initial Hessian: the identity times the largest scaled derivative of f.
     pub fn initial(scaling: &Scaling, at: &EvaluatedPoint) -> Self {
         let n = at.x.len();
-        let slope = scaling
-            .largest(&at.f.objective.gradient)
-            .max(f64::MIN_POSITIVE);
+        let slope = largest_scaled(&at.f.objective.gradient, &scaling.scale);
         Self {
-            rows: rows(&(DMatrix::identity(n, n) * slope)),
+            rows: rows(&(DMatrix::identity(n, n) * slope.max(f64::MIN_POSITIVE))),
             updates: 0,
         }
     }

@@ -4,6 +4,7 @@
 //! still falls along the constraint.
 
 use super::least_squares;
+use super::scaling::largest_scaled;
 use super::state::{Evaluate, SearchState};
 use argmin::core::Error;
 
@@ -30,7 +31,7 @@ impl SearchState {
     /// Finds the bound of variable i and the constraint j with the largest scaled |λⱼ ∂cⱼ/∂xᵢ|.
     /// `None` if no such product exceeds [`HUGE`] times the scaled gradient of f.
     pub fn redundant_bound(&self) -> Option<RedundantBound> {
-        let slope = self.scaling.largest(&self.point.f.objective.gradient);
+        let slope = largest_scaled(&self.point.f.objective.gradient, &self.scaling.scale);
         let most = HUGE * slope.max(self.scaling.initial_size.min(1.0) * f64::EPSILON);
         let scaled_product = |i: usize, j: usize| {
             let constraint = &self.point.f.constraints[j];
@@ -61,7 +62,7 @@ impl SearchState {
         }
         self.counters.redundant_bounds += 1;
         let slope = |i: usize| self.point.f.objective.gradient[i] * self.scaling.scale[i];
-        let largest = self.scaling.largest(&self.point.f.objective.gradient);
+        let largest = largest_scaled(&self.point.f.objective.gradient, &self.scaling.scale);
         let direction: Vec<f64> = (0..self.point.x.len())
             .map(|i| {
                 if i == pair.variable {

@@ -1,7 +1,7 @@
 //! Second-order test of stationary points: saddle points and maxima, unlike minima, have directions
 //! of negative curvature.
 
-use super::model::lagrangian_hessian;
+use super::model::write_lagrangian_hessian;
 use super::null_space::tangent_basis;
 use super::scaling::{EvaluatedPoint, Scaling, norm};
 use super::sensitivity::ZERO_MULTIPLIER;
@@ -91,7 +91,9 @@ impl SearchState {
         } = self;
         let (hessian, free, size) = match reduced {
             ReducedFunction::Merit => {
-                let hessian = lagrangian_hessian(scaling, at, multipliers)?;
+                let mut hessian = DMatrix::default();
+                write_lagrangian_hessian(at, multipliers, &mut hessian)?;
+                scaling.scale_hessian(&mut hessian);
                 (
                     hessian,
                     tangents(scaling, at, multipliers),

@@ -224,7 +224,7 @@ impl Scaling {
             .enumerate()
             .map(|(i, slope)| self.projected(at, *slope, i));
         KktResidual {
-            stationarity: self.largest(projected) / size,
+            stationarity: largest_scaled(projected, &self.scale) / size,
             feasibility: self
                 .violations(&at.f)
                 .fold(0.0, |most, v| v.abs().max(most)),
@@ -260,7 +260,7 @@ impl Scaling {
     /// Sets φ₀ from a later point if value and gradient vanished at the start.
     pub fn floor_size(&mut self, at: &EvaluatedPoint) {
         if self.initial_size <= f64::MIN_POSITIVE {
-            let slope = self.largest(&at.f.objective.gradient);
+            let slope = largest_scaled(&at.f.objective.gradient, &self.scale);
             self.initial_size = at.f.objective.value.abs().max(slope).max(f64::MIN_POSITIVE);
         }
     }
@@ -284,11 +284,6 @@ impl Scaling {
         let excess =
             |(j, constraint): (usize, &Taylor)| limits.excess(j, constraint.value) / self.gamma[j];
         f.constraints.iter().enumerate().map(excess)
-    }
-
-    /// Largest scaled component |gᵢ sᵢ| of a gradient.
-    pub fn largest(&self, gradient: impl IntoIterator<Item = impl Borrow<f64>>) -> f64 {
-        largest_scaled(gradient, &self.scale)
     }
 
     /// Distance of two points in the maximum norm, in units of the scale.

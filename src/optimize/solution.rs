@@ -60,11 +60,6 @@ pub struct ConstraintValue {
 }
 
 impl Solution {
-    /// Relative KKT residual: the largest of its three components.
-    pub fn kkt_residual(&self) -> f64 {
-        self.residual.largest()
-    }
-
     /// True if the dimensions fit this domain.
     pub(super) fn fits(&self, domain: &Domain) -> bool {
         let (n, m) = (domain.variables.dimension(), domain.constraints.dimension());

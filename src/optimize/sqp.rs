@@ -53,8 +53,9 @@ pub(super) struct SearchProgress {
 }
 
 impl SearchProgress {
-    /// True if the dimensions fit a problem of `n` variables and `m` constraints.
-    pub fn has_dimensions(&self, n: usize, m: usize) -> bool {
+    /// True if the dimensions fit this domain.
+    pub fn fits(&self, domain: &Domain) -> bool {
+        let (n, m) = (domain.variables.dimension(), domain.constraints.dimension());
         let has_state = self
             .state
             .as_ref()

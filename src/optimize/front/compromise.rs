@@ -5,7 +5,6 @@ use super::result::{FrontEvent, FrontPoint};
 use crate::error::{Error, Result};
 use crate::number::Taylor;
 use crate::optimize::continuation::predicted;
-use crate::optimize::domain::Domain;
 use crate::optimize::problem::Evaluation;
 use crate::optimize::sensitivity::{ActiveSet, OptimumResponse, first_event, response};
 use crate::optimize::solution::Solution;
@@ -83,7 +82,7 @@ impl FrontPlane<'_> {
 
     /// Corrector: computes the compromise at s = `at`, from the nearby point `from`.
     pub fn solve_at(&self, at: f64, from: &[f64]) -> Result<Compromise> {
-        let domain = self.domain(at);
+        let domain = with_limit(&self.context.domain, at, at);
         let solution =
             self.context
                 .search(&self.combined(true), &domain, from, &self.context.near())?;
@@ -147,7 +146,8 @@ impl FrontPlane<'_> {
     /// `None` if no change is predicted.
     pub fn expected_event(&self, here: &Compromise, to: f64) -> Option<f64> {
         let (solution, response) = here.derivatives.as_ref()?;
-        let (part, _) = first_event(solution, &self.domain(here.at), response, to - here.at)?;
+        let domain = with_limit(&self.context.domain, here.at, here.at);
+        let (part, _) = first_event(solution, &domain, response, to - here.at)?;
         Some(here.at + part * (to - here.at))
     }
 
@@ -163,10 +163,6 @@ impl FrontPlane<'_> {
         let values = context.values(&found.x)?;
         let [a, b]: [f64; 2] = std::array::from_fn(|k| (values[k] - self.zero[k]) / self.span[k]);
         self.solve_at(a - b, &found.x)
-    }
-
-    fn domain(&self, at: f64) -> Domain {
-        with_limit(&self.context.domain, at, at)
     }
 }
 

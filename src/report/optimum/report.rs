@@ -215,7 +215,7 @@ impl OptimumReport {
             gradient: found.then(|| by_name(&optimum.gradient())),
             multipliers: found.then(|| (0..vary.len()).map(multipliers).collect()),
             constraints: constraints.iter().map(ConstraintReport::new).collect(),
-            kkt_residual: found.then_some(solution.kkt_residual()).into(),
+            kkt_residual: found.then_some(solution.residual.largest()).into(),
             iterations: solution.iterations,
             evaluations: solution.effort.evaluations,
             steps: solution.effort,
