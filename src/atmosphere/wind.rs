@@ -93,21 +93,3 @@ impl<T: Numbers> Profile<T> {
         (zeta + self.roughness).ln() - self.ln_roughness
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::WindField;
-    use crate::Setup;
-
-    #[test]
-    fn exact_wind_at_the_reference_height_and_logarithmic_profile_far_above() {
-        let mut setup = Setup::default();
-        (setup.wind.downrange, setup.wind.roughness) = (5.0, Some(0.03));
-        let field = WindField::new(&setup.wind, &setup.ground);
-        assert!((field.at(10.0).z - 5.0).abs() < 1e-14);
-        let ratio = field.at(1000.0).z / field.at(100.0).z;
-        assert!((ratio - (1000.0 / 0.03_f64).ln_1p() / (100.0 / 0.03_f64).ln_1p()).abs() < 1e-6);
-        let below = field.at(-3.0).z;
-        assert!(below > 0.0 && below < field.at(0.0).z);
-    }
-}

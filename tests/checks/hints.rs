@@ -2,6 +2,7 @@
 
 use crate::command_line::{longdrive, on_one_line};
 use crate::program;
+use longdrive::Error;
 use std::fs;
 use std::process::Stdio;
 
@@ -135,4 +136,44 @@ fn a_report_that_cannot_be_written_leaves_no_folder() {
     assert_eq!(output.status.code(), Some(2), "{err}");
     assert!(err.contains("cannot be written"), "{err}");
     assert!(!to.exists());
+}
+
+#[test]
+fn nearest_name_is_suggested() {
+    let names = [
+        "club.loft",
+        "club.mass",
+        "swing.attack_angle",
+        "club.weight_1.toe",
+        "club.weight_2.toe",
+    ];
+    for (given, meant) in [
+        ("club.weight_2.toex", "club.weight_2.toe"),
+        ("clubs.loft", "club.loft"),
+        ("club.loft.x", "club.loft"),
+        ("club.lofft", "club.loft"),
+        ("loft", "club.loft"),
+        ("atack_angle", "swing.attack_angle"),
+    ] {
+        let message = Error::unknown("parameter", given, names, "list").to_string();
+        assert!(
+            message.contains(&format!("did you mean '{meant}'?")),
+            "{message}"
+        );
+    }
+    let coefficients = ["aero.cd0", "aero.cd1", "aero.cd2"];
+    let message = Error::unknown("parameter", "aero.cdo", coefficients, "list").to_string();
+    assert!(message.contains("did you mean 'aero.cd0'?"), "{message}");
+    let speeds = ["swing.speed", "wind.speed"];
+    let message = Error::unknown("parameter", "speed", speeds, "list").to_string();
+    assert!(message.contains("did you mean 'swing.speed'?"), "{message}");
+    let message = Error::unknown("parameter", "swing", speeds, "list").to_string();
+    assert!(
+        message.ends_with("it is a group: swing.speed; list"),
+        "{message}"
+    );
+    for strange in ["xyzzy", "sw"] {
+        let message = Error::unknown("parameter", strange, names, "list").to_string();
+        assert!(!message.contains("did you mean"), "{message}");
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::common::{close, random_setups};
 use crate::fifteen_equations::by_generalized_speeds;
-use longdrive::impact::{Collision, Delivery, Grip, Rebound, strike};
+use longdrive::impact::{Collision, Delivery, FacePoint, Grip, Rebound, strike};
 use longdrive::number::{Jet, Numbers, Vector};
 use longdrive::{Error, Outcome, Setup, derivative};
 
@@ -580,4 +580,43 @@ fn differences_certify_the_derivative_by_the_scale_of_the_gear_effect() {
         .gradient[0];
     close(slope, difference, slope.abs(), 1e-8, "slope");
     assert!(slope.abs() > 1.0, "{slope} m");
+}
+
+#[test]
+fn exact_normal_of_a_spherical_face_points_from_its_centre() {
+    let mut setup = Setup::default();
+    setup.club.loft = 0.3;
+    (setup.strike.high, setup.strike.toe) = (0.011, -0.02);
+    let face = FacePoint::new(&setup.club, &setup.strike).unwrap();
+    // equal radii: the face is a sphere, whose centre is at d − R along k′ from the centre of
+    // mass
+    let (sin, cos) = setup.club.loft.sin_cos();
+    let centre = setup.club.cg_depth - setup.club.bulge_radius;
+    let from_centre = [
+        face.position.x - centre * sin,
+        face.position.y,
+        face.position.z - centre * cos,
+    ];
+    for (component, expected) in from_centre.iter().zip(face.normal.to_array()) {
+        assert!((component / setup.club.bulge_radius - expected).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn exact_flat_face_is_the_limit_of_large_radii() {
+    let mut setup = Setup::default();
+    (setup.strike.high, setup.strike.toe) = (0.01, 0.02);
+    let at = |radius, setup: &mut Setup<f64>| {
+        (setup.club.bulge_radius, setup.club.roll_radius) = (radius, radius);
+        FacePoint::new(&setup.club, &setup.strike).unwrap()
+    };
+    let (flat, nearly) = (at(f64::INFINITY, &mut setup), at(1e12, &mut setup));
+    for (a, b) in flat
+        .position
+        .to_array()
+        .iter()
+        .zip(nearly.position.to_array())
+    {
+        assert!((a - b).abs() < 1e-15);
+    }
 }

@@ -260,7 +260,7 @@ fn exact_c2_of_the_spline_across_every_line_of_the_grid() {
 
 /// Joins of the pieces of a law: its name, the variable (0: spin ratio, 1: Reynolds number, 2:
 /// speed), and the value of the variable.
-const JOINS: [(&str, usize, f64); 19] = [
+const JOINS: [(&str, usize, f64); 20] = [
     ("ferguson", 0, 0.02),
     ("ferguson", 0, 0.75),
     ("ferguson", 0, 0.95),
@@ -269,6 +269,7 @@ const JOINS: [(&str, usize, f64); 19] = [
     ("naruo-mizota", 0, 1.13),
     ("naruo-mizota", 0, 1.33),
     ("nathan", 0, 0.001),
+    ("smits-smith", 0, 0.001),
     ("nathan", 1, 0.475e5),
     ("nathan", 1, 0.525e5),
     ("nathan", 1, 0.975e5),
@@ -295,6 +296,63 @@ fn exact_c2_at_every_join_of_a_law() {
             assert!(
                 (a - b).abs() < 1e-9,
                 "{law}, {variable} at {join}: {sides:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn lift_near_zero_spin_has_finite_derivatives() {
+    for name in ["smits-smith", "ferguson"] {
+        let spin_ratio = Dual2_64::from(0.0).derivative();
+        let lift = at(
+            name,
+            [spin_ratio, Dual2_64::from(1e5), Dual2_64::from(40.0)],
+        )
+        .lift;
+        assert!(lift.re == 0.0 && lift.v1.is_finite() && lift.v1 > 0.0 && lift.v2.is_finite());
+    }
+}
+
+/// Published C_D and C_L of launch-monitor and ferguson at Re = 1.5e5, within one unit of the
+/// last digit.
+#[test]
+fn published_values_of_launch_monitor_and_ferguson() {
+    let spin_ratios = [0.08, 0.10, 0.15, 0.20, 0.25, 0.30];
+    for (name, drag, lift) in [
+        (
+            "launch-monitor",
+            [0.211, 0.226, 0.262, 0.295, 0.327, 0.355],
+            [0.150, 0.175, 0.228, 0.267, 0.299, 0.324],
+        ),
+        (
+            "ferguson",
+            [0.199, 0.215, 0.251, 0.283, 0.311, 0.335],
+            [0.139, 0.159, 0.205, 0.245, 0.279, 0.308],
+        ),
+    ] {
+        for ((s, drag), lift) in spin_ratios.into_iter().zip(drag).zip(lift) {
+            let c = at::<f64>(name, [s, 1.5e5, 50.0]);
+            assert!((c.drag - drag).abs() < 1e-3, "{name} C_D({s}) = {}", c.drag);
+            assert!((c.lift - lift).abs() < 1e-3, "{name} C_L({s})");
+        }
+    }
+}
+
+#[test]
+fn recovered_law_has_positive_drag_and_lift_that_rises_with_spin() {
+    for speed in [25.0, 35.0, 45.0, 55.0, 70.0] {
+        let of = |s: f64| at("winfield-tan", [s, 3000.0 * speed, speed]);
+        assert_eq!(of(0.0).lift, 0.0);
+        for k in 0..40 {
+            let (here, next) = (of(f64::from(k) * 0.01), of(f64::from(k + 1) * 0.01));
+            assert!(
+                here.drag > 0.15 && next.drag > here.drag && next.drag < 1.5,
+                "C_D at {speed}: {next:?}"
+            );
+            assert!(
+                next.lift > here.lift && next.lift < 0.6,
+                "C_L at {speed}: {next:?}"
             );
         }
     }

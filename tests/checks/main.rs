@@ -42,6 +42,7 @@ mod interrupts;
 mod json_answers;
 mod launch;
 mod laws;
+mod least_squares;
 mod left_hander;
 mod listening;
 mod long_work;

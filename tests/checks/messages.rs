@@ -416,3 +416,10 @@ fn a_front_has_one_note_on_the_run() {
     let (_, text) = both_streams(&[&["optimize"], &swings[..]].concat());
     assert_eq!(text.matches("are known within").count(), 1, "{text}");
 }
+
+#[test]
+fn a_missed_ball_says_what_the_bend_of_the_shaft_grows_with() {
+    let message = Error::NoStrike { approach: -1.0 }.to_string();
+    let growth = "swing.shaft_bend, which grows with the head speed as swing.shaft_growth says";
+    assert!(message.contains(growth), "{message}");
+}

@@ -30,25 +30,3 @@ impl Loss {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::Loss;
-
-    #[test]
-    fn exact_huber_joins_smoothly_and_its_weight_is_its_slope() {
-        let huber = Loss::Huber(2.0);
-        assert_eq!(
-            (huber.of(2.0), huber.of(5.0), huber.of(-5.0)),
-            (2.0, 8.0, 8.0)
-        );
-        assert_eq!(
-            (
-                huber.weight(2.0),
-                huber.weight(4.0),
-                Loss::Squares.weight(4.0)
-            ),
-            (1.0, 0.5, 1.0)
-        );
-    }
-}
