@@ -1,7 +1,6 @@
 use crate::error::Error;
 use crate::optimize::sensitivity::ActiveSet;
 use crate::optimize::solution::Solution;
-use crate::optimize::status::Status;
 
 /// Pareto front: nondominated compromises from the minimum of the first function to the minimum of
 /// the second.
@@ -72,26 +71,5 @@ pub enum FrontError {
 impl From<Error> for FrontError {
     fn from(error: Error) -> Self {
         Self::Refused(error)
-    }
-}
-
-impl FrontError {
-    /// Converts to the crate's error.
-    pub fn into_error(self) -> Error {
-        match self {
-            Self::NoEnd { function, found } => {
-                let which = ["first", "second"][function];
-                let why = match (&found.undefined_at_start, found.status) {
-                    (Some(why), Status::Undefined) => why,
-                    _ => &found.message,
-                };
-                let message = format!("{which} function alone: {why}").into();
-                Error::NotConverged {
-                    status: found.status.name(),
-                    message,
-                }
-            }
-            Self::Refused(error) => error,
-        }
     }
 }

@@ -174,8 +174,10 @@ pub fn fit_observed(
     };
     let at = match evaluate(start.clone()) {
         Ok(at) => at,
-        Err(_) if observer.is_interrupted() => return Ok(interrupted_at_start(start)),
-        Err(why) => return Ok(undefined_at_start(start, why)),
+        Err(why) => {
+            let undefined = (!observer.is_interrupted()).then_some(why);
+            return Ok(without_residuals(start, undefined));
+        }
     };
     let mut state = FitState::new(at, bounds);
     let SearchVerdict { status, message } = loop {
@@ -465,30 +467,30 @@ impl FitState {
     }
 }
 
-/// Result of a fit that was interrupted during its first evaluation.
-fn interrupted_at_start(x: Vec<f64>) -> Fit {
-    let message = "stopped during the first evaluation of the residuals".into();
+/// Result of a fit without residuals at the start. `undefined` is the reason; `None` if the first
+/// evaluation was interrupted.
+fn without_residuals(x: Vec<f64>, undefined: Option<String>) -> Fit {
+    let (status, message) = match &undefined {
+        Some(why) => (
+            FitStatus::Undefined,
+            format!("the residuals are not defined at the start: {why}"),
+        ),
+        None => (
+            FitStatus::Interrupted,
+            "stopped during the first evaluation of the residuals".into(),
+        ),
+    };
     Fit {
-        status: FitStatus::Interrupted,
+        status,
         message,
-        rejected: RejectedPoints::default(),
-        ..undefined_at_start(x, String::new())
-    }
-}
-
-/// Result of a fit whose residuals are undefined at the start.
-fn undefined_at_start(x: Vec<f64>, why: String) -> Fit {
-    Fit {
-        status: FitStatus::Undefined,
-        message: format!("the residuals are not defined at the start: {why}"),
         x,
         rows: Rows::default(),
         cost: f64::INFINITY,
         iterations: 0,
         evaluations: 1,
         rejected: RejectedPoints {
-            count: 1,
-            last: Some(why),
+            count: u64::from(undefined.is_some()),
+            last: undefined,
         },
     }
 }

@@ -209,8 +209,9 @@ impl ParetoSearch {
 
 /// The error if an end of the front was not found. It names the goal that is best at this end.
 fn named(none: FrontError, search: &ParetoSearch, problem: &SearchProblem) -> Error {
-    let FrontError::NoEnd { function, found } = none else {
-        return none.into_error();
+    let (function, found) = match none {
+        FrontError::NoEnd { function, found } => (function, found),
+        FrontError::Refused(error) => return error,
     };
     let (goal, sense) = &search.goals[function];
     let why = match (&found.undefined_at_start, found.status) {
