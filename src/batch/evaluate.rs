@@ -2,7 +2,7 @@
 
 use super::block::{Block, Status};
 use super::definition::Batch;
-use super::lane_batch::{LaneBatch, LaunchPartition, PartitionedRows};
+use super::lane_batch::{LaneBatch, LaunchPartition};
 use crate::derivative::{Evaluator, Order};
 use crate::drive::{CheckScope, Drive, ExceededLimits, Outcome};
 use crate::error::{Error, Result};
@@ -87,22 +87,25 @@ impl Batch {
         {
             return (0..block.rows()).collect();
         }
-        let PartitionedRows {
-            flying,
-            mut scalar_rows,
-        } = self.level.run_sweep(LaunchPartition { batch: self, block });
+        let (mut flying, mut scalar_rows) = (vec![], vec![]);
+        self.level.run_sweep(LaunchPartition {
+            batch: self,
+            block,
+            flying: &mut flying,
+            scalar_rows: &mut scalar_rows,
+        });
         // at least one iteration, which computes the values if there are no derivatives
         for first in (0..self.wrt.len().max(1)).step_by(MOST_PER_LANE) {
             let wrt = &self.wrt[first..self.wrt.len().min(first + MOST_PER_LANE)];
-            scalar_rows.extend(self.level.run_sweep(LaneBatch {
+            self.level.run_sweep(LaneBatch {
                 batch: self,
                 block,
                 wrt,
                 first,
                 stop,
                 flying: &flying,
-                scalar_rows: vec![],
-            }));
+                scalar_rows: &mut scalar_rows,
+            });
         }
         scalar_rows.sort_unstable();
         scalar_rows.dedup();

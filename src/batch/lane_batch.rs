@@ -26,19 +26,17 @@ pub(super) struct LaneBatch<'a> {
     pub stop: &'a AtomicBool,
     /// Rows whose ball flies.
     pub flying: &'a [FlyingRow],
-    /// Rows that need scalar evaluation.
-    pub scalar_rows: Vec<usize>,
+    /// Receives the rows that need scalar evaluation.
+    pub scalar_rows: &'a mut Vec<usize>,
 }
 
 impl Task for LaneBatch<'_> {
-    /// Rows that need scalar evaluation.
-    type Output = Vec<usize>;
+    type Output = ();
 
     #[inline(always)]
-    fn run<V: Lanes<Lane = f64>>(&mut self) -> Vec<usize> {
+    fn run<V: Lanes<Lane = f64>>(&mut self) {
         let parameters = self.wrt.len();
         over_drives::<V, _>(self, parameters);
-        std::mem::take(&mut self.scalar_rows)
     }
 }
 
@@ -115,26 +113,20 @@ impl OverNumbers for LaneBatch<'_> {
 pub(super) struct LaunchPartition<'a> {
     pub batch: &'a Batch,
     pub block: &'a mut Block,
-}
-
-/// Rows of a block, partitioned by their launches.
-#[derive(Default)]
-pub(super) struct PartitionedRows {
-    /// Rows whose ball flies, in the order of the length of the flight.
-    pub flying: Vec<FlyingRow>,
-    /// Rows that need scalar evaluation.
-    pub scalar_rows: Vec<usize>,
+    /// Receives the rows whose ball flies, in the order of the length of the flight.
+    pub flying: &'a mut Vec<FlyingRow>,
+    /// Receives the rows that need scalar evaluation.
+    pub scalar_rows: &'a mut Vec<usize>,
 }
 
 impl Task for LaunchPartition<'_> {
-    type Output = PartitionedRows;
+    type Output = ();
 
     /// Rows whose ball flies go to `flying`, rows without a valid impact to `scalar_rows`. A row
     /// whose ball is launched into the ground gets its status here, or goes to `scalar_rows` if an
     /// outcome of the launch is requested.
     #[inline(always)]
-    fn run<V: Lanes<Lane = f64>>(&mut self) -> PartitionedRows {
-        let mut partitioned = PartitionedRows::default();
+    fn run<V: Lanes<Lane = f64>>(&mut self) {
         let batch = self.batch;
         let shows_launch = batch
             .of
@@ -163,26 +155,25 @@ impl Task for LaunchPartition<'_> {
                     setup.ground.height.lane(lane),
                 );
                 if !launched.is_valid.holds(lane) {
-                    partitioned.scalar_rows.push(row);
+                    self.scalar_rows.push(row);
                 } else if up > 0.0 || ground < 0.0 {
-                    partitioned.flying.push(FlyingRow {
+                    self.flying.push(FlyingRow {
                         upward_speed: up,
                         row,
                     });
                 } else if shows_launch {
-                    partitioned.scalar_rows.push(row);
+                    self.scalar_rows.push(row);
                 } else {
                     self.block.status[row] = Status::NoFlight;
                 }
             }
         }
         // the lanes of a group take as long as its longest flight
-        partitioned.flying.sort_unstable_by(|a, b| {
+        self.flying.sort_unstable_by(|a, b| {
             a.upward_speed
                 .total_cmp(&b.upward_speed)
                 .then(a.row.cmp(&b.row))
         });
-        partitioned
     }
 }
 

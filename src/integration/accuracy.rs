@@ -26,7 +26,10 @@ pub struct Accuracy {
 impl Accuracy {
     /// The setup with this method and step.
     pub fn applied_to(&self, setup: &Setup<f64>) -> Setup<f64> {
-        with_method_and_step(setup, self.method, self.step)
+        let method = self.method;
+        let mut setup = Setup { method, ..*setup };
+        setup.flight.step = self.step;
+        setup
     }
 }
 
@@ -177,12 +180,12 @@ impl<'s> TestedDrives<'s> {
         let mut points = points(setup, ranges);
         let untested_points = points.split_off(points.len().min(TESTED_FIRST * parameters.len()));
         let reference_step = REFERENCE * LONGEST_STEP;
-        let batch = Batch::new(
-            &with_method_and_step(setup, METHOD, reference_step),
-            &parameters,
-            &lengths,
-            &[],
-        )?;
+        let mut setup = Setup {
+            method: METHOD,
+            ..*setup
+        };
+        setup.flight.step = reference_step;
+        let batch = Batch::new(&setup, &parameters, &lengths, &[])?;
         let reference = flown(&batch, points.clone(), stop)?;
         Ok(Self {
             batch,
@@ -329,12 +332,6 @@ fn flown(batch: &Batch, points: Vec<f64>, stop: &AtomicBool) -> Result<Block> {
     block
         .filter(|_| !stop.load(Ordering::Relaxed))
         .ok_or(Error::Stopped)
-}
-
-fn with_method_and_step(setup: &Setup<f64>, method: Method, step: f64) -> Setup<f64> {
-    let mut setup = Setup { method, ..*setup };
-    setup.flight.step = step;
-    setup
 }
 
 /// The points of the drives to compare: for each point, a value for each range.
