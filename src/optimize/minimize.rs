@@ -245,24 +245,14 @@ impl Checkpoint<Sqp, SqpState> for SnapshotIo {
 
 struct IterationObserver(Box<dyn FnMut(&Iteration)>);
 
-impl IterationObserver {
-    /// Passes an iteration to the observer. An interrupted iteration has no result and is omitted.
-    fn show(&mut self, state: &SqpState) {
-        if let Some(iteration) = state.get_residuals() {
-            (self.0)(iteration);
-        }
-    }
-}
-
 impl Observe<SqpState> for IterationObserver {
     fn observe_init(
         &mut self,
         _: &str,
         state: &SqpState,
-        _: &KV,
+        kv: &KV,
     ) -> std::result::Result<(), argmin::core::Error> {
-        self.show(state);
-        Ok(())
+        self.observe_iter(state, kv)
     }
 
     fn observe_iter(
@@ -270,7 +260,10 @@ impl Observe<SqpState> for IterationObserver {
         state: &SqpState,
         _: &KV,
     ) -> std::result::Result<(), argmin::core::Error> {
-        self.show(state);
+        // an interrupted iteration has no result
+        if let Some(iteration) = state.get_residuals() {
+            (self.0)(iteration);
+        }
         Ok(())
     }
 }

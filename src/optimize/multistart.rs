@@ -153,7 +153,14 @@ fn search_from(
         None => None,
     };
     if observers.interrupt.load(Ordering::Relaxed) {
-        return Ok(Solution::interrupted_at_start(domain, start.to_vec()));
+        let message = "stopped before it began".into();
+        let x = start.to_vec();
+        return Ok(Solution::without_point(
+            domain,
+            Status::Interrupted,
+            message,
+            x,
+        ));
     }
     let mut observer = Observer {
         resume,

@@ -136,8 +136,19 @@ pub fn reduced_hessian(solution: &Solution, domain: &Domain) -> (DMatrix<f64>, D
     (basis, reduced)
 }
 
-fn check_shape(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<()> {
+fn check_input(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<()> {
     let (n, m) = (solution.x.len(), solution.constraints.len());
+    if solution.status != Status::Converged {
+        return Err(Error::NotConverged {
+            status: solution.status.name(),
+            message: solution.message.clone().into(),
+        });
+    }
+    if solution.hessian.len() != n {
+        return Err(Error::Optimizer(
+            "the sensitivity of an optimum needs exact Hessians".into(),
+        ));
+    }
     if !solution.fits(domain) {
         return Err(Error::Optimizer(
             "the domain is not that of the solution: variables or constraints differ in number"
@@ -169,19 +180,7 @@ fn check_shape(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<
 /// Hessians, if dimensions differ, or if the KKT system is singular, because an optimum that is not
 /// isolated has no derivative.
 pub fn response(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<OptimumResponse> {
-    let n = solution.x.len();
-    if solution.status != Status::Converged {
-        return Err(Error::NotConverged {
-            status: solution.status.name(),
-            message: solution.message.clone().into(),
-        });
-    }
-    if solution.hessian.len() != n {
-        return Err(Error::Optimizer(
-            "the sensitivity of an optimum needs exact Hessians".into(),
-        ));
-    }
-    check_shape(solution, domain, at)?;
+    check_input(solution, domain, at)?;
     let active_set = ActiveSet::new(solution, domain);
     let system = KktSystem {
         solution,
@@ -190,7 +189,32 @@ pub fn response(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result
         free: active_set.free_variables(),
         active: active_set.active_constraints(),
     };
-    system.response()
+    let n = solution.x.len();
+    let [x, multipliers] = system.solve()?;
+    let direct = system.lagrangian_sum(at.objective.hessian[n][n], |j| {
+        at.constraints[j].hessian[n][n]
+    });
+    let by_x: f64 = (0..n).map(|i| system.mixed(i) * x[i]).sum();
+    let by_multipliers: f64 = multipliers
+        .iter()
+        .zip(&at.constraints)
+        .map(|(change, c)| change * c.gradient[n])
+        .sum();
+    Ok(OptimumResponse {
+        value: system.lagrangian_sum(at.objective.gradient[n], |j| at.constraints[j].gradient[n]),
+        curvature: direct + by_x + by_multipliers,
+        constraints: solution
+            .jacobian
+            .iter()
+            .zip(&at.constraints)
+            .map(|(row, c)| dot(row, &x) + c.gradient[n])
+            .collect(),
+        slopes: (0..n)
+            .map(|i| system.gradient_derivative(i, &x, &multipliers))
+            .collect(),
+        multipliers,
+        x,
+    })
 }
 
 /// The KKT system of a converged optimum, differentiated by the parameter p.
@@ -206,36 +230,6 @@ struct KktSystem<'a> {
 }
 
 impl KktSystem<'_> {
-    fn response(&self) -> Result<OptimumResponse> {
-        let (n, at) = (self.solution.x.len(), self.at);
-        let [x, multipliers] = self.solve()?;
-        let direct = self.lagrangian_sum(at.objective.hessian[n][n], |j| {
-            at.constraints[j].hessian[n][n]
-        });
-        let by_x: f64 = (0..n).map(|i| self.mixed(i) * x[i]).sum();
-        let by_multipliers: f64 = multipliers
-            .iter()
-            .zip(&at.constraints)
-            .map(|(change, c)| change * c.gradient[n])
-            .sum();
-        Ok(OptimumResponse {
-            value: self.lagrangian_sum(at.objective.gradient[n], |j| at.constraints[j].gradient[n]),
-            curvature: direct + by_x + by_multipliers,
-            constraints: self
-                .solution
-                .jacobian
-                .iter()
-                .zip(&at.constraints)
-                .map(|(row, c)| dot(row, &x) + c.gradient[n])
-                .collect(),
-            slopes: (0..n)
-                .map(|i| self.gradient_derivative(i, &x, &multipliers))
-                .collect(),
-            multipliers,
-            x,
-        })
-    }
-
     /// Solves the differentiated KKT conditions for dx*/dp and dλ*/dp.
     fn solve(&self) -> Result<[Vec<f64>; 2]> {
         let Self {

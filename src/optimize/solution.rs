@@ -144,14 +144,13 @@ impl Solution {
         }
     }
 
-    /// Result of a search that was interrupted before its first evaluation.
-    pub(super) fn interrupted_at_start(domain: &Domain, start: Vec<f64>) -> Self {
-        let message = "stopped before it began".into();
-        Self::without_point(domain, Status::Interrupted, message, start)
-    }
-
     /// Result of a search that found no point at which the functions are defined.
-    fn without_point(domain: &Domain, status: Status, message: String, x: Vec<f64>) -> Self {
+    pub(super) fn without_point(
+        domain: &Domain,
+        status: Status,
+        message: String,
+        x: Vec<f64>,
+    ) -> Self {
         let n = domain.variables.dimension();
         let none = KktResidual {
             stationarity: f64::MAX,

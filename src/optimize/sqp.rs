@@ -17,7 +17,8 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// argmin's state for this solver: the start, the objective, and the iteration for observers.
+/// argmin's state for this solver: the start, the objective, and the iteration for observers. The
+/// iteration has the point, because argmin would copy a point of the state.
 pub type SqpState = IterState<Vec<f64>, (), (), (), Iteration, f64>;
 
 /// The SQP solver. [`minimize`](super::minimize()) builds and runs it.
@@ -209,7 +210,8 @@ impl<'a> Solver<&'a dyn Problem, SqpState> for Sqp {
         if let Err(error) = self.apply_stopping_tests(&mut state, None, &mut evaluate) {
             self.interrupted_by(error, &state, 0)?;
         }
-        let info = with_iteration(info, self.iteration(&state));
+        let iteration = self.iteration(&state);
+        let info = info.cost(iteration.value).residuals(iteration);
         self.progress.state = Some(state);
         Ok((info, None))
     }
@@ -225,7 +227,7 @@ impl<'a> Solver<&'a dyn Problem, SqpState> for Sqp {
         let (m, interrupt) = (self.domain.constraints.dimension(), self.interrupt.clone());
         let mut evaluate = |x: &[f64]| evaluate(problem, &interrupt, x, m);
         let info = match self.iterate(&mut state, info.iter + 1, &mut evaluate) {
-            Ok(iteration) => with_iteration(info, iteration),
+            Ok(iteration) => info.cost(iteration.value).residuals(iteration),
             Err(error) => {
                 self.interrupted_by(error, &state, info.iter)?;
                 self.progress.is_interrupted_within = true;
@@ -258,12 +260,6 @@ impl<'a> Solver<&'a dyn Problem, SqpState> for Sqp {
             )),
         }
     }
-}
-
-/// Writes an iteration to argmin's state. The point is stored in the iteration only, because argmin
-/// would copy it.
-fn with_iteration(info: SqpState, iteration: Iteration) -> SqpState {
-    info.cost(iteration.value).residuals(iteration)
 }
 
 /// Evaluates the functions at x.

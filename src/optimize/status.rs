@@ -142,12 +142,6 @@ impl SearchVerdict {
         );
         Self::new(Status::Stalled, message)
     }
-
-    /// Appends `more` to the message.
-    pub fn with_text(mut self, more: &str) -> Self {
-        self.message += more;
-        self
-    }
 }
 
 fn with_residual(residual: Option<f64>) -> String {

@@ -140,17 +140,22 @@ impl Sqp {
 
 /// Adds to the message the kink, the reason why a trial point was undefined, or the note that
 /// second derivatives are missing.
-fn with_context(state: &SearchState, verdict: SearchVerdict, kink: Option<&Kink>) -> SearchVerdict {
+fn with_context(
+    state: &SearchState,
+    mut verdict: SearchVerdict,
+    kink: Option<&Kink>,
+) -> SearchVerdict {
     let residual = state.residual.largest();
     if let Some(kink) = kink {
         return SearchVerdict::kink(kink, state.point.x[kink.variable], residual);
     }
     match (verdict.status, &state.undefined_reason) {
-        (Status::Stalled, Some(why)) => verdict.with_text(&format!("; beyond this point, {why}")),
-        (Status::Converged, _) if state.point.f.objective.hessian.is_empty() => verdict.with_text(
-            "; without second derivatives a saddle point or a maximum cannot be distinguished from a \
-             minimum",
-        ),
-        _ => verdict,
+        (Status::Stalled, Some(why)) => verdict.message += &format!("; beyond this point, {why}"),
+        (Status::Converged, _) if state.point.f.objective.hessian.is_empty() => {
+            verdict.message += "; without second derivatives a saddle point or a maximum cannot be \
+                                distinguished from a minimum";
+        }
+        _ => {}
     }
+    verdict
 }

@@ -30,11 +30,6 @@ impl Unknowns {
         })
     }
 
-    /// Index of the equation of the first of `other_terms`.
-    fn first_other_term_row(&self) -> usize {
-        self.free.len()
-    }
-
     /// Index of the equation of the first active row.
     fn first_row(&self) -> usize {
         self.free.len() + self.other_terms.len()
@@ -190,7 +185,7 @@ impl QuadraticProgram {
         let mut weights = scattered(
             self.max_terms.len(),
             &unknowns.other_terms,
-            unknowns.first_other_term_row(),
+            unknowns.free.len(),
         );
         weights[unknowns.first_term] = 1.0 - weights.iter().sum::<f64>();
         Some(QpStep {
@@ -225,7 +220,7 @@ impl QuadraticProgram {
         for (k, &term) in unknowns.other_terms.iter().enumerate() {
             let other = &self.max_terms[term];
             system.add_equation(
-                unknowns.first_other_term_row() + k,
+                unknowns.free.len() + k,
                 &unknowns.free,
                 d,
                 |i| other.gradient[i] - gradient[i],
