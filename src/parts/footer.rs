@@ -110,9 +110,13 @@ impl Footer {
 
     /// The manifest of the file. Reads and hashes the whole file.
     pub fn manifest(self, path: &Path) -> Result<Manifest, String> {
-        let hashes = File::open(path).and_then(|file| FileHashes::of(&file, self.data));
-        let hashes = hashes.map_err(|error| read_error_text(&error))?;
-        if hashes.data != self.part.data {
+        let unreadable = |error: io::Error| read_error_text(&error);
+        let file = File::open(path).map_err(unreadable)?;
+        let mut hash = Sha256::default();
+        add(&mut hash, (&file).take(self.data)).map_err(unreadable)?;
+        let of_rows = hex(hash.clone());
+        add(&mut hash, &file).map_err(unreadable)?;
+        if of_rows != self.part.data {
             return Err(
                 "its rows have changed: their SHA-256 differs from the SHA-256 in its footer"
                     .into(),
@@ -126,34 +130,13 @@ impl Footer {
         Ok(Manifest {
             file: name,
             bytes: self.bytes,
-            sha256: hashes.file,
+            sha256: hex(hash),
             part: self.part,
         })
     }
 }
 
-/// SHA-256 of a file, in hexadecimal.
-struct FileHashes {
-    /// The hash of the bytes before the footer.
-    data: String,
-    /// The hash of the whole file.
-    file: String,
-}
-
-impl FileHashes {
-    /// Reads a file, in which `data` bytes precede the footer.
-    fn of(file: &File, data: u64) -> io::Result<Self> {
-        let mut hash = Sha256::default();
-        add(&mut hash, file.take(data))?;
-        let of_data = hex(hash.clone());
-        add(&mut hash, file)?;
-        Ok(Self {
-            data: of_data,
-            file: hex(hash),
-        })
-    }
-}
-
+/// Adds all bytes of a source to a hash.
 fn add(hash: &mut Sha256, source: impl Read) -> io::Result<()> {
     let mut source = BufReader::with_capacity(1 << 20, source);
     loop {

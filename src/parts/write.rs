@@ -17,7 +17,8 @@ use std::path::Path;
 pub struct Dataset {
     batch: Batch,
     summary_spec: SummarySpec,
-    definition: SweepDefinition,
+    /// Definition of the sweep.
+    pub definition: SweepDefinition,
     table: SweepParquet,
 }
 
@@ -56,11 +57,6 @@ impl Dataset {
             definition,
             table,
         })
-    }
-
-    /// Definition of the sweep.
-    pub fn definition(&self) -> &SweepDefinition {
-        &self.definition
     }
 
     /// The rows of a part, counted from 0.

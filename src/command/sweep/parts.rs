@@ -204,11 +204,8 @@ fn wanted(args: &Args) -> Result<Option<SweepDefinition>> {
     }
     let SweepRequest { points, batch, .. } = SweepRequest::of(args, &args.setup_args.request()?)?;
     // 1 is a placeholder: the files determine the number of parts
-    Ok(Some(
-        dataset_of(args, batch, points.as_ref(), 1)?
-            .definition()
-            .clone(),
-    ))
+    let dataset = dataset_of(args, batch, points.as_ref(), 1)?;
+    Ok(Some(dataset.definition))
 }
 
 /// Refuses options of a sweep if its points are not given: without points, the parts are not
