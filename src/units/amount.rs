@@ -36,7 +36,7 @@ impl Amount {
             .ok_or_else(|| format!("'{unit}' is no unit; write for example 12 cm^2 or 0.5 g/mm"))?;
         Ok(Self {
             value: unit.value(number),
-            is_on_scale: unit.has_zero(),
+            is_on_scale: unit.zero.is_some(),
             dimension: unit.dimension,
         })
     }

@@ -10,7 +10,7 @@ pub(crate) struct Unit {
     denominator: f64,
     pub(super) dimension: Dimension,
     /// SI value of the scale's zero, for a temperature scale.
-    zero: Option<f64>,
+    pub(super) zero: Option<f64>,
 }
 
 impl Unit {
@@ -24,11 +24,6 @@ impl Unit {
     /// degC.
     pub fn number(&self, value: f64) -> f64 {
         (value - self.zero.unwrap_or(0.0)) / self.difference(1.0)
-    }
-
-    /// True for a temperature scale with its own zero.
-    pub fn has_zero(&self) -> bool {
-        self.zero.is_some()
     }
 
     /// SI value of a difference in this unit: 25 degC is 25 K.

@@ -32,7 +32,6 @@ pub(crate) use symbols::{MPH, RPM, YARD};
 pub use system::{System, TableUnits};
 
 use expression::read_unit;
-use std::fmt;
 use symbols::{Dimension, SYMBOLS};
 
 /// Physical quantity of a parameter or an outcome.
@@ -473,12 +472,6 @@ impl Quantity {
     }
 }
 
-impl fmt::Display for Quantity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name)
-    }
-}
-
 /// A number with at most `digits` significant digits, without trailing zeros.
 ///
 /// ```
@@ -632,7 +625,11 @@ mod tests {
                 .chain(of_systems)
                 .filter(|unit| !unit.is_empty())
             {
-                assert!(quantity.size_of(unit).is_some(), "{quantity}: {unit}");
+                assert!(
+                    quantity.size_of(unit).is_some(),
+                    "{}: {unit}",
+                    quantity.name
+                );
             }
         }
     }
