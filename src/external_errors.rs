@@ -1,32 +1,6 @@
 //! Messages for errors of the operating system and of the libraries that read files: the cause, and
 //! advice.
 
-fn csv_error_text(error: &csv::Error) -> String {
-    match error.kind() {
-        csv::ErrorKind::UnequalLengths {
-            expected_len, len, ..
-        } => {
-            let cells = |count: u64| {
-                if count == 1 {
-                    "1 cell".to_owned()
-                } else {
-                    format!("{count} cells")
-                }
-            };
-            format!(
-                "the row has {}, but the head has {}; give every row a cell for each column",
-                cells(*len),
-                cells(*expected_len)
-            )
-        }
-        csv::ErrorKind::Utf8 { .. } => {
-            "it holds bytes that are not text in UTF-8; save the table as CSV in UTF-8".into()
-        }
-        csv::ErrorKind::Io(error) => read_error_text(error),
-        _ => format!("it cannot be read as CSV (the reader says: {error})"),
-    }
-}
-
 /// Advice about a damaged file.
 #[cfg(any(feature = "arrow", feature = "parquet"))]
 pub(crate) const DAMAGED: &str = "copy it again, or write it again with the program that made it";
@@ -137,21 +111,43 @@ pub(crate) fn write_error_text(error: &std::io::Error) -> String {
 /// unclosed quote, because the CSV reader counts the rows after such a quote as part of the quoted
 /// cell.
 pub(crate) fn csv_row_error_text(error: &csv::Error, text: impl std::io::BufRead) -> String {
-    let is_odd = |line: &Vec<u8>| line.iter().filter(|byte| **byte == b'"').count() % 2 == 1;
-    let mut lines = text.split(b'\n').map_while(Result::ok);
-    let unclosed = lines.position(|line| is_odd(&line));
-    match (error.kind(), unclosed) {
-        (csv::ErrorKind::UnequalLengths { .. }, Some(at)) => format!(
-            "line {} opens a quote (\") and does not close it; close it, or take it out",
-            at + 1
-        ),
-        _ => csv_error_text(error),
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths {
+            expected_len, len, ..
+        } => {
+            let is_odd =
+                |line: &Vec<u8>| line.iter().filter(|byte| **byte == b'"').count() % 2 == 1;
+            let mut lines = text.split(b'\n').map_while(Result::ok);
+            if let Some(at) = lines.position(|line| is_odd(&line)) {
+                return format!(
+                    "line {} opens a quote (\") and does not close it; close it, or take it out",
+                    at + 1
+                );
+            }
+            let cells = |count: u64| {
+                if count == 1 {
+                    "1 cell".to_owned()
+                } else {
+                    format!("{count} cells")
+                }
+            };
+            format!(
+                "the row has {}, but the head has {}; give every row a cell for each column",
+                cells(*len),
+                cells(*expected_len)
+            )
+        }
+        csv::ErrorKind::Utf8 { .. } => {
+            "it holds bytes that are not text in UTF-8; save the table as CSV in UTF-8".into()
+        }
+        csv::ErrorKind::Io(error) => read_error_text(error),
+        _ => format!("it cannot be read as CSV (the reader says: {error})"),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{NOT_UTF_8, csv_error_text, read_error_text};
+    use super::{NOT_UTF_8, csv_row_error_text, read_error_text};
     use std::io;
 
     #[test]
@@ -167,9 +163,10 @@ mod tests {
 
     #[test]
     fn a_row_that_is_too_short_is_reported_in_cells_and_columns() {
-        let mut reader = csv::Reader::from_reader("a,b,c\n1,2\n".as_bytes());
+        let text = "a,b,c\n1,2\n".as_bytes();
+        let mut reader = csv::Reader::from_reader(text);
         let error = reader.records().next().unwrap().unwrap_err();
-        let sentence = csv_error_text(&error);
+        let sentence = csv_row_error_text(&error, text);
         assert!(
             sentence.starts_with("the row has 2 cells, but the head has 3 cells; "),
             "{sentence}"

@@ -110,13 +110,16 @@ impl Column {
             });
         }
         let unit = unit.or(below);
-        let is_given = |parameter: &str| is_replaced(setup, parameter);
+        // true if another parameter of the setup replaces this one, such as weather the density
+        let is_replaced = |name: &str| {
+            let parameter = setup.parameter(name);
+            parameter.is_ok_and(|parameter| setup.why_replaced(parameter).is_some())
+        };
         let meaning = launch_monitor::meaning_with(name, unit.as_deref());
-        let is_overridden_air = matches!(meaning, Some(Meaning::Input(AIR)) if is_given(AIR));
+        let is_overridden_air = matches!(meaning, Some(Meaning::Input(AIR)) if is_replaced(AIR));
         let content = match (name.strip_prefix("sigma ").map(str::trim), meaning) {
             (None, Some(Meaning::Outcome(outcome))) => Content::Outcome(outcome),
-            // a parameter that others of the setup replace, such as the density if weather is set
-            (None, Some(Meaning::Input(parameter))) if is_given(parameter) => Content::Note,
+            (None, Some(Meaning::Input(parameter))) if is_replaced(parameter) => Content::Note,
             (None, Some(Meaning::Input(parameter))) => Content::Input(setup.column(parameter)?),
             (None, None)
                 if OF_FLOWN.contains(&name)
@@ -207,11 +210,6 @@ impl Column {
     /// True for the status column of a sweep.
     pub fn is_status(&self) -> bool {
         self.content == Content::Written && self.head == STATUS
-    }
-
-    /// True if cells are read as numbers.
-    pub fn is_a_number(&self) -> bool {
-        self.quantity().is_some() && !self.is_weather
     }
 
     /// Checks that the unit is present and has the right dimension.
@@ -511,13 +509,6 @@ fn measured(outcome: Outcome) -> Outcome {
     } else {
         outcome
     }
-}
-
-/// True if the setup contains another parameter that overrides this one.
-fn is_replaced(setup: &Setup<f64>, name: &str) -> bool {
-    setup
-        .parameter(name)
-        .is_ok_and(|parameter| setup.why_replaced(parameter).is_some())
 }
 
 /// True for an unknown column head of a launch monitor, false for a misspelt name of this program.

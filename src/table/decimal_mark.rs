@@ -111,7 +111,8 @@ impl DecimalMarkCheck {
     /// A message if this cell and an earlier cell have different marks, and one of the two marks
     /// may separate either decimals or thousands.
     pub fn check(&mut self, row: u64, column: &Column, text: &str) -> Result<(), String> {
-        if !(column.format.has_decimal_comma && column.is_a_number()) {
+        let has_numbers = column.quantity().is_some() && !column.is_weather;
+        if !(column.format.has_decimal_comma && has_numbers) {
             return Ok(());
         }
         let number = digits(text);

@@ -1,6 +1,5 @@
 //! Columns of an export: default units, and columns that are ignored.
 
-use super::air::air_as_given;
 use super::column::{Column, Content};
 use super::heads::is_condition_head;
 use super::launch_monitor::{nearest_head, words};
@@ -121,10 +120,11 @@ pub(crate) fn near_known(columns: &[Column]) -> String {
 /// Message for an export that states the air of its rows, which the setup overrides; `None` for
 /// other tables.
 pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
-    columns
-        .iter()
-        .find(|column| column.is_overridden_air)
-        .map(|column| air_as_given(&column.head))
+    let column = columns.iter().find(|column| column.is_overridden_air)?;
+    Some(format!(
+        "the given air replaces the air that the export states for each row: {}",
+        column.head
+    ))
 }
 
 /// Remark on angles without a unit, which are read in degrees.

@@ -82,17 +82,19 @@ pub(crate) struct TableHead {
 
 impl TableHead {
     /// Interprets the column heads of a text table; `first` is the row below, which may contain
-    /// units.
+    /// units. `file` is the name for messages.
     ///
     /// # Errors
-    /// [`ColumnErrors`] with the unreadable columns, if there are any.
+    /// [`Error::Table`] with the unreadable columns, if there are any: all unknown names, if there
+    /// are several; otherwise the first error.
     pub fn read(
         setup: &Setup<f64>,
         heads: Vec<String>,
         first: Option<Vec<String>>,
         separator: u8,
         wanted: &TableOptions,
-    ) -> Result<Self, ColumnErrors> {
+        file: &str,
+    ) -> Result<Self> {
         let is_export = is_export(heads.iter().map(String::as_str));
         let format = TableFormat {
             is_export,
@@ -103,8 +105,7 @@ impl TableHead {
             let below = units.as_ref().and_then(|units| units.get(at)?.as_deref());
             (at, Column::read(setup, head, below, format))
         };
-        let columns = all(heads.iter().enumerate().map(column), wanted.advice);
-        let mut columns = columns?;
+        let mut columns = all(heads.iter().enumerate().map(column), wanted.advice, file)?;
         if !wanted.has_air_of_rows {
             let of_air = columns.iter_mut().filter(|column| column.is_stated_air());
             of_air.for_each(|column| column.content = Content::Note);
@@ -133,10 +134,10 @@ impl TableHead {
     /// # Errors
     /// The errors of [`read`](Self::read).
     #[cfg(any(feature = "arrow", feature = "parquet"))]
-    pub fn in_si(setup: &Setup<f64>, names: &[String]) -> Result<Self, ColumnErrors> {
+    pub fn in_si(setup: &Setup<f64>, names: &[String], file: &str) -> Result<Self> {
         let names_in_order = names.iter().enumerate();
         let columns = names_in_order.map(|(at, name)| (at, Column::in_si(setup, name)));
-        let mut columns = all(columns, POINTS_ADVICE)?;
+        let mut columns = all(columns, POINTS_ADVICE, file)?;
         resolve_sweep_names(&mut columns);
         Ok(Self {
             line: 1,
@@ -156,12 +157,13 @@ impl TableHead {
     }
 }
 
-/// All columns, or the errors of the columns that cannot be read. A message about unknown names
-/// ends with `advice`.
+/// All columns, or the error for the columns of `file` that cannot be read. A message about unknown
+/// names ends with `advice`.
 fn all(
     read: impl Iterator<Item = (usize, Result<Column>)>,
-    advice: &'static str,
-) -> Result<Vec<Column>, ColumnErrors> {
+    advice: &str,
+    file: &str,
+) -> Result<Vec<Column>> {
     let (mut columns, mut faults) = (vec![], vec![]);
     for (at, column) in read {
         match column {
@@ -169,7 +171,7 @@ fn all(
             Err(error) => faults.push((at, error)),
         }
     }
-    ColumnErrors::of(faults, advice).map_or(Ok(columns), Err)
+    column_error(faults, advice, file).map_or(Ok(columns), Err)
 }
 
 /// Resolves ambiguous names in a sweep written by this program, which has a status column. In such
@@ -209,14 +211,6 @@ pub(crate) fn remark_from_line(line: u64, remark: &Message) -> Message {
     Message::from(format!("from line {line} on: ")).message(remark.clone())
 }
 
-/// Errors in column heads: all unknown names, if there are several; otherwise the first error.
-#[derive(Debug)]
-pub(crate) struct ColumnErrors {
-    /// Positions, from 0.
-    at: Vec<usize>,
-    reason: String,
-}
-
 /// Advice for tables of points or swings.
 pub(super) const POINTS_ADVICE: &str = "give each a name that is known, or take it out: a column \
                                         is a parameter, with its unit as in 'swing.speed [mph]', \
@@ -228,53 +222,43 @@ pub(super) const LAUNCHES_ADVICE: &str = "name the columns of the launch by know
                                           [rpm]', and take the others out; the heads must be in \
                                           one of the first lines";
 
-impl ColumnErrors {
-    /// Collects the errors of columns, which are numbered from 0. A message about unknown names
-    /// ends with `advice`. `None` if there are no errors.
-    fn of(faults: Vec<(usize, Error)>, advice: &str) -> Option<Self> {
-        let (mut at_unknown, mut unknown) = (vec![], vec![]);
-        for (at, error) in &faults {
-            if let Error::Unknown {
-                name, suggestion, ..
-            } = error
-            {
-                let near = suggestion
-                    .as_ref()
-                    .map(|near| format!(" (did you mean '{near}'?)"))
-                    .unwrap_or_default();
-                at_unknown.push(*at);
-                unknown.push(format!("'{name}'{near}"));
-            }
-        }
-        if unknown.len() > 1 {
-            return Some(Self {
-                at: at_unknown,
-                reason: format!("unknown columns {}; {advice}", unknown.join(", ")),
-            });
-        }
-        let (at, mut error) = faults.into_iter().next()?;
+/// The error for the columns of `file` that cannot be read: all unknown names, if there are several;
+/// otherwise the first error. Columns are numbered from 0. A message about unknown names ends with
+/// `advice`. `None` if there are no errors.
+fn column_error(faults: Vec<(usize, Error)>, advice: &str, file: &str) -> Option<Error> {
+    let (mut numbers, mut unknown) = (vec![], vec![]);
+    for (at, error) in &faults {
         if let Error::Unknown {
-            what: "column",
-            advice: of_column,
-            ..
-        } = &mut error
+            name, suggestion, ..
+        } = error
         {
-            *of_column = advice.into();
-        }
-        Some(Self {
-            at: vec![at],
-            reason: error.to_string(),
-        })
-    }
-
-    /// The error for this file.
-    pub fn in_file(self, file: &str) -> Error {
-        let numbers: Vec<String> = self.at.iter().map(|at| (at + 1).to_string()).collect();
-        let s = if numbers.len() == 1 { "" } else { "s" };
-        Error::Table {
-            file: file.into(),
-            place: format!(", column{s} {}", numbers.join(", ")),
-            reason: self.reason,
+            let near = suggestion
+                .as_ref()
+                .map(|near| format!(" (did you mean '{near}'?)"))
+                .unwrap_or_default();
+            numbers.push((at + 1).to_string());
+            unknown.push(format!("'{name}'{near}"));
         }
     }
+    let refused = |place: String, reason: String| Error::Table {
+        file: file.into(),
+        place,
+        reason,
+    };
+    if unknown.len() > 1 {
+        return Some(refused(
+            format!(", columns {}", numbers.join(", ")),
+            format!("unknown columns {}; {advice}", unknown.join(", ")),
+        ));
+    }
+    let (at, mut error) = faults.into_iter().next()?;
+    if let Error::Unknown {
+        what: "column",
+        advice: of_column,
+        ..
+    } = &mut error
+    {
+        *of_column = advice.into();
+    }
+    Some(refused(format!(", column {}", at + 1), error.to_string()))
 }

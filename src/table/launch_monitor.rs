@@ -96,14 +96,12 @@ fn is_known(head: &str) -> bool {
 pub(crate) fn split_unit(head: &str) -> (&str, Option<String>) {
     let head = head.trim();
     for (open, close) in [('[', ']'), ('(', ')')] {
-        if let Some((name, unit)) = head
-            .split_once(open)
-            .filter(|(_, unit)| !is_simulated(unit))
-        {
-            return (
-                name.trim(),
-                Some(unit.trim_end().trim_end_matches(close).trim().to_owned()),
-            );
+        if let Some((name, unit)) = head.split_once(open) {
+            let unit = unit.trim_end().trim_end_matches(close).trim();
+            // the `(Sim)` of TrackMan's `Carry (Sim)` is no unit
+            if !unit.eq_ignore_ascii_case("sim") {
+                return (name.trim(), Some(unit.to_owned()));
+            }
         }
     }
     let capital = || {
@@ -124,13 +122,6 @@ pub(crate) fn split_unit(head: &str) -> (&str, Option<String>) {
         }
     }
     (head, None)
-}
-
-/// Recognizes the `(Sim)` of TrackMan's `Carry (Sim)`, which is no unit.
-fn is_simulated(word: &str) -> bool {
-    word.trim_end_matches([')', ']'])
-        .trim()
-        .eq_ignore_ascii_case("sim")
 }
 
 /// Parses a line of units below the column heads, each `[mph]` or empty; `None` if the line is not

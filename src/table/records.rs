@@ -43,7 +43,8 @@ impl Record {
 /// The lines of a text.
 pub(super) struct Lines {
     source: Box<dyn BufRead + Send>,
-    encoding: Encoding,
+    /// Encoding of the lines read so far.
+    pub encoding: Encoding,
     /// True if all lines so far are in ASCII, which is both UTF-8 and Windows-1252.
     is_ascii: bool,
     /// Line terminator.
@@ -107,11 +108,6 @@ impl Lines {
         let text = self.encoding.text(bytes);
         let text = text.map_err(|why| io::Error::other(format!("line {}: {why}", self.read)))?;
         Ok((count > 0).then_some((self.read, text)))
-    }
-
-    /// Encoding of the lines read so far.
-    pub fn encoding(&self) -> Encoding {
-        self.encoding
     }
 
     /// Pushes a line back to the front of the input.

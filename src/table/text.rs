@@ -174,7 +174,7 @@ impl TextTable {
         let mut head = table.head(&record, setup, wanted)?;
         table.has_sections = head.format.is_export;
         (table.heads, table.units) = (head.heads.clone(), head.units.clone());
-        table.encoding_of_head = table.lines.encoding();
+        table.encoding_of_head = table.lines.encoding;
         if table.encoding_of_head == Encoding::Windows1252 {
             head.encoding = Some(IN_WINDOWS_1252);
         }
@@ -221,8 +221,8 @@ impl TextTable {
             .map_err(|reason| self.name.refused(place(), reason))?;
         let below = self.record()?;
         let first = below.as_ref().map(|below| self.cells(below));
-        let head = TableHead::read(setup, heads, first, self.separator, wanted);
-        let mut head = head.map_err(|wrong| wrong.in_file(&self.name.0))?;
+        let file = &self.name.0;
+        let mut head = TableHead::read(setup, heads, first, self.separator, wanted, file)?;
         head.line = record.line;
         if head.units.is_none()
             && let Some(below) = below
@@ -271,7 +271,7 @@ impl TextTable {
 
     /// Remarks on the whole table, complete after the last row.
     pub fn final_remarks(&self) -> Vec<Message> {
-        let is_detected_later = self.lines.encoding() != self.encoding_of_head;
+        let is_detected_later = self.lines.encoding != self.encoding_of_head;
         let encoding = is_detected_later.then(|| Message::from(IN_WINDOWS_1252));
         self.filter.remark().into_iter().chain(encoding).collect()
     }

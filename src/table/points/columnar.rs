@@ -49,7 +49,7 @@ impl<P: ColumnarFile> ColumnarRows<P> {
         let file = SourceName(path.display().to_string());
         let pieces = P::open(path).map_err(|reason| file.refused(String::new(), reason))?;
         let names = pieces.names();
-        let head = TableHead::in_si(setup, &names).map_err(|wrong| wrong.in_file(&file.0))?;
+        let head = TableHead::in_si(setup, &names, &file.0)?;
         let columns = PointColumns::new(setup, &file, &head)?;
         let refusal = columns
             .at
