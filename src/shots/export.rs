@@ -114,7 +114,7 @@ impl ShotColumns {
         shot.is_normalized = shot
             .condition
             .as_ref()
-            .filter(|text| says_normalized(text))
+            .filter(|text| text.to_ascii_lowercase().contains("normali"))
             .map(|_| true);
         let stated = shot.conditions();
         shot.point = wrong.map_or_else(|| self.point(&stated, row), Err);
@@ -156,13 +156,6 @@ impl ShotColumns {
         }
         Ok(point)
     }
-}
-
-fn says_normalized(text: &str) -> bool {
-    let word = b"normali";
-    text.as_bytes()
-        .windows(word.len())
-        .any(|at| at.eq_ignore_ascii_case(word))
 }
 
 /// The launch parameters that follow from stated conditions, SI, in the order of

@@ -24,11 +24,6 @@ pub struct Flown {
 }
 
 impl Flown {
-    /// Number of shots.
-    pub fn rows(&self) -> usize {
-        self.shots.len()
-    }
-
     /// Status of a flight; `None` for a refused row.
     pub fn status(&self, row: usize) -> Option<Status> {
         self.flights[row].map(|flight| self.block.status(flight))

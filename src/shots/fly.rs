@@ -33,24 +33,13 @@ const USUAL: [&str; 5] = [
 ];
 
 impl Flying {
-    /// Prepares to compute these outcomes of the shots with the setup's ball, air and law.
+    /// Prepares to compute these outcomes of shots with the setup's ball, air and law.
+    /// `other_parameters` are those of the [`Shots`]; messages of GSPro Open Connect have none.
     ///
     /// # Errors
     /// The errors of [`Batch::new`], [`Error::Nothing`] if there is no outcome, and
     /// [`Error::Unreadable`] if a requested outcome does not belong to the flight.
-    pub fn new(setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Self> {
-        Self::with(setup, shots.other_parameters(), of)
-    }
-
-    /// Prepares to compute these outcomes for single messages of GSPro Open Connect.
-    ///
-    /// # Errors
-    /// The errors of [`new`](Self::new).
-    pub fn of_messages(setup: &Setup<f64>, of: &[Outcome]) -> Result<Self> {
-        Self::with(setup, &[], of)
-    }
-
-    fn with(
+    pub fn new(
         setup: &Setup<f64>,
         other_parameters: &[&'static Parameter],
         of: &[Outcome],

@@ -60,10 +60,16 @@ impl Interpretation {
             .map(|head| words(split_unit(head).0))
             .collect();
         let maker = maker(&plain);
-        if maker == Some("Foresight") {
-            rests_offline(&mut head.columns);
-        }
         let (columns, rows) = (&mut head.columns, &head.rows);
+        if maker == Some("Foresight") {
+            // `Offline` is the lateral position at rest
+            for column in columns
+                .iter_mut()
+                .filter(|column| words(&column.head) == "offline")
+            {
+                column.content = Content::Outcome(Outcome::LateralTotal);
+            }
+        }
         if let Some(setup) = setup {
             weather_of_rows(setup, &plain, columns, rows);
         }
@@ -115,15 +121,5 @@ fn weather_of_rows(
         } else {
             (column.content, column.is_weather) = (Content::Input(density), true);
         }
-    }
-}
-
-/// Foresight: `Offline` is the lateral position at rest.
-fn rests_offline(columns: &mut [Column]) {
-    for column in columns
-        .iter_mut()
-        .filter(|column| words(&column.head) == "offline")
-    {
-        column.content = Content::Outcome(Outcome::LateralTotal);
     }
 }

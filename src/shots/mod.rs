@@ -16,11 +16,11 @@
 //!             167,10.9,2686,275\n,11,2500,\n";
 //! let setup = Setup::default();
 //! let mut shots = Shots::read(&setup, "shots.csv", text.as_bytes()).unwrap();
-//! let flying = Flying::new(&setup, &shots, &[Outcome::CarryDistance]).unwrap();
+//! let flying = Flying::new(&setup, &[], &[Outcome::CarryDistance]).unwrap();
 //! let (mut carries, mut refused) = (vec![], vec![]);
 //! let statistics = flying
 //!     .fly(&mut shots, &Default::default(), |flown| flown, |flown| {
-//!         carries.extend((0..flown.rows()).map(|row| flown.predicted(row, 0)));
+//!         carries.extend((0..flown.shots.len()).map(|row| flown.predicted(row, 0)));
 //!         for shot in &flown.shots {
 //!             refused.extend(shot.refusal().map(|refusal| (shot.line, refusal.reason.clone())));
 //!         }

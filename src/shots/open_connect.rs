@@ -111,8 +111,10 @@ pub(super) fn shot(record: Record, other_parameters: &[&'static Parameter]) -> S
     } = record;
     let parsed = if is_whole {
         serde_json::from_str::<Json>(&text).map_err(|error| syntax_error(&error))
+    } else if text.starts_with('{') {
+        Err("the JSON object does not end; close its braces and quotes".into())
     } else {
-        Err(broken(&text))
+        Err("it is not a JSON object; a message begins with {".into())
     };
     let message = match parsed {
         Ok(Json::Object(message)) => message,
@@ -130,14 +132,6 @@ pub(super) fn shot(record: Record, other_parameters: &[&'static Parameter]) -> S
         shot.point = Err(refusal);
     }
     shot
-}
-
-/// Message for a text that is no JSON object.
-fn broken(text: &str) -> String {
-    match text.starts_with('{') {
-        true => "the JSON object does not end; close its braces and quotes".into(),
-        false => "it is not a JSON object; a message begins with {".into(),
-    }
 }
 
 fn syntax_error(error: &serde_json::Error) -> String {

@@ -181,7 +181,7 @@ impl Shot {
     }
 
     /// Values of the other parameters, in the order of
-    /// [`Shots::other_parameters`](crate::shots::Shots::other_parameters), SI. Empty if the shot
+    /// [`Shots::other_parameters`](field@crate::shots::Shots::other_parameters), SI. Empty if the shot
     /// cannot be flown.
     pub fn other_parameters(&self) -> &[f64] {
         self.point
@@ -219,13 +219,6 @@ impl Shot {
     /// axis 0.
     pub fn is_axis_assumed(&self) -> bool {
         self.value(Outcome::SpinAxis).is_none() && self.value(Outcome::Sidespin).is_none()
-    }
-
-    /// Measured outcomes of the flight.
-    pub fn measured(&self) -> impl Iterator<Item = &StatedValue> {
-        self.values
-            .iter()
-            .filter(|value| !CONDITIONS.contains(&value.of))
     }
 }
 

@@ -25,10 +25,11 @@ const BUFFER: usize = 1 << 16;
 /// Shots in a file.
 pub struct Shots {
     /// The column heads of the table's first section; `None` for JSON.
-    columns: Option<Arc<ShotColumns>>,
+    pub columns: Option<Arc<ShotColumns>>,
     pub(super) rows: UnreadRows,
-    /// The parameters that each row states, without those of the launch.
-    pub(super) other_parameters: Vec<&'static Parameter>,
+    /// The parameters that each row states, without those of the launch. A later section of a table
+    /// may state further parameters, which follow these.
+    pub other_parameters: Vec<&'static Parameter>,
     /// True if the source is JSON lines written by `fly`.
     is_written: bool,
 }
@@ -101,7 +102,7 @@ impl Shots {
             Text::of_file(path)?
         };
         text.filter = filter;
-        Self::in_air(setup, text, is_air_given)
+        Self::of_text(setup, text, is_air_given)
     }
 
     /// Reads CSV with column heads, or JSON, in UTF-8, UTF-16 or Windows-1252.
@@ -114,18 +115,15 @@ impl Shots {
         name: &str,
         source: impl Read + Send + 'static,
     ) -> Result<Self> {
-        Self::of_text(setup, Text::open(name, source)?)
+        Self::of_text(setup, Text::open(name, source)?, false)
     }
 
-    /// Reads shots from a text that was opened before.
+    /// Reads shots from a text that was opened before. If `is_air_given` is true, every row has the
+    /// air of the setup.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read).
-    pub(crate) fn of_text(setup: &Setup<f64>, text: Text) -> Result<Self> {
-        Self::in_air(setup, text, false)
-    }
-
-    fn in_air(setup: &Setup<f64>, text: Text, is_air_given: bool) -> Result<Self> {
+    pub(crate) fn of_text(setup: &Setup<f64>, text: Text, is_air_given: bool) -> Result<Self> {
         if is_json(&text.beginning) {
             if !text.filter.is_empty() {
                 let reason = "`only` selects rows of a table by a column, but these are JSON \
@@ -184,11 +182,6 @@ impl Shots {
         Ok(all)
     }
 
-    /// The column heads of the table's first section; `None` for JSON.
-    pub fn columns(&self) -> Option<&Arc<ShotColumns>> {
-        self.columns.as_ref()
-    }
-
     /// Maker of the export, if its column heads identify it; for JSON, the name of the format.
     pub fn maker(&self) -> Option<&'static str> {
         match &self.columns {
@@ -245,12 +238,6 @@ impl Shots {
             None if self.is_written => "check the units of the original file",
             None => "check Units in the messages",
         }
-    }
-
-    /// The parameters that each row states, without those of the launch. A later section of a table
-    /// may state further parameters, which follow these.
-    pub fn other_parameters(&self) -> &[&'static Parameter] {
-        &self.other_parameters
     }
 }
 

@@ -35,7 +35,8 @@ pub fn instrument_deviation(of: Outcome) -> Option<f64> {
 /// Sums over residuals, or over predictions, SI: moments, and the sum of the absolute values.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sums {
-    moments: Moments,
+    /// Number, mean and standard deviation of the values.
+    pub moments: Moments,
     absolute: f64,
 }
 
@@ -52,24 +53,10 @@ impl Sums {
         self.absolute += other.absolute;
     }
 
-    /// Number of values.
-    pub fn count(&self) -> u64 {
-        self.moments.count
-    }
-
-    /// Mean, SI; `None` without values.
-    pub fn mean(&self) -> Option<f64> {
-        self.moments.mean()
-    }
-
     /// Mean absolute value, SI; `None` without values.
     pub fn mean_absolute(&self) -> Option<f64> {
-        (self.count() > 0).then(|| self.absolute / self.count() as f64)
-    }
-
-    /// Standard deviation, SI; `None` for fewer than two values.
-    pub fn deviation(&self) -> Option<f64> {
-        self.moments.deviation()
+        let count = self.moments.count;
+        (count > 0).then(|| self.absolute / count as f64)
     }
 }
 

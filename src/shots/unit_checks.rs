@@ -64,14 +64,6 @@ pub(super) struct UnitChecks {
     carries: Vec<f64>,
 }
 
-/// A contradiction between carries and ball speeds.
-struct SpeedFault {
-    /// Words that compare the carries with the speeds.
-    carry: &'static str,
-    /// The unit in which the speeds are probably stated, if they were read in mph.
-    meant: &'static str,
-}
-
 impl UnitChecks {
     pub fn new(outcomes: usize) -> Self {
         Self {
@@ -129,19 +121,9 @@ impl UnitChecks {
         let name = |of| shots.name_of(of);
         let advice = shots.unit_advice();
         let mut warnings = vec![];
-        if let Some(fault) = self.speed_fault(of) {
-            let mph = Quantity::SPEED.size_of("mph");
-            let read = shots.unit_of(Outcome::BallSpeed);
-            let is_mph = read.is_some_and(|unit| Quantity::SPEED.size_of(unit) == mph);
-            let as_if = match is_mph {
-                true => format!(", as if the speeds were in {} and read in mph", fault.meant),
-                false => String::new(),
-            };
-            warnings.push(format!(
-                "{}: the balls carry {}{as_if}; {advice}",
-                name(Outcome::BallSpeed),
-                fault.carry
-            ));
+        if let Some(fault) = self.speed_fault(of, shots.unit_of(Outcome::BallSpeed)) {
+            let speed = name(Outcome::BallSpeed);
+            warnings.push(format!("{speed}: the balls carry {fault}; {advice}"));
         } else {
             let units = of.iter().zip(&self.ratios).filter_map(|(of, ratios)| {
                 let (ratio, (_, meant, read)) =
@@ -166,24 +148,26 @@ impl UnitChecks {
         warnings.into_iter().map(Message::from).collect()
     }
 
-    /// Reason to suspect another unit of the ball speed, from the carries; `None` if the carries
-    /// fit the unit or are too few.
-    fn speed_fault(&self, of: &[Outcome]) -> Option<SpeedFault> {
+    /// Words that compare the carries with ball speeds read in `unit`; `None` if the carries fit the
+    /// speeds or are too few. If the speeds were read in mph, the words name the unit that was
+    /// probably meant.
+    fn speed_fault(&self, of: &[Outcome], unit: Option<&str>) -> Option<String> {
         if self.carries.len() < LEAST {
             return None;
         }
+        let mph = Quantity::SPEED.size_of("mph");
+        let is_mph = unit.is_some_and(|unit| Quantity::SPEED.size_of(unit) == mph);
+        let as_if = |meant: &str| match is_mph {
+            true => format!(", as if the speeds were in {meant} and read in mph"),
+            false => String::new(),
+        };
         if median(&self.carries)? > MOST_CARRY_PER_SPEED {
-            return Some(SpeedFault {
-                carry: "farther than such speeds allow",
-                meant: "m/s",
-            });
+            return Some(format!("farther than such speeds allow{}", as_if("m/s")));
         }
         let carry = of.iter().position(|of| *of == Outcome::CarryDistance)?;
         let ratio = median(&self.ratios[carry])?;
-        IN_KMH.contains(&ratio).then_some(SpeedFault {
-            carry: "less far than such speeds give",
-            meant: "km/h",
-        })
+        let is_in_kmh = IN_KMH.contains(&ratio);
+        is_in_kmh.then(|| format!("less far than such speeds give{}", as_if("km/h")))
     }
 }
 

@@ -23,7 +23,7 @@ fn case(name: &str) -> (Shots, Vec<Flown>, ShotStatistics) {
 fn landed(flown: &[Flown]) -> Vec<[f64; 2]> {
     let of = |flown: &Flown| {
         let row = |row| Some([flown.predicted(row, 0)?, flown.predicted(row, 1)?]);
-        (0..flown.rows()).filter_map(row).collect::<Vec<_>>()
+        (0..flown.shots.len()).filter_map(row).collect::<Vec<_>>()
     };
     flown.iter().flat_map(of).collect()
 }
@@ -132,7 +132,7 @@ fn same_launches_with_units_in_cells() {
         ),
     ] {
         let (_, found, _) = fly_shots(text.as_bytes());
-        let reasons: Vec<&str> = (0..found[0].rows())
+        let reasons: Vec<&str> = (0..found[0].shots.len())
             .filter_map(|row| found[0].reason(row))
             .collect();
         assert!(
@@ -216,7 +216,10 @@ fn same_launches_in_sections_with_their_own_heads_and_units() {
         table.shots.len() == 2 && (speeds[0] - speeds[1]).abs() < 1e-4,
         "{speeds:?}"
     );
-    assert_eq!(found.iter().map(Flown::rows).sum::<usize>(), 5);
+    assert_eq!(
+        found.iter().map(|flown| flown.shots.len()).sum::<usize>(),
+        5
+    );
 }
 
 #[test]
@@ -328,7 +331,7 @@ fn independent_air_of_an_altitude_and_a_temperature() {
     let (shots, found, _) = case("trackman-short-heads.csv");
     assert_eq!(
         shots
-            .other_parameters()
+            .other_parameters
             .iter()
             .map(|parameter| parameter.name)
             .collect::<Vec<_>>(),

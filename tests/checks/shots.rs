@@ -34,7 +34,7 @@ fn path(name: &str) -> PathBuf {
 pub fn fly_shots(text: impl Read + Send + 'static) -> (Shots, Vec<Flown>, ShotStatistics) {
     let setup = Setup::default();
     let mut shots = Shots::read(&setup, "shots.csv", text).unwrap();
-    let flying = Flying::new(&setup, &shots, &OF).unwrap();
+    let flying = Flying::new(&setup, &shots.other_parameters, &OF).unwrap();
     let mut all = vec![];
     let tally = flying.fly(
         &mut shots,
@@ -90,7 +90,7 @@ fn same_flight_of_a_shot_in_every_makers_export() {
     ] {
         let (shots, flown, tally) = file(name);
         assert_eq!(
-            (shots.maker(), flown.rows(), tally.flown),
+            (shots.maker(), flown.shots.len(), tally.flown),
             (maker, rows, landed),
             "{name}: {:?}",
             tally.refused
@@ -213,7 +213,7 @@ fn same_table_in_every_encoding() {
         text.replace('\n', "\r\n").into_bytes(),
     ] {
         let found = fly_shots(io::Cursor::new(bytes)).1.remove(0);
-        assert_eq!(found.rows(), 2);
+        assert_eq!(found.shots.len(), 2);
         for row in 0..2 {
             assert_eq!(found.predicted(row, 0), expected.predicted(row, 0));
             assert_eq!(found.shots[row].line, expected.shots[row].line);
@@ -328,7 +328,7 @@ fn every_row_is_kept_with_its_line_and_its_reason() {
     let (shots, all, tally) = fly_shots(io::Cursor::new(text.clone()));
     let flown = &all[0];
     assert_eq!(
-        (flown.rows(), tally.rows, tally.flown),
+        (flown.shots.len(), tally.rows, tally.flown),
         (rows, rows as u64, rows as u64 / 2)
     );
     for (at, (row, kind, says)) in BAD.iter().enumerate() {
@@ -399,7 +399,10 @@ fn every_row_is_kept_with_its_line_and_its_reason() {
     // an impossible measured value does not prevent the flight
     let odd = format!("{HEAD}160,12,2500,3,5000\n160,12,2500,3,far\n160,12,2500,3,0\n");
     let (_, all, tally) = crate::shots::fly_shots(io::Cursor::new(odd));
-    assert_eq!((tally.flown, tally.noted, tally.all[0].count()), (3, 3, 0));
+    assert_eq!(
+        (tally.flown, tally.noted, tally.all[0].moments.count),
+        (3, 3, 0)
+    );
     assert!(
         all[0].shots[0].notes[0].starts_with("not compared: Carry: 5000 yd is outside"),
         "{:?}",
@@ -632,7 +635,7 @@ fn the_loft_of_a_club_is_judged_with_the_radius_of_the_ball() {
         setup.ball.radius = radius;
         let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n150,12,3500\n";
         let mut shots = Shots::read(&setup, "shots.csv", text.as_bytes()).unwrap();
-        let flying = Flying::new(&setup, &shots, &OF).unwrap();
+        let flying = Flying::new(&setup, &shots.other_parameters, &OF).unwrap();
         let tally = flying.fly(&mut shots, &Run::default(), |_| (), |()| Ok(()));
         tally.unwrap().lofted
     };
@@ -658,7 +661,7 @@ fn exact_bias_and_errors_by_ball_speed() {
     });
     let tally = fly_shots(io::Cursor::new(text)).2;
     let yards = |value: Option<f64>| value.unwrap() / 0.9144;
-    close(yards(tally.all[0].mean()), 0.1, 1.0, 1e-9, "bias");
+    close(yards(tally.all[0].moments.mean()), 0.1, 1.0, 1e-9, "bias");
     close(
         yards(tally.all[0].mean_absolute()),
         2.1,
@@ -668,7 +671,7 @@ fn exact_bias_and_errors_by_ball_speed() {
     );
     let variance = off.iter().map(|off| (off - 0.1_f64).powi(2)).sum::<f64>() / 4.0;
     close(
-        yards(tally.all[0].deviation()),
+        yards(tally.all[0].moments.deviation()),
         variance.sqrt(),
         1.0,
         1e-9,
@@ -677,8 +680,13 @@ fn exact_bias_and_errors_by_ball_speed() {
     let bands: Vec<(u64, f64)> = tally
         .bands
         .iter()
-        .filter(|band| band.sums[0].count() > 0)
-        .map(|band| (band.sums[0].count(), yards(band.sums[0].mean())))
+        .filter(|band| band.sums[0].moments.count > 0)
+        .map(|band| {
+            (
+                band.sums[0].moments.count,
+                yards(band.sums[0].moments.mean()),
+            )
+        })
         .collect();
     for ((count, bias), (expected, of)) in
         bands.iter().zip([(1, -1.0), (2, -1.0), (1, 3.0), (1, 0.5)])
@@ -738,7 +746,7 @@ fn same_streamed_rows_for_any_number_of_threads() {
         };
         let mut shots = Shots::read(&setup, "many.csv", source).unwrap();
         let writer = ShotWriter::csv(&shots, &OF, System::Us);
-        let flying = Flying::new(&setup, &shots, &OF).unwrap();
+        let flying = Flying::new(&setup, &shots.other_parameters, &OF).unwrap();
         let (mut bytes, mut taken, mut most) = (vec![], 0, 0);
         let run = Run {
             threads,
@@ -748,7 +756,7 @@ fn same_streamed_rows_for_any_number_of_threads() {
             .fly(
                 &mut shots,
                 &run,
-                |flown| (flown.rows(), writer.rows(&flown)),
+                |flown| (flown.shots.len(), writer.rows(&flown)),
                 |(count, more): (usize, Vec<u8>)| {
                     most = most.max(given.load(Ordering::Relaxed) - taken);
                     taken += count;

@@ -118,7 +118,7 @@ fn same_flight_in_the_air_of_an_export_and_in_that_air_set() {
             .unwrap()
             .to_string()
             .contains("not used: ")
-            && shots.other_parameters().is_empty()
+            && shots.other_parameters.is_empty()
     );
 }
 

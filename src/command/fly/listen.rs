@@ -58,9 +58,8 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
     let setup = setup(&request, "the messages")?;
     request.refuse_replaced(&setup, &[])?;
     let of = requested_outcomes(args)?;
-    let flying = flying_within_tolerance(&request, &setup, &of, |setup| {
-        Flying::of_messages(setup, &of)
-    })?;
+    let flying =
+        flying_within_tolerance(&request, &setup, &of, |setup| Flying::new(setup, &[], &of))?;
     warn(setup.warnings());
     let wanted = SocketAddr::new(args.address, port);
     let listener = Listener::bind(wanted).map_err(|error| refused(wanted, &error))?;

@@ -101,9 +101,10 @@ fn fly(args: &Args) -> Result<Answer> {
 /// The flights of the shots. If the request states a ground, the measured roll-outs are compared
 /// with those on this ground.
 fn flying(request: &Request, setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Flying> {
-    request.refuse_replaced(setup, shots.other_parameters())?;
-    let mut flying =
-        flying_within_tolerance(request, setup, of, |setup| Flying::new(setup, shots, of))?;
+    request.refuse_replaced(setup, &shots.other_parameters)?;
+    let mut flying = flying_within_tolerance(request, setup, of, |setup| {
+        Flying::new(setup, &shots.other_parameters, of)
+    })?;
     flying.compares_roll_out = request.gives_ground();
     Ok(flying)
 }
@@ -132,7 +133,7 @@ fn read_shots(
         .iter()
         .filter_map(|of| setup.launch_condition(of.name()));
     let of_rows: Vec<_> = of_rows
-        .chain(shots.other_parameters().iter().copied())
+        .chain(shots.other_parameters.iter().copied())
         .collect();
     request.refuse_stated(&of_rows, "every row has a value of its own")?;
     Ok(shots)

@@ -144,11 +144,7 @@ impl Keys {
     pub fn new(shots: &Shots, of: &[Outcome]) -> Self {
         Self {
             of: of.to_vec(),
-            other_parameters: shots
-                .other_parameters()
-                .iter()
-                .map(|row| row.name)
-                .collect(),
+            other_parameters: shots.other_parameters.iter().map(|row| row.name).collect(),
             cells: None,
         }
     }

@@ -46,7 +46,7 @@ impl ShotWriter {
     /// system. Shots that came as messages have the columns of
     /// [`launch_monitor`](Self::launch_monitor).
     pub fn csv(shots: &Shots, of: &[Outcome], system: System) -> Self {
-        match shots.columns() {
+        match &shots.columns {
             Some(columns) => Self {
                 table: ShotFormat::Copied(ExportRows::new(columns, of, system)),
             },
@@ -104,13 +104,13 @@ impl ShotWriter {
     /// A line for each row. If a section of the table begins, CSV has the section's column heads
     /// first.
     pub fn rows(&self, flown: &Flown) -> Vec<u8> {
-        let mut bytes = Vec::with_capacity(flown.rows() * 400);
+        let mut bytes = Vec::with_capacity(flown.shots.len() * 400);
         let format = self.of_section(flown.section.as_ref());
         let begins = flown.section.as_ref().is_some_and(|section| section.begins);
         if let (ShotFormat::Copied(copied), true) = (&*format, begins) {
             bytes.extend(copied.head());
         }
-        for row in 0..flown.rows() {
+        for row in 0..flown.shots.len() {
             match &*format {
                 ShotFormat::Copied(copied) => copied.row(flown, row, &mut bytes),
                 ShotFormat::Columns(added) => columns::row(added, flown, row, &mut bytes),

@@ -69,7 +69,7 @@ impl ShotParquet {
             .enumerate()
             .for_each(|(at, name)| number((*name).into(), ColumnSource::Club(at)));
         shots
-            .other_parameters()
+            .other_parameters
             .iter()
             .enumerate()
             .for_each(|(at, row)| number(row.name.into(), ColumnSource::Parameter(at)));
@@ -112,7 +112,7 @@ impl ShotParquet {
         Ok(Self {
             table,
             columns,
-            parameters: shots.other_parameters().len(),
+            parameters: shots.other_parameters.len(),
             without_column: vec![],
             waiting: vec![],
             placed: vec![],
@@ -139,7 +139,13 @@ impl ShotParquet {
             }
         }
         self.waiting.push(flown);
-        match self.waiting.iter().map(Flown::rows).sum::<usize>() >= ROWS {
+        match self
+            .waiting
+            .iter()
+            .map(|flown| flown.shots.len())
+            .sum::<usize>()
+            >= ROWS
+        {
             true => self.group(),
             false => Ok(vec![]),
         }
@@ -183,7 +189,7 @@ impl ShotParquet {
         let rows = || {
             self.waiting
                 .iter()
-                .flat_map(|flown| (0..flown.rows()).map(move |row| (flown, row)))
+                .flat_map(|flown| (0..flown.shots.len()).map(move |row| (flown, row)))
         };
         let numbers = |value: &dyn Fn(&Flown, usize) -> Option<f64>| {
             Cells::SomeNumbers(rows().map(|(flown, row)| value(flown, row)).collect())

@@ -90,7 +90,7 @@ impl ClubShotsReport {
     fn new(of: &[Outcome], club: &str, shots: &ClubShots) -> Self {
         let outcome = |(at, of): (usize, &Outcome)| ClubOutcome {
             of: *of,
-            predicted: shots.predicted[at].mean(),
+            predicted: shots.predicted[at].moments.mean(),
             residuals: SumsReport::new(&shots.residuals[at]),
         };
         Self {
@@ -131,13 +131,11 @@ pub struct BandReport {
 
 impl SumsReport {
     fn new(sums: &Sums) -> Self {
-        let (bias, mean_absolute, deviation) =
-            (sums.mean(), sums.mean_absolute(), sums.deviation());
         Self {
-            rows: sums.count(),
-            bias,
-            mean_absolute,
-            deviation,
+            rows: sums.moments.count,
+            bias: sums.moments.mean(),
+            mean_absolute: sums.mean_absolute(),
+            deviation: sums.moments.deviation(),
         }
     }
 }
@@ -163,7 +161,7 @@ impl<'a> ShotsReport<'a> {
             bands: statistics
                 .bands
                 .iter()
-                .filter(|band| band.sums[at].count() > 0)
+                .filter(|band| band.sums[at].moments.count > 0)
                 .map(|band| BandReport {
                     from: band.from,
                     to: band.to,
@@ -207,7 +205,7 @@ impl Report for ShotsReport<'_> {
         let mut lines = counts(statistics, self.source);
         let mut rows = vec![];
         for (at, of) in statistics.of.iter().enumerate() {
-            if statistics.all[at].count() > 0 {
+            if statistics.all[at].moments.count > 0 {
                 rows.extend(residual_rows(statistics, at, *of, system));
             }
         }
@@ -296,7 +294,7 @@ impl ResidualFormat {
 
     /// The bias with its sign; a dash without residuals.
     fn bias(&self, sums: &Sums) -> String {
-        let bias = sums.mean();
+        let bias = sums.moments.mean();
         signed(bias.unwrap_or_default(), self.number(bias))
     }
 }
@@ -312,7 +310,7 @@ fn add_clubs(document: &mut Document, statistics: &ShotStatistics, system: Syste
         vec![
             club.clone(),
             shots.rows.to_string(),
-            format.number(predicted.mean()),
+            format.number(predicted.moments.mean()),
             format.bias(residuals),
             format.number(residuals.mean_absolute()),
         ]
@@ -379,17 +377,17 @@ fn residual_rows(
         vec![
             format.title(of),
             which,
-            sums.count().to_string(),
+            sums.moments.count.to_string(),
             format.bias(sums),
             format.number(sums.mean_absolute()),
-            format.number(sums.deviation()),
+            format.number(sums.moments.deviation()),
             format.number(instruments),
         ]
     };
     let bands = statistics
         .bands
         .iter()
-        .filter(|band| band.sums[at].count() > 0);
+        .filter(|band| band.sums[at].moments.count > 0);
     let bands = bands.map(|band| row(speeds(band, system), &band.sums[at], None));
     let all = row("all".into(), &statistics.all[at], instrument_deviation(of));
     bands.chain([all]).collect()

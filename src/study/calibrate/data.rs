@@ -67,7 +67,7 @@ impl ShotTable {
     ) -> Result<Self> {
         let file = text.name.0.clone();
         if is_json(&text.beginning) {
-            return Self::of_messages(setup, Shots::of_text(setup, text)?, &file, club);
+            return Self::of_messages(setup, Shots::of_text(setup, text, false)?, &file, club);
         }
         let wanted = match club {
             ClubColumns::Ignored => TableOptions::MEASUREMENTS,
@@ -109,7 +109,7 @@ impl ShotTable {
         file: &str,
         club: ClubColumns,
     ) -> Result<Self> {
-        let other_parameters = shots.other_parameters().to_vec();
+        let other_parameters = shots.other_parameters.clone();
         let shots = shots.all()?;
         let reading = Reading::of_shots(setup, &shots, &other_parameters, club);
         let mut rows = ShotRows::new(file);
