@@ -30,7 +30,9 @@ impl ParameterSplit {
         let is_of_launch =
             |parameter: &Parameter| parameter.is_of_strike() || parameter.is_of_launch();
         Self {
-            of_launch: indices(&|parameter| is_of_launch(parameter) || parameter.is_of_ball()),
+            of_launch: indices(&|parameter| {
+                is_of_launch(parameter) || parameter.name.starts_with("ball.")
+            }),
             of_flight: indices(&|parameter| {
                 !is_of_launch(parameter) && (runs || !parameter.affects_only_run())
             }),

@@ -1,7 +1,5 @@
 //! Settings that select by name: the golfer, the point of the head, the method of integration.
 
-use crate::error::{Error, Result};
-
 /// Handedness of the golfer. Swing, strike and club are in the golfer's own terms: the same numbers
 /// give mirror images for the two hands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -21,20 +19,6 @@ variant_names! {
     Golfer {
         Right = "right",
         Left = "left",
-    }
-}
-
-impl Golfer {
-    /// The golfer of this name.
-    ///
-    /// # Errors
-    /// [`Error::Unknown`], with the nearest name, if no golfer has this name.
-    pub fn named(name: &str) -> Result<Self> {
-        let name = name.trim();
-        Self::from_name(name).ok_or_else(|| {
-            let advice = "write right for a right-handed golfer, left for a left-handed one";
-            Error::unknown(GOLFER, name, Self::NAMES, advice)
-        })
     }
 }
 
@@ -58,21 +42,6 @@ variant_names! {
     SpeedOf {
         CentreOfMass = "centre-of-mass",
         FaceCentre = "face-centre",
-    }
-}
-
-impl SpeedOf {
-    /// The point of this name.
-    ///
-    /// # Errors
-    /// [`Error::Unknown`], with the nearest name, if no point has this name.
-    pub fn named(name: &str) -> Result<Self> {
-        let name = name.trim();
-        Self::from_name(name).ok_or_else(|| {
-            let advice =
-                "write centre-of-mass or face-centre, the point whose speed is swing.speed";
-            Error::unknown(SPEED_OF, name, Self::NAMES, advice)
-        })
     }
 }
 
@@ -116,17 +85,3 @@ impl Method {
 
 /// Name of the setting, as in `flight.method = "dp8"`.
 pub const METHOD: &str = "flight.method";
-
-impl Method {
-    /// The method of this name.
-    ///
-    /// # Errors
-    /// [`Error::Unknown`], with the nearest name, if no method has this name.
-    pub fn named(name: &str) -> Result<Self> {
-        let name = name.trim();
-        Self::from_name(name).ok_or_else(|| {
-            let advice = format!("the methods are {}", Self::NAMES.join(", "));
-            Error::unknown("method of integration", name, Self::NAMES, advice)
-        })
-    }
-}

@@ -479,7 +479,10 @@ macro_rules! law_coefficients {
 
             #[inline(always)]
             pub(crate) fn map<U>(&self, f: &mut impl FnMut(&'static Parameter, T) -> U) -> Law<U> {
-                match self { $( Self::$Law(law) => Law::$Law(law.map(f)), )+ Self::Table(law) => Law::Table(law.map(f)) }
+                match self {
+                    $( Self::$Law(law) => Law::$Law(law.map(f)), )+
+                    Self::Table(law) => Law::Table(Table { factors: law.factors.map(f), table: law.table }),
+                }
             }
 
             fn rows(&self) -> &'static [Parameter] {

@@ -6,7 +6,7 @@ use super::choices::{GOLFER, METHOD, SPEED_OF};
 use super::declare::{Parameter, UNSET};
 use super::law_table::{TABLE, TABLE_LAW};
 use super::presets::{DEFAULT_PRESET, Preset};
-use super::setup::table_with_another_law;
+use super::setup::{SettingText, table_with_another_law};
 use super::table::{LAW, Law, Setup};
 use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
@@ -74,7 +74,7 @@ impl SetupFile {
     /// Reads a setup file.
     ///
     /// # Errors
-    /// [`Error::File`] if the file cannot be opened; the errors of [`Setup::from_toml`].
+    /// [`Error::File`] if the file cannot be opened; the errors of [`read`](Self::read).
     pub fn open(path: &Path) -> Result<Self> {
         let file = path.display().to_string();
         match InputFile::read_to_string(path) {
@@ -88,10 +88,22 @@ impl SetupFile {
     }
 
     /// Parses the text of a setup file. `file` is the file's name in messages; paths in the text
-    /// are relative to the folder of `file`.
+    /// are relative to the folder of `file`. Parameters that the file does not give have the values
+    /// of its `preset`, by default [`DEFAULT_PRESET`].
+    ///
+    /// ```
+    /// use longdrive::parameters::SetupFile;
+    /// let text = "preset = 'mae494'\n[club]\nloft = '12 deg'";
+    /// let setup = SetupFile::read(text, "mine.toml").unwrap().setup;
+    /// assert_eq!(setup.club.loft, 12.0_f64.to_radians());
+    /// let error = SetupFile::read("[club]\nlofft = '12 deg'", "mine.toml").unwrap_err();
+    /// let message = "mine.toml:2:1: unknown parameter 'club.lofft'; did you mean 'club.loft'?";
+    /// assert!(error.to_string().starts_with(message));
+    /// ```
     ///
     /// # Errors
-    /// The errors of [`Setup::from_toml`].
+    /// [`Error::Toml`] if the text is not TOML, and [`Error::InFile`], with line and column, if a
+    /// key or a value is wrong.
     pub fn read(text: &str, file: &str) -> Result<Self> {
         let table = DeTable::parse(text).map_err(|error| Error::Toml {
             file: file.into(),
@@ -178,61 +190,31 @@ fn refuse_conflicts(setup: &Setup<f64>, items: &[Item<'_>], text: &str, file: &s
 }
 
 impl Setup<f64> {
-    /// Reads a setup file.
-    ///
-    /// # Errors
-    /// The errors of [`SetupFile::open`].
-    pub fn from_file(path: &Path) -> Result<Self> {
-        SetupFile::open(path).map(|file| file.setup)
-    }
-
-    /// Parses the text of a setup file; `file` is the file's name in messages. Parameters that the
-    /// file does not give have the values of its `preset`, by default
-    /// [`DEFAULT_PRESET`](crate::parameters::DEFAULT_PRESET).
-    ///
-    /// ```
-    /// use longdrive::Setup;
-    /// let setup = Setup::from_toml("preset = 'mae494'\n[club]\nloft = '12 deg'", "mine.toml").unwrap();
-    /// assert_eq!(setup.club.loft, 12.0_f64.to_radians());
-    /// let error = Setup::from_toml("[club]\nlofft = '12 deg'", "mine.toml").unwrap_err();
-    /// let message = "mine.toml:2:1: unknown parameter 'club.lofft'; did you mean 'club.loft'?";
-    /// assert!(error.to_string().starts_with(message));
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Toml`] if the text is not TOML, and [`Error::InFile`], with line and column, if a
-    /// key or a value is wrong.
-    pub fn from_toml(text: &str, file: &str) -> Result<Self> {
-        SetupFile::read(text, file).map(|file| file.setup)
-    }
-
     fn apply(&mut self, item: &Item<'_>, folder: &Path) -> Result<(), (usize, Error)> {
         let at_value = |e| (item.value_at, e);
+        let name_in_quotes = || string(item, "a name in quotes").map_err(at_value);
         if item.key == PRESET {
-            *self = Self::preset(string(item).map_err(at_value)?).map_err(at_value)?;
+            *self = Self::preset(name_in_quotes()?).map_err(at_value)?;
             return Ok(());
         }
         if item.key == TABLE {
-            let name = item.value.as_str().ok_or_else(|| {
-                at_value(wrong_type(
-                    item,
-                    item.value,
-                    "the name of a file in quotes".into(),
-                ))
-            })?;
+            let name = string(item, "the name of a file in quotes").map_err(at_value)?;
             return self.set_table(&folder.join(name)).map_err(at_value);
         }
         if item.key == LAW {
-            let name = string(item).map_err(at_value)?;
+            let name = name_in_quotes()?;
             if matches!(self.law, Law::Table(_)) && name.trim() != TABLE_LAW {
                 return Err(at_value(table_with_another_law(name)));
             }
             return self.set_law(name).map_err(at_value);
         }
         if matches!(item.key.as_str(), TURF | METHOD | GOLFER | SPEED_OF) {
-            return self
-                .apply_text(&item.key, string(item).map_err(at_value)?, false)
-                .map_err(at_value);
+            let setting = SettingText {
+                name: &item.key,
+                text: name_in_quotes()?,
+                is_bare: false,
+            };
+            return self.apply_setting(&setting).map_err(at_value);
         }
         let group = format!("{}.", item.key);
         if self
@@ -240,11 +222,8 @@ impl Setup<f64> {
             .iter()
             .any(|row| row.name.starts_with(&group))
         {
-            return Err(at_value(wrong_type(
-                item,
-                item.value,
-                format!("a table, [{}]", item.key),
-            )));
+            let expected = format!("a table, [{}]", item.key);
+            return Err(at_value(wrong_type(item, expected)));
         }
         let parameter = self.parameter(&item.key).map_err(|e| (item.key_at, e))?;
         let value = match item.value {
@@ -252,7 +231,7 @@ impl Setup<f64> {
             DeValue::String(text) => parameter.read(text, false),
             DeValue::Integer(number) => parameter.read(&number.to_string(), false),
             DeValue::Float(number) => parameter.read(number.as_str(), false),
-            other => Err(wrong_type(item, other, accepted(parameter))),
+            _ => Err(wrong_type(item, accepted(parameter))),
         };
         self.set_value(parameter, value.map_err(at_value)?)
             .map_err(at_value)
@@ -274,14 +253,14 @@ fn accepted(parameter: &Parameter) -> String {
     format!("{kind} like \"{}\"", example.trim_end())
 }
 
-fn string<'a>(item: &'a Item<'a>) -> Result<&'a str> {
+fn string<'a>(item: &'a Item<'a>, expected: &str) -> Result<&'a str> {
     item.value
         .as_str()
-        .ok_or_else(|| wrong_type(item, item.value, "a name in quotes".into()))
+        .ok_or_else(|| wrong_type(item, expected.into()))
 }
 
-fn wrong_type(item: &Item<'_>, found: &DeValue<'_>, expected: String) -> Error {
-    let found = match found {
+fn wrong_type(item: &Item<'_>, expected: String) -> Error {
+    let found = match item.value {
         DeValue::String(_) => "a string",
         DeValue::Integer(_) | DeValue::Float(_) => "a number",
         DeValue::Boolean(_) => "a boolean",
@@ -363,18 +342,19 @@ mod tests {
         let text = "aero.law = 'linear'\n[swing]\nspeed = '50 m/s'\n[club]\ninertia = \
                     { xx = '5679 g cm^2', yz = '1e-6 kg m^2' }\n\
                     bulge_radius = inf\n[impact]\nfriction = 0.4\n[aero]\ncd = 0.27";
-        let error = Setup::from_toml(text, "a.toml").unwrap_err().to_string();
+        let error = SetupFile::read(text, "a.toml").unwrap_err().to_string();
         assert!(
             error.starts_with("a.toml: "),
             "a table defined twice is a TOML error: {error}"
         );
-        let setup = Setup::from_toml(
+        let setup = SetupFile::read(
             &text
                 .replace("\n[aero]\ncd", "\n[a]\n")
                 .replace("[a]\n = 0.27", ""),
             "a.toml",
         )
-        .unwrap();
+        .unwrap()
+        .setup;
         assert_eq!((setup.swing.speed, setup.club.inertia_xx), (50.0, 5.679e-4));
         assert_eq!(
             (setup.club.bulge_radius, setup.impact.friction),
@@ -385,7 +365,7 @@ mod tests {
 
     fn assert_refused(texts: &[(&str, &str, &str)]) {
         for (text, start, says) in texts {
-            let message = Setup::from_toml(text, "f").unwrap_err().to_string();
+            let message = SetupFile::read(text, "f").unwrap_err().to_string();
             assert!(
                 message.starts_with(start) && message.contains(says),
                 "{text:?}: {message}"
@@ -442,7 +422,7 @@ mod tests {
     #[test]
     fn a_value_of_a_wrong_type_gets_an_example_of_its_quantity() {
         for parameter in Setup::default().parameters() {
-            let read = |value: &str| Setup::from_toml(&format!("{parameter} = {value}"), "f");
+            let read = |value: &str| SetupFile::read(&format!("{parameter} = {value}"), "f");
             let message = read("true").unwrap_err().to_string();
             let (expected, example) = message.split_once(" like ").unwrap();
             let takes_bare_numbers = read("0.5").is_ok() || read("4").is_ok();
@@ -484,7 +464,7 @@ mod tests {
 
     #[test]
     fn a_mistake_of_the_syntax_has_its_line_and_column() {
-        let message = Setup::from_toml("[club\nloft = 1", "f")
+        let message = SetupFile::read("[club\nloft = 1", "f")
             .unwrap_err()
             .to_string();
         assert!(message.contains("line 1, column"), "{message}");

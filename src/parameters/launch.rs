@@ -28,11 +28,6 @@ impl super::Parameter {
         self.is_of_launch() || self.is_of_strike() && !is_of_impact
     }
 
-    /// True for a parameter of the ball, on which impact and flight depend.
-    pub(crate) fn is_of_ball(&self) -> bool {
-        self.name.starts_with("ball.")
-    }
-
     /// True for a launch condition.
     pub fn is_of_launch(&self) -> bool {
         self.name.starts_with(GROUP)

@@ -1,6 +1,7 @@
 use super::table::{LAW, Setup};
 use crate::error::{Error, Result};
-use std::sync::OnceLock;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
 
 /// A named setup: its differences from the defaults of the parameter table, each number with its
 /// source.
@@ -309,7 +310,7 @@ pub static PRESETS: &[Preset] = &[
 impl Preset {
     /// The preset of this name; `None` if no preset has it.
     pub fn named(name: &str) -> Option<&'static Self> {
-        Self::index_of(name).map(|index| &PRESETS[index])
+        PRESETS.iter().find(|preset| preset.name == name)
     }
 
     /// The preset of this name.
@@ -317,22 +318,11 @@ impl Preset {
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no preset has this name.
     pub fn known(name: &str) -> Result<&'static Self> {
-        Self::named(name).ok_or_else(|| Self::unknown(name))
-    }
-
-    fn index_of(name: &str) -> Option<usize> {
-        PRESETS.iter().position(|preset| preset.name == name)
-    }
-
-    fn unknown(name: &str) -> Error {
-        let names = PRESETS.iter().map(|preset| preset.name);
-        let advice = format!("the presets are {}", Self::names());
-        Error::unknown("preset", name, names, advice)
-    }
-
-    /// True for the average of many golfers.
-    pub fn is_average(&self) -> bool {
-        self.name.ends_with("-average")
+        Self::named(name).ok_or_else(|| {
+            let names = PRESETS.iter().map(|preset| preset.name);
+            let advice = format!("the presets are {}", Self::names());
+            Error::unknown("preset", name, names, advice)
+        })
     }
 
     /// Names of all presets, separated by commas.
@@ -353,15 +343,16 @@ impl Setup<f64> {
     /// [`Error::Unknown`], with the nearest name, if no preset has this name.
     pub fn preset(name: &str) -> Result<Self> {
         // parsed once: the texts with their units take longer to parse than a drive takes
-        static SETUPS: [OnceLock<Setup<f64>>; PRESETS.len()] =
-            [const { OnceLock::new() }; PRESETS.len()];
-        let index = Preset::index_of(name).ok_or_else(|| Preset::unknown(name))?;
-        if let Some(setup) = SETUPS[index].get() {
+        static SETUPS: Mutex<BTreeMap<&str, Setup<f64>>> = Mutex::new(BTreeMap::new());
+        let preset = Preset::known(name)?;
+        let mut setups = SETUPS.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(setup) = setups.get(name) {
             return Ok(*setup);
         }
         let mut setup = Self::default();
-        let entries = PRESETS[index].entries.iter();
+        let entries = preset.entries.iter();
         setup.set_all(entries.map(|entry| (entry.name, entry.value)))?;
-        Ok(*SETUPS[index].get_or_init(|| setup))
+        setups.insert(preset.name, setup);
+        Ok(setup)
     }
 }

@@ -4,7 +4,7 @@ use super::declare::{Kind, Parameter, Slot, is_unset};
 use super::law_table::{LawTable, TABLE, TABLE_LAW};
 use super::range::Range;
 use super::steps::is_of_step;
-use super::table::{LAW, Law, Setup};
+use super::table::{LAW, Law, Setup, Table, TableFactors};
 use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
 use crate::number::{Numbers, inlined};
@@ -270,26 +270,51 @@ impl Setup<f64> {
         if !is_reset(name, text) {
             self.refuse_replaced(&[name])?;
         }
-        self.apply_text(name, text, false)
+        self.apply_setting(&SettingText {
+            name,
+            text,
+            is_bare: false,
+        })
     }
 
-    pub(super) fn apply_text(&mut self, name: &str, text: &str, bare: bool) -> Result<()> {
+    pub(super) fn apply_setting(&mut self, setting: &SettingText<'_>) -> Result<()> {
+        let SettingText {
+            name,
+            text,
+            is_bare,
+        } = *setting;
+        let choice = text.trim();
         match name {
-            LAW => return self.set_law(text),
-            TABLE => return self.set_table(Path::new(text.trim())),
-            TURF => return self.set_turf(text),
+            LAW => return self.set_law(choice),
+            TABLE => return self.set_table(Path::new(choice)),
+            TURF => return self.set_turf(choice),
             METHOD => {
-                self.method = Method::named(text)?;
+                self.method = Method::from_name(choice).ok_or_else(|| {
+                    let advice = format!("the methods are {}", Method::NAMES.join(", "));
+                    Error::unknown("method of integration", choice, Method::NAMES, advice)
+                })?;
                 self.states_step = true;
             }
-            GOLFER => self.golfer = Golfer::named(text)?,
-            SPEED_OF => self.speed_of = SpeedOf::named(text)?,
+            GOLFER => {
+                self.golfer = Golfer::from_name(choice).ok_or_else(|| {
+                    let advice =
+                        "write right for a right-handed golfer, left for a left-handed one";
+                    Error::unknown(GOLFER, choice, Golfer::NAMES, advice)
+                })?;
+            }
+            SPEED_OF => {
+                self.speed_of = SpeedOf::from_name(choice).ok_or_else(|| {
+                    let advice =
+                        "write centre-of-mass or face-centre, the point whose speed is swing.speed";
+                    Error::unknown(SPEED_OF, choice, SpeedOf::NAMES, advice)
+                })?;
+            }
             _ => {
                 let parameter = self.parameter(name)?;
                 let value = if is_reset(name, text) {
                     None
                 } else {
-                    parameter.read(text, bare)?
+                    parameter.read(text, is_bare)?
                 };
                 return self.set_value(parameter, value);
             }
@@ -356,10 +381,6 @@ impl Setup<f64> {
         self.refuse_replaced(&given)
     }
 
-    fn apply_setting(&mut self, setting: &SettingText<'_>) -> Result<()> {
-        self.apply_text(setting.name, setting.text, setting.is_bare)
-    }
-
     /// Changes the aerodynamic law to the law `name` with its published coefficients. If `name` is
     /// already the law of this setup, its coefficients are kept.
     ///
@@ -401,10 +422,13 @@ impl Setup<f64> {
     /// # Errors
     /// The errors of [`LawTable::open`].
     pub fn set_table(&mut self, path: &Path) -> Result<()> {
-        let read = LawTable::open(path)?;
+        let table = LawTable::open(path)?;
         match &mut self.law {
-            Law::Table(law) => law.table = read,
-            law => *law = Law::of_table(read),
+            Law::Table(law) => law.table = table,
+            law => {
+                let factors = TableFactors::defaults();
+                *law = Law::Table(Table { factors, table });
+            }
         }
         Ok(())
     }

@@ -662,26 +662,6 @@ impl Table<f64> {
                                    falls to 0 below its least spin).";
 }
 
-impl<T: Copy> Table<T> {
-    #[inline(always)]
-    fn map<U>(&self, f: &mut impl FnMut(&'static Parameter, T) -> U) -> Table<U> {
-        Table {
-            factors: self.factors.map(f),
-            table: self.table,
-        }
-    }
-}
-
-impl Law<f64> {
-    /// The law of a table, with factors of 1.
-    pub fn of_table(table: &'static LawTable) -> Self {
-        Self::Table(Table {
-            factors: TableFactors::defaults(),
-            table,
-        })
-    }
-}
-
 impl<T> Law<T> {
     /// The user's own table, if this law is a table.
     pub fn table(&self) -> Option<&'static LawTable> {

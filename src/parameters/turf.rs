@@ -134,6 +134,7 @@ impl Setup<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::file::SetupFile;
     use super::{Setup, TURFS};
 
     #[test]
@@ -172,7 +173,7 @@ mod tests {
             (0.4, 15.4_f64.to_radians())
         );
         let text = "preset = 'modern-driver'\n[ground]\nrolling = 0.4\nturf = 'firm'";
-        assert_eq!(Setup::from_toml(text, "a.toml").unwrap(), setup);
+        assert_eq!(SetupFile::read(text, "a.toml").unwrap().setup, setup);
         assert!(setup.variable("ground.turf").is_err());
     }
 
@@ -183,7 +184,7 @@ mod tests {
             format!("[ground]\nrestitution = '{restitution}'\nturf = 'firm'\n{numbers}")
         };
         for restitution in ["0.51", "none"] {
-            let message = Setup::from_toml(&text(restitution), "a.toml")
+            let message = SetupFile::read(&text(restitution), "a.toml")
                 .unwrap_err()
                 .to_string();
             let says = "ground.turf is given together with all of its numbers \
@@ -192,9 +193,11 @@ mod tests {
                         effect; delete ground.turf, or delete the numbers that it should give";
             assert_eq!(message, format!("a.toml:3:1: {says}"));
             let remedied = text(restitution).replace("turf = 'firm'\n", "");
-            assert!(Setup::from_toml(&remedied, "a.toml").is_ok());
+            assert!(SetupFile::read(&remedied, "a.toml").is_ok());
         }
-        let firm = Setup::from_toml("[ground]\nturf = 'firm'\nslope = '0 deg'", "a.toml").unwrap();
+        let firm = SetupFile::read("[ground]\nturf = 'firm'\nslope = '0 deg'", "a.toml")
+            .unwrap()
+            .setup;
         assert_eq!(firm.turf().unwrap().name, "firm");
         let all = ["restitution", "friction", "compliance", "rolling"]
             .map(|name| format!("ground.{name}"));

@@ -28,7 +28,7 @@ use crate::units::{significant, typed};
 /// let text = setup_toml(&setup, &file, &[], &[]).unwrap();
 /// assert!(text.contains("\nmass = \"200 g\" # weighed\n"));
 /// assert!(text.contains("\nloft = \"10.5 deg\" # as given, instead of 10 deg\n"));
-/// assert_eq!(Setup::from_toml(&text, "mine.toml").unwrap(), setup);
+/// assert_eq!(SetupFile::read(&text, "mine.toml").unwrap().setup, setup);
 /// ```
 ///
 /// # Errors
@@ -214,8 +214,9 @@ mod tests {
     fn a_preset_printed_as_a_setup_file_reads_back_as_itself() {
         for preset in PRESETS {
             let text = preset_toml(preset.name).unwrap();
-            let read =
-                Setup::from_toml(&text.replace("preset =", "# preset ="), preset.name).unwrap();
+            let read = SetupFile::read(&text.replace("preset =", "# preset ="), preset.name)
+                .unwrap()
+                .setup;
             assert_eq!(read, Setup::preset(preset.name).unwrap(), "{text}");
         }
     }
@@ -241,7 +242,7 @@ mod tests {
                 let file = SetupFile::of_preset(preset.name).unwrap();
                 let text =
                     setup_toml(&setup, &file, &["a file\nwith a break".into()], &[]).unwrap();
-                assert_eq!(Setup::from_toml(&text, "f").unwrap(), setup, "{text}");
+                assert_eq!(SetupFile::read(&text, "f").unwrap().setup, setup, "{text}");
                 assert!(
                     text.starts_with("# a file with a break\npreset = "),
                     "{text}"

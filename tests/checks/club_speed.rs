@@ -4,7 +4,7 @@
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use longdrive::derivative::gradient;
-use longdrive::parameters::SpeedOf;
+use longdrive::parameters::{SetupFile, SpeedOf};
 use longdrive::study::Comparison;
 use longdrive::{Drive, Outcome, Setup};
 
@@ -253,7 +253,7 @@ fn the_point_is_read_written_and_compared() {
     let best = folder.path().join("best.toml").display().to_string();
     assert_eq!(longdrive(&["optimize", &file, "-o", &best]).status, 0);
     assert_eq!(
-        Setup::from_file(best.as_ref()).unwrap().speed_of,
+        SetupFile::open(best.as_ref()).unwrap().setup.speed_of,
         SpeedOf::FaceCentre
     );
 
@@ -293,7 +293,7 @@ fn the_point_is_read_written_and_compared() {
             "{args:?}: {words}"
         );
     }
-    let setup = Setup::from_file(file.as_ref()).unwrap();
+    let setup = SetupFile::open(file.as_ref()).unwrap().setup;
     let there = Comparison::new(
         &setup,
         &Setup {

@@ -3,6 +3,7 @@
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use longdrive::derivative::gradient;
+use longdrive::parameters::SetupFile;
 use longdrive::study::calibrate::Measurement;
 use longdrive::study::delivery::{Delivered, Unknown, delivery, unknowns};
 use longdrive::study::{Sigma, Vary};
@@ -275,7 +276,7 @@ fn a_launch_on_the_command_line_becomes_a_setup_for_a_search() {
     );
     let command = format!("longdrive optimize '{file}' --vary club.loft=4deg..20deg");
     assert!(remark.contains(&command), "{remark}");
-    let golfer = Setup::from_file(std::path::Path::new(file)).unwrap();
+    let golfer = SetupFile::open(std::path::Path::new(file)).unwrap().setup;
     let drive = Drive::new(&golfer).unwrap();
     for (outcome, measured) in [
         (Outcome::BallSpeed, "150 mph"),

@@ -3,7 +3,7 @@
 
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::random::Random;
-use longdrive::parameters::Parameter;
+use longdrive::parameters::{Parameter, SetupFile};
 use longdrive::report::population_warnings;
 use longdrive::study::delivery::Population;
 use longdrive::study::swings::{Rule, Scenarios, Swings};
@@ -131,7 +131,7 @@ fn sampled_swings_are_recovered_from_their_shots_within_three_uncertainties() {
     );
 
     // the file of the distribution gives the swings of the answer
-    let own = Setup::from_file(setup.as_ref()).unwrap();
+    let own = SetupFile::open(setup.as_ref()).unwrap().setup;
     let swings = Swings::open(&own, distribution.as_ref()).unwrap();
     for (parameter, mean) in swings.parameters().iter().zip(swings.means()) {
         let spread = found["spread"]

@@ -3,6 +3,7 @@
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::{SET_RIGID, close};
 use longdrive::Setup;
+use longdrive::parameters::SetupFile;
 use longdrive::study::Constraint;
 
 use serde_json::Value;
@@ -484,7 +485,7 @@ fn same_bits_of_a_resumed_design() {
     );
     assert_eq!(whole, json(&[&args[..], &kept].concat()));
     assert_eq!(json(&[&args[..], &["-o", &best]].concat()).1["file"], best);
-    let written = Setup::from_file(std::path::Path::new(&best)).unwrap();
+    let written = SetupFile::open(std::path::Path::new(&best)).unwrap().setup;
     assert_eq!(
         written.club.weight_1_depth,
         Some(number(&whole.1["optimum"]["club.weight_1.depth"]))

@@ -5,7 +5,7 @@ use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::{close, random_setups};
 use longdrive::derivative::hessian;
 use longdrive::optimize::Observer;
-use longdrive::parameters::Golfer;
+use longdrive::parameters::{Golfer, SetupFile};
 use longdrive::study::swings::{Correlation, Rule, Scenarios, Swings};
 use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Comparison, Goal, Search, Sense, Vary, optimum};
@@ -213,7 +213,7 @@ fn the_hand_is_read_written_and_compared() {
     let best = folder.path().join("best.toml").display().to_string();
     assert_eq!(longdrive(&["optimize", &file, "-o", &best]).status, 0);
     assert_eq!(
-        Setup::from_file(best.as_ref()).unwrap().golfer,
+        SetupFile::open(best.as_ref()).unwrap().setup.golfer,
         Golfer::Left
     );
 
@@ -245,7 +245,7 @@ fn the_hand_is_read_written_and_compared() {
             "{args:?}: {words}"
         );
     }
-    let setup = Setup::from_file(file.as_ref()).unwrap();
+    let setup = SetupFile::open(file.as_ref()).unwrap().setup;
     let there = Comparison::new(
         &setup,
         &Setup {

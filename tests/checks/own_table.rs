@@ -23,7 +23,9 @@ fn written(text: &str) -> (TempDir, String) {
 
 fn of_table(text: &str) -> Law<f64> {
     let (_folder, name) = written(text);
-    Law::of_table(LawTable::open(Path::new(&name)).unwrap())
+    let mut setup = Setup::default();
+    setup.set_table(Path::new(&name)).unwrap();
+    setup.law
 }
 
 /// C_D and C_L at a spin ratio, Reynolds number and speed.

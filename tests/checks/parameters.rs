@@ -288,7 +288,7 @@ fn exact_setups_are_equal_after_a_file_and_their_steps_are_written_only_where_st
     for preset in PRESETS {
         let setup = Setup::preset(preset.name).unwrap();
         let toml = written(&setup, preset.name);
-        assert_eq!(Setup::from_toml(&toml, "a.toml").unwrap(), setup);
+        assert_eq!(SetupFile::read(&toml, "a.toml").unwrap().setup, setup);
         assert_eq!(toml.contains("\nstep = "), setup.states_step, "{toml}");
         for choice in [
             StepChoice::Micrometre,
@@ -319,7 +319,7 @@ fn exact_setups_are_equal_after_a_file_and_their_steps_are_written_only_where_st
         );
         assert!(stated != usual && StepChoice::default().is_own(&stated));
         let toml = written(&stated, "tour-average");
-        assert_eq!(Setup::from_toml(&toml, "a.toml").unwrap(), stated);
+        assert_eq!(SetupFile::read(&toml, "a.toml").unwrap().setup, stated);
     }
 }
 

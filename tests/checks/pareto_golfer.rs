@@ -3,6 +3,7 @@
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use longdrive::optimize::{Observer, Observers, Options};
+use longdrive::parameters::SetupFile;
 use longdrive::study::swings::{ParetoSearch, Rule, Scenarios, Swings, pareto};
 use longdrive::study::uncertainty::Uncertain;
 use longdrive::study::{Constraint, Goal, Optimum, Search, Sense, Vary, optimum};
@@ -258,7 +259,9 @@ fn same_front_in_text_json_csv_and_setups() {
         let output = longdrive(&[&ask[..], &["-o", &file(name)], more].concat());
         assert_eq!(output.status, 0, "{}", output.err);
         let drive = Drive::new(
-            &Setup::from_toml(&std::fs::read_to_string(file(name)).unwrap(), name).unwrap(),
+            &SetupFile::read(&std::fs::read_to_string(file(name)).unwrap(), name)
+                .unwrap()
+                .setup,
         )
         .unwrap();
         for (k, of) in [Outcome::Carry, Outcome::ApexHeight]
@@ -342,7 +345,9 @@ fn a_design_that_is_best_for_both_goals_is_written_without_a_choice() {
         "{}",
         output.out
     );
-    let best = Setup::from_toml(&std::fs::read_to_string(&file).unwrap(), &file).unwrap();
+    let best = SetupFile::read(&std::fs::read_to_string(&file).unwrap(), &file)
+        .unwrap()
+        .setup;
     assert_eq!(best.swing.path, 0.0);
 }
 

@@ -4,6 +4,7 @@
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::{SET_RIGID, close};
 use longdrive::optimize::{Iteration, Observers};
+use longdrive::parameters::SetupFile;
 use longdrive::report::{Report, RobustReport};
 use longdrive::study::swings::{Model, Robust, robust};
 use longdrive::study::{Goal, Search, Sense, Vary};
@@ -142,7 +143,9 @@ fn the_answer_judges_whether_one_design_suits_all_models() {
     );
     let greatest = number(&answer["greatest_loss"]);
     assert_eq!(answer["holds_for_all"], (greatest <= 0.9144), "{answer:#}");
-    let written = Setup::from_toml(&std::fs::read_to_string(&file).unwrap(), "best.toml").unwrap();
+    let written = SetupFile::read(&std::fs::read_to_string(&file).unwrap(), "best.toml")
+        .unwrap()
+        .setup;
     assert_eq!(written.club.loft, number(&answer["optimum"]["club.loft"]));
     let in_metric = [
         &ask[..],

@@ -414,7 +414,7 @@ fn the_effective_density_is_shown_and_setups_read_back() {
         !text.contains("\ndensity") && text.contains("\nhumidity = \"0.4\""),
         "{text}"
     );
-    assert_eq!(Setup::from_toml(&text, "f").unwrap(), setup, "{text}");
+    assert_eq!(SetupFile::read(&text, "f").unwrap().setup, setup, "{text}");
 }
 
 #[test]

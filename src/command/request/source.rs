@@ -89,7 +89,7 @@ impl Source {
 
     /// True if the setup is the preset of an average of many golfers.
     pub fn is_average(&self) -> bool {
-        Preset::named(&self.argument).is_some_and(Preset::is_average)
+        Preset::named(&self.argument).is_some_and(|preset| preset.name.ends_with("-average"))
     }
 
     /// The parameters that a setup file on disk states.

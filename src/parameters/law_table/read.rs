@@ -267,12 +267,7 @@ struct DecimalMarks {
     /// Cell separator.
     separator: u8,
     /// The first cell with a mark.
-    first: Option<MarkedNumber>,
-}
-
-struct MarkedNumber {
-    mark: char,
-    cell: String,
+    first: Option<String>,
 }
 
 impl DecimalMarks {
@@ -297,23 +292,22 @@ impl DecimalMarks {
 
     /// Refuses a cell with another mark than the first.
     fn check(&mut self, cell: &str) -> Result<(), String> {
-        let Some(mark) = [',', '.'].into_iter().find(|mark| cell.contains(*mark)) else {
+        let mark_of = |cell: &str| [',', '.'].into_iter().find(|mark| cell.contains(*mark));
+        let Some(mark) = mark_of(cell) else {
             return Ok(());
         };
-        let first = self.first.get_or_insert_with(|| MarkedNumber {
-            mark,
-            cell: cell.into(),
-        });
-        if first.mark == mark {
+        let first = self.first.get_or_insert_with(|| cell.into());
+        if mark_of(first) == Some(mark) {
             return Ok(());
         }
-        let name = |mark: char| if mark == ',' { "comma" } else { "point" };
+        let [own, other] = if mark == ',' {
+            ["comma", "point"]
+        } else {
+            ["point", "comma"]
+        };
         Err(format!(
-            "'{cell}' has a {}, but '{}' has a {}; write all decimals of the table with the same \
-             mark, and nothing between thousands",
-            name(mark),
-            first.cell,
-            name(first.mark)
+            "'{cell}' has a {own}, but '{first}' has a {other}; write all decimals of the table \
+             with the same mark, and nothing between thousands"
         ))
     }
 }
