@@ -3,6 +3,7 @@ use super::rows::PointRows;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{SourceName, TableHead};
+use std::ops::Range;
 use std::path::Path;
 
 /// A file of numeric columns in SI that is read in pieces (row groups, record batches). The columns
@@ -17,17 +18,15 @@ pub(super) trait ColumnarFile: Sized {
     /// Reason why a column cannot be read as numbers; `None` if it can.
     fn refusal(&self, column: usize) -> Option<String>;
 
+    /// Goes back to the first piece.
     fn rewind(&mut self);
 
-    /// Number of unread rows of the current piece. If there are none, moves to the next piece and
-    /// returns its number of rows; 0 at the end.
-    fn rows_left(&mut self) -> Result<usize, String>;
+    /// Moves to the next piece and returns its number of rows; `None` at the end.
+    fn next_piece(&mut self) -> Result<Option<usize>, String>;
 
-    /// The next `rows` values of a column; `rows` must not exceed [`rows_left`](Self::rows_left).
-    fn values(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, String>;
-
-    /// Marks the next `rows` rows as read.
-    fn advance(&mut self, rows: usize);
+    /// The values of a column in these rows of the current piece. Each value of a column is read
+    /// once, in the order of the rows.
+    fn values(&mut self, column: usize, rows: Range<usize>) -> Result<Vec<Option<f64>>, String>;
 }
 
 /// Rows of a file read in pieces.
@@ -35,6 +34,9 @@ pub(super) struct ColumnarRows<P> {
     file: SourceName,
     columns: PointColumns,
     pieces: P,
+    /// The unread rows of the current piece.
+    unread: Range<usize>,
+    /// Number of rows read from all pieces.
     next: u64,
 }
 
@@ -61,6 +63,7 @@ impl<P: ColumnarFile> ColumnarRows<P> {
                 file,
                 columns,
                 pieces,
+                unread: 0..0,
                 next: 0,
             }),
         }
@@ -74,7 +77,7 @@ impl<P: ColumnarFile> PointRows for ColumnarRows<P> {
 
     fn rewind(&mut self) -> Result<()> {
         self.pieces.rewind();
-        self.next = 0;
+        (self.unread, self.next) = (0..0, 0);
         Ok(())
     }
 
@@ -91,18 +94,20 @@ impl<P: ColumnarFile> PointRows for ColumnarRows<P> {
                     format!(", after row {}", self.next)
                 }
             };
-            let left = self
-                .pieces
-                .rows_left()
-                .map_err(|reason| refused(place(), reason))?;
-            if left == 0 {
-                break;
+            if self.unread.is_empty() {
+                let next = self.pieces.next_piece();
+                let Some(rows_of_piece) = next.map_err(|reason| refused(place(), reason))? else {
+                    break;
+                };
+                self.unread = 0..rows_of_piece;
+                continue;
             }
-            let wanted = left.min(most - rows);
+            let wanted = self.unread.len().min(most - rows);
+            let part = self.unread.start..self.unread.start + wanted;
             let first = into.len();
             into.resize(first + wanted * at.len(), 0.0);
             for (i, (at, parameter)) in at.iter().zip(parameters).enumerate() {
-                let values = self.pieces.values(*at, wanted).map_err(|reason| {
+                let values = self.pieces.values(*at, part.clone()).map_err(|reason| {
                     let rows = format!(", rows {} to {}", self.next + 1, self.next + wanted as u64);
                     refused(format!("{rows}, column {}", parameter.name), reason)
                 })?;
@@ -116,7 +121,7 @@ impl<P: ColumnarFile> PointRows for ColumnarRows<P> {
                         })?;
                 }
             }
-            self.pieces.advance(wanted);
+            self.unread.start = part.end;
             self.next += wanted as u64;
             rows += wanted;
         }

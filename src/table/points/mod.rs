@@ -9,8 +9,6 @@ mod columns;
 mod csv;
 #[cfg(feature = "parquet")]
 mod parquet;
-#[cfg(feature = "arrow")]
-mod record_batches;
 mod rows;
 
 use crate::batch::{Grid, GridAxis, Points, Sequence};

@@ -8,15 +8,15 @@ use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use std::collections::BTreeMap;
 use std::io::{Read, Seek, SeekFrom};
+use std::ops::Range;
 use std::path::Path;
 
 /// Reads a Parquet file by row groups.
 pub(super) struct ParquetFile {
     file: Box<dyn FileReader>,
-    /// Current row group, and the number of its rows that have been read.
-    group: usize,
-    passed: usize,
-    /// Open column readers of the group, by column.
+    /// Number of row groups begun; the last of them is the current one.
+    begun: usize,
+    /// Open column readers of the current group, by column.
     columns: BTreeMap<usize, ColumnReader>,
 }
 
@@ -48,7 +48,7 @@ impl ParquetFile {
         if !self.columns.contains_key(&column) {
             let reader = self
                 .file
-                .get_row_group(self.group)?
+                .get_row_group(self.begun - 1)?
                 .get_column_reader(column)?;
             self.columns.insert(column, reader);
         }
@@ -71,8 +71,7 @@ impl ColumnarFile for ParquetFile {
         let file = reader(open_checked(path)?).map_err(|error| parquet_error_text(&error))?;
         Ok(Self {
             file,
-            group: 0,
-            passed: 0,
+            begun: 0,
             columns: BTreeMap::new(),
         })
     }
@@ -110,26 +109,21 @@ impl ColumnarFile for ParquetFile {
     }
 
     fn rewind(&mut self) {
-        (self.group, self.passed, self.columns) = (0, 0, BTreeMap::new());
+        (self.begun, self.columns) = (0, BTreeMap::new());
     }
 
-    fn rows_left(&mut self) -> Result<usize, String> {
-        while let Some(group) = self.file.metadata().row_groups().get(self.group) {
-            match usize::try_from(group.num_rows()).unwrap_or(0) - self.passed {
-                0 => (self.group, self.passed, self.columns) = (self.group + 1, 0, BTreeMap::new()),
-                left => return Ok(left),
-            }
-        }
-        Ok(0)
+    fn next_piece(&mut self) -> Result<Option<usize>, String> {
+        let Some(group) = self.file.metadata().row_groups().get(self.begun) else {
+            return Ok(None);
+        };
+        let rows = usize::try_from(group.num_rows()).unwrap_or(0);
+        (self.begun, self.columns) = (self.begun + 1, BTreeMap::new());
+        Ok(Some(rows))
     }
 
-    fn values(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, String> {
-        self.next(column, rows)
+    fn values(&mut self, column: usize, rows: Range<usize>) -> Result<Vec<Option<f64>>, String> {
+        self.next(column, rows.len())
             .map_err(|error| parquet_error_text(&error))
-    }
-
-    fn advance(&mut self, rows: usize) {
-        self.passed += rows;
     }
 }
 
