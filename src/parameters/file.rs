@@ -130,10 +130,6 @@ impl SetupFile {
                 .map_err(|(at, source)| in_file(text, file, at, source))?;
         }
         refuse_conflicts(&setup, &items, text, file)?;
-        Self::from_items(setup, &items, text, file)
-    }
-
-    fn from_items(setup: Setup<f64>, items: &[Item<'_>], text: &str, file: &str) -> Result<Self> {
         let preset = items
             .iter()
             .find(|item| item.key == PRESET)

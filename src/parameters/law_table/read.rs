@@ -32,14 +32,6 @@ impl LawTableFault {
             reason,
         }
     }
-
-    /// A fault of the column head at index `column`.
-    fn at_head(column: usize, reason: String) -> Self {
-        Self {
-            place: format!(", column {}", column + 1),
-            reason,
-        }
-    }
 }
 
 /// Largest number of nodes. The limit bounds the memory of the splines; no measurement has as many
@@ -169,7 +161,11 @@ fn node(
 fn columns(heads: &StringRecord) -> Result<Vec<LawColumn>, LawTableFault> {
     let mut columns: Vec<LawColumn> = vec![];
     for (at, head) in heads.iter().enumerate() {
-        let column = column(head).map_err(|reason| LawTableFault::at_head(at, reason))?;
+        let wrong = |reason: String| LawTableFault {
+            place: format!(", column {}", at + 1),
+            reason,
+        };
+        let column = column(head).map_err(wrong)?;
         let is_same = |other: &&LawColumn| match (other.content, column.content) {
             (LawColumnContent::Axis(a), LawColumnContent::Axis(b)) => {
                 a.is_of_spin() == b.is_of_spin()
@@ -181,7 +177,7 @@ fn columns(heads: &StringRecord) -> Result<Vec<LawColumn>, LawTableFault> {
                 "'{}' and '{head}' give the same axis or number twice; keep one",
                 other.head
             );
-            return Err(LawTableFault::at_head(at, reason));
+            return Err(wrong(reason));
         }
         columns.push(column);
     }
