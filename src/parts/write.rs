@@ -10,7 +10,6 @@ use crate::statistics::{Histogram, Ranking, Summary, SummarySpec};
 use sha2::{Digest, Sha256};
 use std::fs::{self, File};
 use std::io::{self, Write};
-use std::ops::Range;
 use std::path::Path;
 
 /// A sweep divided into parts.
@@ -59,14 +58,6 @@ impl Dataset {
         })
     }
 
-    /// The rows of a part, counted from 0.
-    ///
-    /// # Errors
-    /// [`Error::Together`] if `part` is not from 1 to the number of parts.
-    pub fn rows_of(&self, part: u64) -> Result<Range<u64>> {
-        rows_of(part, self.definition.parts, self.definition.rows)
-    }
-
     /// Computes a part and writes it into an existing folder. If the folder has the complete part
     /// already and `overwrite` is false, nothing is computed. The file is synced to the disk before
     /// it is renamed. `run` gives the threads and the stop flag; `progress` receives the number of
@@ -75,7 +66,7 @@ impl Dataset {
     /// # Errors
     /// [`Error::Results`] if the folder has a part of another sweep, if another file has the name
     /// of this part and `overwrite` is false, or if the file cannot be written, and errors of
-    /// [`rows_of`](Self::rows_of) and [`Batch::run`].
+    /// [`rows_of`] and [`Batch::run`].
     pub fn write(
         &self,
         points: &mut dyn Points,
@@ -85,7 +76,7 @@ impl Dataset {
         overwrite: bool,
         mut progress: impl FnMut(u64),
     ) -> Result<PartResult> {
-        let rows = self.rows_of(part)?;
+        let rows = rows_of(part, self.definition.parts, self.definition.rows)?;
         let name = file_name(part, self.definition.parts);
         let path = folder.join(&name);
         let results = |reason: String| Error::Results {

@@ -54,7 +54,7 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
         notes,
     } = SweepRequest::of(args, &request)?;
     let dataset = dataset_of(args, batch, points.as_ref(), part.parts)?;
-    let rows = dataset.rows_of(part.part)?;
+    let rows = parts::rows_of(part.part, part.parts, points.rows())?;
     make(folder)?;
     warn(setup.warnings());
     let bar = bar("drives");
