@@ -7,9 +7,9 @@ use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
     Column, Content, DecimalMark, OF_FLOWN, TableFormat, TableHead, TextTable, air_of_rows,
-    air_of_setup, assume_unit, assumed_units_remark, cells, club_column, columns_remark, given_air,
-    ignore_stated_air, in_degrees, is_condition_head, missing_of_launch, near_known, rest_of_head,
-    split_unit, with_nearest, words,
+    assume_unit, assumed_units_remark, club_column, columns_remark, given_air, ignore_stated_air,
+    in_degrees, is_condition_head, missing_of_launch, near_known, rest_of_head, split_unit,
+    with_nearest, words,
 };
 use crate::units::Message;
 use std::borrow::Cow;
@@ -60,11 +60,6 @@ impl ShotColumns {
     /// True if numbers have decimal commas.
     pub fn has_decimal_comma(&self) -> bool {
         self.decimal_mark == Some(DecimalMark::Comma)
-    }
-
-    /// The cells of a row.
-    pub fn cells<'a>(&self, text: &'a str) -> Vec<Cow<'a, str>> {
-        cells(text, self.separator)
     }
 
     /// Interprets the column heads of a table of shots. If `is_air_given` is true, the columns in
@@ -333,16 +328,9 @@ impl ShotColumns {
 /// The air of the rows.
 impl ShotColumns {
     /// The air column; `None` if the export states no air.
-    fn stated_air(&self) -> Option<&RowParameter> {
+    pub(super) fn stated_air(&self) -> Option<&RowParameter> {
         let mut parameters = self.other_parameters.iter();
         parameters.find(|row| row.column.is_stated_air())
-    }
-
-    /// Message for a row without usable air; `None` if the row states its air, or if the table has
-    /// no air column.
-    pub(super) fn air_note(&self, row: &[Cow<'_, str>]) -> Option<String> {
-        let stated = self.density(self.stated_air()?, row);
-        stated.err().map(|why| air_of_setup(&why))
     }
 
     /// The air density that a row states in the column `air`, SI.
@@ -359,18 +347,25 @@ impl ShotColumns {
     }
 }
 
-/// Interprets the columns of rest positions, which `TableHead` does not know.
+/// Interprets the columns of rest positions. [`TableHead`] does not know their heads, because
+/// `calibrate` must ignore these columns: the ground is unknown.
 fn add_totals(setup: &Setup<f64>, head: &mut TableHead) -> Result<()> {
-    if head.format.is_export {
-        for at in 0..head.columns.len() {
-            let unit = read_units(head.units.as_deref(), at);
-            let column = &head.columns[at];
-            if column.is_unknown()
-                && let Some(total) = total(setup, &column.head, &head.heads[at], unit, head.format)?
-            {
-                head.columns[at] = total;
-            }
-        }
+    if !head.format.is_export {
+        return Ok(());
+    }
+    for at in 0..head.columns.len() {
+        let name = &head.columns[at].head;
+        let rest = rest_of_head(&words(name)).filter(|_| head.columns[at].is_unknown());
+        let Some(of) = rest else {
+            continue;
+        };
+        let unit = split_unit(&head.heads[at])
+            .1
+            .map_or(String::new(), |unit| format!(" [{unit}]"));
+        let below = read_units(head.units.as_deref(), at);
+        let mut total = Column::read(setup, &format!("{}{unit}", of.name()), below, head.format)?;
+        total.head.clone_from(name);
+        head.columns[at] = total;
     }
     Ok(())
 }
@@ -395,27 +390,6 @@ fn added(columns: &[Column]) -> Range<usize> {
 fn read_units(units: Option<&[String]>, at: usize) -> Option<&str> {
     let unit = units?.get(at)?.trim_matches(['[', ']', '(', ')']);
     (!unit.is_empty()).then_some(unit)
-}
-
-/// The column, if its head names a rest position of the ball; `None` for any other head.
-/// [`TableHead`] does not know these heads, because `calibrate` must ignore their columns: the
-/// ground is unknown.
-fn total(
-    setup: &Setup<f64>,
-    name: &str,
-    head: &str,
-    below: Option<&str>,
-    format: TableFormat,
-) -> Result<Option<Column>> {
-    let Some(of) = rest_of_head(&words(name)) else {
-        return Ok(None);
-    };
-    let unit = split_unit(head)
-        .1
-        .map_or(String::new(), |unit| format!(" [{unit}]"));
-    let mut column = Column::read(setup, &format!("{}{unit}", of.name()), below, format)?;
-    column.head = name.into();
-    Ok(Some(column))
 }
 
 /// Origin of a column's values, if its column head states it: `Est. Total Flat`, `Carry (Sim)`.

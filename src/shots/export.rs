@@ -4,8 +4,8 @@ use super::columns::ShotColumns;
 use super::shot::{Club, Origin, REFUSED, RowParameter, Shot, StatedValue, within};
 use crate::drive::Outcome;
 use crate::table::{
-    CONDITIONS, Column, DecimalMark, Record, Refusal, RowFault, StatedConditions, cells,
-    conditions, contradiction, implausible, implausible_launch,
+    CONDITIONS, Column, DecimalMark, Record, Refusal, RowFault, StatedConditions, air_of_setup,
+    cells, conditions, contradiction, implausible, implausible_launch,
 };
 use std::borrow::Cow;
 
@@ -79,12 +79,9 @@ impl ShotColumns {
             match self.number(&read.column, cell(read.at)) {
                 Ok(None) => {}
                 Ok(Some(value)) => {
-                    let range = (!is_condition)
-                        .then(|| implausible(of, value, || name.clone()))
-                        .flatten();
                     let origin = read.origin.or(spin.filter(|_| OF_SPIN.contains(&of)));
-                    match range {
-                        Some(reason) => shot.notes.push(format!("not compared: {reason}")),
+                    match implausible(of, value).filter(|_| !is_condition) {
+                        Some(why) => shot.notes.push(format!("not compared: {name}: {why}")),
                         None => shot.values.push(StatedValue { of, value, origin }),
                     }
                 }
@@ -119,8 +116,11 @@ impl ShotColumns {
         let stated = shot.conditions();
         shot.point = wrong.map_or_else(|| self.point(&stated, row), Err);
         add_notes(&mut shot, &stated, |of| self.name_of(of));
-        if shot.point.is_ok() {
-            shot.notes.extend(self.air_note(row));
+        if shot.point.is_ok()
+            && let Some(air) = self.stated_air()
+            && let Err(why) = self.density(air, row)
+        {
+            shot.notes.push(air_of_setup(&why));
         }
         shot
     }

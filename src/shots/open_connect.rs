@@ -214,12 +214,13 @@ fn fill_ball(
             Ok(Some(_)) if is_assumed(message, of) => {}
             Ok(Some(number)) => {
                 let value = number * conversion_factor(of.quantity(), unit);
-                match implausible(of, value, || format!("BallData.{key}"))
-                    .filter(|_| of == Outcome::CarryDistance)
-                {
+                match implausible(of, value).filter(|_| of == Outcome::CarryDistance) {
                     // 0 means that the value was not sent
                     Some(_) if number == 0.0 => {}
-                    Some(reason) => shot.notes.push(format!("not compared: {reason}")),
+                    Some(why) => {
+                        let note = format!("not compared: BallData.{key}: {why}");
+                        shot.notes.push(note);
+                    }
                     None => shot.values.push(StatedValue {
                         of,
                         value,

@@ -99,18 +99,8 @@ static IN_SI: LazyLock<Vec<Option<[f64; 2]>>> = LazyLock::new(|| {
     Outcome::ALL.iter().map(in_si).collect()
 });
 
-/// Message for a value that no drive has; `None` for a plausible value. `name` returns the column
-/// head.
-pub(crate) fn implausible(
-    of: Outcome,
-    value: f64,
-    name: impl FnOnce() -> String,
-) -> Option<String> {
-    outside(of, value).map(|why| format!("{}: {why}", name()))
-}
-
-/// Like [`implausible`], but the message omits the column head.
-pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
+/// Message for a value that no drive has; `None` for a plausible value.
+pub(crate) fn implausible(of: Outcome, value: f64) -> Option<String> {
     let [low, high] = (*IN_SI.get(of as usize)?)?;
     if (low..=high).contains(&value) {
         return None;
@@ -158,7 +148,10 @@ pub(crate) fn implausible_launch(
     name: impl Fn(Outcome) -> String,
 ) -> Option<String> {
     let used = without_redundant_spins(*values);
-    let stated = |(of, value): (&Outcome, &Option<f64>)| implausible(*of, (*value)?, || name(*of));
+    let stated = |(of, value): (&Outcome, &Option<f64>)| {
+        let why = implausible(*of, (*value)?)?;
+        Some(format!("{}: {why}", name(*of)))
+    };
     if let Some(reason) = CONDITIONS.iter().zip(&used).find_map(stated) {
         return Some(reason);
     }
@@ -187,6 +180,7 @@ pub(crate) fn implausible_launch(
     ]
     .into_iter()
     .find_map(|(of, value, from, formula)| {
-        implausible(of, value, || format!("{} ({formula})", name(from)))
+        let why = implausible(of, value)?;
+        Some(format!("{} ({formula}): {why}", name(from)))
     })
 }

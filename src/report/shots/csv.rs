@@ -3,7 +3,7 @@
 use crate::drive::Outcome;
 use crate::report::sweep::push_number;
 use crate::shots::{Flown, ShotColumns, conversion_factor};
-use crate::table::{OF_FLOWN, quoted};
+use crate::table::{OF_FLOWN, cells, quoted};
 use crate::units::System;
 use std::sync::Arc;
 
@@ -173,7 +173,10 @@ impl ExportRows {
         } else {
             // omit the cells that an earlier run of `fly` added, and empty cells beyond the last
             // column head
-            for (at, cell) in self.own(&self.columns.cells(&shot.text)).enumerate() {
+            for (at, cell) in self
+                .own(&cells(&shot.text, self.columns.separator))
+                .enumerate()
+            {
                 if at > 0 {
                     bytes.push(separator);
                 }

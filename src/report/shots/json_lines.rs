@@ -6,6 +6,7 @@ use crate::drive::Outcome;
 #[cfg(test)]
 use crate::shots::Origin;
 use crate::shots::{Club, Flown, Section, Shot, ShotColumns, Shots};
+use crate::table::cells;
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -256,7 +257,9 @@ impl Keys {
             Some((columns, keys)) => {
                 push_object(
                     bytes,
-                    keys.iter().map(String::as_str).zip(columns.cells(row)),
+                    keys.iter()
+                        .map(String::as_str)
+                        .zip(cells(row, columns.separator)),
                 );
             }
         }

@@ -11,7 +11,7 @@ use crate::table::{
     TableHead, TextTable, assumed_units_remark, club_column, columns_remark, conditions,
     contradiction, given_air, has_whole_launch, heads_of, ignore_stated_air, implausible,
     implausible_club, implausible_launch, impossible, in_degrees, is_straight_by_assumption,
-    near_known, outside,
+    near_known,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -436,9 +436,8 @@ impl Reading {
                 "the rows state the launch, so that no impact is computed; remove this column",
             ));
         }
-        let name = || column.head.clone();
-        if let Some(why) = implausible(outcome, value, name).filter(|_| self.is_export) {
-            row.implausible.push(why);
+        if let Some(why) = implausible(outcome, value).filter(|_| self.is_export) {
+            row.implausible.push(format!("{}: {why}", column.head));
             return Ok(());
         }
         if let Some(why) = impossible(outcome, value).or_else(|| self.outside(outcome, value)) {
@@ -592,7 +591,7 @@ impl Reading {
         if self.is_measured_zero(of, value) {
             None
         } else {
-            outside(of, value)
+            implausible(of, value)
         }
     }
 
