@@ -61,21 +61,3 @@ impl Club<f64> {
         })
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::Setup;
-    use crate::error::Error;
-
-    #[test]
-    fn an_indefinite_tensor_is_refused_and_a_broken_triangle_warned_of() {
-        let mut setup = Setup::preset("mae494").unwrap();
-        assert!(setup.warnings().is_empty());
-        setup.club.inertia_xy = 1e-3;
-        assert!(matches!(setup.validate(), Err(Error::Inertia { .. })));
-        setup.club.inertia_xy = 0.0;
-        setup.club.inertia_yy = 1e-2;
-        setup.validate().unwrap();
-        assert_eq!(setup.warnings().len(), 1);
-    }
-}

@@ -59,7 +59,9 @@ impl Interpretation {
             .iter()
             .map(|head| words(split_unit(head).0))
             .collect();
-        let maker = maker(&plain);
+        let has = |head: &&str| plain.iter().any(|other| other == head);
+        let signature = SIGNATURES.iter().find(|(_, all)| all.iter().all(has));
+        let maker = signature.map(|(maker, _)| *maker);
         let (columns, rows) = (&mut head.columns, &head.rows);
         if maker == Some("Foresight") {
             // `Offline` is the lateral position at rest
@@ -84,15 +86,6 @@ impl Interpretation {
             turned: turn_spins(maker, columns, rows),
         }
     }
-}
-
-/// The maker for these column heads, in lower case without units.
-fn maker(heads: &[String]) -> Option<&'static str> {
-    let has = |head: &&str| heads.iter().any(|other| other == head);
-    SIGNATURES
-        .iter()
-        .find(|(_, all)| all.iter().all(has))
-        .map(|(maker, _)| *maker)
 }
 
 /// TrackMan: `Condition` states altitude and temperature. They determine the air of each row,

@@ -77,6 +77,7 @@ mod row_filter;
 mod sample;
 #[path = "../schema/mod.rs"]
 mod schema;
+mod setups;
 mod short_names;
 mod shot_tables;
 mod shots;
@@ -96,6 +97,7 @@ mod table_units;
 mod tables;
 mod tolerance;
 mod uncertainty;
+mod units;
 mod validation;
 mod verdicts;
 mod verify;
