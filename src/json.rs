@@ -71,22 +71,17 @@ pub struct JsonRange {
     pub high: JsonNumber,
 }
 
-impl From<[f64; 2]> for JsonRange {
-    fn from([low, high]: [f64; 2]) -> Self {
-        Self {
-            low: low.into(),
-            high: high.into(),
-        }
-    }
-}
-
 /// Serializes the ends of a range as a [`JsonRange`], and `None` as `null`.
 pub fn range<T: Copy + Into<Option<[f64; 2]>>, S: Serializer>(
     ends: &T,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
     let ends: Option<[f64; 2]> = (*ends).into();
-    ends.map(JsonRange::from).serialize(serializer)
+    let range = ends.map(|[low, high]| JsonRange {
+        low: low.into(),
+        high: high.into(),
+    });
+    range.serialize(serializer)
 }
 
 /// Serializes a field as a [`JsonNumber`].

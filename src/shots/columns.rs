@@ -48,7 +48,7 @@ pub struct ShotColumns {
     pub(super) club_name: Option<usize>,
     pub(super) is_export: bool,
     /// The decimal mark of the table; `None` if the first rows do not show it.
-    pub(super) decimal_mark: Option<DecimalMark>,
+    pub(crate) decimal_mark: Option<DecimalMark>,
     /// Indices of the columns that an earlier run of `fly` added; empty without such columns.
     pub(crate) added: Range<usize>,
     /// Air density of the setup, kg/m³, for rows that do not state the air.
@@ -57,11 +57,6 @@ pub struct ShotColumns {
 }
 
 impl ShotColumns {
-    /// True if numbers have decimal commas.
-    pub fn has_decimal_comma(&self) -> bool {
-        self.decimal_mark == Some(DecimalMark::Comma)
-    }
-
     /// Interprets the column heads of a table of shots. If `is_air_given` is true, the columns in
     /// which the export states the air are ignored.
     ///

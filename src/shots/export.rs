@@ -5,7 +5,7 @@ use super::shot::{Club, Origin, REFUSED, RowParameter, Shot, StatedValue, within
 use crate::drive::Outcome;
 use crate::table::{
     CONDITIONS, Column, DecimalMark, Record, Refusal, RowFault, StatedConditions, air_of_setup,
-    cells, conditions, contradiction, implausible, implausible_launch,
+    cells, conditions, contradiction, implausible_launch, outside,
 };
 use std::borrow::Cow;
 
@@ -80,7 +80,7 @@ impl ShotColumns {
                 Ok(None) => {}
                 Ok(Some(value)) => {
                     let origin = read.origin.or(spin.filter(|_| OF_SPIN.contains(&of)));
-                    match implausible(of, value).filter(|_| !is_condition) {
+                    match outside(of, value).filter(|_| !is_condition) {
                         Some(why) => shot.notes.push(format!("not compared: {name}: {why}")),
                         None => shot.values.push(StatedValue { of, value, origin }),
                     }

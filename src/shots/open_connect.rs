@@ -7,7 +7,7 @@ use super::written;
 use crate::drive::Outcome;
 use crate::error::nearest;
 use crate::parameters::Parameter;
-use crate::table::{Record, Refusal, implausible};
+use crate::table::{Record, Refusal, outside};
 use crate::units::Quantity;
 use serde_json::{Map, Value as Json};
 
@@ -214,7 +214,7 @@ fn fill_ball(
             Ok(Some(_)) if is_assumed(message, of) => {}
             Ok(Some(number)) => {
                 let value = number * conversion_factor(of.quantity(), unit);
-                match implausible(of, value).filter(|_| of == Outcome::CarryDistance) {
+                match outside(of, value).filter(|_| of == Outcome::CarryDistance) {
                     // 0 means that the value was not sent
                     Some(_) if number == 0.0 => {}
                     Some(why) => {

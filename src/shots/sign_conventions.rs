@@ -47,13 +47,17 @@ fn turned_spins(
     if !has_outcome(columns, Outcome::SpinAxis) {
         return &[Outcome::Sidespin];
     }
-    let signs: Vec<Signs> = rows.iter().map(|row| Signs::of(columns, row)).collect();
-    let are_opposite = mostly(
-        signs
-            .iter()
-            .filter_map(|row| Some(row.sidespin? != row.axis?)),
-    );
-    let curves_against = mostly(signs.iter().filter_map(|row| Some(row.curve? != row.axis?)));
+    // true for +; `None` for 0
+    let sign = |value: f64| (value != 0.0).then_some(value > 0.0);
+    let sign_of = |row: &[String], of: Outcome| sign(value(columns, row, of)?);
+    let are_opposite = mostly(rows.iter().filter_map(|row| {
+        let axis = sign_of(row, Outcome::SpinAxis)?;
+        Some(sign_of(row, Outcome::Sidespin)? != axis)
+    }));
+    let curves_against = mostly(rows.iter().filter_map(|row| {
+        let axis = sign_of(row, Outcome::SpinAxis)?;
+        Some(sign(curve(columns, row)?)? != axis)
+    }));
     match (are_opposite, curves_against) {
         (true, _) => &[Outcome::Sidespin],
         (false, true) => &[Outcome::Sidespin, Outcome::SpinAxis],
@@ -61,37 +65,21 @@ fn turned_spins(
     }
 }
 
-/// Signs of the values of a row, true for +; `None` for a missing value, for 0, and for a curve
-/// below [`LEAST_CURVE`].
-struct Signs {
-    sidespin: Option<bool>,
-    axis: Option<bool>,
-    /// Side of the landing point relative to the launch direction.
-    curve: Option<bool>,
+/// The value of an outcome in a row, SI.
+fn value(columns: &[Column], row: &[String], of: Outcome) -> Option<f64> {
+    let at = columns
+        .iter()
+        .position(|column| column.content == Content::Outcome(of))?;
+    columns[at].value(row.get(at)?).ok().flatten()
 }
 
-impl Signs {
-    fn of(columns: &[Column], row: &[String]) -> Self {
-        let value = |of: Outcome| {
-            let at = columns
-                .iter()
-                .position(|column| column.content == Content::Outcome(of))?;
-            columns[at].value(row.get(at)?).ok().flatten()
-        };
-        let sign = |value: f64| (value != 0.0).then_some(value > 0.0);
-        let curve = || {
-            let (carry, side) = (value(Outcome::CarryDistance)?, value(Outcome::Lateral)?);
-            let curve = side - carry * value(Outcome::LaunchDirection)?.sin();
-            sign(curve).filter(|_| curve.abs() > LEAST_CURVE * carry)
-        };
-        let [sidespin, axis] =
-            [Outcome::Sidespin, Outcome::SpinAxis].map(|of| value(of).and_then(sign));
-        Self {
-            sidespin,
-            axis,
-            curve: curve(),
-        }
-    }
+/// Lateral distance of the landing point from the launch direction, m; `None` if it is not above
+/// [`LEAST_CURVE`].
+fn curve(columns: &[Column], row: &[String]) -> Option<f64> {
+    let value = |of| value(columns, row, of);
+    let (carry, side) = (value(Outcome::CarryDistance)?, value(Outcome::Lateral)?);
+    let curve = side - carry * value(Outcome::LaunchDirection)?.sin();
+    (curve.abs() > LEAST_CURVE * carry).then_some(curve)
 }
 
 /// True if at least one row is true, and the fraction of true rows is at least [`SHARE`].

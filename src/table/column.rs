@@ -73,7 +73,7 @@ const STATIONARY: &str = "stationary";
 /// Column head of remarks.
 const NOTE: &str = "note";
 /// Column head of the status in sweeps.
-const STATUS: &str = "status";
+pub(super) const STATUS: &str = "status";
 /// Columns that `fly` adds to the shots.
 pub(crate) const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
 /// Prefixes of columns that `fly` adds.
@@ -205,11 +205,6 @@ impl Column {
     /// True for a parameter of the groups swing, strike, club and impact.
     pub fn is_of_the_strike(&self) -> bool {
         matches!(self.content, Content::Input(parameter) if parameter.is_of_strike())
-    }
-
-    /// True for the status column of a sweep.
-    pub fn is_status(&self) -> bool {
-        self.content == Content::Written && self.head == STATUS
     }
 
     /// Checks that the unit is present and has the right dimension.

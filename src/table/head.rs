@@ -1,7 +1,7 @@
 //! The column heads of a table: meaning of the columns, and errors in column heads.
 
 use super::CONDITIONS;
-use super::column::{Column, Content, SHOTS_ADVICE, TableFormat};
+use super::column::{Column, Content, SHOTS_ADVICE, STATUS, TableFormat};
 use super::export_columns::{ClubColumns, ignore_columns};
 use super::launch_monitor::{is_export, units_row};
 use crate::drive::Outcome;
@@ -179,7 +179,8 @@ fn all(
 /// are present, the names of launch conditions without `launch.` are computed outcomes, which are
 /// ignored.
 fn resolve_sweep_names(columns: &mut [Column]) {
-    if !columns.iter().any(Column::is_status) {
+    let is_status = |column: &Column| column.content == Content::Written && column.head == STATUS;
+    if !columns.iter().any(is_status) {
         return;
     }
     if columns.iter().any(|column| column.is_dotted_condition) {

@@ -100,7 +100,7 @@ static IN_SI: LazyLock<Vec<Option<[f64; 2]>>> = LazyLock::new(|| {
 });
 
 /// Message for a value that no drive has; `None` for a plausible value.
-pub(crate) fn implausible(of: Outcome, value: f64) -> Option<String> {
+pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
     let [low, high] = (*IN_SI.get(of as usize)?)?;
     if (low..=high).contains(&value) {
         return None;
@@ -149,7 +149,7 @@ pub(crate) fn implausible_launch(
 ) -> Option<String> {
     let used = without_redundant_spins(*values);
     let stated = |(of, value): (&Outcome, &Option<f64>)| {
-        let why = implausible(*of, (*value)?)?;
+        let why = outside(*of, (*value)?)?;
         Some(format!("{}: {why}", name(*of)))
     };
     if let Some(reason) = CONDITIONS.iter().zip(&used).find_map(stated) {
@@ -180,7 +180,7 @@ pub(crate) fn implausible_launch(
     ]
     .into_iter()
     .find_map(|(of, value, from, formula)| {
-        let why = implausible(of, value)?;
+        let why = outside(of, value)?;
         Some(format!("{} ({formula}): {why}", name(from)))
     })
 }

@@ -3,7 +3,7 @@
 use crate::drive::Outcome;
 use crate::report::sweep::push_number;
 use crate::shots::{Flown, ShotColumns, conversion_factor};
-use crate::table::{OF_FLOWN, cells, quoted};
+use crate::table::{DecimalMark, OF_FLOWN, cells, quoted};
 use crate::units::System;
 use std::sync::Arc;
 
@@ -98,7 +98,7 @@ impl ExportRows {
                 of: of.to_vec(),
                 system,
                 separator: columns.separator,
-                has_decimal_comma: columns.has_decimal_comma(),
+                has_decimal_comma: columns.decimal_mark == Some(DecimalMark::Comma),
             },
         }
     }

@@ -9,9 +9,8 @@ use crate::shots::{Club as ClubOfShot, Interpretation, Shot};
 use crate::table::{
     CONDITIONS, ClubColumns, Column, ConditionFault, Content, StatedConditions as Launch,
     TableHead, TextTable, assumed_units_remark, club_column, columns_remark, conditions,
-    contradiction, given_air, has_whole_launch, heads_of, ignore_stated_air, implausible,
-    implausible_club, implausible_launch, impossible, in_degrees, is_straight_by_assumption,
-    near_known,
+    contradiction, given_air, has_whole_launch, heads_of, ignore_stated_air, implausible_club,
+    implausible_launch, impossible, in_degrees, is_straight_by_assumption, near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -436,7 +435,7 @@ impl Reading {
                 "the rows state the launch, so that no impact is computed; remove this column",
             ));
         }
-        if let Some(why) = implausible(outcome, value).filter(|_| self.is_export) {
+        if let Some(why) = outside(outcome, value).filter(|_| self.is_export) {
             row.implausible.push(format!("{}: {why}", column.head));
             return Ok(());
         }
@@ -591,7 +590,7 @@ impl Reading {
         if self.is_measured_zero(of, value) {
             None
         } else {
-            implausible(of, value)
+            outside(of, value)
         }
     }
 

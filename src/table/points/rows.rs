@@ -49,7 +49,7 @@ impl<R: PointRows> TablePoints<R> {
         };
         let mut ranges: Vec<Vary> = rows.columns().parameters.iter().map(none).collect();
         let (mut count, mut fingerprint, mut values) = (0, Fingerprint::new(), vec![]);
-        let mut invalid = InvalidRows::default();
+        let (mut listed, mut others) = (vec![], 0);
         let mut row_number = 0_u64;
         rows.rewind()?;
         loop {
@@ -63,8 +63,12 @@ impl<R: PointRows> TablePoints<R> {
                     .iter()
                     .zip(row)
                     .find_map(|(range, value)| why_invalid(range.parameter, *value));
-                if let Some(wrong) = wrong {
-                    invalid.add(row_number, &wrong);
+                match wrong {
+                    Some(why) if listed.len() < LISTED => {
+                        listed.push(format!("row {row_number}: {why}"));
+                    }
+                    Some(_) => others += 1,
+                    None => {}
                 }
                 for (range, value) in ranges.iter_mut().zip(row) {
                     fingerprint.add(*value);
@@ -77,7 +81,7 @@ impl<R: PointRows> TablePoints<R> {
         }
         ranges.retain(|range| range.low <= range.high);
         let mut notes = rows.notes();
-        notes.extend(invalid.note());
+        notes.extend(note_of_invalid(listed, others));
         rows.rewind()?;
         Ok(Self {
             rows,
@@ -90,33 +94,17 @@ impl<R: PointRows> TablePoints<R> {
     }
 }
 
-#[derive(Default)]
-struct InvalidRows {
-    /// The first invalid rows, each with the reason.
-    listed: Vec<String>,
-    /// Number of invalid rows that are not listed.
-    others: u64,
-}
-
-impl InvalidRows {
-    fn add(&mut self, row_number: u64, reason: &str) {
-        if self.listed.len() < LISTED {
-            self.listed.push(format!("row {row_number}: {reason}"));
-        } else {
-            self.others += 1;
-        }
+/// Message about invalid rows: the first of them, each with the reason, and the number of the others.
+/// `None` without invalid rows.
+fn note_of_invalid(mut listed: Vec<String>, others: u64) -> Option<Message> {
+    if others > 0 {
+        listed.push(format!("and {others} more"));
     }
-
-    fn note(mut self) -> Option<Message> {
-        if self.others > 0 {
-            self.listed.push(format!("and {} more", self.others));
-        }
-        if self.listed.is_empty() {
-            return None;
-        }
-        let (status, rows) = (Status::OutOfRange, self.listed.join("; "));
-        Some(format!("rows with invalid values, which get the status {status}: {rows}").into())
+    if listed.is_empty() {
+        return None;
     }
+    let (status, rows) = (Status::OutOfRange, listed.join("; "));
+    Some(format!("rows with invalid values, which get the status {status}: {rows}").into())
 }
 
 /// Reason why a value is invalid: it is missing or out of range. `None` for a valid value.
