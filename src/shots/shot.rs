@@ -180,9 +180,8 @@ impl Shot {
         self.point.as_ref().ok().map(|point| &point[..LAUNCH.len()])
     }
 
-    /// Values of the other parameters, in the order of
-    /// [`Shots::other_parameters`](field@crate::shots::Shots::other_parameters), SI. Empty if the shot
-    /// cannot be flown.
+    /// Values of the other parameters, in the order of `other_parameters` of
+    /// [`Shots`](crate::shots::Shots), SI. Empty if the shot cannot be flown.
     pub fn other_parameters(&self) -> &[f64] {
         self.point
             .as_ref()

@@ -148,9 +148,9 @@ impl UnitChecks {
         warnings.into_iter().map(Message::from).collect()
     }
 
-    /// Words that compare the carries with ball speeds read in `unit`; `None` if the carries fit the
-    /// speeds or are too few. If the speeds were read in mph, the words name the unit that was
-    /// probably meant.
+    /// Words that compare the carries with ball speeds read in `unit`. If the speeds were read in
+    /// mph, the words name the unit that was probably meant. `None` if the carries fit the speeds or
+    /// are too few.
     fn speed_fault(&self, of: &[Outcome], unit: Option<&str>) -> Option<String> {
         if self.carries.len() < LEAST {
             return None;

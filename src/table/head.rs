@@ -223,8 +223,8 @@ pub(super) const LAUNCHES_ADVICE: &str = "name the columns of the launch by know
                                           [rpm]', and take the others out; the heads must be in \
                                           one of the first lines";
 
-/// The error for the columns of `file` that cannot be read: all unknown names, if there are several;
-/// otherwise the first error. Columns are numbered from 0. A message about unknown names ends with
+/// The error for the columns of `file` that cannot be read, which are numbered from 0: all unknown
+/// names, if there are several; otherwise the first error. A message about unknown names ends with
 /// `advice`. `None` if there are no errors.
 fn column_error(faults: Vec<(usize, Error)>, advice: &str, file: &str) -> Option<Error> {
     let (mut numbers, mut unknown) = (vec![], vec![]);

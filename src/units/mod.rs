@@ -306,7 +306,7 @@ impl Quantity {
     pub fn read_bare(self, text: &str) -> Result<f64, UnitError> {
         match self.split(text)? {
             (number, "") => Ok(number),
-            (number, unit) => self.unit(unit, text).map(|unit| unit.value(number)),
+            _ => self.read(text),
         }
     }
 
