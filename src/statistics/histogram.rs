@@ -86,12 +86,6 @@ impl Histogram {
         })
     }
 
-    /// Text that identifies the bins: equal bins have equal texts.
-    pub fn identity(&self) -> String {
-        let [low, high] = self.range;
-        format!("{}={low:?}..{high:?}:{}", self.of, self.counts.len())
-    }
-
     /// Lower edge of bin `i`, SI: low + (high − low) i/count. For `i` = count, the upper edge of
     /// the last bin.
     pub fn edge(&self, i: usize) -> f64 {

@@ -19,7 +19,7 @@
 //! assert_eq!((summary.rows(), summary.best[0].rows[0].row), (3, 1));
 //! // ball speed is in proportion to club speed
 //! let ball_speed = &summary.moments["ball_speed"];
-//! assert!((ball_speed.mean().unwrap() / ball_speed.greatest().unwrap() - 45.0 / 50.0).abs() < 1e-12);
+//! assert!((ball_speed.mean.unwrap() / ball_speed.greatest.unwrap() - 45.0 / 50.0).abs() < 1e-12);
 //! ```
 
 mod extent;

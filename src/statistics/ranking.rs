@@ -71,12 +71,6 @@ impl Ranking {
         }
     }
 
-    /// Text that identifies the selection: equal for equal selections.
-    pub fn identity(&self) -> String {
-        let which = if self.highest { "highest" } else { "lowest" };
-        format!("{which} {}:{}", self.of, self.most)
-    }
-
     /// Adds a row with a finite value, if it ranks high enough.
     pub fn add<'a>(
         &mut self,

@@ -103,14 +103,16 @@ impl SummarySpec {
 
     /// Text that identifies the histograms and rankings: equal requests have equal texts.
     pub fn identity(&self) -> String {
-        let histograms = self
-            .histograms
-            .iter()
-            .map(|histogram| format!("histogram {}", histogram.identity()));
-        histograms
-            .chain(self.best.iter().map(Ranking::identity))
-            .collect::<Vec<_>>()
-            .join(", ")
+        let histograms = self.histograms.iter().map(|histogram| {
+            let [low, high] = histogram.range;
+            let bins = histogram.counts.len();
+            format!("histogram {}={low:?}..{high:?}:{bins}", histogram.of)
+        });
+        let rankings = self.best.iter().map(|ranking| {
+            let which = if ranking.highest { "highest" } else { "lowest" };
+            format!("{which} {}:{}", ranking.of, ranking.most)
+        });
+        histograms.chain(rankings).collect::<Vec<_>>().join(", ")
     }
 
     /// Empty summary.

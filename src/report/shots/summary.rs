@@ -90,7 +90,7 @@ impl ClubShotsReport {
     fn new(of: &[Outcome], club: &str, shots: &ClubShots) -> Self {
         let outcome = |(at, of): (usize, &Outcome)| ClubOutcome {
             of: *of,
-            predicted: shots.predicted[at].moments.mean(),
+            predicted: shots.predicted[at].moments.mean,
             residuals: SumsReport::new(&shots.residuals[at]),
         };
         Self {
@@ -133,7 +133,7 @@ impl SumsReport {
     fn new(sums: &Sums) -> Self {
         Self {
             rows: sums.moments.count,
-            bias: sums.moments.mean(),
+            bias: sums.moments.mean,
             mean_absolute: sums.mean_absolute(),
             deviation: sums.moments.deviation(),
         }
@@ -294,7 +294,7 @@ impl ResidualFormat {
 
     /// The bias with its sign; a dash without residuals.
     fn bias(&self, sums: &Sums) -> String {
-        let bias = sums.moments.mean();
+        let bias = sums.moments.mean;
         signed(bias.unwrap_or_default(), self.number(bias))
     }
 }
@@ -310,7 +310,7 @@ fn add_clubs(document: &mut Document, statistics: &ShotStatistics, system: Syste
         vec![
             club.clone(),
             shots.rows.to_string(),
-            format.number(predicted.moments.mean()),
+            format.number(predicted.moments.mean),
             format.bias(residuals),
             format.number(residuals.mean_absolute()),
         ]

@@ -16,10 +16,10 @@ pub fn summary_document(summary: &Summary, system: System) -> Document {
     ))]);
     let moments = summary.moments.iter().map(|(column, moments)| {
         let numbers = [
-            moments.mean(),
+            moments.mean,
             moments.deviation(),
-            moments.least(),
-            moments.greatest(),
+            moments.least,
+            moments.greatest,
         ];
         let shown = numbers.map(|number| {
             number.map_or(shown::NONE.into(), |value| quantity(column, value, system))

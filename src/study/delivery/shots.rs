@@ -135,7 +135,7 @@ impl Spread {
             let moments = Moments::of(values);
             Self {
                 parameter: first.posteriors[i].unknown.parameter,
-                mean: moments.mean().unwrap_or(f64::NAN),
+                mean: moments.mean.unwrap_or(f64::NAN),
                 deviation: moments.deviation(),
             }
         };

@@ -198,7 +198,7 @@ fn interval(goal: &Goal, value: f64, others: &[f64]) -> Interval {
     let n = others.len() as f64;
     let moments = Moments::of(others.iter().copied());
     let [mean, deviation] =
-        [moments.mean(), moments.deviation()].map(|number| number.unwrap_or(f64::NAN));
+        [moments.mean, moments.deviation()].map(|number| number.unwrap_or(f64::NAN));
     let quantile = StudentsT::new(0.0, 1.0, n - 1.0).map_or(f64::NAN, |t| t.inverse_cdf(QUANTILE));
     let reach = quantile * deviation / n.sqrt();
     let (mut low, mut high) = (value.min(mean - reach), value.max(mean + reach));

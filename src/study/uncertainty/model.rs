@@ -138,7 +138,7 @@ impl SaltelliDesign {
         }
         let moments = self.bootstrap(all.len(), |drawn| {
             let moments = Moments::of(drawn.iter().map(|row| all[*row]));
-            let numbers = [moments.mean(), moments.deviation()];
+            let numbers = [moments.mean, moments.deviation()];
             numbers.map(|number| number.unwrap_or(f64::NAN)).to_vec()
         });
         let [mean, deviation] = [moments[0], moments[1]];
