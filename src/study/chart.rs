@@ -171,9 +171,6 @@ fn with_intervals(warning: Message, intervals: &[[f64; 2]], along: &Vary) -> Mes
 /// Tolerance of event locations, relative to the range.
 const LOCATED: f64 = 1e-10;
 
-/// Callback that receives one value of a chart.
-type ChartCallback<T> = Rc<dyn Fn(&T)>;
-
 /// Callbacks and cancellation flag of a chart.
 #[derive(Clone, Default)]
 pub struct ChartObserver {
@@ -183,9 +180,9 @@ pub struct ChartObserver {
     /// and further values if there is no optimum at the low end.
     pub beginning: Option<Rc<dyn Fn(f64)>>,
     /// Receives every iteration of every search.
-    pub iteration: Option<ChartCallback<Iteration>>,
+    pub iteration: Option<Rc<dyn Fn(&Iteration)>>,
     /// Receives every point of the continuation.
-    pub point: Option<ChartCallback<ChartPoint>>,
+    pub point: Option<Rc<dyn Fn(&ChartPoint)>>,
 }
 
 impl ChartObserver {
@@ -332,6 +329,10 @@ impl Follower<'_> {
     /// Steps from `here` to the parameter value `to`, and adapts the step size. `None` if the step
     /// was rejected; the next step is then shorter, unless the search was interrupted.
     ///
+    /// The next point has the event after `here`: a jump if the optimum is far from its prediction,
+    /// or a change of the active set. Bisection locates the change, and the located point replaces
+    /// the next point.
+    ///
     /// # Errors
     /// The reason why no optimum was found.
     fn step(
@@ -349,25 +350,18 @@ impl Follower<'_> {
         let Some((point, apart)) = corrected.map_err(none_beyond)? else {
             return Ok(None);
         };
-        let next = self.with_event(here, point, apart);
-        stride.adapt(apart);
-        Ok(Some(next))
-    }
-
-    /// Adds to `next` the event after `here`: a jump if the optimum is far from its prediction, or
-    /// a change of the active set. Bisection locates the change, and the located point replaces
-    /// `next`.
-    fn with_event(&self, here: &ChartPoint, next: ChartPoint, apart: f64) -> ChartPoint {
-        if apart > TOO_FAR {
+        let next = if apart > TOO_FAR {
             ChartPoint {
                 event: Some(ChartEvent::Jump),
-                ..next
+                ..point
             }
-        } else if next.active != here.active {
-            self.located(here, next)
+        } else if point.active != here.active {
+            self.located(here, point)
         } else {
-            next
-        }
+            point
+        };
+        stride.adapt(apart);
+        Ok(Some(next))
     }
 
     /// The first optimum of the chart, and the reason why it is not at the low end of the range

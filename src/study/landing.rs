@@ -39,9 +39,10 @@ impl Landing {
         sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
         let drive = Drive::new(setup)?;
         drive.landed()?;
+        // stated uncertainties, and parameters that the golfer controls
         let sigmas: Vec<Sigma> = sigmas
             .iter()
-            .filter(|sigma| is_of_the_golfer(sigma))
+            .filter(|sigma| sigma.source.is_none() || sigma.parameter.is_controlled())
             .copied()
             .collect();
         let parameters: Vec<_> = sigmas.iter().map(|sigma| sigma.parameter).collect();
@@ -95,10 +96,4 @@ impl Landing {
             is_too_wide,
         })
     }
-}
-
-/// True for stated uncertainties, and for parameters that the golfer controls.
-fn is_of_the_golfer(sigma: &Sigma) -> bool {
-    let is_stated = sigma.source.is_none();
-    is_stated || sigma.parameter.is_controlled()
 }

@@ -213,8 +213,9 @@ pub fn calibrate(
     let mut searches =
         RepeatedSearches::run(&mut problem, &domain, &own, from, &options, observer)?;
     let starts = searches.by_end(made);
-    let stopped = searches.stopped();
-    let is_minimum = searches.is_minimum();
+    let is_stopped = |fit: &&Fit| fit.status == FitStatus::Interrupted;
+    let stopped = searches.fits.iter().filter(is_stopped).count();
+    let is_minimum = searches.is_settled && searches.fits[0].status == FitStatus::Converged;
     verdict::set_status_of_searches(
         &mut searches.fits,
         searches.is_settled,
@@ -271,7 +272,8 @@ fn no_start(problem: &ShotResiduals<'_>, own: &[f64], observer: &FitObserver) ->
     if observer.is_interrupted() {
         stopped("the fit began")
     } else {
-        missing(NO_START, problem, own)
+        let what = "no starting point was found from which every row can be computed";
+        missing(what, problem, own)
     }
 }
 
@@ -341,16 +343,6 @@ impl RepeatedSearches {
         }
     }
 
-    fn stopped(&self) -> usize {
-        let fits = self.fits.iter();
-        fits.filter(|fit| fit.status == FitStatus::Interrupted)
-            .count()
-    }
-
-    fn is_minimum(&self) -> bool {
-        self.is_settled && self.fits[0].status == FitStatus::Converged
-    }
-
     /// Counts the completed searches that reached the smallest sum of squares, and the others by
     /// status. `made` is the number of starts of the first searches.
     fn by_end(&self, made: usize) -> Starts {
@@ -376,14 +368,13 @@ impl RepeatedSearches {
     }
 }
 
-const NO_START: &str = "no starting point was found from which every row can be computed";
-
 /// Error that lists the rows whose drives cannot be computed at the values `at` of the fitted
 /// parameters. Its message begins with `what`.
 fn missing(what: &str, problem: &ShotResiduals<'_>, at: &[f64]) -> Error {
-    match problem.each(at) {
-        Ok(each) => {
-            let rows = problem.shots.iter().zip(each);
+    let by_shot = problem.moved(at).and_then(|moved| problem.by_shot(&moved));
+    match by_shot {
+        Ok(by_shot) => {
+            let rows = problem.shots.iter().zip(by_shot);
             failed_rows_error(
                 what,
                 &rows

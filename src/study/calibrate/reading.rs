@@ -439,7 +439,8 @@ impl Reading {
             row.implausible.push(format!("{}: {why}", column.head));
             return Ok(());
         }
-        if let Some(why) = impossible(outcome, value).or_else(|| self.outside(outcome, value)) {
+        let outside = || outside(outcome, value).filter(|_| !self.is_measured_zero(outcome, value));
+        if let Some(why) = impossible(outcome, value).or_else(outside) {
             return Err(RowError::new(here(), why));
         }
         if value.abs() > MOST {
@@ -519,18 +520,6 @@ impl Reading {
         Ok(value)
     }
 
-    /// Head of the column that names the club of each shot.
-    pub fn club_head(&self) -> Option<&str> {
-        Some(&self.columns[self.club_name?].head)
-    }
-
-    /// Head of the column that states the air of each row of an export.
-    pub fn air_head(&self) -> Option<&str> {
-        let mut columns = self.columns.iter();
-        let column = columns.find(|column| column.is_stated_air())?;
-        Some(&column.head)
-    }
-
     /// Column heads of the launch and of the club, if the table has club columns and a complete
     /// launch.
     pub fn launch_beside_club(&self) -> Option<[String; 2]> {
@@ -581,16 +570,6 @@ impl Reading {
         match self.launch(*stated) {
             Err(wrong) if !wrong.is_incomplete || is_whole => Err(wrong),
             _ => Ok(()),
-        }
-    }
-
-    /// Reason why a measured value is outside the plausible range of its outcome; `None` if it is
-    /// inside.
-    fn outside(&self, of: Outcome, value: f64) -> Option<String> {
-        if self.is_measured_zero(of, value) {
-            None
-        } else {
-            outside(of, value)
         }
     }
 

@@ -148,7 +148,7 @@ impl ShotResiduals<'_> {
     }
 
     /// Residuals of each shot flown with a setup, or the error of the shot.
-    fn by_shot(&self, moved: &Setup<f64>) -> Result<Vec<Result<Rows>>> {
+    pub fn by_shot(&self, moved: &Setup<f64>) -> Result<Vec<Result<Rows>>> {
         let all: Vec<_> = self.shots.iter().enumerate().collect();
         // without curvatures (if `begin` failed) only the errors of the shots are used
         let of = |&(at, shot): &(usize, &MeasuredShot)| {
@@ -169,13 +169,6 @@ impl ShotResiduals<'_> {
         };
         self.curvatures = curvatures;
         self.evaluate(x).is_ok()
-    }
-
-    /// For each shot: its residuals at `x`, or the error of its drive.
-    pub fn each(&self, x: &[f64]) -> Result<Vec<Result<Vec<f64>>>> {
-        let moved = self.moved(x)?;
-        let by_shot = self.by_shot(&moved)?.into_iter();
-        Ok(by_shot.map(|rows| Ok(rows?.residuals)).collect())
     }
 }
 

@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::shots::Shot;
 use crate::table::{
-    ClubColumns, DecimalMarkCheck, NonShotRows, Record, RowFault, RowFilter, air_of_rows,
+    ClubColumns, Column, DecimalMarkCheck, NonShotRows, Record, RowFault, RowFilter, air_of_rows,
     air_of_setup, cells, counted_values, remark_from_line,
 };
 use crate::units::{Message, counted};
@@ -147,16 +147,10 @@ impl ShotRows {
         reading: &Reading,
         read: std::result::Result<ReadRow, RowError>,
     ) -> Result<()> {
-        match read {
-            Ok(row) => {
-                self.add_row(reading, row);
-                Ok(())
-            }
-            Err(wrong) => self.reject(reading, wrong),
-        }
-    }
-
-    fn add_row(&mut self, reading: &Reading, row: ReadRow) {
+        let row = match read {
+            Ok(row) => row,
+            Err(wrong) => return self.reject(reading, wrong),
+        };
         let number = format!("row {}", self.row);
         self.rows_without_air.extend(
             row.no_air
@@ -179,6 +173,7 @@ impl ShotRows {
         self.contradictions
             .extend(row.contradiction.map(|why| format!("{number}: {why}")));
         self.shots.push(row.shot);
+        Ok(())
     }
 
     /// Leaves a row out and notes its fault for a message, if the row is incomplete or belongs to
@@ -273,7 +268,7 @@ impl ShotRows {
     /// Warning about shots of several clubs, unless the filter selects shots by the club.
     fn clubs_warning(&self, filter: &RowFilter) -> Option<Message> {
         let mut readings = self.sections.iter().map(|section| &section.reading);
-        let head = readings.find_map(Reading::club_head)?;
+        let head = readings.find_map(|reading| Some(&reading.columns[reading.club_name?].head))?;
         if self.clubs.len() < 2 || filter.names(head) {
             return None;
         }
@@ -303,10 +298,10 @@ impl ShotRows {
         let mut heads: Vec<&str> = vec![];
         let mut remarks = vec![];
         for section in &self.sections {
-            if let Some(head) = section
-                .reading
-                .air_head()
-                .filter(|head| !heads.contains(head))
+            let mut columns = section.reading.columns.iter();
+            let air = columns.find(|column| column.is_stated_air());
+            if let Some(Column { head, .. }) = air
+                && !heads.contains(&head.as_str())
             {
                 remarks.push(section.remark(&air_of_rows(head).into()));
                 heads.push(head);

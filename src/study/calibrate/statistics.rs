@@ -132,10 +132,6 @@ impl ScaledColumns {
         self.values[k] <= SINGULAR * self.values.iter().copied().fold(0.0, f64::max)
     }
 
-    fn rank(&self) -> usize {
-        (0..self.at.len()).filter(|&k| !self.is_singular(k)).count()
-    }
-
     /// The change of each parameter along direction `k`, SI.
     fn parts(&self, k: usize) -> Vec<(usize, f64)> {
         let is_part = |i: &usize| self.directions[(k, *i)].abs() > PART;
@@ -231,7 +227,8 @@ impl FitStatistics {
             + 0.0;
         let is_exact = rows.residuals.iter().all(|r| r.abs() <= rounding);
         let free = ScaledColumns::new(&jacobian, (0..n).filter(|&i| fitted[i].is_free).collect())?;
-        let degrees_of_freedom = m.saturating_sub(free.rank());
+        let rank = (0..free.at.len()).filter(|&k| !free.is_singular(k)).count();
+        let degrees_of_freedom = m.saturating_sub(rank);
         let is_scaled = origin != SigmaOrigin::Stated && degrees_of_freedom > 0 && !is_exact;
         let scale = match origin {
             _ if is_scaled => Some((chi_square / degrees_of_freedom as f64).sqrt()),

@@ -126,7 +126,9 @@ pub(super) fn convergence(
     let Some(time) = fine_flight_time(setup, drive.landed()?.flight_time) else {
         return Ok(Err(NO_REFERENCE));
     };
-    let decay_rate = initial_spin_decay_rate(setup, &drive);
+    // initial decay rate of spin, 1/s: δ + κ |v|/R (docs/model.md, eq. 13)
+    let by_way = setup.aero.spin_damping.unwrap_or_default() / setup.ball.radius;
+    let decay_rate = setup.aero.spin_decay + by_way * drive.launch.ball_speed();
     // the landing lies in the middle of the last step, so that no step ends close to the landing
     let step = |steps: u32| time / (f64::from(steps) - 0.5);
     let is_short = |steps: u32| step(steps) <= 1.0 && step(steps) * decay_rate <= 1.0;
@@ -306,12 +308,6 @@ fn orders_of_smooth_law(setup: &Setup<f64>, of: Outcome) -> [u32; 2] {
         _ => [order; 2],
     };
     [0, 1].map(|which: usize| of_method[which].min(interpolated[which]))
-}
-
-/// Initial decay rate of spin, 1/s: δ + κ |v|/R (docs/model.md, eq. 13).
-fn initial_spin_decay_rate(setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
-    let by_way = setup.aero.spin_damping.unwrap_or_default() / setup.ball.radius;
-    setup.aero.spin_decay + by_way * drive.launch.ball_speed()
 }
 
 /// Relative errors of the value and of each gradient entry. Errors of the value are relative to

@@ -145,15 +145,11 @@ fn extrapolated_landing(
     };
     let path = trajectory(&moved, &launch).ok()?;
     let position = path.points.last()?.position;
-    Some(to_ground(position, landed.velocity, ground, time))
-}
-
-/// Carry, lateral and flight time of a state extrapolated along a straight line to the ground.
-fn to_ground(position: Vector<f64>, velocity: Vector<f64>, ground: f64, time: f64) -> [f64; 3] {
+    let velocity = landed.velocity;
     let more = -(position.x - ground) / velocity.x;
-    [
+    Some([
         position.z + velocity.z * more,
         position.y + velocity.y * more,
         time + more,
-    ]
+    ])
 }

@@ -1,5 +1,5 @@
 use super::path::{Cause, SetupPath, Share, Shares};
-use super::quadrature::{Integrals, integrals};
+use super::quadrature::integrals;
 use crate::derivative::{Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::Result;
@@ -42,15 +42,17 @@ impl<'a> DifferenceSplit<'a> {
     /// magnitude, to which the rounding error is relative. Shares do not depend on the other
     /// outcomes.
     pub fn shares(&mut self, of: Outcome, amount: f64, size: f64) -> Result<Shares> {
-        let halves: &[(usize, [f64; 2])] = if self.path.discrete.is_empty() {
-            &[(0, [0.0, 1.0])]
-        } else {
-            &[(0, [0.0, 0.5]), (1, [0.5, 1.0])]
+        let path = self.path;
+        let halves: &[(usize, [f64; 2])] = match (path.continuous.is_empty(), path.discrete.len()) {
+            (true, _) => &[],
+            (false, 0) => &[(0, [0.0, 1.0])],
+            (false, _) => &[(0, [0.0, 0.5]), (1, [0.5, 1.0])],
         };
         let mut amounts = vec![0.0; self.path.continuous.len()];
         let mut error = 0.0;
         for (side, range) in halves {
-            let found = self.along(*side, *range, of, size)?;
+            // ∫ ∂f/∂p dp, with the discrete parameters of one end
+            let found = integrals(*range, size, |at| self.slopes(*side, of, at))?;
             amounts
                 .iter_mut()
                 .zip(&found.values)
@@ -69,18 +71,6 @@ impl<'a> DifferenceSplit<'a> {
             remainder: amount - sum,
             error: error + OF_SHARES * size,
         })
-    }
-
-    /// Shares of the continuous parameters along part of the path, ∫ ∂f/∂p dp, with the discrete
-    /// parameters of one end.
-    fn along(&mut self, side: usize, range: [f64; 2], of: Outcome, size: f64) -> Result<Integrals> {
-        if self.path.continuous.is_empty() {
-            return Ok(Integrals {
-                values: vec![],
-                error: 0.0,
-            });
-        }
-        integrals(range, size, |at| self.slopes(side, of, at))
     }
 
     fn slopes(&mut self, side: usize, of: Outcome, at: f64) -> Result<Vec<f64>> {

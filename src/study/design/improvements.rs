@@ -33,23 +33,14 @@ pub fn improvements(
     best: &Optimum,
     stop: &Arc<AtomicBool>,
 ) -> Result<Vec<Improvement>> {
-    let found = before_and_after(setup, best, stop);
+    let goals = STATISTICS.iter().map(|text| Goal::read(text, None));
+    let goals = goals.collect::<Result<Vec<_>>>()?;
+    let found = [setup, &best.setup].map(|setup| values(setup, &goals, &best.search, stop));
     if stop.load(Ordering::Relaxed) {
         return Ok(vec![]);
     }
-    found
-}
-
-/// Computes [`improvements`]; the result is incomplete once `stop` is true.
-fn before_and_after(
-    setup: &Setup<f64>,
-    best: &Optimum,
-    stop: &Arc<AtomicBool>,
-) -> Result<Vec<Improvement>> {
-    let goals = STATISTICS.iter().map(|text| Goal::read(text, None));
-    let goals = goals.collect::<Result<Vec<_>>>()?;
-    let as_set_up = values(setup, &goals, &best.search, stop)?;
-    let at_best = values(&best.setup, &goals, &best.search, stop)?;
+    let [as_set_up, at_best] = found;
+    let (as_set_up, at_best) = (as_set_up?, at_best?);
     let value = |values: &Option<Vec<f64>>, k: usize| Some(values.as_ref()?[k]);
     let goals = goals.into_iter().enumerate();
     let improvement = |(k, goal): (usize, Goal)| Improvement {

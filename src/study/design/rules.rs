@@ -36,13 +36,6 @@ pub enum LimitedQuantity {
     Relation(&'static str, Quantity),
 }
 
-/// Rules are statics: equality is identity.
-impl PartialEq for GolfRule {
-    fn eq(&self, other: &Self) -> bool {
-        std::ptr::eq(self, other)
-    }
-}
-
 /// The rules (R&A and USGA, Equipment Rules).
 pub static RULES: [GolfRule; 5] = [
     GolfRule {
