@@ -248,7 +248,8 @@ pub fn optimum(setup: &Setup<f64>, search: Search, observer: Observer) -> Result
     let study = Study::new(setup, search, &observer.interrupt)?;
     let mut best = study.minimized(&study.problem.start(), observer)?;
     let sample = study.improved(&mut best, Observer::default)?;
-    study.found(best, sample)
+    let goals = study.goals(&best);
+    study.optimum(best, goals, sample)
 }
 
 /// Finds the local optimum of a search from the setup's own values.
@@ -262,7 +263,8 @@ pub(super) fn local_optimum(
 ) -> Result<Optimum> {
     let study = Study::new(setup, search, &observer.interrupt)?;
     let end = study.minimized(&study.problem.start(), observer)?;
-    study.found(end, None)
+    let goals = study.goals(&end);
+    study.optimum(end, goals, None)
 }
 
 /// Searches in parallel from the setup's own values and from starts spread evenly over the ranges.
@@ -387,11 +389,6 @@ impl Study {
             self.minimized(start, observer)
         };
         compare_with_sample(&self.problem, end, again)
-    }
-
-    fn found(self, solution: Solution, sample: Option<Sample>) -> Result<Optimum> {
-        let goals = self.goals(&solution);
-        self.optimum(solution, goals, sample)
     }
 
     fn all(

@@ -32,6 +32,7 @@ fn differences_certify_every_goal_and_their_weighted_sum() {
             (260.0, 3.6),
             (450.0, 4.6),
         ],
+        "m",
         false,
     )
     .unwrap();

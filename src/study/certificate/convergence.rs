@@ -258,7 +258,10 @@ impl<'a> StepComparison<'a> {
         };
         let measured = measure_with(0);
         let falls_short = measured.map(|measured| measured.is_some_and(|it| it.falls_short));
-        let largest_of = |which: usize| samples.iter().map(|pair| pair[which].largest()).collect();
+        let largest_of = |which: usize| {
+            let errors = samples.iter().map(|pair| &pair[which].errors);
+            errors.map(largest_magnitude).collect()
+        };
         Convergence {
             of,
             steps: samples.iter().map(|pair| pair[0].step).collect(),

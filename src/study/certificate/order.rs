@@ -39,13 +39,6 @@ pub(super) struct Errors {
     pub errors: Vec<f64>,
 }
 
-impl Errors {
-    /// Largest absolute error.
-    pub fn largest(&self) -> f64 {
-        largest_magnitude(&self.errors)
-    }
-}
-
 /// A measured order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct MeasuredOrder {
@@ -104,7 +97,7 @@ fn levels_above_rounding(samples: &[Errors], power: i32, floor: f64) -> Option<V
     let level = |level: usize| {
         let first = of_level(level).next()?.step;
         let largest = of_level(level)
-            .map(|it| it.largest() * (first / it.step).powi(power))
+            .map(|it| largest_magnitude(&it.errors) * (first / it.step).powi(power))
             .fold(0.0, f64::max);
         (largest > floor).then_some((first, largest))
     };

@@ -9,6 +9,9 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
+/// A direction is identified if a shot's information about it exceeds this multiple of the prior's
+/// information: the shot then removes more than half of the prior variance along the direction.
+const IDENTIFIED: f64 = 1.0;
 /// Maximum number of iterations.
 const ITERATIONS: usize = 100;
 /// Stopping tolerance of mean and covariance, in prior standard uncertainties.
@@ -59,6 +62,10 @@ pub(super) struct SwingInformation {
     /// Mean of Λ over the shots, with instrument errors only: without the nonlinearity of the
     /// impact.
     pub(super) information: DMatrix<f64>,
+    /// Orthonormal basis of the identified directions of parameter space, in columns.
+    pub(super) identified: DMatrix<f64>,
+    /// Projector on the unidentified directions.
+    pub(super) unidentified: DMatrix<f64>,
     /// For each shot and each of its outcomes: the index of the outcome, and measured − computed at
     /// the mean swing, SI.
     pub(super) differences: Vec<Vec<(usize, f64)>>,
@@ -83,12 +90,24 @@ impl SwingInformation {
         let mut all = Self {
             groups: vec![],
             information: DMatrix::zeros(n, n),
+            identified: DMatrix::zeros(n, 0),
+            unidentified: DMatrix::zeros(n, n),
             differences: vec![],
             count,
         };
         for shot in shots {
             all.add(shot, of, unknowns, &at, launches)?;
         }
+        let eigen = all.information.clone().symmetric_eigen();
+        let basis = |is_identified: bool| {
+            let columns: Vec<_> = (0..n)
+                .filter(|&k| (eigen.eigenvalues[k] > IDENTIFIED) == is_identified)
+                .collect();
+            DMatrix::from_fn(n, columns.len(), |i, k| eigen.eigenvectors[(i, columns[k])])
+        };
+        all.identified = basis(true);
+        let unidentified = basis(false);
+        all.unidentified = &unidentified * unidentified.transpose();
         Ok(all)
     }
 
@@ -160,17 +179,17 @@ impl SwingInformation {
         self.groups.iter().fold(DMatrix::zeros(n, n), weighted)
     }
 
-    /// Maximum-likelihood mean and covariance of the swings along the directions `along`
-    /// (orthonormal columns), iterated from `initial_covariance`. In the other directions they stay
+    /// Maximum-likelihood mean and covariance of the swings along the identified directions,
+    /// iterated from `initial_covariance`. In the other directions they stay
     /// `fixed_mean` and `fixed_covariance`. Means are relative to the mean swing of the
     /// linearization.
     pub(super) fn maximize_likelihood(
         &self,
-        along: &DMatrix<f64>,
         fixed_covariance: &DMatrix<f64>,
         fixed_mean: &DVector<f64>,
         initial_covariance: DMatrix<f64>,
     ) -> (DVector<f64>, DMatrix<f64>) {
+        let along = &self.identified;
         let ((n, size), back) = (along.shape(), along.transpose());
         let (mut mean, mut spread) = (DVector::zeros(size), initial_covariance);
         for _ in 0..ITERATIONS {

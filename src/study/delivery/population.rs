@@ -84,9 +84,6 @@ pub struct MeanAndDeviation {
 
 /// Minimum number of shots for a distribution.
 pub const LEAST_SHOTS: usize = 10;
-/// A direction is identified if a shot's information about it exceeds this multiple of the prior's
-/// information: the shot then removes more than half of the prior variance along the direction.
-const IDENTIFIED: f64 = 1.0;
 /// Factors by which the prior deviation is multiplied along unidentified directions, in the order
 /// of the trials.
 const PRIOR_FACTORS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
@@ -171,32 +168,6 @@ impl Population {
     }
 }
 
-/// Identified and unidentified directions of parameter space.
-struct IdentifiedDirections {
-    /// Orthonormal basis of the identified directions, in columns.
-    identified: DMatrix<f64>,
-    /// Projector on the unidentified directions.
-    unidentified: DMatrix<f64>,
-}
-
-impl IdentifiedDirections {
-    fn new(information: &DMatrix<f64>) -> Self {
-        let n = information.nrows();
-        let eigen = information.clone().symmetric_eigen();
-        let basis = |is_identified: bool| {
-            let columns: Vec<_> = (0..n)
-                .filter(|&k| (eigen.eigenvalues[k] > IDENTIFIED) == is_identified)
-                .collect();
-            DMatrix::from_fn(n, columns.len(), |i, k| eigen.eigenvectors[(i, columns[k])])
-        };
-        let unidentified = basis(false);
-        Self {
-            identified: basis(true),
-            unidentified: &unidentified * unidentified.transpose(),
-        }
-    }
-}
-
 /// The distribution at the end of the iterations, in prior standard uncertainties.
 struct ConvergedDistribution {
     mean: DVector<f64>,
@@ -204,7 +175,6 @@ struct ConvergedDistribution {
     /// Launches linearized about the mean.
     launches: LinearizedLaunches,
     information: SwingInformation,
-    directions: IdentifiedDirections,
     /// Covariance in the basis of the identified directions.
     spread: DMatrix<f64>,
     prior_factor: f64,
@@ -233,20 +203,15 @@ fn iterate(
     loop {
         let launches = LinearizedLaunches::of(setup, &of, unknowns, &mean, &covariance)?;
         let information = SwingInformation::new(shots, &of, unknowns, &mean, &launches)?;
-        let directions = IdentifiedDirections::new(&information.information);
-        let (along, unidentified) = (&directions.identified, &directions.unidentified);
+        let (along, unidentified) = (&information.identified, &information.unidentified);
         let fixed_covariance = unidentified * (prior_factor * prior_factor);
         let fixed_mean = -(unidentified * &mean);
         let initial_covariance = match iteration {
             0 => DMatrix::identity(along.ncols(), along.ncols()),
             _ => along.transpose() * &covariance * along,
         };
-        let (centre, spread) = information.maximize_likelihood(
-            along,
-            &fixed_covariance,
-            &fixed_mean,
-            initial_covariance,
-        );
+        let (centre, spread) =
+            information.maximize_likelihood(&fixed_covariance, &fixed_mean, initial_covariance);
         let found = along * &spread * along.transpose();
         let next = (
             &mean + along * centre + fixed_mean,
@@ -264,7 +229,6 @@ fn iterate(
             covariance,
             launches,
             information,
-            directions,
             spread,
             prior_factor,
             is_converged,
@@ -281,7 +245,7 @@ impl ConvergedDistribution {
         unknowns: &[Unknown],
     ) -> Result<Population> {
         let n = unknowns.len();
-        let (covariance, unidentified) = (&self.covariance, &self.directions.unidentified);
+        let (covariance, unidentified) = (&self.covariance, &self.information.unidentified);
         let (count, sampling) = (shots.len() as f64, self.sampling_variances()?);
         let posterior = DMatrix::identity(n, n) + &self.information.information;
         let left = positive_definite(posterior)?.inverse();
@@ -327,7 +291,7 @@ impl ConvergedDistribution {
     /// Variance of each parameter's estimate from shot to shot, along the identified directions. It
     /// includes the launch monitor's errors.
     fn sampling_variances(&self) -> Result<DVector<f64>> {
-        let along = &self.directions.identified;
+        let along = &self.information.identified;
         let information = along.transpose() * self.information.mean_information() * along;
         let of_instruments = positive_definite(information)?.inverse();
         Ok((along * (&self.spread + of_instruments) * along.transpose()).diagonal())

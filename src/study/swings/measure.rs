@@ -96,7 +96,7 @@ impl Measure {
                     .zip(columns[1])
                     .map(|(downrange, right)| (hole - downrange).hypot(*right));
                 left.zip(weights)
-                    .map(|(left, weight)| weight * strokes.value(left))
+                    .map(|(left, weight)| weight * strokes.at(left)[0])
                     .sum()
             }
             Self::Parameter(_) | Self::One => 0.0,

@@ -322,12 +322,18 @@ pub fn robust(
         .map(|end| end.starts.len())
         .sum();
     let solution = least_loss(ends)?;
+    // the first constraint of each model limits its loss
+    let of_losses = solution
+        .constraints
+        .iter()
+        .step_by(1 + search.subject_to.len());
+    let loss_multipliers = of_losses.map(|at| at.multiplier.max(0.0)).collect();
     let design = solution.x[..search.vary.len()].to_vec();
     let goals = losses.goals(&design)?;
     Ok(Robust {
         setup: losses.problems[0].setup_at(&design)?,
         losses: losses.losses(&goals),
-        loss_multipliers: loss_multipliers(&solution, search.subject_to.len()),
+        loss_multipliers,
         models,
         matrix,
         solution,
@@ -365,13 +371,6 @@ fn best_of_each(
         Ok((model, best))
     };
     models.into_iter().map(best).collect()
-}
-
-/// The multiplier of each model's loss. The first of the 1 + `limits` constraints of a model limits
-/// its loss.
-fn loss_multipliers(solution: &Solution, limits: usize) -> Vec<f64> {
-    let losses = solution.constraints.iter().step_by(1 + limits);
-    losses.map(|at| at.multiplier.max(0.0)).collect()
 }
 
 /// The solution of the best of `ends`, which is the first.

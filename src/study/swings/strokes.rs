@@ -25,17 +25,13 @@ pub struct Strokes {
 
 impl Strokes {
     /// A table of distances (m, ascending) with the expected strokes from each distance. The ball's
-    /// final position is its position at rest if `runs`, otherwise the landing point.
+    /// final position is its position at rest if `runs`, otherwise the landing point. Errors show
+    /// distances in `unit`.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for fewer than two rows, distances that are not ascending, or negative
     /// numbers.
-    pub fn new(rows: &[(f64, f64)], runs: bool) -> Result<Self> {
-        Self::of_rows(rows, "m", runs)
-    }
-
-    /// Like [`new`](Self::new); errors show distances in `unit`.
-    fn of_rows(rows: &[(f64, f64)], unit: &str, runs: bool) -> Result<Self> {
+    pub fn new(rows: &[(f64, f64)], unit: &str, runs: bool) -> Result<Self> {
         let refuse = |source: String| Err(Error::unreadable("the table of strokes", source));
         if rows.len() < 2 {
             return refuse(format!("it has {} rows; it needs at least 2", rows.len()));
@@ -109,20 +105,15 @@ impl Strokes {
             let distance = number(columns.distance)? * columns.unit_size;
             rows.push((distance, number(columns.strokes)?));
         }
-        Self::of_rows(&rows, &columns.unit, runs)
+        Self::new(&rows, &columns.unit, runs)
     }
 
     pub(in crate::study) fn reaches(&self, distance: f64) -> bool {
         self.distance[0] <= distance && distance <= self.distance[self.distance.len() - 1]
     }
 
-    /// Expected strokes from a distance.
-    pub(super) fn value(&self, distance: f64) -> f64 {
-        self.at(distance)[0]
-    }
-
-    /// Value and two derivatives at a distance.
-    fn at(&self, x: f64) -> [f64; 3] {
+    /// Expected strokes from a distance, with two derivatives.
+    pub(super) fn at(&self, x: f64) -> [f64; 3] {
         let n = self.distance.len();
         let i = self.distance.partition_point(|d| *d <= x).clamp(1, n - 1) - 1;
         let (low, high) = (self.distance[i], self.distance[i + 1]);
@@ -274,6 +265,7 @@ mod tests {
                 (300.0, 3.71),
                 (450.0, 4.4),
             ],
+            "m",
             false,
         )
         .unwrap()

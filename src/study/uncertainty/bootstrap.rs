@@ -21,12 +21,6 @@ impl Interval {
     pub fn contains(&self, value: f64) -> bool {
         (self.low..=self.high).contains(&value)
     }
-
-    /// Estimate and ends times a positive factor.
-    pub(super) fn scaled(self, factor: f64) -> Self {
-        let [value, low, high] = [self.value, self.low, self.high].map(|end| factor * end);
-        Self { value, low, high }
-    }
 }
 
 /// Indices of the rows of a resample: as many as `rows`, drawn with replacement.

@@ -359,9 +359,13 @@ impl SampledDrives<'_> {
             } = self.inputs[k];
             let indices = sampled.and_then(|sampled| sampled.indices[k]);
             let mean_square = mean(squares[k].iter().copied());
-            let bound = ratio
-                .map(|ratio| ratio.scaled(distribution.poincare()))
-                .filter(|bound| mean_square.is_finite() && bound.high.is_finite());
+            let poincare = distribution.poincare();
+            let bound = ratio.map(|ratio| Interval {
+                value: poincare * ratio.value,
+                low: poincare * ratio.low,
+                high: poincare * ratio.high,
+            });
+            let bound = bound.filter(|bound| mean_square.is_finite() && bound.high.is_finite());
             Contribution {
                 parameter,
                 first: indices.map(|indices| indices.first),

@@ -172,7 +172,9 @@ impl SaltelliDesign {
         estimate: impl Fn(&[usize]) -> Vec<f64> + Sync,
     ) -> Vec<Interval> {
         let resample = |stream: u64| {
-            let mut random = self.random(stream);
+            // independent of the thread
+            let seed = self.seed ^ (stream + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            let mut random = Xoshiro256PlusPlus::seed_from_u64(seed);
             estimate(&resampled_rows(&mut random, rows))
         };
         let drawn: Vec<Vec<f64>> = (0..RESAMPLES as u64)
@@ -238,13 +240,6 @@ impl SaltelliDesign {
             exist.then_some(Indices { first, total })
         };
         indices.chunks_exact(2).map(both).collect()
-    }
-
-    /// Random numbers of resample `stream`. They do not depend on the thread.
-    fn random(&self, stream: u64) -> Xoshiro256PlusPlus {
-        Xoshiro256PlusPlus::seed_from_u64(
-            self.seed ^ (stream + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15),
-        )
     }
 }
 

@@ -1,8 +1,8 @@
 use super::compared::Compared;
 use crate::error::{Error, Result};
-use crate::json::JsonNumber;
+use crate::json::numbers_by_name;
 use crate::units::Quantity;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
 /// Published drives with sources. Column heads contain units; an empty cell means not stated.
 const CASES: &str = include_str!("cases.csv");
@@ -42,30 +42,20 @@ pub struct Case {
     pub density: Option<f64>,
     /// The published quantities, SI.
     // in the order of [`Compared::ALL`]
-    #[serde(serialize_with = "by_quantity")]
+    #[serde(serialize_with = "numbers_by_name")]
     #[cfg_attr(
         test,
-        schemars(with = "std::collections::BTreeMap<Compared, JsonNumber>")
+        schemars(with = "std::collections::BTreeMap<Compared, crate::json::JsonNumber>")
     )]
-    published: [Option<f64>; Compared::ALL.len()],
-}
-
-fn by_quantity<S: Serializer>(
-    published: &[Option<f64>],
-    serializer: S,
-) -> std::result::Result<S::Ok, S::Error> {
-    let values = Compared::ALL.iter().zip(published);
-    let known = values.filter_map(|(of, value)| Some((of.name(), JsonNumber::from((*value)?))));
-    serializer.collect_map(known)
+    published: Vec<(Compared, f64)>,
 }
 
 impl Case {
     /// Published value of a quantity, SI; `None` if it was not published.
     pub fn published(&self, of: Compared) -> Option<f64> {
-        Compared::ALL
-            .iter()
-            .zip(self.published)
-            .find_map(|(known, value)| value.filter(|_| *known == of))
+        let mut published = self.published.iter();
+        let (_, value) = published.find(|(known, _)| *known == of)?;
+        Some(*value)
     }
 }
 
@@ -105,9 +95,10 @@ pub(super) fn cases(set: &str) -> Result<Vec<Case>> {
                 .map(Some)
                 .map_err(|error| unreadable(error.into()))
         };
-        let mut published = [None; Compared::ALL.len()];
-        for (of, value) in Compared::ALL.into_iter().zip(&mut published) {
-            *value = number(of.name(), of.unit().quantity)?;
+        let mut published = vec![];
+        for of in Compared::ALL {
+            let value = number(of.name(), of.unit().quantity)?;
+            published.extend(value.map(|value| (of, value)));
         }
         cases.push(Case {
             name: words("case").unwrap_or_default(),

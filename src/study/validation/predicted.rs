@@ -31,7 +31,7 @@ pub(super) fn predicted(
     (setup.method, setup.flight.step) = (Method::DormandPrince8, 0.1);
     let setup = in_air_of(case, setup, temperature);
     let found = match set.computation {
-        Computation::Launch => flown(&setup, case).map_or(vec![], |drive| {
+        Computation::Launch => Drive::new(&launched(setup, case)).map_or(vec![], |drive| {
             let of = [
                 (Compared::Carry, Outcome::CarryDistance),
                 (Compared::Apex, Outcome::ApexHeight),
@@ -40,15 +40,18 @@ pub(super) fn predicted(
             quantities_of(&drive, of)
         }),
         Computation::Altitude | Computation::AltitudeAlone => base.map_or(vec![], |base| {
-            let launched = if set.computation == Computation::Altitude {
+            let from = if set.computation == Computation::Altitude {
                 case
             } else {
                 base
             };
             let below = in_air_of(base, setup, temperature);
-            let carry = |setup, case| Outcome::CarryDistance.value(&flown(setup, case)?);
-            let gain = carry(&setup, launched)
-                .zip(carry(&below, base))
+            let carry = |setup, case| {
+                let drive = Drive::new(&launched(setup, case)).ok()?;
+                Outcome::CarryDistance.value(&drive)
+            };
+            let gain = carry(setup, from)
+                .zip(carry(below, base))
                 .map(|(there, here)| there - here);
             gain.map(|gain| (Compared::Gain, gain))
                 .into_iter()
@@ -71,11 +74,7 @@ fn in_air_of(case: &Case, mut setup: Setup<f64>, temperature: Option<f64>) -> Se
     setup
 }
 
-/// The drive from the published launch.
-fn flown(setup: &Setup<f64>, case: &Case) -> Option<Drive<f64>> {
-    Drive::new(&launched(*setup, case)).ok()
-}
-
+/// The setup with the published launch.
 fn launched(mut setup: Setup<f64>, case: &Case) -> Setup<f64> {
     (
         setup.launch.ball_speed,
