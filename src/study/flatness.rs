@@ -207,9 +207,19 @@ impl<'a> LossAround<'a> {
     }
 
     fn windows(&self) -> Result<Vec<Window>> {
-        (0..self.best.search.vary.len())
-            .map(|i| self.window(i))
-            .collect()
+        let bounds = &self.domain.variables;
+        let mut windows = vec![];
+        for i in 0..self.best.search.vary.len() {
+            let (low, low_limit) = self.end(i, bounds.low[i])?;
+            let (high, high_limit) = self.end(i, bounds.high[i])?;
+            windows.push(Window {
+                low,
+                high,
+                low_limit,
+                high_limit,
+            });
+        }
+        Ok(windows)
     }
 
     /// The loss at a point, or the index of a constraint that the point violates; `None` for a
@@ -240,18 +250,6 @@ impl<'a> LossAround<'a> {
         let mut x = self.best.solution.x.clone();
         x[i] = to;
         x
-    }
-
-    fn window(&self, i: usize) -> Result<Window> {
-        let bounds = &self.domain.variables;
-        let (low, low_limit) = self.end(i, bounds.low[i])?;
-        let (high, high_limit) = self.end(i, bounds.high[i])?;
-        Ok(Window {
-            low,
-            high,
-            low_limit,
-            high_limit,
-        })
     }
 
     /// The end of the window of variable i towards a bound.

@@ -12,9 +12,7 @@ use serde::Serialize;
 /// Sensitivity of an optimum to a parameter that the search does not vary.
 #[derive(Clone, Debug)]
 pub struct Sensitivity {
-    /// The parameter, p.
-    pub parameter: &'static Parameter,
-    /// d f*/dp: derivative of the optimal value f*, SI.
+    /// d f*/dp: derivative of the optimal value f* by the parameter p, SI.
     pub value: f64,
     /// d² f*/dp², SI.
     pub curvature: f64,
@@ -36,7 +34,6 @@ pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sens
     let sign = best.search.sense.sign();
     let (value, curvature) = (sign * response.value, sign * response.curvature);
     Ok(Sensitivity {
-        parameter,
         value,
         curvature,
         optimum: response.x,

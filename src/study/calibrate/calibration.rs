@@ -97,7 +97,4 @@ pub struct Calibration {
     pub statistics: FitStatistics,
     /// The residuals, in the order of the rows.
     pub residuals: Vec<FitResidual>,
-    /// Number of times that the curvatures of carry in the stationary parameters were computed
-    /// anew.
-    pub renewals: usize,
 }

@@ -233,7 +233,6 @@ pub fn calibrate(
         estimates: estimates(&problem.fitted, &fit.x, &ranges, &statistics),
         residuals: residuals(&table.shots, &fit.rows.residuals),
         statistics,
-        renewals: searches.renewals,
         fit,
     };
     verdict::set_status_of_data(&mut found, loss, origin);
@@ -283,8 +282,6 @@ struct RepeatedSearches {
     fits: Vec<Fit>,
     /// True if the curvatures no longer change.
     is_settled: bool,
-    /// Number of times the curvatures were renewed.
-    renewals: usize,
 }
 
 impl RepeatedSearches {
@@ -313,11 +310,7 @@ impl RepeatedSearches {
                 // parameter
                 Err(_) if observer.is_interrupted() => {
                     let is_settled = problem.shots.iter().all(|shot| shot.stationary.is_empty());
-                    return Ok(Self {
-                        fits,
-                        is_settled,
-                        renewals,
-                    });
+                    return Ok(Self { fits, is_settled });
                 }
                 renewed => renewed?,
             };
@@ -327,11 +320,7 @@ impl RepeatedSearches {
                 .zip(problem.curvatures.iter().flatten())
                 .all(|(new, old)| (new / old - 1.0).abs() <= SAME);
             if is_settled || renewals == RENEWALS || observer.is_interrupted() {
-                return Ok(Self {
-                    fits,
-                    is_settled,
-                    renewals,
-                });
+                return Ok(Self { fits, is_settled });
             }
             renewals += 1;
             from = if renewals == 1 {

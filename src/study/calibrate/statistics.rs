@@ -132,15 +132,6 @@ impl ScaledColumns {
         self.values[k] <= SINGULAR * self.values.iter().copied().fold(0.0, f64::max)
     }
 
-    /// The change of each parameter along direction `k`, SI.
-    fn parts(&self, k: usize) -> Vec<(usize, f64)> {
-        let is_part = |i: &usize| self.directions[(k, *i)].abs() > PART;
-        let parts = (0..self.at.len()).filter(is_part);
-        parts
-            .map(|i| (self.at[i], self.directions[(k, i)] / self.lengths[i]))
-            .collect()
-    }
-
     /// Returns direction `k` if the data do not determine it, for one of three reasons:
     ///
     /// - its singular value is 0;
@@ -153,7 +144,10 @@ impl ScaledColumns {
         scale: Option<f64>,
         fitted: &[FitRange],
     ) -> Option<Undetermined> {
-        let parts = self.parts(k);
+        let is_part = |i: &usize| self.directions[(k, *i)].abs() > PART;
+        // the change of each parameter, SI
+        let change = |i: usize| (self.at[i], self.directions[(k, i)] / self.lengths[i]);
+        let parts = (0..self.at.len()).filter(is_part).map(change).collect();
         if self.is_singular(k) {
             return Some(Undetermined {
                 parts,
@@ -170,9 +164,8 @@ impl ScaledColumns {
             let along = scale * along(k) / self.lengths[i];
             along > width || is_largest && scale * self.covariance(i, i).sqrt() > width
         };
-        let is_part = |i: usize| parts.iter().any(|(at, _)| *at == self.at[i]);
         (0..self.at.len())
-            .any(|i| is_part(i) && is_beyond(i))
+            .any(|i| is_part(&i) && is_beyond(i))
             .then_some(Undetermined {
                 parts,
                 standard_error: Some(error),

@@ -87,9 +87,6 @@ pub struct Delivered {
     pub measured: Vec<&'static Parameter>,
     /// The measured outcomes with their computed values.
     pub explained: Vec<Explained>,
-    /// Derivatives of the measured outcomes by the unknowns, divided by the outcome's standard
-    /// uncertainty, at the solution.
-    pub jacobian: Vec<Vec<f64>>,
     /// Directions that the launch does not identify, the least identified first.
     pub unidentified: Vec<Unidentified>,
 }

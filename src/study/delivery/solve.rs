@@ -74,7 +74,6 @@ pub fn delivery(
         posteriors,
         measured: vec![],
         explained: explained.collect(),
-        jacobian: found.rows.jacobian[..measured.len()].to_vec(),
         unidentified: unidentified(&jacobian, &free_parameters),
     })
 }

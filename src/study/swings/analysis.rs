@@ -1,6 +1,6 @@
 use super::golfer::Swings;
 use super::measure::Measure;
-use super::scenarios::Scenarios;
+use super::scenarios::{Rule, Scenarios};
 use crate::error::{Error, Result};
 use crate::optimize::{Observer, Status, minimize_observed};
 use crate::parameters::Setup;
@@ -154,8 +154,10 @@ fn goal_errors(
     let search = &problem.search;
     let of: Vec<&Goal> = search.goals().collect();
     let has_smooth_goal = !of.iter().all(|goal| goal.has_edge());
-    let finer = match search.scenarios.rule.finer() {
-        Some(rule) if has_smooth_goal => {
+    let finer = match search.scenarios.rule {
+        Rule::Quadrature(nodes) if has_smooth_goal => {
+            // half as many nodes more, at least one more
+            let rule = Rule::Quadrature(nodes + (nodes / 2).max(1));
             let scenarios = Scenarios::new(swings, rule);
             let problem = scenarios.and_then(|finer| {
                 SearchProblem::new(

@@ -142,10 +142,9 @@ impl Measure {
             Self::Highest(of, share) => lowest(-1.0, of, *share).negated(),
             Self::Within(of, half) => sum(&|f| within(f, *half, one(of))),
             Self::Strokes(strokes, hole) => {
-                let of_order = |f: &Taylor| with_hessian(f, is_second);
                 let strokes = drives
                     .iter()
-                    .map(|end| strokes.from(&of_order(end[0]), &of_order(end[1]), *hole));
+                    .map(|end| strokes.from(end[0], end[1], *hole, is_second));
                 let strokes: Vec<_> = strokes.zip(weights).collect();
                 Taylor::sum(strokes.iter().map(|(strokes, weight)| (strokes, **weight)))
             }
@@ -216,16 +215,6 @@ fn deviation(drives: &[(&Taylor, f64)], least: f64, is_second: bool) -> Taylor {
         (*f, [w * off * off, 2.0 * w * off, 2.0 * w])
     });
     root(&summed(squares, &mean.gradient, is_second), least)
-}
-
-/// `f`; if `is_second` and `f` has no Hessian, with a Hessian of 0.
-fn with_hessian(f: &Taylor, is_second: bool) -> Taylor {
-    let n = f.gradient.len();
-    let mut of_order = f.clone();
-    if is_second && of_order.hessian.is_empty() {
-        of_order.hessian = vec![vec![0.0; n]; n];
-    }
-    of_order
 }
 
 /// √(f + `least`²).

@@ -136,14 +136,6 @@ impl Rule {
         );
         Err(Error::unreadable("the rule of the scenarios", source))
     }
-
-    /// Gauss's rule with half as many nodes more, at least one more; `None` for any other rule.
-    pub(super) fn finer(self) -> Option<Self> {
-        match self {
-            Self::Quadrature(nodes) => Some(Self::Quadrature(nodes + (nodes / 2).max(1))),
-            _ => None,
-        }
-    }
 }
 
 impl Scenarios {

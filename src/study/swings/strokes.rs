@@ -131,8 +131,15 @@ impl Strokes {
         [value + first * (x - inside), first, second]
     }
 
-    /// Expected strokes from the final position of a drive, on a straight hole of length `hole`.
-    pub(super) fn from(&self, downrange: &Taylor, right: &Taylor, hole: f64) -> Taylor {
+    /// Expected strokes from the final position of a drive, on a straight hole of length `hole`; with
+    /// a Hessian if `is_second`. A missing Hessian of the position counts as 0.
+    pub(super) fn from(
+        &self,
+        downrange: &Taylor,
+        right: &Taylor,
+        hole: f64,
+        is_second: bool,
+    ) -> Taylor {
         /// Smallest distance, m: it keeps the distance differentiable at the hole.
         const LEAST: f64 = 0.1;
         let (x, y) = (hole - downrange.value, right.value);
@@ -145,15 +152,17 @@ impl Strokes {
             (1.0 - by_y * by_y) / left,
         ];
         let (f, g) = (downrange, right);
+        let second = |of: &Taylor, i: usize, j: usize| of.hessian.get(i).map_or(0.0, |row| row[j]);
+        let n = if is_second { f.gradient.len() } else { 0 };
         let row = |i: usize| {
             let entry = |j: usize| {
-                by_x * f.hessian[i][j]
-                    + by_y * g.hessian[i][j]
+                by_x * second(f, i, j)
+                    + by_y * second(g, i, j)
                     + xx * f.gradient[i] * f.gradient[j]
                     + xy * (f.gradient[i] * g.gradient[j] + g.gradient[i] * f.gradient[j])
                     + yy * g.gradient[i] * g.gradient[j]
             };
-            (0..f.hessian.len()).map(entry).collect()
+            (0..n).map(entry).collect()
         };
         let distance = Taylor {
             value: left,
@@ -163,7 +172,7 @@ impl Strokes {
                 .zip(&g.gradient)
                 .map(|(f, g)| by_x * f + by_y * g)
                 .collect(),
-            hessian: (0..f.hessian.len()).map(row).collect(),
+            hessian: (0..n).map(row).collect(),
         };
         distance.chained(self.at(left))
     }
@@ -302,7 +311,7 @@ mod tests {
                 gradient: vec![2.0 * x[0], 8.0],
                 hessian: vec![vec![2.0, 0.0], vec![0.0, 0.0]],
             };
-            strokes.from(&f, &g, 400.0)
+            strokes.from(&f, &g, 400.0, true)
         };
         let here = at([0.3, -0.7]);
         let h = 1e-4;
