@@ -188,32 +188,3 @@ impl Summary {
         self.status_counts.total()
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{Histogram, Ranking, SummarySpec};
-    use crate::batch::Batch;
-    use crate::drive::Outcome;
-    use crate::parameters::Setup;
-
-    #[test]
-    fn histograms_and_rankings_with_values_are_refused() {
-        let setup = Setup::default();
-        let speed = setup.variable("swing.speed").unwrap();
-        let batch = Batch::new(&setup, &[speed], &[Outcome::Carry], &[]).unwrap();
-        let refused = |histogram: &Histogram, ranking: &Ranking| {
-            SummarySpec::new(&batch, vec![histogram.clone()], vec![ranking.clone()])
-                .err()
-                .map(|error| error.to_string())
-        };
-        let mut histogram = Histogram::read("carry=200m..300m:4").unwrap();
-        let mut ranking = Ranking::read("carry:2", true).unwrap();
-        assert_eq!(refused(&histogram, &ranking), None);
-        ranking.add(0, 250.0, [("swing.speed", 50.0)]);
-        let message = refused(&histogram, &ranking).unwrap();
-        assert!(message.contains("the rows of carry"), "{message}");
-        histogram.add(250.0);
-        let message = refused(&histogram, &ranking).unwrap();
-        assert!(message.contains("the histogram of carry"), "{message}");
-    }
-}

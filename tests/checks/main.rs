@@ -32,6 +32,7 @@ mod exploring;
 mod exploring_served;
 mod fast_paths;
 mod fifteen_equations;
+mod fit_statistics;
 mod flight;
 mod ground;
 mod head;

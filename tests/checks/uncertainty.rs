@@ -3,10 +3,13 @@
 use crate::command_line::WHOLE;
 use crate::common::{LARGE_STEPS, close, panic_of};
 use longdrive::batch::Status;
+use longdrive::derivative::Taylor;
 use longdrive::report::{Reply, Report, UncertaintyReport};
 use longdrive::study::swings::{Rule, Scenarios, Swings};
+use longdrive::study::uncertainty::Distribution::{Normal, Triangular, Uniform};
 use longdrive::study::uncertainty::{
-    Distribution, SaltelliDesign, SamplePlan, Statistics, Uncertain, delta_method, uncertainty,
+    Distribution, LandingEllipse, SaltelliDesign, SamplePlan, Statistics, Uncertain, delta_method,
+    uncertainty,
 };
 use longdrive::study::{Landing, Sigma, effects, with_defaults};
 use longdrive::{Drive, Error, Outcome, Setup, derivative};
@@ -1175,4 +1178,108 @@ fn statistics_of_other_lengths_panic_with_both_and_leave_no_nan() {
         "{output}"
     );
     assert!(panic_of(|| inputs[0].quantile(2.0)).contains("it is 2"));
+}
+
+#[test]
+fn exact_moments_of_a_linear_function_of_any_distributions() {
+    // 3 x − 2 y + z: variances 9·4 + 4·6²/12 + 3²/18
+    let inputs = [
+        Normal {
+            mean: 1.0,
+            deviation: 2.0,
+        },
+        Uniform {
+            low: -3.0,
+            high: 3.0,
+        },
+        Triangular {
+            low: 0.0,
+            mode: 0.0,
+            high: 3.0,
+        },
+    ];
+    let value = 3.0 * 1.0 - 0.0 + 1.0;
+    let hessian = vec![vec![0.0; 3]; 3];
+    let (first, second) = delta_method(
+        &Taylor {
+            value,
+            gradient: vec![3.0, -2.0, 1.0],
+            hessian,
+        },
+        &inputs,
+    );
+    assert!((first.mean - 4.0).abs() < 1e-15);
+    assert!((first.deviation - (36.0_f64 + 12.0 + 0.5).sqrt()).abs() < 1e-15);
+    assert_eq!(second, Some(first));
+}
+
+#[test]
+fn exact_moments_of_squares_and_products() {
+    // x², x normal (0, 1): mean 1, variance 2; x y: mean 0, variance 1
+    let normal = Normal {
+        mean: 0.0,
+        deviation: 1.0,
+    };
+    let square = Taylor {
+        value: 0.0,
+        gradient: vec![0.0],
+        hessian: vec![vec![2.0]],
+    };
+    let second = delta_method(&square, &[normal]).1.unwrap();
+    assert!((second.mean - 1.0).abs() < 1e-15 && (second.deviation - 2.0_f64.sqrt()).abs() < 1e-15);
+    let product = Taylor {
+        value: 0.0,
+        gradient: vec![0.0; 2],
+        hessian: vec![vec![0.0, 1.0], vec![1.0, 0.0]],
+    };
+    let second = delta_method(&product, &[normal, normal]).1.unwrap();
+    assert_eq!((second.mean, second.deviation), (0.0, 1.0));
+    // (x + 1)² for x uniform on [0, 1], expanded about ½: mean 7/3, variance ∫(x+1)⁴ − (7/3)² =
+    // 31/5 − 49/9
+    let uniform = Uniform {
+        low: 0.0,
+        high: 1.0,
+    };
+    let shifted = Taylor {
+        value: 2.25,
+        gradient: vec![3.0],
+        hessian: vec![vec![2.0]],
+    };
+    let second = delta_method(&shifted, &[uniform]).1.unwrap();
+    assert!((second.mean - 7.0 / 3.0).abs() < 1e-15);
+    assert!((second.deviation.powi(2) - (31.0 / 5.0 - 49.0 / 9.0)).abs() < 1e-14);
+    // x² of a skew triangle on [0, 1] with its mode at 0, density 2 (1 − x): E x² = 1/6, E x⁴ =
+    // 1/15
+    let triangle = Triangular {
+        low: 0.0,
+        mode: 0.0,
+        high: 1.0,
+    };
+    let square = Taylor {
+        value: 1.0 / 9.0,
+        gradient: vec![2.0 / 3.0],
+        hessian: vec![vec![2.0]],
+    };
+    let second = delta_method(&square, &[triangle]).1.unwrap();
+    assert!((second.mean - 1.0 / 6.0).abs() < 1e-15);
+    assert!((second.deviation.powi(2) - (1.0 / 15.0 - 1.0 / 36.0)).abs() < 1e-15);
+}
+
+#[test]
+fn exact_points_in_a_flat_ellipse_and_in_a_point() {
+    let flat = LandingEllipse::new(0.95, [0.0, 200.0], [[0.0, 0.0], [0.0, 4.0]]);
+    // 95 % of a normal distribution lie within 1.960 standard deviations; the standard
+    // deviation here is 2
+    assert!(flat.contains([0.0, 203.919]) && !flat.contains([0.0, 203.921]));
+    // 95 % of a bivariate normal distribution lie within √(−2 ln 0.05) = 2.448 standard
+    // deviations
+    let round = LandingEllipse::new(0.95, [0.0, 200.0], [[4.0, 0.0], [0.0, 4.0]]);
+    assert!(round.contains([0.0, 204.89]) && !round.contains([0.0, 204.91]));
+    assert!(!flat.contains([0.1, 200.0]));
+    let point = LandingEllipse::new(0.95, [3.0, 200.0], [[0.0; 2]; 2]);
+    assert!(
+        point.contains([3.0, 200.0])
+            && !point.contains([3.0, 201.0])
+            && !point.contains([2.0, 200.0])
+    );
 }

@@ -103,27 +103,3 @@ impl LandingEllipse {
         squares <= 1.0 && left[0].hypot(left[1]) <= rounding
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::LandingEllipse;
-
-    #[test]
-    fn exact_points_in_a_flat_ellipse_and_in_a_point() {
-        let flat = LandingEllipse::new(0.95, [0.0, 200.0], [[0.0, 0.0], [0.0, 4.0]]);
-        // 95 % of a normal distribution lie within 1.960 standard deviations; the standard
-        // deviation here is 2
-        assert!(flat.contains([0.0, 203.919]) && !flat.contains([0.0, 203.921]));
-        // 95 % of a bivariate normal distribution lie within √(−2 ln 0.05) = 2.448 standard
-        // deviations
-        let round = LandingEllipse::new(0.95, [0.0, 200.0], [[4.0, 0.0], [0.0, 4.0]]);
-        assert!(round.contains([0.0, 204.89]) && !round.contains([0.0, 204.91]));
-        assert!(!flat.contains([0.1, 200.0]));
-        let point = LandingEllipse::new(0.95, [3.0, 200.0], [[0.0; 2]; 2]);
-        assert!(
-            point.contains([3.0, 200.0])
-                && !point.contains([3.0, 201.0])
-                && !point.contains([2.0, 200.0])
-        );
-    }
-}
