@@ -132,7 +132,7 @@ impl Dataset {
             part,
             parts: self.definition.parts,
             first_row,
-            rows: file.summary.rows(),
+            rows: file.summary.status_counts.total(),
             question: self.definition.hash(),
             instructions: self.definition.instructions.clone(),
             data: hex(file.hash.clone()),
@@ -162,7 +162,7 @@ impl Dataset {
                 if waiting.len() == self.table.blocks_of_group() {
                     self.write_group(file, &mut waiting, unwritten)?;
                 }
-                progress(file.summary.rows());
+                progress(file.summary.status_counts.total());
                 Ok(())
             },
         )?;

@@ -16,7 +16,7 @@
 //! // two blocks of rows, and their merged summary
 //! let mut summary = fastest.of(&batch.evaluate(0, vec![40.0, 50.0]));
 //! summary.merge(&fastest.of(&batch.evaluate(2, vec![45.0])));
-//! assert_eq!((summary.rows(), summary.best[0].rows[0].row), (3, 1));
+//! assert_eq!((summary.status_counts.total(), summary.best[0].rows[0].row), (3, 1));
 //! // ball speed is in proportion to club speed
 //! let ball_speed = &summary.moments["ball_speed"];
 //! assert!((ball_speed.mean.unwrap() / ball_speed.greatest.unwrap() - 45.0 / 50.0).abs() < 1e-12);

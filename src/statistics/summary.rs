@@ -182,9 +182,4 @@ impl Summary {
             .zip(&after.best)
             .for_each(|(ours, theirs)| ours.merge(theirs));
     }
-
-    /// Number of rows.
-    pub fn rows(&self) -> u64 {
-        self.status_counts.total()
-    }
 }

@@ -113,7 +113,15 @@ impl Constraint {
             return Err(whole.error(format!("the relation has no name; {RELATION}")));
         }
         if let Ok(of) = Outcome::named(name) {
-            return Err(whole.error(name_of_outcome(of)));
+            // the user may mean a limit of the outcome
+            let limit = match of.group() {
+                OutcomeGroup::Head => of.name().to_owned(),
+                _ => format!("mean({})", of.name()),
+            };
+            return Err(whole.error(format!(
+                "a relation cannot have the name of an outcome: to limit the outcome, write it \
+                 without a colon, for example \"{limit} <= …\"; else give the relation another name"
+            )));
         }
         let sum = colon.map_or(0, |colon| colon + 1);
         let sum = Piece {
@@ -123,21 +131,6 @@ impl Constraint {
         };
         read(sum, &Scope::Relation { setup, name })
     }
-}
-
-/// Error message for a relation that has the name of an outcome: the user may mean a limit of the
-/// outcome.
-fn name_of_outcome(of: Outcome) -> String {
-    let limit = if of.group() == OutcomeGroup::Head {
-        of.name().to_owned()
-    } else {
-        format!("mean({})", of.name())
-    };
-    format!(
-        "a relation cannot have the name of an outcome: to limit the outcome, write it without a \
-         colon, for example \"{limit} <= …\"; else give \
-         the relation another name"
-    )
 }
 
 /// A piece of an expression, without the white space around it.

@@ -11,7 +11,7 @@ pub fn summary_document(summary: &Summary, system: System) -> Document {
     let mut document = Document::default();
     document.list([Line::flush(format!(
         "{}: {}",
-        counted(summary.rows(), "drive"),
+        counted(summary.status_counts.total(), "drive"),
         summary.status_counts
     ))]);
     let moments = summary.moments.iter().map(|(column, moments)| {

@@ -185,12 +185,6 @@ impl ScaledColumns {
 }
 
 impl FitStatistics {
-    /// √(χ²/ν), the root mean square of the residuals in standard uncertainties; `None` for ν = 0.
-    pub fn misfit(&self) -> Option<f64> {
-        (self.degrees_of_freedom > 0)
-            .then(|| (self.chi_square / self.degrees_of_freedom as f64).sqrt())
-    }
-
     /// Statistics from the residuals and their Jacobian at the end of a fit. Residuals up to
     /// `rounding` count as rounding.
     ///

@@ -52,14 +52,18 @@ const MISFIT: f64 = 6.0;
 /// Text for a fit whose residuals have a root mean square above `most` standard uncertainties;
 /// `None` for any other fit.
 pub(super) fn misfit_text(statistics: &FitStatistics, most: f64) -> Option<String> {
-    let misfit = statistics.misfit().filter(|misfit| *misfit > most)?;
+    let freedom = statistics.degrees_of_freedom;
+    let misfit = (statistics.chi_square / freedom as f64).sqrt();
+    if !(freedom > 0 && misfit > most) {
+        return None;
+    }
     Some(format!(
         "the values miss the fit by {} of their standard uncertainties (root mean square; χ² = {} \
          with {} of freedom), where noise alone gives 1: the fitted model does not describe them, \
          or their uncertainties are too small; look at the largest residuals",
         significant(misfit, 3),
         significant(statistics.chi_square, 5),
-        counted(statistics.degrees_of_freedom as u64, "degree")
+        counted(freedom as u64, "degree")
     ))
 }
 

@@ -20,7 +20,7 @@ const NEIGHBOURS: usize = 8;
 /// Distance between neighbouring samples in units of the parameter's scale. Adjacent floating-point
 /// numbers would be too close, because they may give the same outcome: the spin decay e^(−δ h) in a
 /// time step h is rounded to 1e-16, so an outcome is a step function of δ. The change of the
-/// outcome over the distance is subtracted ([`extrapolated_back`]).
+/// outcome over the distance is subtracted ([`sample`]).
 const SPACING: f64 = 1e-12;
 
 /// Tolerance of a jump, in multiples of the scatter of the samples.
@@ -114,7 +114,8 @@ pub(super) fn continuity(
     Ok(of.iter().enumerate().map(continuity).collect())
 }
 
-/// The outcomes with `wrt[0]` at `from + offset`, extrapolated back to `from`.
+/// The outcomes with `wrt[0]` at `from + offset`, extrapolated back to `from`: the value with the
+/// gradient, the gradient with the Hessian.
 fn sample(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -124,27 +125,15 @@ fn sample(
 ) -> Result<Vec<Taylor>> {
     let value = from + offset;
     let at = setup.with_values(&wrt[..1], &[value])?;
-    let taylors = evaluate(&at, of, wrt, Order::Second)?;
-    Ok(taylors
-        .iter()
-        .map(|taylor| extrapolated_back(taylor, value - from))
-        .collect())
-}
-
-/// Extrapolates a Taylor expansion back by an offset of the first parameter: the value with the
-/// gradient, the gradient with the Hessian.
-fn extrapolated_back(taylor: &Taylor, offset: f64) -> Taylor {
-    let slope = taylor.gradient.first().copied().unwrap_or_default();
-    let gradient = taylor
-        .gradient
-        .iter()
-        .zip(&taylor.hessian)
-        .map(|(d, row)| d - row[0] * offset);
-    Taylor {
-        value: taylor.value - slope * offset,
-        gradient: gradient.collect(),
-        hessian: taylor.hessian.clone(),
+    let offset = value - from;
+    let mut taylors = evaluate(&at, of, wrt, Order::Second)?;
+    for taylor in &mut taylors {
+        taylor.value -= taylor.gradient[0] * offset;
+        for (slope, row) in taylor.gradient.iter_mut().zip(&taylor.hessian) {
+            *slope -= row[0] * offset;
+        }
     }
+    Ok(taylors)
 }
 
 /// Entries of the value (order 0), the gradient (order 1) or the Hessian (order 2) by scaled

@@ -96,7 +96,17 @@ pub(super) fn rows(
     exact: &[f64],
     is_stopped: &dyn Fn() -> bool,
 ) -> Result<Option<Vec<DerivativeRow>>> {
-    let neighbours = Neighbours::new(setup, drive, of, parameter, is_stopped)?;
+    let neighbours = Neighbours {
+        setup,
+        drive,
+        of,
+        at: setup.value(parameter).unwrap_or_default(),
+        scale: scale(setup, parameter),
+        values: Evaluator::new(setup, of, &[parameter], Order::Value)?,
+        gradients: Evaluator::new(setup, of, &[parameter], Order::First)?,
+        has_corners: !drive.corners(setup).is_empty(),
+        is_stopped,
+    };
     let curvatures: Option<Vec<f64>> = evaluate(setup, of, &[parameter], Order::Second)
         .ok()
         .map(|taylors| taylors.iter().map(|taylor| taylor.hessian[0][0]).collect());
@@ -139,27 +149,7 @@ struct Neighbours<'a> {
     is_stopped: &'a dyn Fn() -> bool,
 }
 
-impl<'a> Neighbours<'a> {
-    fn new(
-        setup: &'a Setup<f64>,
-        drive: &'a Drive<f64>,
-        of: &'a [Outcome],
-        parameter: &'static Parameter,
-        is_stopped: &'a dyn Fn() -> bool,
-    ) -> Result<Self> {
-        Ok(Self {
-            setup,
-            drive,
-            of,
-            at: setup.value(parameter).unwrap_or_default(),
-            scale: scale(setup, parameter),
-            values: Evaluator::new(setup, of, &[parameter], Order::Value)?,
-            gradients: Evaluator::new(setup, of, &[parameter], Order::First)?,
-            has_corners: !drive.corners(setup).is_empty(),
-            is_stopped,
-        })
-    }
-
+impl Neighbours<'_> {
     /// Applies `number` to the Taylor expansion of each outcome at the parameter value `x`. All NaN
     /// if the drive lacks one of the outcomes; empty once `is_stopped` returns true.
     fn sample(

@@ -144,11 +144,6 @@ impl Delivered {
         let values = [worst.unknown.prior, worst.value];
         Some(message(parameter.name, parameter.into(), values))
     }
-
-    /// True if the search converged and explains the launch.
-    pub fn is_found(&self) -> bool {
-        self.status == FitStatus::Converged && self.unexplained().is_none()
-    }
 }
 
 /// A direction is unidentified if the shot removes less than this fraction of the prior variance

@@ -3,6 +3,7 @@ use super::solve::delivery;
 use super::unknown::Unknown;
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
+use crate::optimize::least_squares::FitStatus;
 use crate::parameters::{Parameter, Setup};
 use crate::statistics::Moments;
 use crate::study::calibrate::{MeasuredShot, Measurement, ShotTable};
@@ -22,10 +23,10 @@ pub struct ShotDelivery {
 impl ShotDelivery {
     /// The result, if the search converged and explains the launch.
     pub fn explained(&self) -> Option<&Delivered> {
-        self.found
-            .as_ref()
-            .ok()
-            .filter(|delivered| delivered.is_found())
+        let delivered = self.found.as_ref().ok()?;
+        let is_found =
+            delivered.status == FitStatus::Converged && delivered.unexplained().is_none();
+        is_found.then_some(delivered)
     }
 }
 

@@ -100,8 +100,11 @@ fn analysed(
     stop: &Arc<AtomicBool>,
 ) -> Result<SwingsAnalysis> {
     let search = &best.search;
-    let mean_swing = with_scenarios(search, Scenarios::mean(swings));
-    let mean_swing = SearchProblem::new(setup, mean_swing, stop)?;
+    let for_mean_swing = Search {
+        scenarios: Scenarios::mean(swings),
+        ..search.clone()
+    };
+    let mean_swing = SearchProblem::new(setup, for_mean_swing, stop)?;
     let all_swings = SearchProblem::new(setup, search.clone(), stop)?;
     let observer = Observer {
         interrupt: Arc::clone(stop),
@@ -134,13 +137,6 @@ fn analysed(
     })
 }
 
-fn with_scenarios(search: &Search, scenarios: Scenarios) -> Search {
-    Search {
-        scenarios,
-        ..search.clone()
-    }
-}
-
 /// The error of each goal at the best design `x`, where the goals have the values `goals`. With
 /// Gauss's rule, a smooth goal is compared with a finer rule. Every other goal is compared with
 /// independent Sobol' sequences. If a swing of the finer rule does not fly, only the errors of the
@@ -159,12 +155,12 @@ fn goal_errors(
             // half as many nodes more, at least one more
             let rule = Rule::Quadrature(nodes + (nodes / 2).max(1));
             let scenarios = Scenarios::new(swings, rule);
-            let problem = scenarios.and_then(|finer| {
-                SearchProblem::new(
-                    &problem.set_up,
-                    with_scenarios(search, finer),
-                    &problem.stop,
-                )
+            let problem = scenarios.and_then(|scenarios| {
+                let search = Search {
+                    scenarios,
+                    ..search.clone()
+                };
+                SearchProblem::new(&problem.set_up, search, &problem.stop)
             });
             Some(problem.and_then(|problem| problem.values(x)))
         }

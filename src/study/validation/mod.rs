@@ -145,25 +145,25 @@ pub struct SetScores {
 /// # Errors
 /// [`Error::Unreadable`](crate::Error::Unreadable) if the data cannot be read.
 pub fn validation(own: Option<Law<f64>>) -> Result<Vec<SetScores>> {
-    SETS.iter().map(|set| scores(set, own)).collect()
-}
-
-fn scores(set: &'static Set, own: Option<Law<f64>>) -> Result<SetScores> {
-    let mut cases = cases::cases(set.data_name)?;
-    // the gain of carry is relative to the first case
-    let base = (set.computation.compared() == [Compared::Gain]).then(|| cases.remove(0));
-    let mut found = SetScores {
-        set,
-        cases,
-        laws: vec![],
-    };
     let published = Law::NAMES.iter().filter_map(|name| Law::named(name));
     let laws: Vec<_> = published.chain(own).collect();
-    found.laws = laws
-        .into_par_iter()
-        .map(|law| found.law_scores(base.as_ref(), law))
-        .collect::<Result<_>>()?;
-    Ok(found)
+    let mut all = vec![];
+    for set in &SETS {
+        let mut cases = cases::cases(set.data_name)?;
+        // the gain of carry is relative to the first case
+        let base = (set.computation.compared() == [Compared::Gain]).then(|| cases.remove(0));
+        let mut found = SetScores {
+            set,
+            cases,
+            laws: vec![],
+        };
+        found.laws = laws
+            .par_iter()
+            .map(|law| found.law_scores(base.as_ref(), *law))
+            .collect::<Result<_>>()?;
+        all.push(found);
+    }
+    Ok(all)
 }
 
 impl SetScores {
