@@ -1,5 +1,4 @@
 use super::document::{Detail, Document, DocumentTable, Line};
-use super::figures::ShownDrive;
 use super::json::JsonNumber;
 use super::lines::by_reason;
 use super::reply::Report;
@@ -7,7 +6,7 @@ use super::{OptimumReport, shown};
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::Parameter;
-use crate::study::{Effect, Effects, Optimum, Sensitivity, SigmaEffect};
+use crate::study::{Effect, Effects, NamedDrive, Optimum, Sensitivity, SigmaEffect};
 use crate::units::{System, significant};
 use serde::Serialize;
 
@@ -129,9 +128,9 @@ impl Report for EffectsReport<'_> {
     /// For each outcome, the effects of uncertainties, then the derivatives.
     fn document(&self, system: System) -> Document {
         let at = if self.at_optimum.is_some() {
-            ShownDrive::Optimum
+            "at the optimum"
         } else {
-            ShownDrive::SetUp
+            NamedDrive::AS_SET_UP
         };
         let mut document = Document::default();
         for effects in self.found {

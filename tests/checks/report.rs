@@ -4,7 +4,7 @@
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
 use longdrive::report::figures::{
-    Causes, OnMap, ShownDrive, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    Causes, OnMap, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use longdrive::report::plot::{
     Axis, Field, Figure, Hue, Layer, Look, NamedQuantity, figure_csv, figure_svg,
@@ -100,7 +100,7 @@ fn figures() -> Vec<Figure> {
             },
             System::Us,
         ),
-        tornado_figure(&effects[0], Causes::All, ShownDrive::SetUp, System::Us).unwrap(),
+        tornado_figure(&effects[0], Causes::All, System::Us).unwrap(),
         vcurve_figure(
             &certificate.rows,
             &longdrive::reproduce::while_loop(&setup, &certificate.rows),

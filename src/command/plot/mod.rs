@@ -18,7 +18,7 @@ use crate::optimize::{Observer, Status};
 use crate::parameters::{Law, Parameter};
 use crate::repeated::first_repeated;
 use crate::report::figures::{
-    ChartFigures, OnMap, Over, ShownDrive, View, chart_figures, difference_figure, laws_figure,
+    ChartFigures, OnMap, Over, View, chart_figures, difference_figure, laws_figure,
     map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use crate::report::plot::Figure;
@@ -243,7 +243,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     })?;
     let figure = found
         .first()
-        .and_then(|effects| tornado_figure(effects, args.show, ShownDrive::SetUp, system()));
+        .and_then(|effects| tornado_figure(effects, args.show, system()));
     let Some(figure) = figure else {
         let reason = format!(
             "no uncertainty of this kind has an effect on {} here; take another `show` (control, \

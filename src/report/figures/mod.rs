@@ -24,7 +24,6 @@ pub use laws::{Coefficient, Over, laws_figure};
 pub use map::{OnMap, map_figure};
 pub use pareto::pareto_figure;
 pub use strikes::strikes_figure;
-pub use style::ShownDrive;
 pub use tornado::{Causes, tornado_figure};
 pub use trajectory::{View, trajectory_figure};
 pub use vcurve::vcurve_figure;

@@ -3,26 +3,6 @@
 
 use crate::report::plot::{Field, Hue, Layer, NamedQuantity};
 use crate::study::{NamedDrive, Plane, Vary};
-use std::fmt;
-
-/// The drive that a picture shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ShownDrive {
-    /// The drive as set up.
-    SetUp,
-    /// The drive at the optimum.
-    Optimum,
-}
-
-/// The text in titles: "as set up", "at the optimum".
-impl fmt::Display for ShownDrive {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::SetUp => NamedDrive::AS_SET_UP,
-            Self::Optimum => "at the optimum",
-        })
-    }
-}
 
 /// The colour of a drive, and true if its lines are dashed. [`NamedDrive::AS_SET_UP`] and
 /// [`NamedDrive::OPTIMUM`] have fixed styles. A drive with another name has the colour of series

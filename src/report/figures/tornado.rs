@@ -1,4 +1,3 @@
-use super::ShownDrive;
 use crate::parameters::Parameter;
 use crate::report::plot::{Axis, Figure, HorizontalBar, Hue, Layer, NamedQuantity};
 use crate::report::shown::{self, difference, is_rounding};
@@ -35,22 +34,6 @@ impl Causes {
             Self::All => true,
         }
     }
-
-    fn words(self) -> &'static str {
-        match self {
-            Self::Control => "what you control",
-            Self::Model => "what the model does not know",
-            Self::All => "all uncertainties",
-        }
-    }
-
-    fn suffix(self) -> &'static str {
-        match self {
-            Self::Control => "-control",
-            Self::Model => "-model",
-            Self::All => "",
-        }
-    }
 }
 
 /// The changes of the outcome if the parameter is p − σ and if it is p + σ. If one of these drives
@@ -68,14 +51,13 @@ fn size(effect: &study::SigmaEffect) -> f64 {
     lower.abs().max(higher.abs())
 }
 
-/// The effects of standard uncertainties on an outcome, as bars, the largest on top. The bar of a
-/// parameter p comes from drives computed at p − σ and p + σ; the other parameters are unchanged.
-/// The uncertainties and the note are in the units of `system`. `None` if none of these causes has
-/// an effect.
+/// The effects of standard uncertainties on an outcome of the drive as set up, as bars, the largest
+/// on top. The bar of a parameter p comes from drives computed at p − σ and p + σ; the other
+/// parameters are unchanged. The uncertainties and the note are in the units of `system`. `None` if
+/// none of these causes has an effect.
 pub fn tornado_figure(
     effects: &Effects,
     causes: Causes,
-    at: ShownDrive,
     system: System,
 ) -> Option<Figure> {
     let is_cause = |effect: &&Effect| causes.has(effect.parameter);
@@ -96,12 +78,17 @@ pub fn tornado_figure(
         .min(MOST);
     let folded = ranked.split_off(seen);
     let names = row_names(effects, &ranked, &folded, system);
-    let title = match causes {
-        Causes::All => format!("Effects of uncertainties on {}, {at}", quantity.label),
-        _ => format!("Effects on {} of {}, {at}", quantity.label, causes.words()),
+    let label = &quantity.label;
+    let (suffix, title) = match causes {
+        Causes::Control => ("-control", format!("Effects on {label} of what you control")),
+        Causes::Model => (
+            "-model",
+            format!("Effects on {label} of what the model does not know"),
+        ),
+        Causes::All => ("", format!("Effects of uncertainties on {label}")),
     };
     let x = Axis::linear(NamedQuantity {
-        label: format!("change of {}", quantity.label),
+        label: format!("change of {label}"),
         ..quantity.clone()
     });
     let bars = |name: &str, hue: Hue, end: usize| {
@@ -119,14 +106,14 @@ pub fn tornado_figure(
         }
     };
     let figure = Figure::new(
-        format!("tornado-{}{}", effects.of.name(), causes.suffix()),
-        title,
+        format!("tornado-{}{suffix}", effects.of.name()),
+        format!("{title}, as set up"),
         x,
         Axis::names(names),
     )
     .with(bars("parameter lower", Hue::Series(3), 0))
     .with(bars("parameter higher", Hue::Series(2), 1));
-    Some(figure.noted(note(effects, causes, at, &ranked, &folded, system)))
+    Some(figure.noted(note(effects, causes, &ranked, &folded, system)))
 }
 
 /// The names of the rows: the ranked causes, then one row for all smaller causes together.
@@ -159,7 +146,6 @@ fn row_names(
 fn note(
     effects: &Effects,
     causes: Causes,
-    at: ShownDrive,
     ranked: &[study::SigmaEffect],
     folded: &[study::SigmaEffect],
     system: System,
@@ -178,7 +164,7 @@ fn note(
     };
     let mut note = format!(
         "Change of {} when each parameter is moved by its standard uncertainty, one at a time, \
-         {at}. All together, if independent: ± {}.",
+         as set up. All together, if independent: ± {}.",
         quantity.label,
         sum(causes),
     );

@@ -12,7 +12,7 @@ mod sections;
 pub use findings::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE};
 
 use super::figures::{
-    Causes, OnMap, ShownDrive, View, chart_figures, face_figure, fairway_figure, launches_figure,
+    Causes, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure,
     map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use super::frame::{self, Pair, TextFile, both, chosen, picture_files, pictures};
@@ -21,7 +21,7 @@ use super::plot::{Figure, Look, figure_svg};
 use super::setup_toml;
 use super::shown::{self, capital};
 use crate::error::{Error, Result};
-use crate::study::{Chart, Effects, Map, NamedDrive};
+use crate::study::{Map, NamedDrive};
 use crate::units::{Message, System};
 use maud::{Markup, html};
 
@@ -86,13 +86,17 @@ fn plots(findings: &Findings) -> Plots {
         chart: findings
             .chart
             .as_ref()
-            .map(|chart| charts(findings, chart))
+            .map(|chart| {
+                pairs(System::ALL.map(|system| chart_figures(chart, findings.best(), system).drawn))
+            })
             .unwrap_or_default(),
         effects: findings
             .effects
             .iter()
-            .flat_map(|effects| Causes::APART.map(|causes| tornados(effects, causes)))
-            .flatten()
+            .flat_map(|effects| Causes::APART.map(|causes| (effects, causes)))
+            .flat_map(|(effects, causes)| {
+                pairs(System::ALL.map(|system| tornado_figure(effects, causes, system)))
+            })
             .collect(),
         // omit the plot if its logarithmic axis can show no error: each error is 0, as for a
         // derivative of 0
@@ -116,12 +120,13 @@ fn strikes(findings: &Findings) -> Vec<Pair> {
         .into_iter()
         .filter_map(|(name, face)| Some((name, face.as_ref()?)))
         .collect();
-    let [metric, us] = System::ALL.map(|system| strikes_figure(&designs, system));
-    metric
-        .zip(us)
-        .map(<[Figure; 2]>::from)
-        .into_iter()
-        .collect()
+    pairs(System::ALL.map(|system| strikes_figure(&designs, system)))
+}
+
+/// The plots in metric and in US units, as a pair for each plot.
+fn pairs([metric, us]: [impl IntoIterator<Item = Figure>; 2]) -> Vec<Pair> {
+    let pairs = metric.into_iter().zip(us);
+    pairs.map(Pair::from).collect()
 }
 
 fn mapped(findings: &Findings, map: &Map, system: System) -> Figure {
@@ -132,23 +137,6 @@ fn mapped(findings: &Findings, map: &Map, system: System) -> Figure {
         region: findings.region.as_ref(),
     };
     map_figure(map, &on, system)
-}
-
-/// The tornado plot of these causes for the drive as set up; `None` if they have no effect.
-fn tornados(effects: &Effects, causes: Causes) -> Option<Pair> {
-    let [metric, us] =
-        System::ALL.map(|system| tornado_figure(effects, causes, ShownDrive::SetUp, system));
-    Some([metric?, us?])
-}
-
-fn charts(findings: &Findings, chart: &Chart) -> Vec<Pair> {
-    let [metric, us] =
-        System::ALL.map(|system| chart_figures(chart, findings.best(), system).drawn);
-    metric
-        .into_iter()
-        .zip(us)
-        .map(|(metric, us)| [metric, us])
-        .collect()
 }
 
 /// The views of the drives that fly, from the side and from above; and for each missing view the
