@@ -186,9 +186,8 @@ fn uncertainties(effects: &Effects, bars: &[SigmaEffect], system: System) -> Doc
         "flown at +σ",
     ];
     let rows = bars.iter().map(|bar| bar_cells(bar, of, system));
-    let mut table = DocumentTable::new(head, rows)
-        .right(1..=5)
-        .with_first_rows(FIRST_ROWS);
+    let mut table = DocumentTable::new(head, rows).right(1..=5);
+    table.first_rows = FIRST_ROWS;
     let is_flown = bars.iter().all(|bar| bar.flown.iter().all(Option::is_some));
     let flown = if is_flown {
         "; the drives at −σ and +σ include these terms"
@@ -241,9 +240,10 @@ fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> Documen
     let mut head = vec!["by", "slope", "elasticity"];
     head.extend(totals.map(|_| "slope of the optimum"));
     let columns = head.len();
-    DocumentTable::new(head, effects.effects.iter().map(row))
-        .right(1..columns)
-        .with_first_rows(FIRST_ROWS)
+    let rows = effects.effects.iter().map(row);
+    let mut table = DocumentTable::new(head, rows).right(1..columns);
+    table.first_rows = FIRST_ROWS;
+    table
 }
 
 /// True if an uncertain parameter has no effect on an outcome: derivatives and changes of the

@@ -341,7 +341,7 @@ fn listing(title: &str, all: &[&ParameterReport], system: System) -> DocumentTab
         format!("{}: {meaning}", one.symbol)
     };
     let head = [title, "value", "default", "range"];
-    DocumentTable::new(head, all.iter().map(cells))
-        .right([1, 2])
-        .with_row_notes(all.iter().map(meaning).collect())
+    let mut table = DocumentTable::new(head, all.iter().map(cells)).right([1, 2]);
+    table.row_notes = all.iter().map(meaning).collect();
+    table
 }

@@ -115,6 +115,7 @@ impl<'a> RobustReport<'a> {
 impl ModelReport {
     fn new(found: &Robust, k: usize) -> Self {
         let (model, best) = &found.models[k];
+        let limits = found.limits().filter(|limit| limit.model == k);
         Self {
             model: model.name.clone(),
             reason: Some(model.reason).filter(|reason| !reason.is_empty()),
@@ -128,7 +129,9 @@ impl ModelReport {
                 .map(JsonNumber::from)
                 .collect(),
             loss_as_set_up: found.as_set_up[k].into(),
-            constraints: constraints(found, k),
+            constraints: limits
+                .map(|limit| ConstraintReport::new(&at_end(&limit)))
+                .collect(),
         }
     }
 }
@@ -165,14 +168,6 @@ impl Report for RobustReport<'_> {
         document.add(losses(found, system));
         document
     }
-}
-
-/// The constraints of a model with the robust design. The multipliers refer to the greatest loss.
-fn constraints(found: &Robust, model: usize) -> Vec<ConstraintReport> {
-    let of_model = found.limits().filter(|limit| limit.model == model);
-    of_model
-        .map(|limit| ConstraintReport::new(&at_end(&limit)))
-        .collect()
 }
 
 fn at_end<'a>(limit: &ModelLimit<'a>) -> ConstraintAtEnd<'a> {
@@ -270,14 +265,14 @@ fn losses(found: &Robust, system: System) -> DocumentTable {
             .chain(found.matrix[k].iter().copied().map(or_dash))
             .collect()
     });
-    DocumentTable::new(head, rows)
-        .right(1..found.models.len() + 3)
-        .with_caption(&format!(
-            "losses of {} against each model's own best design, by design; {} if the design \
-             violates a limit, or if the ball does not fly in one of the swings",
-            goal.expression,
-            shown::NONE
-        ))
+    let mut table = DocumentTable::new(head, rows).right(1..found.models.len() + 3);
+    table.caption = format!(
+        "losses of {} against each model's own best design, by design; {} if the design violates a \
+         limit, or if the ball does not fly in one of the swings",
+        goal.expression,
+        shown::NONE
+    );
+    table
 }
 
 /// Adds the robust design to a document, with the changes of the greatest loss if a bound or

@@ -278,8 +278,9 @@ fn add_sensitivities(
             .chain(optimum)
             .collect();
         let columns = head.len();
-        let table = DocumentTable::new(head, rows).right(1..columns);
-        document.add(table.with_first_rows(FIRST_SENSITIVITIES));
+        let mut table = DocumentTable::new(head, rows).right(1..columns);
+        table.first_rows = FIRST_SENSITIVITIES;
+        document.add(table);
     }
     let why = |(parameter, found): &(&Parameter, Result<Sensitivity>)| {
         Some((parameter.name, found.as_ref().err()?.in_units(system)))

@@ -179,7 +179,11 @@ fn add_outcome(
     let of = outcome.of;
     if let Some(sampled) = outcome.sampled.as_ref().filter(|_| !outcome.varies) {
         let mean = shown::outcome(of, sampled.mean.value, system);
-        let why = why_constant(outcome, found);
+        let why = match (depends(outcome, found), found.inputs.len()) {
+            (true, _) => "it varies by less than rounding, since the uncertainty is so small",
+            (false, 1) => "it does not depend on the uncertain parameter",
+            (false, _) => "it does not depend on any of the uncertain parameters",
+        };
         document.list([Line::flush(format!(
             "{} is {mean} in every drive: {why}",
             of.name()
@@ -200,16 +204,6 @@ fn add_outcome(
     let mut table = Document::default();
     table.add(shares(outcome, sampled.left_out, found));
     document.append_detail(table, Detail::WithAll);
-}
-
-fn why_constant(outcome: &OutcomeUncertainty, found: &Uncertainty) -> &'static str {
-    if depends(outcome, found) {
-        "it varies by less than rounding, since the uncertainty is so small"
-    } else if found.inputs.len() == 1 {
-        "it does not depend on the uncertain parameter"
-    } else {
-        "it does not depend on any of the uncertain parameters"
-    }
 }
 
 /// Mean and standard deviation of an outcome, by each method.
@@ -386,7 +380,7 @@ fn ellipses(found: &Uncertainty, system: System) -> DocumentTable {
             format!("{:.1} %", 100.0 * sampled.holds),
         ]
     });
-    DocumentTable::new(head, rows)
-        .right([1, 2, 3])
-        .with_first_rows(FIRST_ELLIPSES)
+    let mut table = DocumentTable::new(head, rows).right([1, 2, 3]);
+    table.first_rows = FIRST_ELLIPSES;
+    table
 }

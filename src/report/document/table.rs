@@ -9,13 +9,13 @@ pub struct DocumentTable {
     /// For each column: true if it is right-aligned.
     pub(super) is_right: Vec<bool>,
     /// A line directly above the table; omitted if it is empty.
-    pub(super) caption: String,
+    pub caption: String,
     /// Details below each row: a text for each row, or no texts. An empty text is omitted.
-    pub(super) row_notes: Vec<String>,
+    pub row_notes: Vec<String>,
     /// Lines directly below the table.
-    pub(super) remarks: Vec<Line>,
+    pub remarks: Vec<Line>,
     /// Number of rows in a plain text without the option `all`.
-    pub(super) first_rows: usize,
+    pub first_rows: usize,
 }
 
 impl DocumentTable {
@@ -53,35 +53,9 @@ impl DocumentTable {
         self
     }
 
-    /// Adds a line directly above the table.
-    #[must_use]
-    pub fn with_caption(self, caption: &str) -> Self {
-        Self {
-            caption: caption.into(),
-            ..self
-        }
-    }
-
-    /// Limits the number of rows in a plain text without the option `all`.
-    #[must_use]
-    pub fn with_first_rows(self, first_rows: usize) -> Self {
-        Self { first_rows, ..self }
-    }
-
-    /// Adds details below each row.
-    #[must_use]
-    pub fn with_row_notes(self, row_notes: Vec<String>) -> Self {
-        Self { row_notes, ..self }
-    }
-
     /// Adds a remark directly below the table.
     pub fn remark(&mut self, text: impl Into<String>) {
-        self.line(Line::item(text));
-    }
-
-    /// Adds a line directly below the table.
-    pub fn line(&mut self, line: Line) {
-        self.remarks.push(line);
+        self.remarks.push(Line::item(text));
     }
 
     /// The heads, cells, caption, row notes and remarks, as mutable texts.

@@ -24,16 +24,6 @@ impl Default for TextOptions {
     }
 }
 
-impl TextOptions {
-    fn has(self, detail: Detail) -> bool {
-        match detail {
-            Detail::Always => true,
-            Detail::WithAll => self.all,
-            Detail::WithVerbose => self.verbose,
-        }
-    }
-}
-
 /// The line in place of the blocks that only texts with the option `all` contain.
 const REST: &str = "the rest: `all`";
 
@@ -50,7 +40,12 @@ impl Document {
             if Some(at) == last_left_out {
                 return Some(Indent::Flush.lines(REST, width));
             }
-            if !options.has(part.detail) {
+            let is_left_out = match part.detail {
+                Detail::Always => false,
+                Detail::WithAll => !options.all,
+                Detail::WithVerbose => !options.verbose,
+            };
+            if is_left_out {
                 return None;
             }
             Some(match &part.block {

@@ -140,12 +140,6 @@ impl SumsReport {
     }
 }
 
-/// The clubs with their shots; none if all shots are of one club.
-fn several_clubs(statistics: &ShotStatistics) -> impl Iterator<Item = (&String, &ClubShots)> {
-    let is_several = statistics.clubs.len() > 1;
-    statistics.clubs.iter().filter(move |_| is_several)
-}
-
 impl<'a> ShotsReport<'a> {
     /// The report of these statistics.
     pub fn new(
@@ -169,6 +163,7 @@ impl<'a> ShotsReport<'a> {
                 })
                 .collect(),
         };
+        let clubs = statistics.clubs.iter();
         Self {
             statistics,
             ending: Ending::DONE,
@@ -181,7 +176,8 @@ impl<'a> ShotsReport<'a> {
             spin_not_measured: statistics.spin_not_measured,
             normalized: statistics.normalized,
             residuals: statistics.of.iter().enumerate().map(residual).collect(),
-            clubs: several_clubs(statistics)
+            clubs: clubs
+                .filter(|_| statistics.clubs.len() > 1)
                 .map(|(club, shots)| ClubShotsReport::new(&statistics.of, club, shots))
                 .collect(),
             remarks: remarks.to_vec(),
@@ -228,15 +224,15 @@ impl Report for ShotsReport<'_> {
             "sd",
             "sd of instruments",
         ];
-        let mut table = DocumentTable::new(head, rows)
-            .right(2..=6)
-            .with_caption("predicted − measured:");
-        table.line(Line::flush(
+        let mut table = DocumentTable::new(head, rows).right(2..=6);
+        table.caption = "predicted − measured:".into();
+        table.remarks.push(Line::flush(
             "sd of instruments: the standard deviation of the difference between two launch \
              monitors on the same 58 drives (Bliss & Langdown 2026); 513 rpm for the spin",
         ));
         if statistics.of.iter().any(|of| of.is_lateral()) {
-            table.line(Line::flush("lateral: + is right of the target line"));
+            let side = Line::flush("lateral: + is right of the target line");
+            table.remarks.push(side);
         }
         document.add(table);
         add_clubs(&mut document, statistics, system);
@@ -316,9 +312,8 @@ fn add_clubs(document: &mut Document, statistics: &ShotStatistics, system: Syste
         ]
     };
     let head = ["club", "rows", "predicted", "bias", "MAE"];
-    let table = DocumentTable::new(head, several_clubs(statistics).map(row))
-        .right(1..=4)
-        .with_caption(&format!("{} by club:", format.title(*of)));
+    let mut table = DocumentTable::new(head, statistics.clubs.iter().map(row)).right(1..=4);
+    table.caption = format!("{} by club:", format.title(*of));
     document.add(table);
 }
 
