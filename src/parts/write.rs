@@ -5,7 +5,7 @@ use crate::atomic_file::{create_beside, folder_of, persist};
 use crate::batch::{Batch, Block, Points, Run};
 use crate::error::{Error, Result};
 use crate::external_errors::write_error_text;
-use crate::report::{ParquetGroup, PlacedGroup, SweepParquet};
+use crate::report::{PARQUET_MAGIC, ParquetGroup, PlacedGroup, SweepParquet};
 use crate::statistics::{Histogram, Ranking, Summary, SummarySpec};
 use sha2::{Digest, Sha256};
 use std::fs::{self, File};
@@ -150,7 +150,7 @@ impl Dataset {
         progress: &mut impl FnMut(u64),
         unwritten: impl Fn(io::Error) -> Error + Copy,
     ) -> Result<bool> {
-        file.write(&self.table.head()).map_err(unwritten)?;
+        file.write(PARQUET_MAGIC).map_err(unwritten)?;
         let mut waiting = vec![];
         let end = self.batch.run(
             points,
@@ -182,7 +182,7 @@ impl Dataset {
         unwritten: impl Fn(io::Error) -> Error,
     ) -> Result<()> {
         let ParquetGroup { bytes, metadata } = self.table.group(&std::mem::take(waiting))?;
-        let placed = self.table.place(&metadata, file.bytes, file.groups.len())?;
+        let placed = PlacedGroup::new(&metadata, file.bytes, file.groups.len())?;
         file.groups.push(placed);
         file.write(&bytes).map_err(unwritten)
     }

@@ -15,8 +15,8 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, Type, TypePtr};
 use std::sync::Arc;
 
-/// The first bytes of a file.
-pub(super) const MAGIC: &[u8] = b"PAR1";
+/// The first bytes of a Parquet file.
+pub const PARQUET_MAGIC: &[u8] = b"PAR1";
 /// Bytes after the metadata at the end of a file: the length of the metadata and the magic number.
 const TAIL: usize = 8;
 /// Maximum size of a column's dictionary, bytes. A column that needs a larger dictionary is stored
@@ -47,7 +47,7 @@ pub(super) enum Cells {
 }
 
 /// A table. Each row group is created as a separate file in memory. A file with many row groups
-/// consists of `MAGIC`, the bytes of the groups, and a [`footer`](Self::footer) made from the
+/// consists of `PARQUET_MAGIC`, the bytes of the groups, and a [`footer`](Self::footer) made from the
 /// metadata of the groups. An interrupted file can therefore continue after any of its groups.
 pub(super) struct ParquetTable {
     schema: TypePtr,
@@ -68,18 +68,47 @@ pub struct ParquetGroup {
 #[derive(Clone, Debug)]
 pub struct PlacedGroup(RowGroupMetaData);
 
+impl PlacedGroup {
+    /// The row group of this metadata at a place in a file: byte offset `at`, and index `ordinal`
+    /// among the row groups, from 0.
+    ///
+    /// # Errors
+    /// [`Error::Output`] if `metadata` is not the metadata of a row group.
+    pub fn new(metadata: &[u8], at: u64, ordinal: usize) -> Result<Self> {
+        let place = || {
+            let alone = ParquetMetaDataReader::decode_metadata(metadata)?;
+            let group = alone.row_groups().first().cloned();
+            let group = group
+                .ok_or_else(|| ParquetError::General("metadata without a row group".into()))?;
+            let by = at as i64 - PARQUET_MAGIC.len() as i64;
+            let columns = group.columns().iter().cloned().map(|column| {
+                let (data, dictionary) =
+                    (column.data_page_offset(), column.dictionary_page_offset());
+                let moved = column.into_builder().set_data_page_offset(data + by);
+                moved
+                    .set_dictionary_page_offset(dictionary.map(|offset| offset + by))
+                    .build()
+            });
+            let columns = columns.collect::<Result<_, _>>()?;
+            let placed = group.into_builder().set_column_metadata(columns);
+            placed
+                .set_ordinal(ordinal as i32)
+                .set_file_offset(at as i64)
+                .build()
+        };
+        place().map(Self).map_err(|_: ParquetError| {
+            let reason = "the metadata of a row group of the Parquet file is damaged";
+            Error::Output(std::io::Error::other(reason))
+        })
+    }
+}
+
 /// The error for columns or values that Parquet does not allow.
 fn refused(error: ParquetError) -> Error {
     let reason = format!(
         "Parquet does not allow the table: {}",
         parquet_error_text(&error)
     );
-    Error::Output(std::io::Error::other(reason))
-}
-
-/// The error for damaged metadata of a row group.
-fn damaged(_: ParquetError) -> Error {
-    let reason = "the metadata of a row group of the Parquet file is damaged";
     Error::Output(std::io::Error::other(reason))
 }
 
@@ -93,7 +122,7 @@ impl ParquetTable {
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `columns`.
     pub fn new(name: &str, columns: &[(String, ColumnType)], definition: &str) -> Result<Self> {
-        // no page index: `place` would have to change the file position of each page in it
+        // no page index: `PlacedGroup::new` would have to change the file position of each page in it
         let mut properties = WriterProperties::builder()
             .set_created_by(concat!("longdrive ", env!("CARGO_PKG_VERSION")).into())
             .set_statistics_enabled(EnabledStatistics::Chunk)
@@ -146,7 +175,7 @@ impl ParquetTable {
         let metadata = metadata_of(&file);
         file.truncate(file.len() - TAIL - metadata.len());
         Ok(ParquetGroup {
-            bytes: file.split_off(MAGIC.len()),
+            bytes: file.split_off(PARQUET_MAGIC.len()),
             metadata,
         })
     }
@@ -187,36 +216,6 @@ impl ParquetTable {
         }
         group.close()?;
         file.into_inner()
-    }
-
-    /// Gives the row group of this metadata a place in the file: byte offset `at`, and index
-    /// `ordinal` among the row groups, from 0.
-    ///
-    /// # Errors
-    /// [`Error::Output`] if `metadata` is not the metadata of a row group.
-    pub fn place(&self, metadata: &[u8], at: u64, ordinal: usize) -> Result<PlacedGroup> {
-        let place = || {
-            let alone = ParquetMetaDataReader::decode_metadata(metadata)?;
-            let group = alone.row_groups().first().cloned();
-            let group = group
-                .ok_or_else(|| ParquetError::General("metadata without a row group".into()))?;
-            let by = at as i64 - MAGIC.len() as i64;
-            let columns = group.columns().iter().cloned().map(|column| {
-                let (data, dictionary) =
-                    (column.data_page_offset(), column.dictionary_page_offset());
-                let moved = column.into_builder().set_data_page_offset(data + by);
-                moved
-                    .set_dictionary_page_offset(dictionary.map(|offset| offset + by))
-                    .build()
-            });
-            let columns = columns.collect::<Result<_, _>>()?;
-            let placed = group.into_builder().set_column_metadata(columns);
-            placed
-                .set_ordinal(ordinal as i32)
-                .set_file_offset(at as i64)
-                .build()
-        };
-        place().map(PlacedGroup).map_err(damaged)
     }
 
     /// The footer of a file with these row groups. `metadata` has further entries of its key-value

@@ -603,7 +603,7 @@ fn same_rows_after_reading_csv_and_json_lines() {
 mod in_parquet {
     use super::{Setup, all, blocks, open_table, small};
     use longdrive::batch::{Batch, Run};
-    use longdrive::report::{PlacedGroup, SweepParquet};
+    use longdrive::report::{PARQUET_MAGIC, PlacedGroup, SweepParquet};
     use longdrive::{Error, Outcome};
     use parquet::data_type::{DoubleType, FloatType, Int32Type};
     use parquet::file::properties::WriterProperties;
@@ -637,15 +637,12 @@ mod in_parquet {
         )
         .unwrap();
         let table = SweepParquet::new(&batch, "why").unwrap();
-        let mut bytes = table.head();
+        let mut bytes = PARQUET_MAGIC.to_vec();
         let mut groups: Vec<PlacedGroup> = vec![];
         for part in whole.chunks(2) {
             let group = table.group(part).unwrap();
-            groups.push(
-                table
-                    .place(&group.metadata, bytes.len() as u64, groups.len())
-                    .unwrap(),
-            );
+            let placed = PlacedGroup::new(&group.metadata, bytes.len() as u64, groups.len());
+            groups.push(placed.unwrap());
             bytes.extend(group.bytes);
         }
         bytes.extend(table.footer(&groups, &[]).unwrap());
@@ -686,7 +683,7 @@ mod in_parquet {
             }
         }
         assert!(rows.next().is_none());
-        let error = table.place(b"no metadata", 4, 0).err().unwrap();
+        let error = PlacedGroup::new(b"no metadata", 4, 0).err().unwrap();
         let message = error.to_string();
         assert!(
             matches!(error, Error::Output(_)) && !message.contains("overwrite"),
@@ -699,9 +696,9 @@ mod in_parquet {
         let (batch, _) = small();
         let block = batch.evaluate(0, vec![0.2, f64::NAN]);
         let table = SweepParquet::new(&batch, "").unwrap();
-        let mut bytes = table.head();
+        let mut bytes = PARQUET_MAGIC.to_vec();
         let group = table.group(&[block]).unwrap();
-        let placed = table.place(&group.metadata, bytes.len() as u64, 0).unwrap();
+        let placed = PlacedGroup::new(&group.metadata, bytes.len() as u64, 0).unwrap();
         bytes.extend(group.bytes);
         bytes.extend(table.footer(&[placed], &[]).unwrap());
         let folder = tempfile::tempdir().unwrap();
@@ -720,7 +717,7 @@ mod in_parquet {
         let path = folder.path().join("a.parquet");
         std::fs::write(
             &path,
-            [table.head(), table.footer(&[], &[]).unwrap()].concat(),
+            [PARQUET_MAGIC.to_vec(), table.footer(&[], &[]).unwrap()].concat(),
         )
         .unwrap();
         let file = SerializedFileReader::new(File::open(path).unwrap()).unwrap();

@@ -16,9 +16,9 @@ use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::input_file;
 use crate::parameters::{Law, Preset};
-#[cfg(feature = "parquet")]
-use crate::report::ShotParquet;
 use crate::report::{Ending, Report, ShotWriter, ShotsReport};
+#[cfg(feature = "parquet")]
+use crate::report::{PARQUET_MAGIC, ShotParquet};
 use crate::shots::{Flying, ShotStatistics, Shots};
 use crate::table::{ASSUMED_UNITS, CONDITIONS, RowFilter};
 use crate::units::{Message, counted};
@@ -239,7 +239,7 @@ fn write_rows(
         #[cfg(feature = "parquet")]
         FlyFormat::Parquet => {
             let mut writer = ShotParquet::new(shots, of)?;
-            output.write(&writer.head())?;
+            output.write(PARQUET_MAGIC)?;
             let tally = flying.fly(
                 shots,
                 run,

@@ -8,7 +8,7 @@ use crate::command::files::{exists, refused, unwritable};
 use crate::command::output::note;
 use crate::external_errors::write_error_text;
 #[cfg(feature = "parquet")]
-use crate::report::{ParquetGroup, PlacedGroup, SweepParquet};
+use crate::report::{PARQUET_MAGIC, ParquetGroup, PlacedGroup, SweepParquet};
 use crate::units::counted;
 use crate::{Error, Result};
 use std::fs::{File, OpenOptions};
@@ -188,8 +188,8 @@ impl<'a> ResumableFile<'a> {
             kept.recorded_rows = kept.rows();
         }
         #[cfg(feature = "parquet")]
-        if let RowFormatter::Parquet(table) = formatter {
-            kept.restore_groups(table, &entries)?;
+        if let RowFormatter::Parquet(_) = formatter {
+            kept.restore_groups(&entries)?;
         }
         kept.cut().map_err(unusable)?;
         note(&format!(
@@ -335,7 +335,7 @@ impl ResumableFile<'_> {
         let ParquetGroup { bytes, metadata } = table.group(&blocks)?;
         let before = self.written.clone();
         self.append(&bytes)?;
-        let group = table.place(&metadata, before.bytes, self.groups.len())?;
+        let group = PlacedGroup::new(&metadata, before.bytes, self.groups.len())?;
         self.groups.push(WrittenGroup { group, before });
         for block in &blocks {
             self.written.status_counts.add(block);
@@ -371,20 +371,19 @@ impl ResumableFile<'_> {
     }
 
     /// Restores the row groups that the journal records.
-    fn restore_groups(&mut self, table: &SweepParquet, entries: &[WrittenRows]) -> Result<()> {
+    fn restore_groups(&mut self, entries: &[WrittenRows]) -> Result<()> {
         let mut before = WrittenRows {
-            bytes: table.head().len() as u64,
+            bytes: PARQUET_MAGIC.len() as u64,
             ..WrittenRows::default()
         };
         for entry in entries {
-            let group = table
-                .place(&entry.group, before.bytes, self.groups.len())
-                .map_err(|error| {
-                    let reason = format!(
-                        "its sweep cannot be resumed ({error}); start it again with `overwrite`"
-                    );
-                    refused(&self.path, reason)
-                })?;
+            let group = PlacedGroup::new(&entry.group, before.bytes, self.groups.len());
+            let group = group.map_err(|error| {
+                let reason = format!(
+                    "its sweep cannot be resumed ({error}); start it again with `overwrite`"
+                );
+                refused(&self.path, reason)
+            })?;
             self.groups.push(WrittenGroup { group, before });
             before = entry.clone();
         }

@@ -3,7 +3,7 @@ use crate::Result;
 use crate::batch::{Batch, Block, StatusCounts};
 use crate::command::output::stated_system;
 #[cfg(feature = "parquet")]
-use crate::report::SweepParquet;
+use crate::report::{PARQUET_MAGIC, SweepParquet};
 use crate::report::{SweepCsv, SweepJsonLines};
 use crate::units::TableUnits;
 use serde::{Deserialize, Serialize};
@@ -105,7 +105,7 @@ impl RowFormatter {
             Self::Csv(table) => table.head(),
             Self::JsonLines(_) => vec![],
             #[cfg(feature = "parquet")]
-            Self::Parquet(table) => table.head(),
+            Self::Parquet(_) => PARQUET_MAGIC.to_vec(),
         }
     }
 

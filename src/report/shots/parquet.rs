@@ -5,7 +5,7 @@ use super::columns::{LAUNCH, MEASURED, launch};
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::report::parquet::{Cells, ColumnType, MAGIC, ParquetTable, PlacedGroup};
+use crate::report::parquet::{Cells, ColumnType, PARQUET_MAGIC, ParquetTable, PlacedGroup};
 use crate::shots::{Club, Flown, Shots};
 use crate::table::columns_remark;
 use crate::units::Message;
@@ -31,7 +31,8 @@ enum ColumnSource {
     Row,
 }
 
-/// Writes flown shots as Parquet, in row groups of about 33,000 rows.
+/// Writes flown shots as Parquet, in row groups of about 33,000 rows. The first bytes of a file are
+/// [`PARQUET_MAGIC`].
 pub struct ShotParquet {
     table: ParquetTable,
     columns: Vec<ColumnSource>,
@@ -108,7 +109,7 @@ impl ShotParquet {
             .collect();
         let columns = columns.into_iter().map(|(.., of)| of).collect();
         let table = ParquetTable::new("shots", &kinds, "fly")?;
-        let at = MAGIC.len() as u64;
+        let at = PARQUET_MAGIC.len() as u64;
         Ok(Self {
             table,
             columns,
@@ -118,11 +119,6 @@ impl ShotParquet {
             placed: vec![],
             at,
         })
-    }
-
-    /// The first bytes of a file.
-    pub fn head(&self) -> Vec<u8> {
-        MAGIC.to_vec()
     }
 
     /// Adds shots. Returns the bytes of a row group once it is full, otherwise no bytes.
@@ -176,10 +172,8 @@ impl ShotParquet {
         let group = self
             .table
             .group(|number| self.cells(self.columns[number]))?;
-        self.placed.push(
-            self.table
-                .place(&group.metadata, self.at, self.placed.len())?,
-        );
+        let placed = PlacedGroup::new(&group.metadata, self.at, self.placed.len())?;
+        self.placed.push(placed);
         self.at += group.bytes.len() as u64;
         self.waiting.clear();
         Ok(group.bytes)

@@ -1,7 +1,7 @@
 use super::{STATUS, column_counts, expect_columns, parameter_names};
 use crate::batch::{Batch, Block, CHUNK};
 use crate::error::Result;
-use crate::report::parquet::{Cells, ColumnType, MAGIC, ParquetGroup, ParquetTable, PlacedGroup};
+use crate::report::parquet::{Cells, ColumnType, ParquetGroup, ParquetTable, PlacedGroup};
 use parquet::data_type::ByteArray;
 
 /// Maximum number of rows in a row group.
@@ -13,9 +13,9 @@ const MOST_BYTES: usize = 16 << 20;
 
 /// A batch as Parquet: optional `DOUBLE` columns, and the status as a required string.
 ///
-/// Row groups are created one at a time. A file with many row groups consists of the
-/// [`head`](Self::head), the bytes of the groups, and a [`footer`](Self::footer) made from the
-/// metadata of the groups. An interrupted file can therefore continue after any of its groups.
+/// Row groups are created one at a time. A file with many row groups consists of
+/// [`PARQUET_MAGIC`](crate::report::PARQUET_MAGIC), the bytes of the groups, and a
+/// [`footer`](Self::footer) made from the metadata of the groups. An interrupted file can therefore continue after any of its groups.
 pub struct SweepParquet {
     table: ParquetTable,
     /// Number of parameters, outcomes and derivatives.
@@ -53,11 +53,6 @@ impl SweepParquet {
     pub fn blocks_of_group(&self) -> usize {
         let width = 9 * self.columns.iter().sum::<usize>() + 1;
         (MOST_BYTES / width).clamp(LEAST_ROWS, MOST_ROWS) / CHUNK
-    }
-
-    /// The first bytes of a file.
-    pub fn head(&self) -> Vec<u8> {
-        MAGIC.to_vec()
     }
 
     /// The row group of some blocks.
@@ -99,15 +94,6 @@ impl SweepParquet {
                 Cells::SomeNumbers(values.collect())
             }
         })
-    }
-
-    /// Gives the row group of this metadata a place in the file: byte offset `at`, and index
-    /// `ordinal` among the row groups, from 0.
-    ///
-    /// # Errors
-    /// [`Error::Output`](crate::Error::Output) if `metadata` is not the metadata of a row group.
-    pub fn place(&self, metadata: &[u8], at: u64, ordinal: usize) -> Result<PlacedGroup> {
-        self.table.place(metadata, at, ordinal)
     }
 
     /// The last bytes of a file with these row groups. `metadata` has further entries of its
