@@ -1,4 +1,4 @@
-use super::style::{field, field_of};
+use super::style::field;
 use crate::parameters::Setup;
 use crate::report::plot::{Axis, Field, Figure, Hue, Layer, LineNames, NamedQuantity};
 use crate::report::shown::{self, capital};
@@ -247,14 +247,14 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
 /// The region of drives that lose little. With an equality constraint, the region is a part of the
 /// line on which the constraint holds.
 fn region_layers(region: &Region, name: &str) -> Vec<Layer> {
-    let of = |values: &[Option<f64>]| {
-        field_of(
-            NamedQuantity::plain("missed"),
-            region.across,
-            region.up,
-            region.columns,
-            values,
-        )
+    let of = |values: Vec<Option<f64>>| Field {
+        quantity: NamedQuantity::plain("missed"),
+        x: [region.across.low, region.across.high],
+        y: [region.up.low, region.up.high],
+        columns: region.columns,
+        values,
+        gradients: vec![],
+        common_values: vec![],
     };
     let Some(equation) = &region.equation else {
         // drives that do not fly are outside of the region
@@ -262,8 +262,8 @@ fn region_layers(region: &Region, name: &str) -> Vec<Layer> {
             .excess
             .iter()
             .map(|excess| Some(excess.unwrap_or(1.0)))
-            .collect::<Vec<_>>();
-        let rings = of(&beyond).below(0.0);
+            .collect();
+        let rings = of(beyond).below(0.0);
         let region = Layer::Region {
             name: name.into(),
             hue: Hue::OPTIMUM,
@@ -272,9 +272,9 @@ fn region_layers(region: &Region, name: &str) -> Vec<Layer> {
         };
         return vec![region];
     };
-    let excess = of(&region.excess);
+    let excess = of(region.excess.clone());
     let is_in = |at: &[f64; 2]| excess.at(*at).is_some_and(|excess| excess <= 0.0);
-    let line = of(equation).line_at(0.0).into_iter();
+    let line = of(equation.clone()).line_at(0.0).into_iter();
     let points: Vec<_> = line
         .map(|at| if is_in(&at) { at } else { [f64::NAN; 2] })
         .collect();

@@ -2,7 +2,7 @@
 //! and one dash pattern in all plots, and the titles of all plots use the same words.
 
 use crate::report::plot::{Field, Hue, Layer, NamedQuantity};
-use crate::study::{NamedDrive, Plane, Vary};
+use crate::study::{NamedDrive, Plane};
 
 /// The colour of a drive, and true if its lines are dashed. [`NamedDrive::AS_SET_UP`] and
 /// [`NamedDrive::OPTIMUM`] have fixed styles. A drive with another name has the colour of series
@@ -29,29 +29,13 @@ pub(super) fn clear_names(layers: &mut [Layer]) {
 /// The outcome with index `of` in `plane`, as a field of a plot with gradients. A `plane` without
 /// this outcome gives a field without values.
 pub(super) fn field(plane: &Plane, of: usize, quantity: NamedQuantity) -> Field {
-    let values = plane.values.get(of).map_or(&[][..], Vec::as_slice);
-    Field {
-        gradients: plane.gradients.get(of).cloned().unwrap_or_default(),
-        ..field_of(quantity, plane.across, plane.up, plane.columns, values)
-    }
-}
-
-/// Values at the nodes of a grid as a field of a plot, without gradients.
-pub(super) fn field_of(
-    quantity: NamedQuantity,
-    across: Vary,
-    up: Vary,
-    columns: usize,
-    values: &[Option<f64>],
-) -> Field {
-    let (x, y) = ([across.low, across.high], [up.low, up.high]);
     Field {
         quantity,
-        x,
-        y,
-        columns,
-        values: values.to_vec(),
-        gradients: vec![],
+        x: [plane.across.low, plane.across.high],
+        y: [plane.up.low, plane.up.high],
+        columns: plane.columns,
+        values: plane.values.get(of).cloned().unwrap_or_default(),
+        gradients: plane.gradients.get(of).cloned().unwrap_or_default(),
         common_values: vec![],
     }
 }

@@ -55,11 +55,7 @@ fn size(effect: &study::SigmaEffect) -> f64 {
 /// on top. The bar of a parameter p comes from drives computed at p − σ and p + σ; the other
 /// parameters are unchanged. The uncertainties and the note are in the units of `system`. `None` if
 /// none of these causes has an effect.
-pub fn tornado_figure(
-    effects: &Effects,
-    causes: Causes,
-    system: System,
-) -> Option<Figure> {
+pub fn tornado_figure(effects: &Effects, causes: Causes, system: System) -> Option<Figure> {
     let is_cause = |effect: &&Effect| causes.has(effect.parameter);
     let mut ranked: Vec<study::SigmaEffect> = effects
         .effects
@@ -80,7 +76,10 @@ pub fn tornado_figure(
     let names = row_names(effects, &ranked, &folded, system);
     let label = &quantity.label;
     let (suffix, title) = match causes {
-        Causes::Control => ("-control", format!("Effects on {label} of what you control")),
+        Causes::Control => (
+            "-control",
+            format!("Effects on {label} of what you control"),
+        ),
         Causes::Model => (
             "-model",
             format!("Effects on {label} of what the model does not know"),

@@ -4,7 +4,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Vector;
 use crate::report::drive::total_uncertainty;
-use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
+use crate::report::plot::{Axis, AxisScale, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shown;
 use crate::statistics::extent;
 use crate::study::NamedDrive;
@@ -43,7 +43,11 @@ const CLEARLY: f64 = 1.6;
 /// # Errors
 /// [`Error::Plot`] if no drive flies, and for a view from above if all drives are straight.
 pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Result<Figure> {
-    let paths: Vec<Vec<[f64; 2]>> = flown.iter().map(|one| path(one, view)).collect();
+    let path = |one: &NamedDrive| -> Vec<[f64; 2]> {
+        let points = one.path.points.iter();
+        points.map(|point| view.seen(point.position)).collect()
+    };
+    let paths: Vec<Vec<[f64; 2]>> = flown.iter().map(path).collect();
     let runs: Vec<Vec<[f64; 2]>> = flown.iter().map(|one| run(one, view)).collect();
     let all = || paths.iter().chain(&runs).flatten();
     let (x, y) = (extent(all().map(|at| at[0])), extent(all().map(|at| at[1])));
@@ -123,11 +127,6 @@ impl View {
     }
 }
 
-fn path(one: &NamedDrive, view: View) -> Vec<[f64; 2]> {
-    let points = one.path.points.iter();
-    points.map(|point| view.seen(point.position)).collect()
-}
-
 /// The path of bounces and roll after the landing; empty without a roll-out.
 fn run(one: &NamedDrive, view: View) -> Vec<[f64; 2]> {
     let Some(landing) = one.path.points.last() else {
@@ -149,7 +148,10 @@ fn without_layers(view: View, [x, y]: [[f64; 2]; 2]) -> Figure {
         View::Side => ("Trajectory from the side", Axis::linear(length("height"))),
         View::Top => (
             "Trajectory from above",
-            Axis::left_right(length("right of the target line")),
+            Axis {
+                scale: AxisScale::LeftRight,
+                ..Axis::linear(length("right of the target line"))
+            },
         ),
     };
     // margin for the labels at the apex and the landing

@@ -18,14 +18,20 @@ struct DriveColumn<'a> {
 }
 
 /// A table of outcomes and varied parameters, with a column for each drive: as set up, the best
-/// club with the swing as set up (if it is known), and the optimum.
+/// club with the swing as set up (if it is known), and the optimum. The outcomes are that of the
+/// report, with the total beside the carry and the carry beside the total.
 pub(super) fn steps(findings: &Findings, best: &Optimum) -> Markup {
     let columns = columns(findings, best);
+    let outcomes = match findings.of {
+        Outcome::Carry => vec![Outcome::Carry, Outcome::Total],
+        Outcome::Total => vec![Outcome::Total, Outcome::Carry],
+        of => vec![of],
+    };
     html! {
         table.steps {
             thead { tr { th { "drive" } @for column in &columns { th.number { (column.name) } } } }
             tbody {
-                @for of in outcomes(findings.of) {
+                @for of in outcomes {
                     tr {
                         td { (capital(&shown::words(of.name()))) }
                         @for column in &columns {
@@ -47,16 +53,6 @@ pub(super) fn steps(findings: &Findings, best: &Optimum) -> Markup {
                 }
             }
         }
-    }
-}
-
-/// The outcomes in the table: the outcome of the report. If it is the carry, the total follows; if
-/// it is the total, the carry follows.
-fn outcomes(of: Outcome) -> Vec<Outcome> {
-    match of {
-        Outcome::Carry => vec![of, Outcome::Total],
-        Outcome::Total => vec![of, Outcome::Carry],
-        _ => vec![of],
     }
 }
 

@@ -12,8 +12,8 @@ mod sections;
 pub use findings::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE};
 
 use super::figures::{
-    Causes, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure,
-    map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    Causes, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
+    strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use super::frame::{self, Pair, TextFile, both, chosen, picture_files, pictures};
 use super::optimum::optimum_toml;

@@ -1,7 +1,7 @@
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
 use crate::report::shown::words;
-use crate::units::{DisplayUnit, Quantity, System, TableUnits, printed};
+use crate::units::{DisplayUnit, Quantity, System, TableUnits};
 
 /// A quantity along an axis, or of a colour scale.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,14 +47,6 @@ impl NamedQuantity {
     pub fn show(&self, value: f64, system: System) -> String {
         let unit = system.unit(self.of.unit);
         self.of.quantity.read_off(value, unit)
-    }
-
-    /// The name with the unit of a system: `carry [yd]`, `club loft [°]`.
-    pub fn titled(&self, system: System) -> String {
-        match printed(system.unit(self.of.unit)).as_str() {
-            "" => self.label.clone(),
-            unit => format!("{} [{unit}]", self.label),
-        }
     }
 
     /// The name with the unit of a table: `carry [m]`.
@@ -112,14 +104,6 @@ impl Axis {
     pub fn log(quantity: NamedQuantity) -> Self {
         Self {
             scale: AxisScale::Log,
-            ..Self::linear(quantity)
-        }
-    }
-
-    /// Distances to the right of a line, with right at the bottom, and with the range of the data.
-    pub fn left_right(quantity: NamedQuantity) -> Self {
-        Self {
-            scale: AxisScale::LeftRight,
             ..Self::linear(quantity)
         }
     }

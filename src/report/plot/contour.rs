@@ -54,8 +54,12 @@ pub(super) fn contour_regions(field: &Field, system: System) -> Vec<ContourRegio
     let Some(refined) = Refined::new(field).map(|fine| fine.over(unit)) else {
         return vec![];
     };
+    let values = refined.values.iter().zip(&refined.is_known);
     let mut known: Vec<f64> = match &field.common_values[..] {
-        [] => refined.known().collect(),
+        [] => values
+            .filter(|(_, is_known)| **is_known)
+            .map(|(value, _)| *value)
+            .collect(),
         all => all.iter().map(|value| value / unit).collect(),
     };
     known.retain(|value| value.is_finite());

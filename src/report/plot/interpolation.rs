@@ -74,12 +74,6 @@ impl Refined {
         self.values.iter_mut().for_each(|value| *value /= unit);
         self
     }
-
-    /// The values at points whose nearest node of the field has a value.
-    pub fn known(&self) -> impl Iterator<Item = f64> + '_ {
-        let values = self.values.iter().zip(&self.is_known);
-        values.filter(|(_, is_known)| **is_known).map(|(at, _)| *at)
-    }
 }
 
 /// The derivatives across and up at each node, times the distance between nodes. At a node without

@@ -97,7 +97,7 @@ fn axes(
     rows: Option<&BarRows>,
     end_names: Option<&EndNames<'_>>,
 ) -> std::result::Result<PlotArea, &'static str> {
-    let ys = || coordinates(figure).map(|point| point[1]);
+    let ys = || figure.layers.iter().flat_map(Layer::points).map(|at| at[1]);
     let beside = end_names.map_or(0.0, |names| names.room);
     let mut found = Err("vertical");
     for count in (1..=MOST_TICKS).rev() {
@@ -133,7 +133,7 @@ fn across(
     width: f64,
     beside: f64,
 ) -> Option<(DrawnAxis, f64, f64)> {
-    let xs = || coordinates(figure).map(|point| point[0]);
+    let xs = || figure.layers.iter().flat_map(Layer::points).map(|at| at[0]);
     let has_bars = figure
         .layers
         .iter()
@@ -164,9 +164,4 @@ fn across(
         }
     }
     last
-}
-
-/// The points that the axes must include.
-fn coordinates(figure: &Figure) -> impl Iterator<Item = [f64; 2]> + '_ {
-    figure.layers.iter().flat_map(Layer::points)
 }

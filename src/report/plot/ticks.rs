@@ -1,8 +1,8 @@
 //! Ends and ticks of an axis.
 
-use super::axis::{Axis, AxisScale};
+use super::axis::{Axis, AxisScale, NamedQuantity};
 use super::text_width::text_width;
-use crate::units::{System, significant};
+use crate::units::{System, printed, significant};
 
 /// An axis with its ends and ticks, in the unit of a system. A logarithmic axis has the logarithms
 /// of ends and ticks.
@@ -138,9 +138,13 @@ impl DrawnAxis {
         }
     }
 
-    /// The title of the axis.
+    /// The title of the axis, with its unit: `carry [yd]`, `club loft [°]`.
     pub fn title(&self) -> String {
-        let titled = self.axis.quantity.titled(self.system);
+        let NamedQuantity { label, of } = &self.axis.quantity;
+        let titled = match printed(self.system.unit(of.unit)).as_str() {
+            "" => label.clone(),
+            unit => format!("{label} [{unit}]"),
+        };
         if self.axis.scale == AxisScale::LeftRight {
             format!("L, R: left and {titled}")
         } else {

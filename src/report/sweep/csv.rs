@@ -20,15 +20,6 @@ enum ColumnUnit {
     Ratio(f64),
 }
 
-impl ColumnUnit {
-    fn number(self, value: f64) -> f64 {
-        match self {
-            Self::Value(unit) => unit.number(value),
-            Self::Ratio(size) => value / size,
-        }
-    }
-}
-
 impl SweepCsv {
     /// The table of a batch in these units.
     pub fn new(batch: &Batch, units: TableUnits) -> Self {
@@ -86,7 +77,11 @@ impl SweepCsv {
         expect_columns(self.columns, block);
         let mut bytes = Vec::with_capacity(block.rows() * self.names.len() * 20);
         let write = |bytes: &mut Vec<u8>, value: f64, at: usize| {
-            let number = self.units[at].map_or(value, |unit| unit.number(value));
+            let number = match self.units[at] {
+                None => value,
+                Some(ColumnUnit::Value(unit)) => unit.number(value),
+                Some(ColumnUnit::Ratio(size)) => value / size,
+            };
             push_number(bytes, number);
         };
         for row in 0..block.rows() {
