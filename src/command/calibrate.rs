@@ -144,7 +144,8 @@ pub fn run(args: &Args) -> Result<Answer> {
         None => vec![],
     };
     let mut report = CalibrationReport::new(&table, &found, &held_out);
-    if !report.is_found() {
+    let is_found = report.status() == FitStatus::Converged;
+    if !is_found {
         warn([Message::from(format!(
             "the fit ended as '{}': {}",
             report.status(),
@@ -159,7 +160,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     report.file = args.output.as_ref().filter(|_| is_setup_written).map(named);
     report.folder = args.plot.as_ref().map(named);
     let answer = Answer::report(&report, &request.origin(), request.is_json);
-    Ok(answer.found(report.is_found()))
+    Ok(answer.found(is_found))
 }
 
 impl Args {

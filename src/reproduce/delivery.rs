@@ -62,11 +62,6 @@ impl DeliveryCarry {
             carry: longest.value().unwrap_or_default(),
         }
     }
-
-    /// The setup with this delivery.
-    pub(super) fn set(&self, setup: &Setup<f64>) -> Setup<f64> {
-        with_delivery(setup, self.loft, self.attack_angle)
-    }
 }
 
 /// The setup with this loft and attack angle.

@@ -1,4 +1,4 @@
-use super::delivery::{DeliveryCarry, Ranges, carry_if_flown};
+use super::delivery::{DeliveryCarry, Ranges, carry_if_flown, with_delivery};
 use crate::error::Result;
 use crate::optimize::Observers;
 use crate::parameters::Setup;
@@ -25,7 +25,7 @@ impl RecomputedOptimum {
         ranges: Ranges,
         starts: usize,
     ) -> Result<Self> {
-        let at = printed.set(setup);
+        let at = with_delivery(setup, printed.loft, printed.attack_angle);
         let search = ranges.longest_carry(setup, names)?;
         let best = optima(&at, &search, starts, &Observers::default())?.best;
         best.check_converged()?;

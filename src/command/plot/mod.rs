@@ -18,8 +18,8 @@ use crate::optimize::{Observer, Status};
 use crate::parameters::{Law, Parameter};
 use crate::repeated::first_repeated;
 use crate::report::figures::{
-    ChartFigures, OnMap, Over, View, chart_figures, difference_figure, laws_figure,
-    map_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    ChartFigures, OnMap, Over, View, chart_figures, difference_figure, laws_figure, map_figure,
+    tornado_figure, trajectory_figure, vcurve_figure,
 };
 use crate::report::plot::Figure;
 use crate::reproduce::while_loop;

@@ -87,18 +87,6 @@ pub struct DataReport {
     pub remarks: Vec<Message>,
 }
 
-impl DataReport {
-    fn new(table: &ShotTable) -> Self {
-        Self {
-            file: table.file.clone(),
-            shots: table.shots.len(),
-            values: table.residuals(),
-            launch_conditions: table.is_launched,
-            remarks: table.remarks.clone(),
-        }
-    }
-}
-
 /// The prediction errors on held-out data.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -142,7 +130,13 @@ impl<'a> CalibrationReport<'a> {
             cross_validations: held_out,
             interrupted: found.fit.status == FitStatus::Interrupted
                 || held_out.iter().any(|(_, held)| held.is_interrupted()),
-            data: DataReport::new(table),
+            data: DataReport {
+                file: table.file.clone(),
+                shots: table.shots.len(),
+                values: table.residuals(),
+                launch_conditions: table.is_launched,
+                remarks: table.remarks.clone(),
+            },
             estimates: estimates.collect(),
             covariance: Matrix::new(names.clone(), |a, b| statistics.covariance[a][b]),
             correlation: Matrix::new(names.clone(), |a, b| statistics.correlation(a, b)),
@@ -199,11 +193,6 @@ impl<'a> CalibrationReport<'a> {
                 fit.status, fit.message
             ),
         }
-    }
-
-    /// True if the fit converged and nothing was interrupted.
-    pub fn is_found(&self) -> bool {
-        self.found.fit.status == FitStatus::Converged && !self.interrupted
     }
 
     /// The fitted setup as a setup file in TOML, with full precision. Each fitted parameter has a

@@ -40,8 +40,9 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: PaperUnit
     let rows = found.noise.searches.iter().map(|searches| {
         let losses = searches.losses(best.carry);
         let worst = losses.last().copied().unwrap_or_default();
+        let successful = losses.iter().filter(|loss| **loss <= FOUND).count();
         vec![
-            format!("{} of {count}", searches.within(FOUND, best.carry)),
+            format!("{successful} of {count}"),
             shown.length(median(&losses).unwrap_or_default()),
             shown.length(worst),
             format!("{:.0}", searches.flights() as f64 / count.max(1) as f64),

@@ -112,16 +112,6 @@ impl ByLaunch {
     }
 }
 
-impl From<[f64; 3]> for ByLaunch {
-    fn from([ball_speed, launch_angle, backspin]: [f64; 3]) -> Self {
-        Self {
-            ball_speed,
-            launch_angle,
-            backspin,
-        }
-    }
-}
-
 /// Minimum ball speed of the searches, m/s.
 const SLOWEST: f64 = 10.0;
 /// Maximum ball speed of the searches, m/s: faster than any golf ball.
@@ -177,15 +167,20 @@ impl Subsystems {
         let slopes = [0, 1, 2].map(|quantity| flight.gradient[quantity]);
         let through =
             |parameter: usize| [0, 1, 2].map(|q| slopes[q] * impact[q].gradient[parameter]);
+        let by_launch = |[ball_speed, launch_angle, backspin]: [f64; 3]| ByLaunch {
+            ball_speed,
+            launch_angle,
+            backspin,
+        };
         let (own_choice, _) = alone.best([launch[0], launch[0]])?;
         let attack_angle = optimum.exact().attack_angle;
         Ok(Self {
             whole: Launched::new(&launch, flight.value),
             flight: own_choice,
             impact: DeliveryCarry::flown(setup, 0.0, attack_angle)?,
-            slopes: slopes.into(),
-            by_loft: through(0).into(),
-            by_attack_angle: through(1).into(),
+            slopes: by_launch(slopes),
+            by_loft: by_launch(through(0)),
+            by_attack_angle: by_launch(through(1)),
         })
     }
 }

@@ -107,14 +107,6 @@ fn search(objective: &CarryObjective<'_>, start: DeliveryCarry) -> Result<End> {
 }
 
 impl Searches {
-    /// Number of searches that end with a carry at most `distance`, m, below the best carry.
-    pub fn within(&self, distance: f64, best: f64) -> usize {
-        self.ends
-            .iter()
-            .filter(|search| best - search.end.carry <= distance)
-            .count()
-    }
-
     /// Loss of carry of each search against the best carry, m, in ascending order.
     pub fn losses(&self, best: f64) -> Vec<f64> {
         let mut losses: Vec<f64> = self

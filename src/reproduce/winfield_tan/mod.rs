@@ -19,7 +19,7 @@ use crate::error::Result;
 use crate::optimize::Observer;
 use crate::parameters::Setup;
 use crate::reproduce::RecomputedOptimum;
-use crate::reproduce::delivery::{ATTACK_ANGLE, DeliveryCarry, LOFT, Ranges};
+use crate::reproduce::delivery::{ATTACK_ANGLE, DeliveryCarry, LOFT, Ranges, with_delivery};
 use crate::study::optimum;
 use crate::units::{System, YARD};
 
@@ -102,8 +102,9 @@ fn ridge(setup: &Setup<f64>, mut from: DeliveryCarry) -> Result<Vec<DeliveryCarr
     let search = RANGES.longest_carry(setup, &[LOFT])?;
     (-6..=6)
         .map(|step| {
-            from.attack_angle = top + f64::from(step).to_radians();
-            let found = optimum(&from.set(setup), search.clone(), Observer::default())?;
+            let attack_angle = top + f64::from(step).to_radians();
+            let at = with_delivery(setup, from.loft, attack_angle);
+            let found = optimum(&at, search.clone(), Observer::default())?;
             found.check_converged()?;
             from = DeliveryCarry::of(&found);
             Ok(from)
