@@ -51,10 +51,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         club_alone: club.as_ref(),
     });
     let reply = |warnings| {
-        let mut reply = OptimumReport::reply(&optima, &over, warnings);
-        if let Some(around) = &around {
-            reply.body = reply.body.with_surroundings(best, around);
-        }
+        let mut reply = OptimumReport::reply(&optima, &over, around.as_ref(), warnings);
         reply.body.file = written;
         reply
     };

@@ -182,7 +182,7 @@ impl SwingsOptimum {
 
     /// The answer in JSON.
     pub fn reply(&self, warnings: Vec<Message>) -> Reply<OptimumReport> {
-        let mut reply = OptimumReport::reply(&self.optima, &self.over, warnings);
+        let mut reply = OptimumReport::reply(&self.optima, &self.over, None, warnings);
         reply.body.file.clone_from(&self.file);
         reply
     }

@@ -101,13 +101,21 @@ impl ParametersReport {
     /// Selects the parameters and choices whose names contain a word.
     ///
     /// # Errors
-    /// [`Error::Unknown`] if no name contains the word.
+    /// [`Error::Unknown`] if no name contains the word, with the most similar name, group or preset.
     pub fn with_word(mut self, word: &str) -> Result<Self> {
         let mut choices = self.choices.iter().map(|one| one.choice).chain([LAW]);
         let is_choice = choices.any(|name| has_word(name, word));
         let names: Vec<_> = self.parameters.iter().map(|one| one.parameter).collect();
         if !is_choice && !names.iter().any(|name| has_word(name, word)) {
-            return Err(unknown_word(word, &names));
+            let parts = names.iter().flat_map(|name| name.split('.'));
+            let presets = PRESETS.iter().map(|preset| preset.name);
+            let known: Vec<_> = parts.chain(names.iter().copied()).chain(presets).collect();
+            return Err(Error::unknown(
+                "parameter or group",
+                word,
+                known,
+                "`parameters()` lists them all",
+            ));
         }
         self.parameters.retain(|one| has_word(one.parameter, word));
         self.choices.retain(|one| has_word(one.choice, word));
@@ -140,19 +148,6 @@ impl ParametersReport {
 /// True if the name contains the word, which may be in upper or lower case.
 fn has_word(name: &str, word: &str) -> bool {
     name.contains(&word.to_lowercase())
-}
-
-/// The error for a word that no name contains, with the most similar name, group or preset.
-fn unknown_word(word: &str, names: &[&'static str]) -> Error {
-    let parts = names.iter().flat_map(|name| name.split('.'));
-    let presets = PRESETS.iter().map(|preset| preset.name);
-    let known: Vec<_> = parts.chain(names.iter().copied()).chain(presets).collect();
-    Error::unknown(
-        "parameter or group",
-        word,
-        known,
-        "`parameters()` lists them all",
-    )
 }
 
 impl ParameterReport {

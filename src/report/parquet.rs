@@ -38,12 +38,10 @@ pub(super) enum ColumnType {
     SomeText,
 }
 
-/// The values of a column in a row group.
+/// The cells of a column in a row group. A column with a value in every row has no `None`.
 pub(super) enum Cells {
-    Numbers(Vec<f64>),
-    SomeNumbers(Vec<Option<f64>>),
-    Texts(Vec<ByteArray>),
-    SomeTexts(Vec<Option<ByteArray>>),
+    Numbers(Vec<Option<f64>>),
+    Texts(Vec<Option<ByteArray>>),
 }
 
 /// A table. Each row group is created as a separate file in memory. A file with many row groups
@@ -191,18 +189,12 @@ impl ParquetTable {
         let mut number = 0;
         while let Some(mut column) = group.next_column()? {
             match (column.untyped(), cells(number)) {
-                (ColumnWriter::DoubleColumnWriter(writer), Cells::Numbers(values)) => {
-                    writer.write_batch(&values, None, None)?;
-                }
-                (ColumnWriter::DoubleColumnWriter(writer), Cells::SomeNumbers(values)) => {
-                    let (values, levels) = present(values);
+                (ColumnWriter::DoubleColumnWriter(writer), Cells::Numbers(cells)) => {
+                    let (values, levels) = present(cells);
                     writer.write_batch(&values, Some(&levels), None)?;
                 }
-                (ColumnWriter::ByteArrayColumnWriter(writer), Cells::Texts(values)) => {
-                    writer.write_batch(&values, None, None)?;
-                }
-                (ColumnWriter::ByteArrayColumnWriter(writer), Cells::SomeTexts(values)) => {
-                    let (values, levels) = present(values);
+                (ColumnWriter::ByteArrayColumnWriter(writer), Cells::Texts(cells)) => {
+                    let (values, levels) = present(cells);
                     writer.write_batch(&values, Some(&levels), None)?;
                 }
                 _ => {
@@ -250,7 +242,8 @@ impl ParquetTable {
     }
 }
 
-/// The values that are present, and the definition level of each row (1 if it has a value).
+/// The values that are present, and the definition level of each row (1 if it has a value). A
+/// column with a value in every row ignores the levels.
 fn present<T>(cells: Vec<Option<T>>) -> (Vec<T>, Vec<i16>) {
     let levels = cells.iter().map(|cell| i16::from(cell.is_some())).collect();
     (cells.into_iter().flatten().collect(), levels)

@@ -114,13 +114,14 @@ impl SensitivityReport {
         why: Option<&Error>,
         warnings: Vec<Message>,
     ) -> Reply<Self> {
+        let around = analysis.map(Analysis::surroundings);
         let Reply {
             status,
             message,
             body,
             warnings,
             ..
-        } = OptimumReport::reply(optima, &OverSwings::default(), warnings);
+        } = OptimumReport::reply(optima, &OverSwings::default(), around.as_ref(), warnings);
         let body = Self::new(body, &optima.best, analysis);
         let reply = Reply::done("optimum-sensitivity", warnings, body);
         match (analysis, why) {
@@ -156,7 +157,7 @@ impl SensitivityReport {
             .iter()
             .map(|changed| StatedChangeReport::new(best, changed));
         Self {
-            optimum: optimum.with_surroundings(best, &analysis.surroundings()),
+            optimum,
             sensitivity: Some(sensitivity.collect()),
             directions: Some(flatness.directions.clone()),
             ellipses: Some(flatness.ellipses.clone()),

@@ -179,15 +179,30 @@ impl StartReport {
 }
 
 impl OptimumReport {
-    /// The answer of `optimize`.
-    pub fn reply(optima: &Optima, over: &OverSwings, warnings: Vec<Message>) -> Reply<Self> {
+    /// The answer of `optimize`. `around` has the flatness of the optimum, and the gain of the club
+    /// alone.
+    pub fn reply(
+        optima: &Optima,
+        over: &OverSwings,
+        around: Option<&Surroundings<'_>>,
+        warnings: Vec<Message>,
+    ) -> Reply<Self> {
+        let best = &optima.best;
+        let windows = around.map(|around| {
+            let windows = best.search.vary.iter().zip(around.windows);
+            windows
+                .map(|(vary, window)| (vary.parameter.name, window.clone()))
+                .collect()
+        });
         let body = Self {
             optima: (optima.starts > 1).then(|| LocalReport::all(optima)),
-            swings: StudiesReport::new(&optima.best, over),
-            ..Self::new(&optima.best)
+            window: windows,
+            window_loss: around.map(|around| around.loss).into(),
+            club_alone: around.and_then(|around| around.club_alone.cloned()),
+            swings: StudiesReport::new(best, over),
+            ..Self::new(best)
         };
         let reply = Reply::done("optimize", warnings, body);
-        let best = &optima.best;
         match optima.interrupted() {
             None => reply.ended(best.status(), Some(best.message().to_string())),
             interrupted => reply.ended("interrupted", interrupted),
@@ -231,23 +246,6 @@ impl OptimumReport {
             file: None,
             swings: None,
             design: None,
-        }
-    }
-}
-
-impl OptimumReport {
-    /// Adds the flatness of the optimum, and the gain of the club alone.
-    #[must_use]
-    pub fn with_surroundings(self, optimum: &Optimum, around: &Surroundings<'_>) -> Self {
-        let vary = optimum.search.vary.iter();
-        let window = vary
-            .zip(around.windows)
-            .map(|(vary, window)| (vary.parameter.name, window.clone()));
-        Self {
-            window: Some(window.collect()),
-            window_loss: around.loss.into(),
-            club_alone: around.club_alone.cloned(),
-            ..self
         }
     }
 }

@@ -186,29 +186,17 @@ impl ShotParquet {
                 .flat_map(|flown| (0..flown.shots.len()).map(move |row| (flown, row)))
         };
         let numbers = |value: &dyn Fn(&Flown, usize) -> Option<f64>| {
-            Cells::SomeNumbers(rows().map(|(flown, row)| value(flown, row)).collect())
+            Cells::Numbers(rows().map(|(flown, row)| value(flown, row)).collect())
         };
         let texts = |text: &dyn Fn(&Flown, usize) -> Option<String>| {
             let text =
                 |(flown, row)| text(flown, row).map(|text| ByteArray::from(text.into_bytes()));
-            Cells::SomeTexts(rows().map(text).collect())
+            Cells::Texts(rows().map(text).collect())
         };
         match of {
-            ColumnSource::Line => Cells::Numbers(
-                rows()
-                    .map(|(flown, row)| flown.shots[row].line as f64)
-                    .collect(),
-            ),
-            ColumnSource::Flight => Cells::Texts(
-                rows()
-                    .map(|(flown, row)| ByteArray::from(flown.flight(row)))
-                    .collect(),
-            ),
-            ColumnSource::Row => Cells::Texts(
-                rows()
-                    .map(|(flown, row)| flown.shots[row].text.as_str().into())
-                    .collect(),
-            ),
+            ColumnSource::Line => numbers(&|flown, row| Some(flown.shots[row].line as f64)),
+            ColumnSource::Flight => texts(&|flown, row| Some(flown.flight(row).to_owned())),
+            ColumnSource::Row => texts(&|flown, row| Some(flown.shots[row].text.clone())),
             ColumnSource::Reason => texts(&|flown, row| flown.reason(row).map(str::to_owned)),
             ColumnSource::Notes => texts(&|flown, row| {
                 let notes = &flown.shots[row].notes;

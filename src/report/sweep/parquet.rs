@@ -78,10 +78,10 @@ impl SweepParquet {
                 let values = blocks
                     .iter()
                     .flat_map(|block| all(block).map(move |row| value(block, row)));
-                Cells::SomeNumbers(values.collect())
+                Cells::Numbers(values.collect())
             }
             number if number == parameters => {
-                let status = |block: &Block, row| ByteArray::from(block.status(row).name());
+                let status = |block: &Block, row| Some(ByteArray::from(block.status(row).name()));
                 let status = blocks
                     .iter()
                     .flat_map(|block| all(block).map(move |row| status(block, row)));
@@ -91,7 +91,7 @@ impl SweepParquet {
                 let values = blocks
                     .iter()
                     .flat_map(|block| block.result(number - parameters - 1));
-                Cells::SomeNumbers(values.collect())
+                Cells::Numbers(values.collect())
             }
         })
     }

@@ -130,7 +130,14 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure
 /// deviation of the difference between two launch monitors. `name` is the name of the line in the
 /// legend.
 fn without_error(of: Compared, name: &str, ends: [[f64; 2]; 2]) -> Vec<Layer> {
-    let band = monitor_deviation(of).map(|by| Layer::Band {
+    let outcome = match of {
+        Compared::Carry => Some(Outcome::CarryDistance),
+        Compared::Apex => Some(Outcome::ApexHeight),
+        Compared::Descent => Some(Outcome::DescentAngle),
+        Compared::Spin => Some(Outcome::Spin),
+        Compared::Curve | Compared::Gain | Compared::LaunchAngle => None,
+    };
+    let band = outcome.and_then(instrument_deviation).map(|by| Layer::Band {
         name: INSTRUMENTS.into(),
         hue: Hue::Faint,
         points: ends.map(|[x, y]| [x, y - by, y + by]).to_vec(),
@@ -154,19 +161,6 @@ fn ends(of: impl Iterator<Item = f64>) -> [f64; 2] {
     Some(extent(of))
         .filter(|[low, high]| low <= high)
         .unwrap_or_default()
-}
-
-/// The standard deviation of the difference between two launch monitors in a quantity, SI; `None`
-/// if it is unknown.
-fn monitor_deviation(of: Compared) -> Option<f64> {
-    let outcome = match of {
-        Compared::Carry => Outcome::CarryDistance,
-        Compared::Apex => Outcome::ApexHeight,
-        Compared::Descent => Outcome::DescentAngle,
-        Compared::Spin => Outcome::Spin,
-        Compared::Curve | Compared::Gain | Compared::LaunchAngle => return None,
-    };
-    instrument_deviation(outcome)
 }
 
 /// The smallest mean absolute error of a set's first quantity, SI, with the law that has it.

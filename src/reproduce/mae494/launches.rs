@@ -164,13 +164,15 @@ impl Subsystems {
             .map(|all: Evaluation| all.objective)
             .map_err(failed)?
             .negated();
-        let slopes = [0, 1, 2].map(|quantity| flight.gradient[quantity]);
-        let through =
-            |parameter: usize| [0, 1, 2].map(|q| slopes[q] * impact[q].gradient[parameter]);
-        let by_launch = |[ball_speed, launch_angle, backspin]: [f64; 3]| ByLaunch {
-            ball_speed,
-            launch_angle,
-            backspin,
+        let slopes = ByLaunch {
+            ball_speed: flight.gradient[0],
+            launch_angle: flight.gradient[1],
+            backspin: flight.gradient[2],
+        };
+        let through = |parameter: usize| ByLaunch {
+            ball_speed: slopes.ball_speed * impact[0].gradient[parameter],
+            launch_angle: slopes.launch_angle * impact[1].gradient[parameter],
+            backspin: slopes.backspin * impact[2].gradient[parameter],
         };
         let (own_choice, _) = alone.best([launch[0], launch[0]])?;
         let attack_angle = optimum.exact().attack_angle;
@@ -178,9 +180,9 @@ impl Subsystems {
             whole: Launched::new(&launch, flight.value),
             flight: own_choice,
             impact: DeliveryCarry::flown(setup, 0.0, attack_angle)?,
-            slopes: by_launch(slopes),
-            by_loft: by_launch(through(0)),
-            by_attack_angle: by_launch(through(1)),
+            slopes,
+            by_loft: through(0),
+            by_attack_angle: through(1),
         })
     }
 }
