@@ -30,11 +30,6 @@ impl SetupOrigin {
         Self { held, ..self }
     }
 
-    /// The title; `None` if the setup has no name.
-    pub fn name(&self) -> Option<&str> {
-        self.has_name.then_some(self.title.as_str())
-    }
-
     /// Puts the setup before the other lines of an answer.
     pub fn put_before(&self, document: &mut Document, system: System) {
         if self.title.is_empty() {

@@ -138,7 +138,7 @@ impl<T> Reply<T> {
     pub fn about(self, origin: &SetupOrigin) -> Self {
         let held = origin.held.iter();
         Self {
-            from: origin.name().map(ToOwned::to_owned),
+            from: origin.has_name.then(|| origin.title.clone()),
             held: held.map(|(parameter, _)| parameter.name).collect(),
             ..self
         }

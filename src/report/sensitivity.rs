@@ -114,16 +114,28 @@ impl SensitivityReport {
         why: Option<&Error>,
         warnings: Vec<Message>,
     ) -> Reply<Self> {
+        let best = &optima.best;
         let around = analysis.map(Analysis::surroundings);
-        let Reply {
-            status,
-            message,
-            body,
-            warnings,
-            ..
-        } = OptimumReport::reply(optima, &OverSwings::default(), around.as_ref(), warnings);
-        let body = Self::new(body, &optima.best, analysis);
-        let reply = Reply::done("optimum-sensitivity", warnings, body);
+        let optimum =
+            OptimumReport::reply(optima, &OverSwings::default(), around.as_ref(), warnings);
+        let sensitivity = analysis.map(|analysis| {
+            let all = analysis.sensitivities.iter();
+            all.map(|(parameter, found)| (parameter.name, SensitivityOf::new(best, found)))
+                .collect()
+        });
+        let changes = analysis.map(|analysis| {
+            let all = analysis.changes.iter();
+            all.map(|changed| StatedChangeReport::new(best, changed))
+                .collect()
+        });
+        let body = Self {
+            optimum: optimum.body,
+            sensitivity,
+            directions: analysis.map(|analysis| analysis.flatness.directions.clone()),
+            ellipses: analysis.map(|analysis| analysis.flatness.ellipses.clone()),
+            changes,
+        };
+        let reply = Reply::done("optimum-sensitivity", optimum.warnings, body);
         match (analysis, why) {
             // the body has the reason for each parameter
             (Some(analysis), _) if !analysis.is_answered() => reply.ended(
@@ -131,37 +143,7 @@ impl SensitivityReport {
                 Some("this optimum has none of the requested sensitivities".into()),
             ),
             (None, Some(why)) => reply.ended(why.status(), Some(why.to_string())),
-            _ => reply.ended(status, message),
-        }
-    }
-
-    fn new(optimum: OptimumReport, best: &Optimum, analysis: Option<&Analysis>) -> Self {
-        let Some(analysis) = analysis else {
-            return Self {
-                optimum,
-                sensitivity: None,
-                directions: None,
-                ellipses: None,
-                changes: None,
-            };
-        };
-        let Analysis {
-            sensitivities,
-            flatness,
-            changes,
-        } = analysis;
-        let sensitivity = sensitivities
-            .iter()
-            .map(|(parameter, found)| (parameter.name, SensitivityOf::new(best, found)));
-        let changes = changes
-            .iter()
-            .map(|changed| StatedChangeReport::new(best, changed));
-        Self {
-            optimum,
-            sensitivity: Some(sensitivity.collect()),
-            directions: Some(flatness.directions.clone()),
-            ellipses: Some(flatness.ellipses.clone()),
-            changes: Some(changes.collect()),
+            _ => reply.ended(optimum.status, optimum.message),
         }
     }
 }

@@ -1,8 +1,12 @@
-//! The command `explore` if it serves no page.
+//! The command `explore` if it serves no page, and the address of the explorer.
 
 #[cfg(not(feature = "explore"))]
 use crate::command_line::{longdrive, on_one_line};
+use longdrive::Setup;
 use longdrive::command::{Host, MessageKind, run};
+use longdrive::parameters::Preset;
+use longdrive::report::explorer_state;
+use longdrive::units::System;
 use std::io;
 use std::sync::{Arc, Mutex};
 
@@ -93,4 +97,89 @@ fn the_command_for_the_explorer_has_the_launch_of_the_report() {
     let page = report(&folder.path().join("drive"), &args);
     let line = format!("<code>longdrive explore {file} --launch backspin=2600rpm</code>");
     assert!(page.contains(&line), "{page}");
+}
+
+fn state(preset: &str, changes: &[(&str, &str)], system: System) -> String {
+    let mut setup = Setup::preset(preset).unwrap();
+    setup.set_all(changes.iter().copied()).unwrap();
+    explorer_state(&setup, Preset::named(preset).unwrap(), system).unwrap()
+}
+
+#[test]
+fn exact_addresses_have_only_what_differs_from_the_preset() {
+    let of = |changes: &[_]| state("tour-average", changes, System::Us);
+    assert_eq!(of(&[]), "1&tour-average");
+    let same = [("golfer", "right"), ("impact.friction", "none")];
+    assert_eq!(of(&same), "1&tour-average");
+    assert_eq!(
+        of(&[("golfer", "left"), ("swing.speed_of", "face-centre")]),
+        "1&tour-average&golfer=left&swing.speed_of=face-centre"
+    );
+    let wind = [("wind.speed", "10 mph"), ("wind.from", "90 deg")];
+    assert_eq!(
+        state("mae494", &wind, System::Us),
+        "1&mae494&wind.speed=10mph&wind.from=90deg"
+    );
+    assert_eq!(
+        state("mae494", &wind, System::Metric),
+        "1&mae494&wind.speed=4.4704m/s&wind.from=90deg&units=metric"
+    );
+}
+
+#[test]
+fn exact_address_of_a_launch_has_no_club() {
+    let launch = [
+        ("golfer", "left"),
+        ("club.loft", "12 deg"),
+        ("launch.ball_speed", "160 mph"),
+        ("launch.launch_angle", "12 deg"),
+        ("launch.backspin", "2600 rpm"),
+    ];
+    assert_eq!(
+        state("tour-average", &launch, System::Us),
+        "1&tour-average&launch.ball_speed=160mph&launch.launch_angle=12deg&launch.backspin=2600rpm"
+    );
+}
+
+#[test]
+fn exact_escapes_of_units_signs_and_unset_values() {
+    let of = |changes: &[_]| state("tour-average", changes, System::Us);
+    assert_eq!(
+        of(&[("club.inertia.xx", "4500 g cm^2")]),
+        "1&tour-average&club.inertia.xx=4500g%20cm%5E2"
+    );
+    assert_eq!(
+        of(&[
+            ("swing.attack_angle", "-2 deg"),
+            ("wind.speed", "0 mph"),
+            ("wind.from", "90 deg")
+        ]),
+        "1&tour-average&swing.attack_angle=-2deg&wind.speed=0mph&wind.from=90deg"
+    );
+    assert_eq!(
+        of(&[("ground.turf", "wet")]),
+        "1&tour-average&ground.restitution=none"
+    );
+}
+
+#[test]
+fn exact_coefficients_of_another_law_are_compared_with_the_published_ones() {
+    let of = |changes: &[_]| state("tour-average", changes, System::Us);
+    assert_eq!(
+        of(&[("aero.law", "linear")]),
+        "1&tour-average&aero.law=linear"
+    );
+    assert_eq!(
+        of(&[("aero.law", "linear"), ("aero.cd", "0.3")]),
+        "1&tour-average&aero.law=linear&aero.cd=0.3"
+    );
+}
+
+#[test]
+fn a_stated_step_is_in_the_address_also_where_it_is_the_default() {
+    let stated = [("flight.method", "rk4"), ("flight.step", "10 ms")];
+    assert_eq!(
+        state("tour-average", &stated, System::Us),
+        "1&tour-average&flight.method=rk4&flight.step=0.01s"
+    );
 }

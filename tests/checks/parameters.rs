@@ -6,7 +6,7 @@ use longdrive::integration::StepChoice;
 use longdrive::optimize::Observer;
 use longdrive::optimize::least_squares::FitObserver;
 use longdrive::parameters::{Law, PRESETS, Parameter, SetupFile};
-use longdrive::report::setup_toml;
+use longdrive::report::{preset_toml, setup_toml};
 use longdrive::study::calibrate::{self, ShotTable, calibrate};
 use longdrive::study::uncertainty::{self, Distribution, Uncertain, uncertainty};
 use longdrive::study::{
@@ -431,4 +431,36 @@ fn values_that_are_not_as_many_as_their_parameters_are_refused() {
     }
     let changed = setup.with_values(&parameters, &[0.2, 45.0]).unwrap();
     assert_eq!((changed.club.loft, changed.swing.speed), (0.2, 45.0));
+}
+
+#[test]
+fn a_preset_printed_as_a_setup_file_reads_back_as_itself() {
+    for preset in PRESETS {
+        let text = preset_toml(preset.name).unwrap();
+        let read = Setup::from_toml(&text.replace("preset =", "# preset ="), preset.name).unwrap();
+        assert_eq!(read, Setup::preset(preset.name).unwrap(), "{text}");
+    }
+}
+
+#[test]
+fn same_setup_of_every_law_after_writing_and_reading() {
+    for (k, law) in Law::NAMES.iter().enumerate() {
+        for preset in PRESETS {
+            let mut setup = Setup::preset(preset.name).unwrap();
+            setup.set_law(law).unwrap();
+            for (i, parameter) in setup.variables().into_iter().enumerate() {
+                // change each value a little, to a value with many digits, within its range
+                let factor = 1.0 + 1e-3 * ((i + 50 * k) as f64).sin();
+                let value = setup.value(parameter).unwrap() * factor;
+                setup.set_value(parameter, Some(value)).unwrap();
+            }
+            let file = SetupFile::of_preset(preset.name).unwrap();
+            let text = setup_toml(&setup, &file, &["a file\nwith a break".into()], &[]).unwrap();
+            assert_eq!(Setup::from_toml(&text, "f").unwrap(), setup, "{text}");
+            assert!(
+                text.starts_with("# a file with a break\npreset = "),
+                "{text}"
+            );
+        }
+    }
 }

@@ -38,8 +38,9 @@ pub struct FlyRow {
     /// The line of the file in which the row begins.
     #[schemars(range(min = 1))]
     line: u64,
-    /// The status of the drive.
-    flight: RowStatus,
+    /// The status of the drive; `refused` if the row is not flown.
+    #[schemars(extend("enum" = [&["refused"][..], &crate::batch::Status::NAMES].concat()))]
+    flight: String,
     /// The reason why the row has no predicted outcomes; `null` if it has them.
     reason: Option<String>,
     /// Notes on values that are assumed, or not compared.
@@ -65,32 +66,10 @@ pub struct FlyRow {
     predicted: ByOutcome<JsonNumber>,
     /// The residuals, predicted − measured.
     residual: ByOutcome<JsonNumber>,
-    /// The row as in the file.
-    row: OriginalRow,
-}
-
-/// The status of the drive of a row.
-#[cfg(test)]
-#[derive(schemars::JsonSchema)]
-#[schemars(rename_all = "lowercase")]
-#[expect(dead_code, reason = "only its schema is used")]
-enum RowStatus {
-    /// The row is not flown.
-    Refused,
-    #[schemars(untagged)]
-    Flown(crate::batch::Status),
-}
-
-/// A row as in the file.
-#[cfg(test)]
-#[derive(schemars::JsonSchema)]
-#[schemars(untagged)]
-#[expect(dead_code, reason = "only its schema is used")]
-enum OriginalRow {
-    /// The cells by their column heads; the message, if the shot came as a message.
-    Cells(serde_json::Map<String, serde_json::Value>),
-    /// The text, if it cannot be divided into cells.
-    Text(String),
+    /// The row as in the file: the cells by their column heads, or the message, if the shot came as
+    /// a message. The text, if it cannot be divided into cells.
+    #[schemars(extend("type" = ["object", "string"]))]
+    row: serde_json::Value,
 }
 
 /// Values by the name of an outcome; the request chooses the outcomes.

@@ -137,11 +137,13 @@ fn without_error(of: Compared, name: &str, ends: [[f64; 2]; 2]) -> Vec<Layer> {
         Compared::Spin => Some(Outcome::Spin),
         Compared::Curve | Compared::Gain | Compared::LaunchAngle => None,
     };
-    let band = outcome.and_then(instrument_deviation).map(|by| Layer::Band {
-        name: INSTRUMENTS.into(),
-        hue: Hue::Faint,
-        points: ends.map(|[x, y]| [x, y - by, y + by]).to_vec(),
-    });
+    let band = outcome
+        .and_then(instrument_deviation)
+        .map(|by| Layer::Band {
+            name: INSTRUMENTS.into(),
+            hue: Hue::Faint,
+            points: ends.map(|[x, y]| [x, y - by, y + by]).to_vec(),
+        });
     let line = Layer::Line {
         name: name.into(),
         hue: Hue::Ink,

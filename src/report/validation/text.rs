@@ -1,6 +1,6 @@
-use super::figures::{ALTERNATIVE, best, figures};
+use super::figures::{ALTERNATIVE, best};
 use crate::parameters::{Law, TABLE_LAW};
-use crate::report::document::{Detail, Document, DocumentTable};
+use crate::report::document::{Document, DocumentTable};
 use crate::report::shown::NONE;
 use crate::study::validation::{Case, Compared, LawScores, OTHER_TEMPERATURES, Score, SetScores};
 use crate::units::{System, counted, fixed, signed};
@@ -8,45 +8,9 @@ use crate::units::{System, counted, fixed, signed};
 /// The first quantity of most sets. The table names the quantity only for the other sets.
 const CARRY: &str = "carry";
 
-/// The errors of the best law, the default law and the law `ALTERNATIVE` on every set, then
-/// figures, then each set with every law.
-pub(super) fn document(found: &[SetScores], system: System) -> Document {
-    let mut document = Document::new("Laws of drag and lift beside published drives");
-    let length = system.unit("yd");
-    let mut about = Document::default();
-    about.paragraph(format!(
-        "For each law the bias, which is the mean of computed less published, and MAE, the mean of \
-         its size; lengths in {length}, angles in °, spin \
-         in rpm. Where the air is not stated, drives fly at 25 °C at sea level in calm; the \
-         columns \"15 °C\" and \"35 °C\" are the bias of the first \
-         quantity at these temperatures. \"averaged\" is the bias of the mean carry of drives \
-         that scatter about the average launch, in place of the carry of the average launch: \
-         standard deviations of 5.5 mph, 2° of launch angle, 400 rpm and 9° of \
-         spin axis, in wind of 4 m/s from any direction, by exact second derivatives; this scatter \
-         is assumed. No law is fitted to these numbers here. The sets \
-         of TrackMan's charts, the curves and the simulations are output of models, and no set of \
-         the {} has \
-         measured launch, air and landing together: laws that agree within 3 % of carry cannot be \
-         told apart by these numbers.",
-        found.len()
-    ));
-    document.append_detail(about, Detail::WithAll);
-    summary(&mut document, found, system);
-    let mut sets = Document::default();
-    sets.heading("In pictures");
-    for figure in figures(found) {
-        sets.figure(figure);
-    }
-    for set in found {
-        one(&mut sets, set, system);
-    }
-    document.append_detail(sets, Detail::WithAll);
-    document
-}
-
 /// The mean absolute error of the first quantity of every set, for the best law, the default law,
 /// the law `ALTERNATIVE`, and the user's table if there is one.
-fn summary(document: &mut Document, found: &[SetScores], system: System) {
+pub(super) fn summary(document: &mut Document, found: &[SetScores], system: System) {
     let default = Law::default().name();
     let own = found
         .iter()
@@ -102,7 +66,7 @@ fn summary(document: &mut Document, found: &[SetScores], system: System) {
 }
 
 /// A set with a row for each law.
-fn one(document: &mut Document, set: &SetScores, system: System) {
+pub(super) fn one(document: &mut Document, set: &SetScores, system: System) {
     let about = set.set;
     document.heading(&format!("{} ({})", about.title, about.name));
     document.paragraph(format!(
