@@ -16,17 +16,15 @@ const FIRST_ROWS: usize = 10;
 /// The source of an uncertainty that the request states.
 pub(super) const STATED: &str = "given";
 
-/// For each parameter: the sensitivity of the optimal value, or the error of its computation.
-pub type Totals = [(&'static Parameter, Result<Sensitivity>)];
-
 /// The effects of all parameters on outcomes, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct EffectsReport<'a> {
     #[serde(skip)]
     found: &'a [Effects],
+    /// The outcome whose optimal value has derivatives.
     #[serde(skip)]
-    totals: Option<(Outcome, &'a Totals)>,
+    optimized: Option<Outcome>,
     /// Each outcome, in the order requested.
     pub outcomes: Vec<OutcomeEffects>,
     /// The optimum, if the effects belong to the optimal drive; `null` for the drive as set up.
@@ -77,27 +75,33 @@ pub struct EffectReport {
 
 impl<'a> EffectsReport<'a> {
     /// The report of the effects `found`: on the drive as set up, or on the drive of the optimum
-    /// `best`. `totals` has the optimized outcome and the sensitivities of its optimal value.
+    /// `best`. `totals` has the optimized outcome and, for each parameter, the sensitivity of its
+    /// optimal value, or the error of the computation.
     pub fn new(
         found: &'a [Effects],
         best: Option<&Optimum>,
-        totals: Option<(Outcome, &'a Totals)>,
+        totals: Option<(Outcome, &[(&'static Parameter, Result<Sensitivity>)])>,
     ) -> Self {
-        let outcomes = found
-            .iter()
-            .map(|effects| OutcomeEffects::new(effects, totals_of(effects.of, totals)))
-            .collect();
+        let outcomes = found.iter().map(|effects| {
+            let totals = totals.filter(|(optimized, _)| *optimized == effects.of);
+            OutcomeEffects::new(effects, totals.map_or(&[], |(_, totals)| totals))
+        });
         Self {
             found,
-            totals,
-            outcomes,
+            optimized: totals.map(|(optimized, _)| optimized),
+            outcomes: outcomes.collect(),
             at_optimum: best.map(OptimumReport::new),
         }
     }
 }
 
 impl OutcomeEffects {
-    fn new(effects: &Effects, totals: Option<&Totals>) -> Self {
+    /// The effects on an outcome; `totals` are the sensitivities of its optimal value.
+    fn new(effects: &Effects, totals: &[(&'static Parameter, Result<Sensitivity>)]) -> Self {
+        let total = |parameter: &Parameter| {
+            let (_, sensitivity) = totals.iter().find(|(other, _)| *other == parameter)?;
+            Some(sensitivity.as_ref().ok()?.value)
+        };
         let effect = |effect: &Effect| {
             let bar = effect.sigma_effect.as_ref();
             EffectReport {
@@ -109,7 +113,7 @@ impl OutcomeEffects {
                 effect: bar.map(|bar| bar.first_order).into(),
                 second_order: bar.and_then(|bar| bar.second_order).into(),
                 flown: bar.map(|bar| bar.flown.map(JsonNumber::from)),
-                derivative_of_optimum: total(totals, effect.parameter).into(),
+                derivative_of_optimum: total(effect.parameter).into(),
             }
         };
         Self {
@@ -133,7 +137,7 @@ impl Report for EffectsReport<'_> {
             NamedDrive::AS_SET_UP
         };
         let mut document = Document::default();
-        for effects in self.found {
+        for (effects, report) in self.found.iter().zip(&self.outcomes) {
             let of = effects.of;
             let value = shown::both(of, effects.value, system);
             document.list([Line::flush(format!("{} = {value}, {at}", of.name()))]);
@@ -152,26 +156,12 @@ impl Report for EffectsReport<'_> {
                 defaults.list(sources.map(|line| Line::item(format!("default of {line}"))));
                 document.append_detail(defaults, Detail::WithAll);
             }
-            document.add(slopes(effects, totals_of(of, self.totals), system));
+            let is_optimized = self.optimized == Some(of);
+            let of_optimum = is_optimized.then_some(&report.effects[..]);
+            document.add(slopes(effects, of_optimum, system));
         }
         document
     }
-}
-
-/// The sensitivities in `totals`; `None` unless the search optimized this outcome.
-fn totals_of(of: Outcome, totals: Option<(Outcome, &Totals)>) -> Option<&Totals> {
-    let (optimized, totals) = totals?;
-    (optimized == of).then_some(totals)
-}
-
-/// The derivative of the optimal value by a parameter. `None` if it could not be computed, or
-/// without `totals`.
-fn total(totals: Option<&Totals>, parameter: &Parameter) -> Option<f64> {
-    let (_, sensitivity) = totals?.iter().find(|(other, _)| *other == parameter)?;
-    sensitivity
-        .as_ref()
-        .ok()
-        .map(|sensitivity| sensitivity.value)
 }
 
 /// The effects of uncertainties on an outcome, with the size of the second-order terms.
@@ -216,12 +206,13 @@ fn uncertainties(effects: &Effects, bars: &[SigmaEffect], system: System) -> Doc
     table
 }
 
-fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> DocumentTable {
+/// The derivatives of an outcome, and those of its optimal value if `of_optimum` has them.
+fn slopes(effects: &Effects, of_optimum: Option<&[EffectReport]>, system: System) -> DocumentTable {
     let of = effects.of;
     let rate = |slope: f64, parameter: &Parameter| {
         shown::slope(of, effects.value, parameter, slope, system, 5)
     };
-    let row = |effect: &Effect| {
+    let row = |(i, effect): (usize, &Effect)| {
         let parameter = effect.parameter;
         let gradient = shown::zero_if_rounding(effect.gradient, effects.value, of, &[parameter]);
         let elasticity = effect.elasticity.map_or(shown::NONE.into(), |elasticity| {
@@ -232,15 +223,16 @@ fn slopes(effects: &Effects, totals: Option<&Totals>, system: System) -> Documen
             rate(effect.gradient, parameter),
             elasticity,
         ];
-        row.extend(totals.map(|_| {
-            total(totals, parameter).map_or(shown::NONE.into(), |slope| rate(slope, parameter))
+        row.extend(of_optimum.map(|reports| {
+            let slope = reports[i].derivative_of_optimum.0;
+            slope.map_or(shown::NONE.into(), |slope| rate(slope, parameter))
         }));
         row
     };
     let mut head = vec!["by", "slope", "elasticity"];
-    head.extend(totals.map(|_| "slope of the optimum"));
+    head.extend(of_optimum.map(|_| "slope of the optimum"));
     let columns = head.len();
-    let rows = effects.effects.iter().map(row);
+    let rows = effects.effects.iter().enumerate().map(row);
     let mut table = DocumentTable::new(head, rows).right(1..columns);
     table.first_rows = FIRST_ROWS;
     table

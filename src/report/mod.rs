@@ -56,7 +56,7 @@ pub use delivery::{
 pub use design::Designed;
 pub use document::{Document, Line, TextOptions, document_files};
 pub use drive::{ClubReport, DriveReport, LaunchReport, LawRanges, total_uncertainty_note};
-pub use effects::{EffectReport, EffectsReport, OutcomeEffects, Totals};
+pub use effects::{EffectReport, EffectsReport, OutcomeEffects};
 pub use explorer::explorer_state;
 pub use frame::TextFile;
 pub use gradient::{GradientReport, OutcomeReport};
