@@ -232,7 +232,7 @@ commands! {
     ///
     /// From a CSV export or GSPro Open Connect: predicted flights, compared with the measured
     /// flights.
-    Fly(fly): ShotsReport<'_>, fly::listen::MessageCounts;
+    Fly(fly): ShotsReport, fly::listen::MessageCounts;
     /// Reproduce a published study, number by number.
     Reproduce(reproduce): Mae494Report<'_>, WinfieldTanReport<'_>;
     /// Compare every law of flight with published drives.

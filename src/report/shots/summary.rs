@@ -5,7 +5,7 @@ use crate::report::document::{Document, DocumentTable, Line};
 use crate::report::reply::{Ending, Report};
 use crate::report::shown;
 use crate::shots::{
-    Band, ClubShots, Refused, ShotStatistics, Sums, conversion_factor, instrument_deviation,
+    ClubShots, Refused, ShotStatistics, Sums, conversion_factor, instrument_deviation,
 };
 use crate::units::{Message, System, counted, fixed, printed, signed};
 use serde::Serialize;
@@ -13,9 +13,7 @@ use serde::Serialize;
 /// A summary of flown shots, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct ShotsReport<'a> {
-    #[serde(skip)]
-    statistics: &'a ShotStatistics,
+pub struct ShotsReport {
     /// The status of the command.
     #[serde(skip)]
     pub ending: Ending,
@@ -140,10 +138,10 @@ impl SumsReport {
     }
 }
 
-impl<'a> ShotsReport<'a> {
+impl ShotsReport {
     /// The report of these statistics.
     pub fn new(
-        statistics: &'a ShotStatistics,
+        statistics: &ShotStatistics,
         source: Option<&'static str>,
         file: Option<String>,
         remarks: &[Message],
@@ -165,7 +163,6 @@ impl<'a> ShotsReport<'a> {
         };
         let clubs = statistics.clubs.iter();
         Self {
-            statistics,
             ending: Ending::DONE,
             file,
             source,
@@ -183,9 +180,51 @@ impl<'a> ShotsReport<'a> {
             remarks: remarks.to_vec(),
         }
     }
+
+    /// Lines with the number of rows flown, not flown (by kind of reason), and with remarks.
+    fn counts(&self) -> Vec<Line> {
+        let from = self
+            .source
+            .map_or(String::new(), |source| format!(" ({source})"));
+        let refused: u64 = self.refused.iter().map(|refused| refused.count).sum();
+        let mut lines = vec![Line::flush(format!(
+            "{}{from}: {} flown, {refused} not flown",
+            counted(self.rows, "row"),
+            self.flown
+        ))];
+        for refused in &self.refused {
+            lines.push(Line::item(format!(
+                "{}: {}, the first in line {}: {}",
+                refused.kind,
+                counted(refused.count, "row"),
+                refused.line,
+                refused.reason
+            )));
+        }
+        let remarks = [
+            (
+                self.noted,
+                "with values that are assumed or not compared (see the notes of these rows)",
+            ),
+            (
+                self.spin_not_measured,
+                "whose spin is estimated or modelled, as the export says",
+            ),
+            (
+                self.normalized,
+                "whose values are normalized to other conditions, as the export says",
+            ),
+        ];
+        for (count, remark) in remarks {
+            if count > 0 {
+                lines.push(Line::item(format!("{} {remark}", counted(count, "row"))));
+            }
+        }
+        lines
+    }
 }
 
-impl Report for ShotsReport<'_> {
+impl Report for ShotsReport {
     const COMMAND: &'static str = "fly";
 
     #[cfg(test)]
@@ -197,21 +236,16 @@ impl Report for ShotsReport<'_> {
 
     /// The counts of rows, and the residuals of each outcome by ball speed.
     fn document(&self, system: System) -> Document {
-        let statistics = self.statistics;
-        let mut lines = counts(statistics, self.source);
-        let mut rows = vec![];
-        for (at, of) in statistics.of.iter().enumerate() {
-            if statistics.all[at].moments.count > 0 {
-                rows.extend(residual_rows(statistics, at, *of, system));
-            }
-        }
+        let mut lines = self.counts();
+        let compared = self.residuals.iter().filter(|of| of.all.rows > 0);
+        let rows: Vec<_> = compared.flat_map(|of| residual_rows(of, system)).collect();
         let mut document = Document::default();
         if rows.is_empty() {
             lines.push(Line::flush(
                 "no row has a measured value of these outcomes to compare with",
             ));
             document.list(lines);
-            add_clubs(&mut document, statistics, system);
+            add_clubs(&mut document, &self.clubs, system);
             return document;
         }
         document.list(lines);
@@ -230,17 +264,17 @@ impl Report for ShotsReport<'_> {
             "sd of instruments: the standard deviation of the difference between two launch \
              monitors on the same 58 drives (Bliss & Langdown 2026); 513 rpm for the spin",
         ));
-        if statistics.of.iter().any(|of| of.is_lateral()) {
+        if self.residuals.iter().any(|one| one.of.is_lateral()) {
             let side = Line::flush("lateral: + is right of the target line");
             table.remarks.push(side);
         }
         document.add(table);
-        add_clubs(&mut document, statistics, system);
+        add_clubs(&mut document, &self.clubs, system);
         document
     }
 }
 
-fn speeds(band: &Band, system: System) -> String {
+fn speeds(band: &BandReport, system: System) -> String {
     let of = Outcome::BallSpeed;
     let unit = system.unit(of.unit());
     let decimals = usize::from(unit != of.unit());
@@ -289,101 +323,53 @@ impl ResidualFormat {
     }
 
     /// The bias with its sign; a dash without residuals.
-    fn bias(&self, sums: &Sums) -> String {
-        let bias = sums.moments.mean;
-        signed(bias.unwrap_or_default(), self.number(bias))
+    fn bias(&self, sums: &SumsReport) -> String {
+        signed(sums.bias.unwrap_or_default(), self.number(sums.bias))
     }
 }
 
 /// Adds a table of the first outcome by club, if there are several clubs.
-fn add_clubs(document: &mut Document, statistics: &ShotStatistics, system: System) {
-    let Some(of) = statistics.of.first().filter(|_| statistics.clubs.len() > 1) else {
+fn add_clubs(document: &mut Document, clubs: &[ClubShotsReport], system: System) {
+    let Some(first) = clubs.first().and_then(|club| club.outcomes.first()) else {
         return;
     };
-    let format = ResidualFormat::new(*of, system);
-    let row = |(club, shots): (&String, &ClubShots)| {
-        let (predicted, residuals) = (&shots.predicted[0], &shots.residuals[0]);
+    let format = ResidualFormat::new(first.of, system);
+    let row = |club: &ClubShotsReport| {
+        let ClubOutcome {
+            predicted,
+            residuals,
+            ..
+        } = &club.outcomes[0];
         vec![
-            club.clone(),
-            shots.rows.to_string(),
-            format.number(predicted.moments.mean),
+            club.club.clone(),
+            club.rows.to_string(),
+            format.number(*predicted),
             format.bias(residuals),
-            format.number(residuals.mean_absolute()),
+            format.number(residuals.mean_absolute),
         ]
     };
     let head = ["club", "rows", "predicted", "bias", "MAE"];
-    let mut table = DocumentTable::new(head, statistics.clubs.iter().map(row)).right(1..=4);
-    table.caption = format!("{} by club:", format.title(*of));
+    let mut table = DocumentTable::new(head, clubs.iter().map(row)).right(1..=4);
+    table.caption = format!("{} by club:", format.title(first.of));
     document.add(table);
 }
 
-/// Lines with the number of rows flown, not flown (by kind of reason), and with remarks.
-fn counts(statistics: &ShotStatistics, source: Option<&'static str>) -> Vec<Line> {
-    let from = source.map_or(String::new(), |source| format!(" ({source})"));
-    let refused: u64 = statistics
-        .refused
-        .values()
-        .map(|refused| refused.count)
-        .sum();
-    let mut lines = vec![Line::flush(format!(
-        "{}{from}: {} flown, {refused} not flown",
-        counted(statistics.rows, "row"),
-        statistics.flown
-    ))];
-    for (kind, refused) in &statistics.refused {
-        lines.push(Line::item(format!(
-            "{kind}: {}, the first in line {}: {}",
-            counted(refused.count, "row"),
-            refused.line,
-            refused.reason
-        )));
-    }
-    let remarks = [
-        (
-            statistics.noted,
-            "with values that are assumed or not compared (see the notes of these rows)",
-        ),
-        (
-            statistics.spin_not_measured,
-            "whose spin is estimated or modelled, as the export says",
-        ),
-        (
-            statistics.normalized,
-            "whose values are normalized to other conditions, as the export says",
-        ),
-    ];
-    for (count, remark) in remarks {
-        if count > 0 {
-            lines.push(Line::item(format!("{} {remark}", counted(count, "row"))));
-        }
-    }
-    lines
-}
-
 /// The residuals of an outcome: a row for each band of ball speed, and one for all rows.
-fn residual_rows(
-    statistics: &ShotStatistics,
-    at: usize,
-    of: Outcome,
-    system: System,
-) -> Vec<Vec<String>> {
-    let format = ResidualFormat::new(of, system);
-    let row = |which: String, sums: &Sums, instruments: Option<f64>| {
+fn residual_rows(residuals: &OutcomeResiduals, system: System) -> Vec<Vec<String>> {
+    let format = ResidualFormat::new(residuals.of, system);
+    let row = |which: String, sums: &SumsReport, instruments: Option<f64>| {
         vec![
-            format.title(of),
+            format.title(residuals.of),
             which,
-            sums.moments.count.to_string(),
+            sums.rows.to_string(),
             format.bias(sums),
-            format.number(sums.mean_absolute()),
-            format.number(sums.moments.deviation()),
+            format.number(sums.mean_absolute),
+            format.number(sums.deviation),
             format.number(instruments),
         ]
     };
-    let bands = statistics
-        .bands
-        .iter()
-        .filter(|band| band.sums[at].moments.count > 0);
-    let bands = bands.map(|band| row(speeds(band, system), &band.sums[at], None));
-    let all = row("all".into(), &statistics.all[at], instrument_deviation(of));
+    let bands = residuals.bands.iter();
+    let bands = bands.map(|band| row(speeds(band, system), &band.sums, None));
+    let all = row("all".into(), &residuals.all, residuals.instruments);
     bands.chain([all]).collect()
 }
