@@ -7,7 +7,7 @@ use super::canvas::{Anchor, Canvas, Font, SMALL_TEXT, Stroke};
 use super::figure::{Figure, HorizontalBar, Layer};
 use super::layers::PlotArea;
 use super::palette::BAR_OPACITY;
-use super::text_width::{text_width, wrapped};
+use super::text_width::{text_width, widest, wrapped};
 use crate::units::{DisplayUnit, System, is_zero, leading_number, signed, typeset};
 
 /// Text size of values, pixels.
@@ -55,16 +55,11 @@ impl BarRows {
                 .collect()
         };
         let beside = lines(BESIDE * width);
-        let widest = beside
-            .iter()
-            .flatten()
-            .map(|line| text_width(line, SMALL_TEXT, false))
-            .fold(0.0, f64::max);
         if beside.iter().all(|lines| lines.len() <= MOST_LINES) {
             return Some(Self {
-                names: beside,
                 names_height: 0.0,
-                left: widest + 14.0,
+                left: widest(beside.iter().flatten(), SMALL_TEXT, false) + 14.0,
+                names: beside,
             });
         }
         let names = lines(width - 24.0);

@@ -4,7 +4,7 @@ use super::canvas::{Anchor, Canvas, Font, LINE, SMALL_TEXT, Stroke};
 use super::figure::{Figure, Hue, Layer, LineNames};
 use super::layers::PlotArea;
 use super::legend::base_name;
-use super::text_width::{text_width, wrapped};
+use super::text_width::{widest, wrapped};
 use crate::units::typeset;
 
 /// Distance between lines of a name, pixels.
@@ -63,10 +63,11 @@ impl<'a> EndNames<'a> {
                 });
             }
         }
-        let widest = names.iter().map(Name::width).fold(0.0, f64::max);
+        let width = |name: &Name<'_>| widest(&name.lines, SMALL_TEXT, is_bold(name.hue));
+        let widths = names.iter().map(width);
         Some(Self {
+            room: CONNECTOR + widths.fold(0.0, f64::max) + 4.0,
             names,
-            room: CONNECTOR + widest + 4.0,
         })
     }
 
@@ -123,12 +124,6 @@ fn is_bold(hue: Hue) -> bool {
 }
 
 impl Name<'_> {
-    fn width(&self) -> f64 {
-        let lines = self.lines.iter();
-        let widths = lines.map(|line| text_width(line, SMALL_TEXT, is_bold(self.hue)));
-        widths.fold(0.0, f64::max)
-    }
-
     fn height(&self) -> f64 {
         LINE_SPACING * self.lines.len() as f64 + NAME_GAP
     }

@@ -4,7 +4,7 @@ use super::canvas::{Anchor, Canvas, Font, LINE, SIGN, SMALL_TEXT};
 use super::figure::{Figure, Hue, Layer, LineNames};
 use super::layers::{arrow, point, region, series};
 use super::palette::{BAND_OPACITY, BAR_OPACITY};
-use super::text_width::{text_width, wrapped};
+use super::text_width::{widest, wrapped};
 use crate::units::typeset;
 
 /// Distance between a symbol and its name, and between a name and the next symbol, pixels.
@@ -44,24 +44,16 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<LegendEntry<'_>>, f6
         .into_iter()
         .map(|layer| (layer, lines(layer)))
         .collect();
-    let wide = |lines: &[String]| {
-        SIGN + GAPS[0]
-            + lines
-                .iter()
-                .map(|line| text_width(line, SMALL_TEXT, false))
-                .fold(0.0, f64::max)
-    };
-    let widest = named
-        .iter()
-        .map(|(_, lines)| wide(lines))
-        .fold(0.0, f64::max);
+    let wide = |lines: &[String]| SIGN + GAPS[0] + widest(lines, SMALL_TEXT, false);
+    let all_lines = named.iter().flat_map(|(_, lines)| lines);
+    let widest_entry = SIGN + GAPS[0] + widest(all_lines, SMALL_TEXT, false);
     let all = named
         .iter()
         .map(|(_, lines)| wide(lines) + GAPS[1])
         .sum::<f64>()
         - GAPS[1];
     // use columns if there are many names, so that a name is easy to find
-    let column = (named.len() > FEW && all > width).then_some(widest + GAPS[1]);
+    let column = (named.len() > FEW && all > width).then_some(widest_entry + GAPS[1]);
     let (mut at, mut tallest, mut entries) = ([0.0, 0.5 * LINE], 1, vec![]);
     for (layer, lines) in named {
         let wide = wide(&lines);

@@ -40,6 +40,18 @@ pub(super) fn text_width(text: &str, size: f64, is_bold: bool) -> f64 {
     text.chars().map(|c| f64::from(of(c))).sum::<f64>() * size / 1000.0
 }
 
+/// The width of the widest of some texts, pixels; 0 without texts.
+pub(super) fn widest(
+    texts: impl IntoIterator<Item = impl AsRef<str>>,
+    size: f64,
+    is_bold: bool,
+) -> f64 {
+    let widths = texts
+        .into_iter()
+        .map(|text| text_width(text.as_ref(), size, is_bold));
+    widths.fold(0.0, f64::max)
+}
+
 /// A text wrapped into lines of at most `room` pixels. A word that is too wide is broken, after a
 /// punctuation mark if it has one.
 pub(super) fn wrapped(text: &str, room: f64, size: f64, is_bold: bool) -> Vec<String> {

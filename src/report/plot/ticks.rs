@@ -1,7 +1,7 @@
 //! Ends and ticks of an axis.
 
 use super::axis::{Axis, AxisScale, NamedQuantity};
-use super::text_width::text_width;
+use super::text_width::widest;
 use crate::units::{System, printed, significant};
 
 /// An axis with its ends and ticks, in the unit of a system. A logarithmic axis has the logarithms
@@ -154,10 +154,7 @@ impl DrawnAxis {
 
     /// The width of the widest text at a tick, pixels.
     pub fn widest(&self, size: f64) -> f64 {
-        self.ticks
-            .iter()
-            .map(|tick| text_width(&self.text(*tick), size, false))
-            .fold(0.0, f64::max)
+        widest(self.ticks.iter().map(|tick| self.text(*tick)), size, false)
     }
 
     /// True if all adjacent ticks are far enough apart on an axis of this length, pixels. `least`
