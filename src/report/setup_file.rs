@@ -45,7 +45,7 @@ pub fn setup_toml(
         parameter.is_ok_and(|parameter| is_given_alike([setup, &of_preset], parameter))
     };
     let rows = rows(setup, file, remarks)?;
-    Ok(toml(file.preset, about, &rows, is_of_preset))
+    Ok(toml(setup, file.preset, about, &rows, is_of_preset))
 }
 
 /// The line of a constraint at the head of a setup file.
@@ -115,15 +115,8 @@ fn rows(
             source: remark.unwrap_or(row.source),
         }
     };
-    Ok(stated(sources(setup, file, None)?, setup)
-        .map(row)
-        .collect())
-}
-
-/// Leaves out method and step unless the setup states them.
-fn stated(rows: Vec<SourcedValue>, setup: &Setup<f64>) -> impl Iterator<Item = SourcedValue> {
-    rows.into_iter()
-        .filter(|row| setup.states_step || !is_of_step(row.name))
+    let rows = sources(setup, file, None)?.into_iter();
+    Ok(rows.map(row).collect())
 }
 
 /// A preset as a setup file in TOML, each number with its source.
@@ -133,12 +126,9 @@ fn stated(rows: Vec<SourcedValue>, setup: &Setup<f64>) -> impl Iterator<Item = S
 pub fn preset_toml(name: &str) -> Result<String> {
     let setup = Setup::preset(name)?;
     let preset = Preset::known(name)?;
-    Ok(toml(
-        preset,
-        &[preset.name.into(), preset.about.into()],
-        &stated(sourced(preset, &setup), &setup).collect::<Vec<_>>(),
-        |_| false,
-    ))
+    let about = [preset.name.into(), preset.about.into()];
+    let rows = sourced(preset, &setup);
+    Ok(toml(&setup, preset, &about, &rows, |_| false))
 }
 
 /// The shortest text in this unit that is parsed to exactly this value. If rounding prevents such a
@@ -158,9 +148,11 @@ pub(super) fn exact(parameter: &Parameter, value: Option<f64>, unit: &str) -> St
     shown.unwrap_or_else(|| typed(&format!("{value:?}"), parameter.quantity.si))
 }
 
-/// A setup file: the lines `about` as comments, the preset, then the values by TOML table. A value
-/// for which `is_comment` is true is written as a comment.
+/// A setup file: the lines `about` as comments, the preset, then the values by TOML table, without
+/// method and step unless the setup states them. A value for which `is_comment` is true is written
+/// as a comment.
 fn toml(
+    setup: &Setup<f64>,
     preset: &Preset,
     about: &[String],
     rows: &[SourcedValue],
@@ -174,9 +166,11 @@ fn toml(
         .collect();
     text += &format!("preset = \"{}\"\n", preset.name);
     let table_of = |name: &'static str| name.split_once('.').map_or("", |(table, _)| table);
+    let rows = rows.iter();
+    let rows = rows.filter(|row| setup.states_step || !is_of_step(row.name));
     // keys without a table must precede the first table; each table has one header
     let mut tables = vec![""];
-    for row in rows {
+    for row in rows.clone() {
         if !tables.contains(&table_of(row.name)) {
             tables.push(table_of(row.name));
         }
@@ -185,7 +179,7 @@ fn toml(
         if !table.is_empty() {
             text += &format!("\n[{table}]\n");
         }
-        for row in rows.iter().filter(|row| table_of(row.name) == table) {
+        for row in rows.clone().filter(|row| table_of(row.name) == table) {
             let key = row.name.split_once('.').map_or(row.name, |(_, key)| key);
             let (value, remark) = (quoted(&row.value), remark(&row.source));
             let begin = if is_comment(row) { "# " } else { "" };
