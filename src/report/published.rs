@@ -54,9 +54,10 @@ impl PaperUnits {
         format!("{}°", fixed(radians.to_degrees(), self.angle_decimals))
     }
 
-    /// A computed number.
+    /// A computed number with two decimals, as in the papers; zero has no sign.
     pub fn computed(self, of: DisplayUnit, value: f64) -> String {
-        two_decimals(of, value, self.system)
+        let number = value / of.size_in(self.system);
+        typed(&fixed(number, 2), self.system.unit(of.unit))
     }
 
     /// A computed number minus the printed number, with its sign.
@@ -80,7 +81,7 @@ impl PaperUnits {
     /// "248.48 m (271.74 yd)".
     pub fn printed(self, of: DisplayUnit, value: f64) -> String {
         let [printed, requested] =
-            [self.paper, self.system].map(|system| two_decimals(of, value, system));
+            [self.paper, self.system].map(|system| Self { system, ..self }.computed(of, value));
         if printed == requested {
             printed
         } else {
@@ -92,12 +93,6 @@ impl PaperUnits {
 /// An axis of angles, deg.
 pub(super) fn angles(label: &str) -> Axis {
     Axis::linear(NamedQuantity::new(label, Quantity::ANGLE, "deg"))
-}
-
-/// A number with two decimals, as in the papers; zero has no sign.
-fn two_decimals(of: DisplayUnit, value: f64, system: System) -> String {
-    let number = value / of.size_in(system);
-    typed(&fixed(number, 2), system.unit(of.unit))
 }
 
 #[cfg(test)]

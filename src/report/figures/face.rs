@@ -150,7 +150,7 @@ pub(super) fn outline(face: &Face) -> Layer {
 /// drawn.
 fn rings(face: &Face, system: System) -> Vec<Layer> {
     let (_, most) = face.longest;
-    let carries = field(&face.plane, 0, NamedQuantity::outcome(Outcome::Carry));
+    let carries = field(&face.plane, 0, Outcome::Carry);
     let unit = system.unit("yd");
     let size = DisplayUnit::from(Outcome::Carry).size_in(system);
     let on_face = |at: [f64; 2]| match face.holds(at) {

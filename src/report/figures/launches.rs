@@ -19,9 +19,8 @@ pub fn launches_figure(map: &Launches, system: System) -> Figure {
         axis(&map.plane.across, "launch angle"),
         axis(&map.plane.up, "backspin"),
     );
-    let mut figure = Figure::new("launches", "Carry over launch angle and backspin", x, y).with(
-        Layer::Contours(field(&map.plane, 0, NamedQuantity::outcome(Outcome::Carry))),
-    );
+    let mut figure = Figure::new("launches", "Carry over launch angle and backspin", x, y)
+        .with(Layer::Contours(field(&map.plane, 0, Outcome::Carry)));
     figure.aspect = 0.85;
     figure.line_names = LineNames::OnLines;
     figure.subtitle = format!(

@@ -36,14 +36,15 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     );
     let name = format!("map-{}", map.of.name());
     let mut figure = Figure::new(name, title, x, y)
-        .with(Layer::Contours(field_of_map(map)))
+        .with(Layer::Contours(field(&map.plane, 0, map.of)))
         .with(arrows(across, up, &map.slopes));
     figure.aspect = 0.85;
     figure.line_names = LineNames::OnLines;
     let best = on.best.filter(|best| best.value().is_some());
     figure.subtitle = constant_parameters(on.setup, best, [across, up], system);
     for (i, (constraint, map)) in on.limits.iter().enumerate() {
-        let forbidden = forbidden(constraint, &field_of_map(map), 2 + i, system);
+        let limited = field(&map.plane, 0, map.of);
+        let forbidden = forbidden(constraint, &limited, 2 + i, system);
         figure.layers.extend(forbidden);
     }
     if let Some(region) = on.region {
@@ -287,10 +288,6 @@ fn region_layers(region: &Region, name: &str) -> Vec<Layer> {
         is_dashed: false,
         points,
     }]
-}
-
-fn field_of_map(map: &Map) -> Field {
-    field(&map.plane, 0, NamedQuantity::outcome(map.of))
 }
 
 /// Gradients as arrows. Each parameter is scaled by its range, so that the arrows show the steepest

@@ -1,7 +1,7 @@
 use super::face::{above, across, marks, outline, reference, seen, tilt_arrows};
 use super::style::field;
 use crate::drive::Outcome;
-use crate::report::plot::{Field, Figure, Hue, Layer, NamedQuantity};
+use crate::report::plot::{Field, Figure, Hue, Layer};
 use crate::report::shown::{self, capital};
 use crate::statistics::largest_magnitude;
 use crate::study::Face;
@@ -70,7 +70,7 @@ fn view(face: &Face, of: Outcome, field: Field) -> Figure {
 
 /// The values of an outcome over the face, seen from the front, at every `THINNED`th node.
 fn over_face(face: &Face, of: usize, outcome: Outcome) -> Field {
-    let whole = field(&face.plane, of, NamedQuantity::outcome(outcome));
+    let whole = field(&face.plane, of, outcome);
     let is_turned = seen(face, [1.0, 0.0])[0] < 0.0;
     let columns: Vec<usize> = (0..whole.columns).step_by(THINNED).collect();
     let column = |i: usize| columns[if is_turned { columns.len() - 1 - i } else { i }];

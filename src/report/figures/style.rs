@@ -1,6 +1,7 @@
 //! Common style of the plots of drives, and conversion of grids to fields. A drive has one colour
 //! and one dash pattern in all plots, and the titles of all plots use the same words.
 
+use crate::drive::Outcome;
 use crate::report::plot::{Field, Hue, Layer, NamedQuantity};
 use crate::study::{NamedDrive, Plane};
 
@@ -26,11 +27,11 @@ pub(super) fn clear_names(layers: &mut [Layer]) {
     }
 }
 
-/// The outcome with index `of` in `plane`, as a field of a plot with gradients. A `plane` without
-/// this outcome gives a field without values.
-pub(super) fn field(plane: &Plane, of: usize, quantity: NamedQuantity) -> Field {
+/// The outcome `outcome`, with index `of` in `plane`, as a field of a plot with gradients. A `plane`
+/// without this outcome gives a field without values.
+pub(super) fn field(plane: &Plane, of: usize, outcome: Outcome) -> Field {
     Field {
-        quantity,
+        quantity: NamedQuantity::outcome(outcome),
         x: [plane.across.low, plane.across.high],
         y: [plane.up.low, plane.up.high],
         columns: plane.columns,

@@ -87,7 +87,7 @@ impl PredictionColumns {
 #[derive(Clone, Debug)]
 pub(super) struct ExportRows {
     columns: Arc<ShotColumns>,
-    added: PredictionColumns,
+    pub added: PredictionColumns,
 }
 
 impl ExportRows {
@@ -101,11 +101,6 @@ impl ExportRows {
                 has_decimal_comma: columns.decimal_mark == Some(DecimalMark::Comma),
             },
         }
-    }
-
-    /// The columns of another section, which has its own column heads.
-    pub fn of_section(&self, columns: &Arc<ShotColumns>) -> Self {
-        Self::new(columns, &self.added.of, self.added.system)
     }
 
     /// The cells of a line, one for each column head, without the cells that an earlier run of

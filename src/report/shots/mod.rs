@@ -127,7 +127,12 @@ impl ShotWriter {
     fn of_section(&self, section: Option<&Section>) -> Cow<'_, ShotFormat> {
         match (&self.table, section) {
             (ShotFormat::Copied(copied), Some(section)) => {
-                Cow::Owned(ShotFormat::Copied(copied.of_section(&section.columns)))
+                let PredictionColumns { of, system, .. } = &copied.added;
+                Cow::Owned(ShotFormat::Copied(ExportRows::new(
+                    &section.columns,
+                    of,
+                    *system,
+                )))
             }
             (ShotFormat::JsonLines(keys), Some(section)) => {
                 Cow::Owned(ShotFormat::JsonLines(keys.of_section(section)))
