@@ -52,7 +52,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let setup = request.with_values(setup, starts, "begins at")?;
     let search = args
         .search
-        .search_of_chart(&request, &setup, Some(along.parameter))?;
+        .search(&request, &setup, Some(along.parameter))?;
     request.refuse_stated_besides_launch(&[along.parameter], "`along` gives its values")?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = request.for_many(setup, &ranges)?;

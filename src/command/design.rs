@@ -5,13 +5,11 @@ use crate::command::interrupt;
 use crate::command::output::Answer;
 use crate::command::ranges::{DefaultRanges, kept};
 use crate::command::request::Request;
-use crate::command::swings::{optimize_and_write, search_with_defaults};
-use crate::parameters::Parameter;
+use crate::command::swings::{SwingsRequest, optimize_and_write, search_with_defaults};
 use crate::report::Designed;
 use crate::study::design::{Design, GOLFER, golfer, improvements, usual_vary};
-use crate::study::swings::{Scenarios, Swings};
-use crate::study::{Goal, Search, Sense};
-use crate::{Error, Result, Setup};
+use crate::study::{Goal, Search};
+use crate::{Error, Result};
 
 /// The default objective.
 const GOAL: &str = "mean(carry) - 0.5*rms(lateral)";
@@ -57,27 +55,24 @@ pub fn run(args: &Args) -> Result<Answer> {
     let swings_args = &args.optimize.swings;
     let request = optimum.setup_args.request()?;
     refuse_unnamed_preset(&request)?;
-    let setup = request.partial_setup;
     request.refuse_launch(
-        &setup,
+        &request.partial_setup,
         "it gives the launch, so no club strikes the ball and there is nothing to design; leave it \
          out, or give the swing",
     )?;
-    let swings = read_swings(swings_args, &setup)?;
-    request.refuse_stated(&distributed(args, &swings), "the swings have values of it")?;
-    let setup = request.with_values(
+    let SwingsRequest {
         setup,
-        swings.parameters().into_iter().zip(swings.means()),
-        "varies about",
-    )?;
-    let scenarios = Scenarios::new(&swings, swings_args.rule(&swings, true)?)?;
+        swings,
+        scenarios,
+    } = swings_or_golfer(swings_args, &request)?;
+    let started = request.with_starts(setup, &optimum.search.vary)?;
     let requested = search_with_defaults(
         &optimum.search,
         swings_args,
-        &request.with_starts(setup, &optimum.search.vary)?,
+        &started,
         scenarios,
-        || Ok((Goal::read(GOAL, None)?, Sense::Maximize)),
-        |setup| DefaultRanges::new(usual_vary(setup)?, &request).vary(),
+        Goal::read(GOAL, None)?,
+        || DefaultRanges::new(usual_vary(&started)?, &request).vary(),
     )?;
     request.note_starts(&setup, &requested.vary);
     let mut notes = notes_on_defaults(args, &requested);
@@ -127,15 +122,16 @@ fn refuse_unnamed_preset(request: &Request) -> Result<()> {
     Err(Error::unreadable(request.source.name(), source))
 }
 
-/// The stated swings; without them, the swings of a golfer whose drives were measured.
-fn read_swings(args: &SwingsArgs, setup: &Setup<f64>) -> Result<Swings> {
+/// The stated swings; without them, the swings of a golfer whose drives were measured. These
+/// scatter about the values of the setup, so settings of their parameters have an effect.
+fn swings_or_golfer(args: &SwingsArgs, request: &Request) -> Result<SwingsRequest> {
     if args.is_given() {
-        return args.read(setup);
+        return args.request(request, true);
     }
     if !args.correlation.is_empty() {
         args.refuse_stray()?;
     }
-    golfer(setup)
+    args.request_of(request, golfer(&request.partial_setup)?, true)
 }
 
 /// Notes on the defaults that replace unstated arguments: swings, goal and varied parameters.
@@ -166,14 +162,4 @@ fn notes_on_defaults(args: &Args, requested: &Search) -> Vec<String> {
         ));
     }
     notes
-}
-
-/// The parameters whose distributions the user stated. Empty for the default golfer: its swings
-/// scatter about the values of the setup, so `--set` has an effect on them.
-fn distributed(args: &Args, swings: &Swings) -> Vec<&'static Parameter> {
-    if args.optimize.swings.is_given() {
-        swings.parameters()
-    } else {
-        vec![]
-    }
 }

@@ -1,6 +1,7 @@
 pub use crate::command::args::OptimizeArgs as Args;
 
 use crate::Result;
+use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{Answer, note, warn};
 use crate::command::ranges::DefaultRanges;
 use crate::command::search::write;
@@ -16,12 +17,15 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let args = &args.optimum;
     let request = args.setup_args.request()?;
-    let setup = request.setup_with_starts(&args.search.vary)?;
-    let search = args.search.search(&request, &setup)?;
+    let setup = request.with_starts(request.partial_setup, &args.search.vary)?;
+    let search = args.search.search(&request, &setup, None)?;
     request.note_starts(&setup, &search.vary);
     let setup = request.for_many(setup, &search.vary)?;
     let output = args.destination(&request)?;
-    let mut optima = args.optima(&setup, &search)?;
+    let stop = interrupt::enable(BEST_SO_FAR);
+    let optima = args.optima(&setup, &search, &stop);
+    interrupt::disable();
+    let mut optima = optima?;
     if let Some(set_up) = request.before_starts(&setup) {
         optima.best = optima.best.compared_with(set_up);
     }

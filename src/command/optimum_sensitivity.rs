@@ -1,4 +1,5 @@
 use crate::command::args::OptimumArgs;
+use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::variables;
 use crate::command::output::{Answer, note, note_error, spinner, warn, with_bar};
 use crate::command::ranges::DefaultRanges;
@@ -43,8 +44,8 @@ pub fn run(args: &Args) -> Result<Answer> {
         setup_args, search, ..
     } = &args.optimum;
     let request = setup_args.request()?;
-    let own = request.setup_with_starts(&search.vary)?;
-    let search = search.search(&request, &own)?;
+    let own = request.with_starts(request.partial_setup, &search.vary)?;
+    let search = search.search(&request, &own, None)?;
     request.note_starts(&own, &search.vary);
     let setup = request.for_many(own, &search.vary)?;
     let requested = AnalysisRequest::new(args, &setup, &search)?;
@@ -55,7 +56,10 @@ pub fn run(args: &Args) -> Result<Answer> {
         &setup,
         DefaultRanges::longest_drive,
     )?;
-    let optima = args.optimum.optima(&setup, &search)?;
+    let stop = interrupt::enable(BEST_SO_FAR);
+    let optima = args.optimum.optima(&setup, &search, &stop);
+    interrupt::disable();
+    let optima = optima?;
     let best = &optima.best;
     let written = write(output.as_ref(), &request, &optima, None)?;
     if let Some(moved) = best.moved_start() {

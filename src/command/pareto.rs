@@ -228,7 +228,7 @@ fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Pareto
 
 /// The setup, and the search for the front of two goals of one drive.
 fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
-    let setup = request.setup_with_starts(&args.vary)?;
+    let setup = request.with_starts(request.partial_setup, &args.vary)?;
     let goals = args.goals(|option, text| Ok(of_a_drive(option, text)?.into()))?;
     let vary = varied(&args.vary, &setup, || {
         DefaultRanges::longest_drive(request, &setup)?.vary()

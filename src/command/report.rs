@@ -8,6 +8,7 @@ use crate::command::output::{Answer, bar, command_line, note, system, warn, warn
 use crate::command::plot::{counted_points, limits};
 use crate::command::request::Request;
 use crate::command::running::running;
+use crate::command::search::of_a_drive;
 use crate::command::wording::in_host_syntax;
 use crate::derivative::default_variables;
 use crate::flight::Flight;
@@ -131,40 +132,35 @@ struct ReportRequest {
     setup: Setup<f64>,
     /// The outcome that the report is about.
     of: Outcome,
-    search: Option<ReportSearch>,
+    search: Option<Search>,
     /// The reason why there is no search.
     reason: Option<String>,
+    /// The parameter along which the chart runs. `None` (no chart) without a search, or without
+    /// `--along` if the search varies the default parameter.
+    along: Option<Vary>,
     /// The stated uncertainties.
     given: Vec<Sigma>,
     /// The stated uncertainties, and default uncertainties of other parameters.
     sigmas: Vec<Sigma>,
 }
 
-/// The search of a report.
-struct ReportSearch {
-    search: Search,
-    /// The parameter along which the chart runs. `None` (no chart) without `--along`, if the search
-    /// varies the default parameter.
-    along: Option<Vary>,
-}
-
 impl ReportRequest {
     fn new(args: &Args, request: &Request) -> Result<Self> {
         let stated = request.setup()?;
-        let of = args.search.objective()?.0;
+        let of = args.search.objective(of_a_drive, Outcome::Carry)?.0;
         let reason = args.search.nothing_to_vary(request, &stated)?;
-        let search = match &reason {
-            None => Some(args.search_and_along(request, &stated)?),
+        let (search, along) = match &reason {
+            None => {
+                let (search, along) = args.search_and_along(request, &stated)?;
+                (Some(search), along)
+            }
             Some(_) => {
                 args.refuse_idle_search()?;
-                None
+                (None, None)
             }
         };
-        let ranges: Vec<_> = search
-            .iter()
-            .flat_map(|ReportSearch { search, along }| search.vary.iter().chain(along))
-            .copied()
-            .collect();
+        let varied = search.iter().flat_map(|search| &search.vary);
+        let ranges: Vec<_> = varied.chain(&along).copied().collect();
         let setup = request.for_many(stated, &ranges)?;
         let given = sigmas(&setup, &args.sigma)?;
         let sigmas = with_defaults(&setup, &given, &[of])?;
@@ -174,6 +170,7 @@ impl ReportRequest {
             of,
             search,
             reason,
+            along,
             given,
             sigmas,
         })
@@ -186,7 +183,7 @@ fn add_sections(
     inputs: &ReportRequest,
     bar: &SharedProgress,
 ) -> Result<()> {
-    let search = inputs.search.as_ref().map(|report| &report.search);
+    let search = inputs.search.as_ref();
     let mut remarks = vec![];
     add_drives(findings, search, bar, &mut remarks)?;
     let why_none = why_none(findings, inputs.reason.as_deref());
@@ -195,9 +192,11 @@ fn add_sections(
     bar.inc(1);
     add_map(findings, search, &mut remarks)?;
     bar.inc(1);
-    let along = inputs.search.as_ref().and_then(|report| report.along);
-    if let (Some(search), Some(along), Some(_)) = (search, along, findings.best()) {
-        findings.chart = chart_of(&findings.setup, search, along, bar, &mut remarks)?;
+    if let (Some(search), Some(along), Some(_)) = (search, inputs.along, findings.best()) {
+        let observer = counted_points(bar);
+        let chart = chart(&findings.setup, search, along, &[], &observer);
+        findings.chart = or_remark(chart, &mut remarks)?;
+        remarks.extend(findings.chart.iter().flat_map(Chart::warnings));
     }
     add_derivatives(findings, search, &inputs.sigmas, bar, &mut remarks)?;
     let in_words = |message: Message| message.map_words(in_host_syntax);
@@ -336,20 +335,6 @@ fn add_map(
     Ok(())
 }
 
-/// The chart of the optimum along a parameter.
-fn chart_of(
-    setup: &Setup<f64>,
-    search: &Search,
-    along: Vary,
-    bar: &SharedProgress,
-    remarks: &mut Vec<Message>,
-) -> Result<Option<Chart>> {
-    let observer = counted_points(bar);
-    let chart = or_remark(chart(setup, search, along, &[], &observer), remarks)?;
-    remarks.extend(chart.as_ref().map_or_else(Vec::new, Chart::warnings));
-    Ok(chart)
-}
-
 /// Adds effects of uncertainties, and derivatives compared with finite differences.
 fn add_derivatives(
     findings: &mut Findings,
@@ -381,25 +366,23 @@ fn add_derivatives(
 }
 
 impl Args {
-    /// The search, and the parameter along which the chart runs.
-    fn search_and_along(&self, request: &Request, setup: &Setup<f64>) -> Result<ReportSearch> {
-        if let Some(given) = &self.along {
-            let along = Vary::read(setup, given)?;
-            let search = self
-                .search
-                .search_of_chart(request, setup, Some(along.parameter))?;
-            return Ok(ReportSearch {
-                search,
-                along: Some(along),
-            });
+    /// The search, and the parameter along which the chart runs. It is `None` without `--along`, if
+    /// the search varies the default parameter.
+    fn search_and_along(
+        &self,
+        request: &Request,
+        setup: &Setup<f64>,
+    ) -> Result<(Search, Option<Vary>)> {
+        let given = self.along.as_ref();
+        let given = given.map(|text| Vary::read(setup, text)).transpose()?;
+        let parameter = given.map(|along| along.parameter);
+        let search = self.search.search(request, setup, parameter)?;
+        if given.is_some() {
+            return Ok((search, given));
         }
-        let search = self.search.search(request, setup)?;
         let along = usual_speeds(setup)?;
         let is_varied = search.parameters().any(|varied| varied == along.parameter);
-        Ok(ReportSearch {
-            search,
-            along: (!is_varied).then_some(along),
-        })
+        Ok((search, (!is_varied).then_some(along)))
     }
 
     /// Refuses options of a search if there is nothing to vary. The objective is allowed: the

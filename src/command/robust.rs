@@ -163,8 +163,8 @@ impl Args {
             note_the_run(&search.outcomes());
             return Ok((setup, search));
         }
-        let setup = request.setup_with_starts(&self.search.vary)?;
-        let search = self.search.search(request, &setup)?;
+        let setup = request.with_starts(request.partial_setup, &self.search.vary)?;
+        let search = self.search.search(request, &setup, None)?;
         Ok((setup, search))
     }
 

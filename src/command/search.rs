@@ -3,7 +3,6 @@
 use crate::command::args::{OptimumArgs, SearchArgs, stated};
 use crate::command::files::{Destination, OutputRule};
 use crate::command::host::{SharedProgress, Work};
-use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::note_the_run;
 use crate::command::output::{note, shown, system, warn};
 use crate::command::ranges::{DefaultRanges, varied};
@@ -21,14 +20,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 impl SearchArgs {
     /// The search. By default it varies loft and attack angle, except for a parameter that the
-    /// request states.
-    pub fn search(&self, request: &Request, setup: &Setup<f64>) -> Result<Search> {
-        self.search_of_chart(request, setup, None)
-    }
-
-    /// The search of a chart along the parameter `along`, which the default ranges omit. `None` for
-    /// a search without a chart.
-    pub fn search_of_chart(
+    /// request states, and except for the parameter `along` of a chart.
+    pub fn search(
         &self,
         request: &Request,
         setup: &Setup<f64>,
@@ -41,7 +34,7 @@ impl SearchArgs {
                 None => ranges.vary(),
             }
         })?;
-        let (of, sense) = self.objective()?;
+        let (of, sense) = self.objective(of_a_drive, Outcome::Carry)?;
         let search = Search {
             of: of.into(),
             sense,
@@ -70,32 +63,29 @@ impl SearchArgs {
         Ok(DefaultRanges::longest_drive(request, setup)?.reason())
     }
 
-    /// The objective and its sense.
+    /// The objective and its sense; by default, `usual` is maximized. `read` parses the value of an
+    /// option, whose name is its first argument.
     ///
     /// # Errors
-    /// The errors of [`refuse_two_goals`](Self::refuse_two_goals) and of [`of_a_drive`].
-    pub fn objective(&self) -> Result<(Outcome, Sense)> {
-        self.refuse_two_goals()?;
-        Ok(match (&self.maximize, &self.minimize) {
-            (_, Some(of)) => (of_a_drive("`minimize`", of)?, Sense::Minimize),
-            (Some(of), None) => (of_a_drive("`maximize`", of)?, Sense::Maximize),
-            (None, None) => (Outcome::Carry, Sense::Maximize),
-        })
-    }
-
-    /// Refuses two objectives.
-    ///
-    /// # Errors
-    /// [`Error::Unreadable`], which names the command for two objectives.
-    pub fn refuse_two_goals(&self) -> Result<()> {
-        let (Some(most), Some(least)) = (&self.maximize, &self.minimize) else {
-            return Ok(());
-        };
-        let source = format!(
-            "a search has one goal; leave one of `maximize {most}` and `minimize {least}` out, or \
-             take the command \"pareto\", which finds the best compromises of the two"
-        );
-        Err(Error::unreadable("`minimize`", source))
+    /// [`Error::Unreadable`] for two objectives, and the errors of `read`.
+    pub fn objective<Of>(
+        &self,
+        read: impl Fn(&str, &str) -> Result<Of>,
+        usual: Of,
+    ) -> Result<(Of, Sense)> {
+        match (&self.maximize, &self.minimize) {
+            (Some(most), Some(least)) => {
+                let source = format!(
+                    "a search has one goal; leave one of `maximize {most}` and `minimize {least}` \
+                     out, or take the command \"pareto\", which finds the best compromises of the \
+                     two"
+                );
+                Err(Error::unreadable("`minimize`", source))
+            }
+            (None, Some(of)) => Ok((read("`minimize`", of)?, Sense::Minimize)),
+            (Some(of), None) => Ok((read("`maximize`", of)?, Sense::Maximize)),
+            (None, None) => Ok((usual, Sense::Maximize)),
+        }
     }
 
     /// The names of the stated options.
@@ -111,33 +101,14 @@ impl SearchArgs {
 }
 
 impl OptimumArgs {
-    /// Runs the search, with its progress on standard error.
-    pub fn optima(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
-        let found = self.run_search(setup, search);
-        interrupt::disable();
-        Ok(found?.0)
-    }
-
-    /// Runs the search, which Ctrl-C can stop. Also returns the flag that Ctrl-C sets. The caller
-    /// must then call [`interrupt::disable`].
-    pub fn run_search(
+    /// Runs the search, which `stop` interrupts, and writes its checkpoint. Shows the last
+    /// iteration as progress, or a bar for several searches.
+    pub fn optima(
         &self,
         setup: &Setup<f64>,
         search: &Search,
-    ) -> Result<(Optima, Arc<AtomicBool>)> {
-        let (follow, bar) = self.follow(setup, search)?;
-        let found = optima(setup, search, self.starts as usize, &follow);
-        bar.finish();
-        let found = found?;
-        if let Some(interrupted) = found.interrupted() {
-            note(&interrupted);
-        }
-        Ok((found, follow.interrupt))
-    }
-
-    /// The observers of a search, and its progress. The observers show the last iteration, or a bar
-    /// for several searches. They also write the checkpoint, and stop the search on Ctrl-C.
-    fn follow(&self, setup: &Setup<f64>, search: &Search) -> Result<(Observers, SharedProgress)> {
+        stop: &Arc<AtomicBool>,
+    ) -> Result<Optima> {
         let checkpoint = match &self.checkpoint {
             Some(path) => Some(Arc::new(Checkpoint::open(
                 path,
@@ -146,7 +117,7 @@ impl OptimumArgs {
             None => None,
         };
         let mut follow = Observers {
-            interrupt: interrupt::enable(BEST_SO_FAR),
+            interrupt: stop.clone(),
             checkpoint,
             ..Observers::default()
         };
@@ -154,7 +125,13 @@ impl OptimumArgs {
             1 => show_iterations(search, &mut follow),
             _ => self.show_searches(search, &mut follow),
         };
-        Ok((follow, bar))
+        let found = optima(setup, search, self.starts as usize, &follow);
+        bar.finish();
+        let found = found?;
+        if let Some(interrupted) = found.interrupted() {
+            note(&interrupted);
+        }
+        Ok(found)
     }
 
     /// A bar with the number of completed searches and the best value so far.

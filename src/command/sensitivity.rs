@@ -87,7 +87,7 @@ fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Op
             None => Ok(None),
         };
     }
-    let search = args.search.search(request, setup)?;
+    let search = args.search.search(request, setup, None)?;
     let setup = request.for_many(*setup, &search.vary)?;
     let found = optimum(&setup, search, Observer::default())?;
     found.check_converged()?;

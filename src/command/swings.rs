@@ -1,7 +1,7 @@
 //! The search for the best design over many swings.
 
 use crate::command::args::{OptimizeArgs, OptimumArgs, SearchArgs, SwingsArgs, stated};
-use crate::command::interrupt;
+use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, note_each, system, warn};
 use crate::command::ranges::{DefaultRanges, varied};
@@ -14,7 +14,7 @@ use crate::study::swings::{
     Correlation, Rule, Scenarios, Strokes, Swings, analyse_over_swings, bootstrap_optimum,
 };
 use crate::study::uncertainty::Uncertain;
-use crate::study::{Constraint, Goal, Optima, Search, Sense};
+use crate::study::{Constraint, Goal, Optima, Search};
 use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
@@ -59,29 +59,33 @@ impl SwingsArgs {
         }
     }
 
-    /// The rule that chooses the scenarios. Refuses a seed without effect: recorded swings use a
-    /// seed only if the command resamples them (`is_resampled`).
-    pub fn rule(&self, swings: &Swings, is_resampled: bool) -> Result<Rule> {
-        let rule = Rule::of(swings, self.scenarios, self.seed.unwrap_or(0))?;
-        if !(is_resampled && rule == Rule::Recorded) {
-            rule.refuse_idle_seed(self.seed)?;
-        }
-        Ok(rule)
+    /// Reads the swings of a request. Refuses settings of the parameters that vary between the
+    /// swings. `is_resampled` is true if the command resamples recorded swings.
+    pub fn request(&self, request: &Request, is_resampled: bool) -> Result<SwingsRequest> {
+        let swings = self.read(&request.partial_setup)?;
+        request.refuse_stated(&swings.parameters(), "the swings have values of it")?;
+        self.request_of(request, swings, is_resampled)
     }
 
-    /// Reads the swings of a request. Refuses settings of the parameters that vary between the
-    /// swings.
-    pub fn request(&self, request: &Request, is_resampled: bool) -> Result<SwingsRequest> {
-        let setup = request.partial_setup;
-        let swings = self.read(&setup)?;
-        request.refuse_stated(&swings.parameters(), "the swings have values of it")?;
-        note_replaced(request, &setup, &swings);
+    /// The setup and the scenarios of these swings. Refuses a seed without effect: recorded swings
+    /// use a seed only if the command resamples them (`is_resampled`).
+    pub fn request_of(
+        &self,
+        request: &Request,
+        swings: Swings,
+        is_resampled: bool,
+    ) -> Result<SwingsRequest> {
+        note_replaced(request, &swings);
         let setup = request.with_values(
-            setup,
+            request.partial_setup,
             swings.parameters().into_iter().zip(swings.means()),
             "varies about",
         )?;
-        let scenarios = Scenarios::new(&swings, self.rule(&swings, is_resampled)?)?;
+        let rule = Rule::of(&swings, self.scenarios, self.seed.unwrap_or(0))?;
+        if !(is_resampled && rule == Rule::Recorded) {
+            rule.refuse_idle_seed(self.seed)?;
+        }
+        let scenarios = Scenarios::new(&swings, rule)?;
         Ok(SwingsRequest {
             setup,
             swings,
@@ -139,7 +143,8 @@ impl SwingsArgs {
 
 /// Names the parameters of the setup file that differ from the mean of the swings, which replace
 /// them.
-fn note_replaced(request: &Request, setup: &Setup<f64>, swings: &Swings) {
+fn note_replaced(request: &Request, swings: &Swings) {
+    let setup = &request.partial_setup;
     let means = swings.parameters().into_iter().zip(swings.means());
     let replaced: Vec<_> = means
         .filter(|(parameter, _)| {
@@ -228,7 +233,8 @@ pub fn optimize_and_write(
     note_the_run(&search.outcomes());
     let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
     let output = args.optimum.destination(request)?;
-    let (optima, stop) = args.optimum.run_search(&setup, &search)?;
+    let stop = interrupt::enable(BEST_SO_FAR);
+    let optima = args.optimum.optima(&setup, &search, &stop)?;
     let best = &optima.best;
     let is_found = best.solution.status == Status::Converged;
     let mut analysis = None;
@@ -275,35 +281,30 @@ pub fn search_over_swings(
     setup: &Setup<f64>,
     scenarios: Scenarios,
 ) -> Result<Search> {
-    let loft = |setup: &Setup<f64>| DefaultRanges::loft(request, setup)?.vary();
     search_with_defaults(
         search,
         swings,
         setup,
         scenarios,
-        || Ok((Goal::mean(Outcome::Carry), Sense::Maximize)),
-        loft,
+        Goal::mean(Outcome::Carry),
+        || DefaultRanges::loft(request, setup)?.vary(),
     )
 }
 
-/// The search over swings. `usual` gives the default objective, `usual_vary` the default ranges.
+/// The search over swings. By default it maximizes `usual` and varies the ranges of `usual_vary`.
 pub fn search_with_defaults(
     search: &SearchArgs,
     swings: &SwingsArgs,
     setup: &Setup<f64>,
     scenarios: Scenarios,
-    usual: impl Fn() -> Result<(Goal, Sense)>,
-    usual_vary: impl Fn(&Setup<f64>) -> Result<Vec<Vary>>,
+    usual: Goal,
+    usual_vary: impl Fn() -> Result<Vec<Vary>>,
 ) -> Result<Search> {
-    search.refuse_two_goals()?;
     let strokes = swings.strokes()?;
     let strokes = strokes.as_ref();
-    let (of, sense) = match (&search.maximize, &search.minimize) {
-        (_, Some(text)) => (goal("`minimize`", text, strokes)?, Sense::Minimize),
-        (Some(text), None) => (goal("`maximize`", text, strokes)?, Sense::Maximize),
-        (None, None) => usual()?,
-    };
-    let vary = varied(&search.vary, setup, || usual_vary(setup))?;
+    let read = |option: &str, text: &str| goal(option, text, strokes);
+    let (of, sense) = search.objective(read, usual)?;
+    let vary = varied(&search.vary, setup, usual_vary)?;
     let subject_to = search
         .subject_to
         .iter()

@@ -212,7 +212,7 @@ fn setup_and_optimum(
         note(&format!("no optimum is drawn: {reason}"));
         return Ok((request.for_many(setup, &[])?, None));
     }
-    let search = search.search(request, &setup)?;
+    let search = search.search(request, &setup, None)?;
     let setup = request.for_many(setup, &search.vary)?;
     // before the search, refuse a drive that does not land: the plot needs its landing
     Drive::new(&setup)?.landed()?;

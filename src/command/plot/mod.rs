@@ -78,8 +78,8 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
 fn contour(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(&request, &args.drawing)?;
-    let setup = request.setup_with_starts(&args.search.vary)?;
-    let search = args.search.search(&request, &setup)?;
+    let setup = request.with_starts(request.partial_setup, &args.search.vary)?;
+    let search = args.search.search(&request, &setup, None)?;
     let setup = request.for_many(setup, &search.vary)?;
     let spinner = spinner("computing the map");
     let (best, map) = mapped(&setup, &search)?;
@@ -149,11 +149,12 @@ pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, M
 fn along(args: &PlotChart) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(&request, &args.drawing)?;
-    let setup = request.setup_with_starts(args.search.vary.iter().chain([&args.along]))?;
+    let varied = args.search.vary.iter().chain([&args.along]);
+    let setup = request.with_starts(request.partial_setup, varied)?;
     let along = Vary::read(&setup, &args.along)?;
     let search = args
         .search
-        .search_of_chart(&request, &setup, Some(along.parameter))?;
+        .search(&request, &setup, Some(along.parameter))?;
     request.refuse_stated_besides_launch(&[along.parameter], "`along` gives its values")?;
     let shown = shown_curve(args, &search)?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();

@@ -149,18 +149,6 @@ impl Request {
         Ok(self.partial_setup)
     }
 
-    /// The setup of a search over ranges `NAME=LOW..HIGH`: a varied parameter without a value gets
-    /// the middle of its range.
-    ///
-    /// # Errors
-    /// The errors of [`setup`](Self::setup) and of [`Vary::read_column`].
-    pub fn setup_with_starts<'a>(
-        &self,
-        ranges: impl IntoIterator<Item = &'a String>,
-    ) -> Result<Setup<f64>> {
-        self.with_starts(self.partial_setup, ranges)
-    }
-
     /// The setup of the request with method and step of the setup `searched`, but without the start
     /// values that [`with_starts`](Self::with_starts) added. `None` if no start value was added, or
     /// if the setup is incomplete without them.
@@ -171,10 +159,11 @@ impl Request {
         (set_up != *searched && set_up.validate().is_ok()).then_some(set_up)
     }
 
-    /// A setup with a start value for each varied parameter that has no value.
+    /// The setup of a search over ranges `NAME=LOW..HIGH`: a varied parameter without a value gets
+    /// the middle of its range.
     ///
     /// # Errors
-    /// The errors of [`setup_with_starts`](Self::setup_with_starts).
+    /// The errors of [`setup`](Self::setup) and of [`Vary::read_column`].
     pub fn with_starts<'a>(
         &self,
         setup: Setup<f64>,
