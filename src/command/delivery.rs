@@ -130,7 +130,14 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     let is_whole = outputs.write_swings(&found, setup_words)?;
     let is_found = found.explained() == found.all.len() && found.left_out == 0 && is_whole;
-    Ok(answer(args, &found).found(is_found))
+    let population = found
+        .population
+        .as_ref()
+        .and_then(|found| found.as_ref().ok());
+    let is_table = args.shots.is_some();
+    let report = DeliveryReport::new(&found.all, population, is_table, found.left_out);
+    let answer = Answer::report(&report, &SetupOrigin::default(), args.json);
+    Ok(answer.found(is_found))
 }
 
 /// The deliveries found; for a table of shots, also the population of their swings.
@@ -284,16 +291,6 @@ fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<V
     Ok(all.into_iter().map(measured).collect())
 }
 
-fn answer(args: &Args, found: &Deliveries) -> Answer {
-    let population = found
-        .population
-        .as_ref()
-        .and_then(|found| found.as_ref().ok());
-    let is_table = args.shots.is_some();
-    let report = DeliveryReport::new(&found.all, population, is_table, found.left_out);
-    Answer::report(&report, &SetupOrigin::default(), args.json)
-}
-
 struct DeliveryFiles {
     setup: Option<Destination>,
     swings: Option<Destination>,
@@ -331,10 +328,9 @@ impl DeliveryFiles {
                 let toml = delivery_toml(setup, &found.all, base, &found.from, system())?;
                 let file = request.write_setup(output, toml)?;
                 note(&format!("wrote the setup with this delivery into {file}"));
-                let optimize = ["optimize", &file, "--vary", "club.loft=4deg..20deg"];
                 note(&format!(
                     "to find the loft of the longest carry with this delivery: {}",
-                    command_line(&optimize.map(OsString::from))
+                    command_line(["optimize", &file, "--vary", "club.loft=4deg..20deg"])
                 ));
                 return Ok(true);
             }
@@ -382,9 +378,12 @@ impl DeliveryFiles {
                 counted((found.all.len() - explained) as u64, "row")
             ));
         }
+        let mut optimize: Vec<OsString> = vec!["optimize".into()];
+        optimize.extend(setup_words().into_iter().map(OsString::from));
+        optimize.extend(["--swings".into(), swings.shown.clone().into()]);
         note(&format!(
             "to find the best design over these swings: {}",
-            optimize_over(&swings.shown, setup_words())
+            command_line(optimize)
         ));
         Ok(true)
     }
@@ -417,16 +416,6 @@ fn is_table(file: &Path) -> Result<bool> {
             Err(Error::unreadable("`swings`", source))
         }
     }
-}
-
-/// The command line that optimizes the design over these swings; `setup` has the arguments for the
-/// setup of the swings.
-fn optimize_over(swings: &Path, setup: Vec<String>) -> String {
-    let setup = setup.into_iter().map(OsString::from);
-    let arguments = std::iter::once("optimize".into())
-        .chain(setup)
-        .chain(["--swings".into(), swings.into()]);
-    command_line(&arguments.collect::<Vec<_>>())
 }
 
 /// Prints the default priors, a note for all priors from one source.

@@ -173,7 +173,7 @@ impl OutputRule {
             path: path.into(),
             rule: self.clone(),
         };
-        if folder.is_in_memory() {
+        if running().host.keeps(path) {
             return Ok(folder);
         }
         if fs::metadata(path).is_ok_and(|found| !found.is_dir()) {
@@ -425,8 +425,8 @@ impl Folder {
     /// # Errors
     /// The errors of [`OutputRule::file`] and [`Destination::write`].
     pub fn write<'a>(&self, files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> Result<usize> {
-        if self.is_in_memory() {
-            let host = &running().host;
+        let host = &running().host;
+        if host.keeps(&self.path) {
             let keep = |(name, bytes): (&str, &[u8])| {
                 host.keep(&self.path.join(name), bytes.to_vec());
             };
@@ -462,11 +462,6 @@ impl Folder {
                 .try_for_each(OutputStream::put_in_place)?;
             Ok(files.len())
         })
-    }
-
-    /// Returns true for a folder that the caller of the command keeps in memory.
-    fn is_in_memory(&self) -> bool {
-        running().host.keeps(&self.path)
     }
 }
 

@@ -4,7 +4,7 @@ use crate::command::output::{Answer, note_error, warn, with_bar};
 use crate::derivative::{Evaluator, Order, Taylor, default_variables, evaluate};
 use crate::parameters::Parameter;
 use crate::report::GradientReport;
-use crate::{Drive, Error, Outcome, Result, Setup};
+use crate::{Drive, Outcome, Result, Setup};
 
 /// The outcomes and the parameters of derivatives.
 #[derive(clap::Args)]
@@ -16,7 +16,7 @@ pub struct DerivativeArgs {
         value_delimiter = ',',
         default_value = "carry"
     )]
-    of: Vec<String>,
+    pub of: Vec<String>,
 
     /// The parameters, separated by commas; "all" for every one that has a value in this setup.
     /// By default: loft and attack angle, or the launch conditions if they are given.
@@ -25,14 +25,6 @@ pub struct DerivativeArgs {
 }
 
 impl DerivativeArgs {
-    /// The outcomes.
-    ///
-    /// # Errors
-    /// For an unknown name.
-    pub fn outcomes(&self) -> Result<Vec<Outcome>> {
-        outcomes(&self.of)
-    }
-
     /// The parameters by which the outcomes `of` are differentiated.
     ///
     /// # Errors
@@ -61,7 +53,7 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let setup = request.within_tolerance(request.setup()?)?;
-    let of = args.derivatives.outcomes()?;
+    let of = outcomes(&args.derivatives.of)?;
     let wrt = args.derivatives.variables(&setup, &of)?;
     let drive = Drive::new(&setup)?;
     warn(drive.warnings_about(&setup, &of));
@@ -77,7 +69,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     let each: Vec<Result<Taylor>> = match evaluated {
         // report the other outcomes if one has no value (no landing, no direction)
         Err(error) if error.has_valid_input() => {
-            of.iter().map(|of| one(&setup, *of, &wrt, order)).collect()
+            let one = |of| Ok(evaluate(&setup, &[of], &wrt, order)?.swap_remove(0));
+            of.iter().copied().map(one).collect()
         }
         evaluated => evaluated?.into_iter().map(Ok).collect(),
     };
@@ -91,17 +84,4 @@ pub fn run(args: &Args) -> Result<Answer> {
     let report = GradientReport::new(&found, &wrt);
     let answer = Answer::report(&report, &request.origin(), request.is_json);
     Ok(answer.found(is_complete))
-}
-
-fn one(
-    setup: &crate::Setup<f64>,
-    of: crate::Outcome,
-    wrt: &[&'static crate::parameters::Parameter],
-    order: Order,
-) -> Result<Taylor> {
-    let taylors = evaluate(setup, &[of], wrt, order)?;
-    taylors.into_iter().next().ok_or(Error::Nothing {
-        doing: "evaluate",
-        what: "outcome",
-    })
 }

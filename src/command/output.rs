@@ -3,13 +3,13 @@ use super::host::{SharedProgress, Work};
 use super::mention::commands_with;
 use super::running::running;
 use super::wording::{advice_on, in_host_syntax, name_in_host_syntax};
-use crate::report::{Document, Empty, Reply, Report, SetupOrigin};
+use crate::report::{Document, Empty, Reply, Report, SetupOrigin, TextOptions};
 use crate::units::{Message, System};
 use crate::{Error, Result};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use serde::Serialize;
 use serde_json::Value;
-use std::ffi::OsString;
+use std::ffi::OsStr;
 use std::fmt::Display;
 use std::io;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -89,11 +89,6 @@ impl Answer {
         Self::text(serde_json::to_string_pretty(&value).unwrap_or_default() + "\n")
     }
 
-    /// A document as text.
-    pub fn document(document: &Document) -> Self {
-        Self::text(text_of(document))
-    }
-
     /// An answer without a result, as JSON.
     pub fn none(reply: Reply<Empty>) -> Self {
         let warnings = running().early().clone();
@@ -122,7 +117,7 @@ impl Answer {
         }
         let mut document = document(system());
         origin.put_before(&mut document, system());
-        Self::document(&document)
+        Self::text(text_of(&document))
     }
 
     /// Sets the exit status: 0 if `found` is true, otherwise 1.
@@ -143,7 +138,12 @@ impl Answer {
 /// A document as text, with the width and the details that the running command asks for.
 pub fn text_of(document: &Document) -> String {
     let document = document.clone().map_texts(in_host_syntax);
-    document.text(&running().text_options())
+    let running = running();
+    document.text(&TextOptions {
+        width: running.host.width(),
+        all: running.options.all,
+        verbose: running.is_verbose(),
+    })
 }
 
 fn value_of(answer: &impl Serialize) -> Value {
@@ -163,15 +163,15 @@ fn put_in_host_syntax(value: &mut Value) {
 }
 
 /// The arguments as a command line that a shell can run again.
-pub fn command_line(arguments: &[OsString]) -> String {
+pub fn command_line(arguments: impl IntoIterator<Item: AsRef<OsStr>>) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "-_./=,:+@%".contains(c);
     let quoted = |argument: String| match !argument.is_empty() && argument.chars().all(is_plain) {
         true => argument,
         false => format!("'{}'", argument.replace('\'', "'\\''")),
     };
     let arguments = arguments
-        .iter()
-        .map(|argument| quoted(argument.to_string_lossy().into_owned()));
+        .into_iter()
+        .map(|argument| quoted(argument.as_ref().to_string_lossy().into_owned()));
     std::iter::once("longdrive".to_owned())
         .chain(arguments)
         .collect::<Vec<_>>()

@@ -125,7 +125,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 /// Draws the front, for `plot pareto`.
 pub fn draw(setup_args: &SetupArgs, args: &GoalArgs, drawing: &PictureArgs) -> Result<Answer> {
     let request = setup_args.request()?;
-    let target = PlotDestination::new(&request, drawing)?;
+    let target = PlotDestination::new(request.inputs(), drawing)?;
     let FollowedFront {
         found, warnings, ..
     } = follow_front(&request, args)?;

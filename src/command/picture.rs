@@ -83,16 +83,8 @@ pub struct PlotDestination<'a> {
 }
 
 impl<'a> PlotDestination<'a> {
-    /// The checked destination of a plot of this request.
-    pub fn new(request: &Request, drawing: &'a PictureArgs) -> Result<Self> {
-        Self::for_inputs(request.inputs(), drawing)
-    }
-
     /// The checked destination of a plot, for a command that reads the files `inputs`.
-    pub fn for_inputs(
-        inputs: impl Iterator<Item = PathBuf>,
-        drawing: &'a PictureArgs,
-    ) -> Result<Self> {
+    pub fn new(inputs: impl Iterator<Item = PathBuf>, drawing: &'a PictureArgs) -> Result<Self> {
         let format = PlotFormat::of(&drawing.output)?;
         let look = [
             ("`dark`", drawing.dark),

@@ -24,7 +24,6 @@ use crate::study::{
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use serde::Serialize;
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 /// The typical number of optima in a chart, for the progress bar.
@@ -118,9 +117,8 @@ fn explorer_link(request: &Request, setup: &Setup<f64>) -> Option<ExplorerLink> 
     if compiled_in().is_some() {
         return Some(ExplorerLink::State(state));
     }
-    let words = [vec!["explore".to_owned()], request.as_arguments(&[])].concat();
-    let words: Vec<_> = words.into_iter().map(OsString::from).collect();
-    Some(ExplorerLink::Command(command_line(&words)))
+    let words = std::iter::once("explore".to_owned()).chain(request.as_arguments(&[]));
+    Some(ExplorerLink::Command(command_line(words)))
 }
 
 /// The drive and the search of a report.

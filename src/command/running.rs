@@ -3,7 +3,6 @@
 use super::args::OutputOptions;
 use super::host::{Host, MessageKind};
 use super::mention::with_mentions_of;
-use crate::report::TextOptions;
 use crate::thread_stack::with_innermost;
 use crate::units::{Message, System};
 use clap::Command;
@@ -87,15 +86,6 @@ impl Running {
 
     pub fn is_verbose(&self) -> bool {
         self.options.verbose || self.host.receives_details()
-    }
-
-    /// The width of answers as text, and the details in them.
-    pub fn text_options(&self) -> TextOptions {
-        TextOptions {
-            width: self.host.width(),
-            all: self.options.all,
-            verbose: self.is_verbose(),
-        }
     }
 
     /// A message in the syntax of the host.

@@ -174,26 +174,24 @@ impl Host for Terminal {
     }
 
     fn show_progress(&self, work: Work<'_>) -> SharedProgress {
-        Arc::new(bar_of(work))
-    }
-}
-
-/// A progress bar on standard error, if that is a terminal.
-fn bar_of(work: Work<'_>) -> ProgressBar {
-    let bar = |parts, template: &str| {
-        let style = ProgressStyle::with_template(template);
-        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-        ProgressBar::new(parts).with_style(style)
-    };
-    match work {
-        Work::Parts(of) => bar(0, &format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left")),
-        Work::Searches(all) => bar(all, "{bar:40} {pos}/{len} searches, {eta} left, best {msg}"),
-        Work::Iterations => bar(0, "{msg}"),
-        Work::Uncounted(doing) => {
-            let spinner = ProgressBar::new_spinner().with_message(doing.to_owned());
-            spinner.enable_steady_tick(Duration::from_millis(200));
-            spinner
-        }
+        let bar = |parts, template: &str| {
+            let style = ProgressStyle::with_template(template);
+            let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+            ProgressBar::new(parts).with_style(style)
+        };
+        // `ProgressBar` draws on standard error, if that is a terminal
+        Arc::new(match work {
+            Work::Parts(of) => bar(0, &format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left")),
+            Work::Searches(all) => {
+                bar(all, "{bar:40} {pos}/{len} searches, {eta} left, best {msg}")
+            }
+            Work::Iterations => bar(0, "{msg}"),
+            Work::Uncounted(doing) => {
+                let spinner = ProgressBar::new_spinner().with_message(doing.to_owned());
+                spinner.enable_steady_tick(Duration::from_millis(200));
+                spinner
+            }
+        })
     }
 }
 

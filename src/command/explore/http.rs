@@ -29,7 +29,7 @@ pub struct Site<'a> {
 }
 
 /// The response with a status and a text in place of the page; `more` has additional headers.
-fn refusal(status: &str, more: &str, text: &'static str) -> HttpResponse<'static> {
+pub fn refusal(status: &str, more: &str, text: &'static str) -> HttpResponse<'static> {
     HttpResponse {
         head: head(status, "text/plain; charset=utf-8", text.len(), more),
         body: text.as_bytes(),
@@ -48,11 +48,6 @@ fn head(status: &str, kind: &str, length: usize, more: &str) -> String {
          {more}\
          Connection: close\r\n\r\n"
     )
-}
-
-/// The response to an incomplete request, after a timeout or at the end of its connection.
-pub fn incomplete() -> HttpResponse<'static> {
-    refusal("408 Request Timeout", "", "The request does not end.\n")
 }
 
 impl Site<'_> {

@@ -1,4 +1,4 @@
-use super::http::{HttpResponse, MOST_BYTES, Site, TOO_MANY, incomplete};
+use super::http::{HttpResponse, MOST_BYTES, Site, TOO_MANY, refusal};
 use super::page::{PAGE, policy, refused};
 use crate::command::interrupt;
 use crate::command::listener::Listener;
@@ -90,7 +90,8 @@ fn response<'a>(
             Err(error) => return Err(error),
         }
     }
-    Ok((!bytes.is_empty()).then(incomplete))
+    let text = "The request does not end.\n";
+    Ok((!bytes.is_empty()).then(|| refusal("408 Request Timeout", "", text)))
 }
 
 /// Reads and discards the rest of the client's data. Closing a connection with unread data would

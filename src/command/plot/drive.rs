@@ -18,7 +18,7 @@ use crate::{Drive, Error, Outcome, Result, Setup};
 
 pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = PlotDestination::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
     let (setup, best) = setup_and_optimum(&request, &args.search)?;
     let given = sigmas(&setup, &args.sigma)?;
     let of = [Outcome::Carry, Outcome::Lateral];
@@ -45,7 +45,7 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
 
 pub fn launches(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = PlotDestination::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
     let (setup, best) = setup_and_optimum(&request, &args.search)?;
     let optimum = best.iter().map(|best| (NamedDrive::OPTIMUM, &best.setup));
     let drives: Vec<_> = std::iter::once((NamedDrive::AS_SET_UP, &setup))
@@ -65,7 +65,7 @@ pub fn launches(args: &PlotSearch) -> Result<Answer> {
 
 pub fn face(setup_args: &SetupArgs, drawing: &PictureArgs) -> Result<Answer> {
     let request = setup_args.request()?;
-    let target = PlotDestination::new(&request, drawing)?;
+    let target = PlotDestination::new(request.inputs(), drawing)?;
     let setup = request.for_many(request.setup()?, &[])?;
     refuse_launch(&setup, &target)?;
     let spinner = spinner("computing strikes");
@@ -82,7 +82,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     let inputs = request
         .inputs()
         .chain(after.iter().flat_map(Request::inputs));
-    let target = PlotDestination::for_inputs(inputs, &args.drawing)?;
+    let target = PlotDestination::new(inputs, &args.drawing)?;
     if let (Some(_), Some(option)) = (&after, args.search.given().next()) {
         let source = "`after` gives the other design, so no optimum is searched for; leave one of the two \
              out";

@@ -8,7 +8,7 @@ pub use args::Args;
 use crate::atmosphere::AirState;
 use crate::command::compare::warnings;
 use crate::command::host::SharedProgress;
-use crate::command::names::sigmas;
+use crate::command::names::{outcomes, sigmas};
 use crate::command::output::{Answer, bar, note, spinner, system, with_bar};
 use crate::command::pareto;
 use crate::command::picture::PlotDestination;
@@ -62,7 +62,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 
 fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = PlotDestination::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
     let flown = NamedDrive::new("", &setup)?;
     flown.drive.landed()?;
@@ -77,7 +77,7 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
 
 fn contour(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = PlotDestination::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
     let setup = request.with_starts(request.partial_setup, &args.search.vary)?;
     let search = args.search.search(&request, &setup, None)?;
     let setup = request.for_many(setup, &search.vary)?;
@@ -148,7 +148,7 @@ pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, M
 
 fn along(args: &PlotChart) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = PlotDestination::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
     let varied = args.search.vary.iter().chain([&args.along]);
     let setup = request.with_starts(request.partial_setup, varied)?;
     let along = Vary::read(&setup, &args.along)?;
@@ -234,7 +234,7 @@ fn figure_of<'a>(
 
 fn tornado(args: &PlotTornado) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = PlotDestination::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
     let of = Outcome::named(&args.of)?;
     let given = sigmas(&setup, &args.sigma)?;
@@ -258,8 +258,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
 
 fn difference(args: &PlotCompare) -> Result<Answer> {
     let requests = args.pair.requests()?;
-    let target =
-        PlotDestination::for_inputs(requests.iter().flat_map(Request::inputs), &args.drawing)?;
+    let target = PlotDestination::new(requests.iter().flat_map(Request::inputs), &args.drawing)?;
     let of = Outcome::named(&args.of)?;
     let comparison = args.pair.comparison(&requests)?;
     if !comparison.differs() {
@@ -272,9 +271,9 @@ fn difference(args: &PlotCompare) -> Result<Answer> {
 
 fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = PlotDestination::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
-    let of = args.derivatives.outcomes()?;
+    let of = outcomes(&args.derivatives.of)?;
     let wrt = args.derivatives.variables(&setup, &of)?;
     let certificate = with_bar("parameters", |show| {
         certify(&setup, &of, &wrt, &|done, all| {
@@ -306,7 +305,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
 
 fn laws(args: &PlotLaws) -> Result<Answer> {
     let request = args.drive.request()?;
-    let target = PlotDestination::new(&request, &args.drawing)?;
+    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
     let setup = request.setup()?;
     let constant = args.constant()?;
     if AirState::of(&setup.air).density == 0.0 {

@@ -14,7 +14,7 @@ use crate::command::args::{DriveArgs, OwnLaw, SetupArgs};
 use crate::command::output::{note, system};
 use crate::command::running::running;
 use crate::integration::StepChoice;
-use crate::parameters::{Law, Parameter, TABLE, Vary, follows_from, is_of_strike};
+use crate::parameters::{Law, Parameter, TABLE, Vary, follows_from, is_of_strike, is_unset};
 use crate::report::{SetupOrigin, parameter_text};
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
@@ -454,19 +454,19 @@ impl Request {
     }
 
     fn refuse_given_twice(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
-        let is_unset = |parameter: &Parameter| {
+        let is_unset_by_setting = |parameter: &Parameter| {
             self.settings
                 .iter()
-                .any(|setting| setting.parameter == parameter.name && setting.is_unset())
+                .any(|setting| setting.parameter == parameter.name && is_unset(&setting.value))
         };
         let in_file = self.source.given_in_file();
         let by_settings = self
             .settings
             .iter()
-            .filter(|setting| !setting.is_unset())
+            .filter(|setting| !is_unset(&setting.value))
             .filter_map(|setting| setup.parameter(&setting.parameter).ok());
         let names: Vec<_> = in_file
-            .filter(|parameter| !is_unset(parameter))
+            .filter(|parameter| !is_unset_by_setting(parameter))
             .chain(by_settings)
             .filter(|parameter| setup.value(parameter).is_some())
             .chain(more.iter().copied())

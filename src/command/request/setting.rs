@@ -1,6 +1,6 @@
 //! Settings of the command line: `--set club.loft=11deg`, `--launch ball_speed=70m/s`.
 
-use crate::parameters::{is_reset, is_unset};
+use crate::parameters::is_reset;
 use crate::repeated::first_repeated;
 use crate::{Error, Result, Setup};
 use std::fmt;
@@ -88,11 +88,6 @@ impl CommandSetting {
     /// and spin axis. With `--set launch.…`, two forms of the spin are an error.
     pub fn replaces_launch(&self) -> bool {
         self.is_of_launch() && self.name != self.parameter
-    }
-
-    /// Returns true for the value `none`.
-    pub fn is_unset(&self) -> bool {
-        is_unset(&self.value)
     }
 
     /// Returns true for the value `none` of a parameter that other parameters can determine. The

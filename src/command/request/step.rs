@@ -125,18 +125,16 @@ impl Request {
     /// # Errors
     /// If the setup cannot be written.
     pub fn write_setup(&self, output: &Destination, toml: String) -> Result<String> {
-        output.write(self.with_stated_step(toml)?.as_bytes())?;
-        Ok(output.shown.display().to_string())
-    }
-
-    /// The text of a setup file. If the source states method or step, its values replace those for
-    /// `--tolerance`, which are valid only for the drives of this command.
-    fn with_stated_step(&self, toml: String) -> Result<String> {
-        if !self.is_within_tolerance() || !self.source.content.setup.states_step {
-            return Ok(toml);
+        let source = &self.source.content;
+        let mut toml = toml;
+        if self.is_within_tolerance() && source.setup.states_step {
+            // the method and the step for `--tolerance` are valid only for the drives of this
+            // command
+            let stated = setup_toml(&source.setup, source, &[], &[])?;
+            toml = with_step_of(&stated, &toml);
         }
-        let stated = setup_toml(&self.source.content.setup, &self.source.content, &[], &[])?;
-        Ok(with_step_of(&stated, &toml))
+        output.write(toml.as_bytes())?;
+        Ok(output.shown.display().to_string())
     }
 }
 

@@ -110,22 +110,13 @@ fn bytes_in_parquet(args: &Args, batch: &Batch, points: &dyn Points) -> f64 {
 /// the free space is unknown.
 fn free(path: &Path) -> Option<(f64, String)> {
     let folder = folder_of(path);
+    #[cfg(feature = "cli")]
+    let available = fs4::available_space(folder).ok();
+    // without the feature `cli`, the host limits the size of its files itself
+    #[cfg(not(feature = "cli"))]
+    let available: Option<u64> = None;
     let there = std::fs::metadata(path).map_or(0, |found| found.len());
-    Some((
-        (available_space(folder)? + there) as f64,
-        folder.display().to_string(),
-    ))
-}
-
-#[cfg(feature = "cli")]
-fn available_space(folder: &Path) -> Option<u64> {
-    fs4::available_space(folder).ok()
-}
-
-/// `None`: without the feature `cli`, the host limits the size of its files itself.
-#[cfg(not(feature = "cli"))]
-fn available_space(_: &Path) -> Option<u64> {
-    None
+    Some(((available? + there) as f64, folder.display().to_string()))
 }
 
 fn read_size(text: &str) -> Result<f64> {

@@ -14,6 +14,8 @@ pub use args::Args;
 
 use crate::batch::{Batch, Points, Run, Status, StatusCounts};
 use crate::command::args::{refuse_threads, stated};
+#[cfg(not(feature = "parquet"))]
+use crate::command::files::refused;
 use crate::command::files::{Destination, DestinationKind};
 use crate::command::interrupt;
 use crate::command::output::{Answer, bar, note, say_error, warn, warnings};
@@ -34,7 +36,13 @@ pub fn run(args: &Args) -> Result<Answer> {
     refuse_threads(args.threads)?;
     let folder = args.part.and(Some(args.output.as_path()));
     match args.check.as_deref().or(folder) {
-        Some(folder) => of_parts(args, folder),
+        #[cfg(feature = "parquet")]
+        Some(folder) => match args.part {
+            Some(part) => parts::write(args, part, folder),
+            None => parts::check(args, folder),
+        },
+        #[cfg(not(feature = "parquet"))]
+        Some(folder) => Err(refused(folder, crate::features::how_to_get("parquet"))),
         None => whole_sweep(args),
     }
 }
@@ -48,7 +56,6 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
     let format = format_of(args)?;
     let destination = destination(args, &request, format)?;
     let SweepRequest {
-        setup,
         mut points,
         batch,
         notes,
@@ -63,7 +70,7 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
         destination.file(),
     )?;
     let mut output = SweepOutput::open(&destination, &identity, &formatter, args)?;
-    warn(setup.warnings());
+    warn(batch.setup().warnings());
     let total = points.rows();
     let is_complete = write_rows(
         args,
@@ -79,7 +86,7 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
     let file = part.as_deref().unwrap_or(&args.output);
     let summary = SweepSummary::new(total, counts, notes, file);
     warn(counts.exceeded().warnings(
-        &setup.law,
+        &batch.setup().law,
         ["drive that landed", "drives that landed"],
         CheckScope::Launch,
     ));
@@ -112,7 +119,8 @@ fn answer(
     let is_answered = is_complete && nothing.is_none();
     let is_standard_output = destination.kind == DestinationKind::StandardOutput;
     // standard output has the rows, so the counts of drives that did not land are a note
-    if is_answered && is_standard_output && !summary.all_landed() {
+    let all_landed = summary.statuses.get(&Status::Landed) == Some(&summary.written);
+    if is_answered && is_standard_output && !all_landed {
         note(&summary.text(None));
     }
     let answer = if is_json {
@@ -226,24 +234,6 @@ fn no_outcome(summary: &SweepSummary, tally: &StatusCounts, of: &[Outcome]) -> S
     format!("no drive has {which}: {}{diverged}", summary.text(None))
 }
 
-/// Writes a part of a sweep, or checks the parts in a folder.
-#[cfg(feature = "parquet")]
-fn of_parts(args: &Args, folder: &Path) -> Result<Answer> {
-    match args.part {
-        Some(part) => parts::write(args, part, folder),
-        None => parts::check(args, folder),
-    }
-}
-
-/// Refuses parts in a build without Parquet.
-#[cfg(not(feature = "parquet"))]
-fn of_parts(_: &Args, folder: &Path) -> Result<Answer> {
-    Err(crate::command::files::refused(
-        folder,
-        crate::features::how_to_get("parquet"),
-    ))
-}
-
 /// The result of a sweep, as JSON.
 #[derive(Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
@@ -269,10 +259,6 @@ impl SweepSummary {
             statuses: status_counts.counts().collect(),
             remarks,
         }
-    }
-
-    fn all_landed(&self) -> bool {
-        self.statuses.get(&Status::Landed) == Some(&self.written)
     }
 
     fn text(&self, file: Option<&Path>) -> String {

@@ -48,11 +48,11 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
         interrupt::enable("stopping after the drives under way; nothing of the part is kept");
     let request = args.setup_args.request()?;
     let SweepRequest {
-        setup,
         mut points,
         batch,
         notes,
     } = SweepRequest::of(args, &request)?;
+    let setup = *batch.setup();
     let dataset = dataset_of(args, batch, points.as_ref(), part.parts)?;
     let rows = parts::rows_of(part.part, part.parts, points.rows())?;
     make(folder)?;

@@ -6,12 +6,10 @@ use crate::command::request::Request;
 use crate::integration::Integration;
 use crate::table::sweep_points;
 use crate::units::Message;
-use crate::{Error, Result, Setup};
+use crate::{Error, Result};
 
-/// The inputs of a sweep: setup, points, outcomes and derivatives.
+/// The inputs of a sweep: the points, and the setup, outcomes and derivatives of the batch.
 pub struct SweepRequest {
-    /// The setup, with the chosen method and step.
-    pub setup: Setup<f64>,
     pub points: Box<dyn Points>,
     pub batch: Batch,
     /// Remarks about the source of the points.
@@ -25,7 +23,8 @@ impl SweepRequest {
         let table = args.points.as_deref();
         let points = sweep_points(&setup, table, &args.over, args.sample, args.seed)?;
         let notes = points.notes();
-        note_each(described(args), &notes);
+        let shown = table.map_or("`over`".into(), |table| table.display().to_string());
+        note_each(shown, &notes);
         if let (Some(table), 0) = (&args.points, points.rows()) {
             let reason = "it has a head and no rows; give a row for each drive".into();
             return Err(Error::Table {
@@ -65,17 +64,9 @@ impl SweepRequest {
             batch = batch.with_level(instructions)?;
         }
         Ok(Self {
-            setup,
             points,
             batch,
             notes,
         })
     }
-}
-
-/// The source of the points, for notes.
-fn described(args: &Args) -> String {
-    args.points
-        .as_ref()
-        .map_or("`over`".into(), |table| table.display().to_string())
 }

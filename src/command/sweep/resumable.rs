@@ -3,7 +3,6 @@ use super::rows::{FormattedRows, Identity, RowFormatter};
 use crate::atomic_file::persist;
 #[cfg(feature = "parquet")]
 use crate::batch::Block;
-use crate::batch::StatusCounts;
 use crate::command::files::{exists, refused, unwritable};
 use crate::command::output::note;
 use crate::external_errors::write_error_text;
@@ -33,7 +32,7 @@ pub struct ResumableFile<'a> {
     journal: Journal,
     formatter: &'a RowFormatter,
     /// The rows in the file.
-    written: WrittenRows,
+    pub written: WrittenRows,
     /// Number of rows in the journal. A resumed sweep continues after these rows.
     pub recorded_rows: u64,
     /// Number of blocks since the last line of the journal.
@@ -200,11 +199,6 @@ impl<'a> ResumableFile<'a> {
             kept.append(&kept.formatter.head())?;
         }
         Ok(kept)
-    }
-
-    /// Status counts of the rows in the file.
-    pub fn status_counts(&self) -> &StatusCounts {
-        &self.written.status_counts
     }
 
     /// Number of rows in the file.

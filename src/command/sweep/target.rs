@@ -127,7 +127,7 @@ impl<'a> SweepOutput<'a> {
 
     pub fn status_counts(&self) -> &StatusCounts {
         match self {
-            Self::Resumable(file) => file.status_counts(),
+            Self::Resumable(file) => &file.written.status_counts,
             Self::Stream { status_counts, .. } => status_counts,
         }
     }
