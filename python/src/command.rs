@@ -6,8 +6,8 @@ use crate::pool::{self, Ended};
 use crate::request::arguments_of;
 use crate::wording;
 use longdrive::command::{
-    Call, Host, MemoryFiles, Mention, MessageKind, Progress, SharedProgress, Work, call,
-    mark_options, run_in_terminal,
+    Call, Host, MemoryFiles, Mention, MessageKind, Progress, Work, call, mark_options,
+    run_in_terminal,
 };
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -220,11 +220,8 @@ impl Host for Caller {
         Box::new(move |path| files.written.push(path.display().to_string()))
     }
 
-    fn show_progress(&self, work: Work<'_>) -> SharedProgress {
+    fn show_progress(&self, _: Work<'_>) -> Arc<dyn Progress> {
         let bar = Arc::new(Bar::default());
-        if let Work::Searches(all) = work {
-            bar.set_length(all);
-        }
         self.state().bar = Some(bar.clone());
         bar
     }

@@ -1,5 +1,5 @@
 use crate::command::args::{SearchArgs, SetupArgs};
-use crate::command::host::SharedProgress;
+use crate::command::host::Progress;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{
     Answer, note, note_detail, note_error, once_a_second, spinner, stated_system, system, warn,
@@ -155,7 +155,7 @@ fn follow(
 }
 
 /// Shows an iteration at most once a second.
-fn progress(search: &Search, spinner: &SharedProgress) -> impl Fn(&Iteration) + use<> {
+fn progress(search: &Search, spinner: &Arc<dyn Progress>) -> impl Fn(&Iteration) + use<> {
     let (search, spinner, is_due) = (search.clone(), spinner.clone(), once_a_second());
     move |iteration| {
         if is_due() {

@@ -5,7 +5,7 @@ use crate::command::interrupt;
 use crate::command::output::Answer;
 use crate::command::ranges::{DefaultRanges, kept};
 use crate::command::request::Request;
-use crate::command::swings::{SwingsRequest, optimize_and_write, search_with_defaults};
+use crate::command::swings::{SwingsRequest, optimize_and_write, search_over_swings};
 use crate::report::Designed;
 use crate::study::design::{Design, GOLFER, golfer, improvements, usual_vary};
 use crate::study::{Goal, Search};
@@ -66,7 +66,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         scenarios,
     } = swings_or_golfer(swings_args, &request)?;
     let started = request.with_starts(setup, &optimum.search.vary)?;
-    let requested = search_with_defaults(
+    let requested = search_over_swings(
         &optimum.search,
         swings_args,
         &started,

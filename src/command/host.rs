@@ -118,7 +118,7 @@ pub trait Host: Send + Sync {
 
     /// Announces long work, and returns the receiver of its progress. `--quiet` suppresses the
     /// progress.
-    fn show_progress(&self, _work: Work<'_>) -> SharedProgress {
+    fn show_progress(&self, _work: Work<'_>) -> Arc<dyn Progress> {
         Arc::new(())
     }
 }
@@ -137,8 +137,9 @@ impl Host for () {
 pub enum Work<'a> {
     /// Countable parts with this name, in plural. [`Progress::set_length`] receives their number.
     Parts(&'a str),
-    /// Several searches: their number. [`Progress::set_message`] receives the best value so far.
-    Searches(u64),
+    /// Several searches. [`Progress::set_length`] receives their number, and
+    /// [`Progress::set_message`] the best value so far.
+    Searches,
     /// The iterations of one search. [`Progress::set_message`] receives each iteration as text.
     Iterations,
     /// Work without countable parts, with its name.
@@ -174,6 +175,3 @@ pub trait Progress: Send + Sync {
 
 /// Discards the progress.
 impl Progress for () {}
-
-/// A receiver of progress that several observers share.
-pub type SharedProgress = Arc<dyn Progress>;

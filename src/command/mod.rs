@@ -85,7 +85,7 @@ mod wording;
 pub use crate::input_file::{MemoryFiles, with_memory_files};
 pub use call::{ArgumentValue, Call, quantity_of, quantity_of_goal, with_degrees};
 pub use described::described;
-pub use host::{Host, MessageKind, Progress, SharedProgress, Work};
+pub use host::{Host, MessageKind, Progress, Work};
 pub use mention::{Mention, mark_options};
 pub use run::{call, run};
 #[cfg(feature = "cli")]

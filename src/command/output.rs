@@ -1,5 +1,5 @@
 use super::host::MessageKind;
-use super::host::{SharedProgress, Work};
+use super::host::{Progress, Work};
 use super::mention::commands_with;
 use super::running::running;
 use super::wording::{advice_on, in_host_syntax, name_in_host_syntax};
@@ -362,17 +362,17 @@ fn say(reply: Reply<Empty>) {
 }
 
 /// The progress of countable parts; `of` is their name in plural.
-pub fn bar(of: &str) -> SharedProgress {
+pub fn bar(of: &str) -> Arc<dyn Progress> {
     shown(Work::Parts(of))
 }
 
 /// The progress of work without countable parts.
-pub fn spinner(doing: &str) -> SharedProgress {
+pub fn spinner(doing: &str) -> Arc<dyn Progress> {
     shown(Work::Uncounted(doing))
 }
 
 /// The progress of this work; hidden with `--quiet`.
-pub fn shown(work: Work<'_>) -> SharedProgress {
+pub fn shown(work: Work<'_>) -> Arc<dyn Progress> {
     let running = running();
     match running.options.quiet {
         true => Arc::new(()),

@@ -10,7 +10,7 @@ use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::search::{of_a_drive, options};
-use crate::command::swings::{SwingsRequest, goal, limit, refuse_idle_strokes, swing_ranges};
+use crate::command::swings::{SwingsRequest, goal, limits, swing_ranges};
 use crate::optimize::{Iteration, Observers};
 use crate::report::figures::pareto_figure;
 use crate::report::{ParetoReport, Report, pareto_csv, pareto_toml};
@@ -20,6 +20,10 @@ use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+/// The message of an interrupted front.
+const POINTS_SO_FAR: &str = "stopping with the points so far";
 
 /// The two goals and the varied parameters.
 #[derive(clap::Args)]
@@ -98,11 +102,11 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let output = ParetoFile::new(args, &request)?;
-    let FollowedFront {
-        setup,
-        found,
-        mut warnings,
-    } = follow_front(&request, &args.goals)?;
+    let (setup, search) = args.goals.search(&request)?;
+    let stop = interrupt::enable(POINTS_SO_FAR);
+    let found = follow(&setup, search, &stop)?;
+    let mut warnings = [setup.warnings(), found.warnings(&stop)].concat();
+    interrupt::disable();
     let written = match &output {
         Some(output) => output.write(&found, &request, &mut warnings)?,
         None => None,
@@ -126,9 +130,11 @@ pub fn run(args: &Args) -> Result<Answer> {
 pub fn draw(setup_args: &SetupArgs, args: &GoalArgs, drawing: &PictureArgs) -> Result<Answer> {
     let request = setup_args.request()?;
     let target = PlotDestination::new(request.inputs(), drawing)?;
-    let FollowedFront {
-        found, warnings, ..
-    } = follow_front(&request, args)?;
+    let (setup, search) = args.search(&request)?;
+    let stop = interrupt::enable(POINTS_SO_FAR);
+    let found = follow(&setup, search, &stop)?;
+    let warnings = [setup.warnings(), found.warnings(&stop)].concat();
+    interrupt::disable();
     if found.interrupted {
         let message = "stopped before the whole front was found".into();
         return Err(Error::NotConverged {
@@ -139,26 +145,8 @@ pub fn draw(setup_args: &SetupArgs, args: &GoalArgs, drawing: &PictureArgs) -> R
     target.write(request.is_json, &pareto_figure(&found, system()), warnings)
 }
 
-/// The front, with warnings about the setup and its drives.
-struct FollowedFront {
-    setup: Setup<f64>,
-    found: Pareto,
-    warnings: Vec<Message>,
-}
-
-fn follow_front(request: &Request, args: &GoalArgs) -> Result<FollowedFront> {
-    args.swings.refuse_stray()?;
-    let (setup, search) = if args.swings.is_given() {
-        over_swings(request, args)?
-    } else {
-        of_one_drive(request, args)?
-    };
-    let goals = search.goals.iter().map(|(goal, _)| goal);
-    let limited = search.subject_to.iter().map(|limit| &limit.goal);
-    let outcomes: Vec<Outcome> = goals.chain(limited).flat_map(Goal::outcomes).collect();
-    note_the_run(&outcomes);
-    request.note_starts(&setup, &search.vary);
-    let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
+/// Follows the front, until `stop` is true.
+fn follow(setup: &Setup<f64>, search: ParetoSearch, stop: &Arc<AtomicBool>) -> Result<Pareto> {
     let spinner = spinner("following the front");
     let (shown, running, is_due) = (spinner.clone(), running(), once_a_second());
     let iteration = Arc::new(move |number: usize, _: &Iteration| {
@@ -170,26 +158,14 @@ fn follow_front(request: &Request, args: &GoalArgs) -> Result<FollowedFront> {
             }
         }
     });
-    let interrupt = interrupt::enable("stopping with the points so far");
     let follow = Observers {
         iteration: Some(iteration),
-        interrupt: interrupt.clone(),
+        interrupt: stop.clone(),
         ..Observers::default()
     };
-    let found = pareto(&setup, search, &follow);
+    let found = pareto(setup, search, &follow);
     spinner.finish();
-    let found = found?;
-    let warnings = setup
-        .warnings()
-        .into_iter()
-        .chain(found.warnings(&interrupt))
-        .collect();
-    interrupt::disable();
-    Ok(FollowedFront {
-        setup,
-        found,
-        warnings,
-    })
+    found
 }
 
 /// The setup, and the search for the front of two goals over many swings.
@@ -201,17 +177,8 @@ fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Pareto
     let strokes = args.swings.strokes()?;
     let strokes = strokes.as_ref();
     let goals = args.goals(|option, text| goal(option, text, strokes))?;
-    let read = |text: &String| limit(&started, text, strokes);
-    let subject_to = args
-        .subject_to
-        .iter()
-        .map(read)
-        .collect::<Result<Vec<_>>>()?;
-    let all = goals
-        .iter()
-        .map(|(goal, _)| goal)
-        .chain(subject_to.iter().map(|limit| &limit.goal));
-    refuse_idle_strokes(strokes, all)?;
+    let of = goals.each_ref().map(|(goal, _)| goal);
+    let subject_to = limits(&started, &args.subject_to, of, strokes)?;
     let vary = varied(&args.vary, &started, || {
         DefaultRanges::loft(request, &started)?.vary()
     })?;
@@ -246,6 +213,23 @@ fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Paret
 }
 
 impl GoalArgs {
+    /// The setup, with method and step for the drives of the front, and the search for the front.
+    fn search(&self, request: &Request) -> Result<(Setup<f64>, ParetoSearch)> {
+        self.swings.refuse_stray()?;
+        let (setup, search) = if self.swings.is_given() {
+            over_swings(request, self)?
+        } else {
+            of_one_drive(request, self)?
+        };
+        let goals = search.goals.iter().map(|(goal, _)| goal);
+        let limited = search.subject_to.iter().map(|limit| &limit.goal);
+        let outcomes: Vec<Outcome> = goals.chain(limited).flat_map(Goal::outcomes).collect();
+        note_the_run(&outcomes);
+        request.note_starts(&setup, &search.vary);
+        let ranges = swing_ranges(&search.vary, &search.scenarios);
+        Ok((request.for_many(setup, &ranges)?, search))
+    }
+
     /// The two objectives, parsed by `read`.
     fn goals(
         &self,

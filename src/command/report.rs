@@ -2,7 +2,7 @@ use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::date::today;
 use crate::command::explore::page::compiled_in;
 use crate::command::files::OutputRule;
-use crate::command::host::SharedProgress;
+use crate::command::host::Progress;
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, bar, command_line, note, system, warn, warnings};
 use crate::command::plot::{counted_points, limits};
@@ -25,6 +25,7 @@ use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The typical number of optima in a chart, for the progress bar.
 const USUAL_POINTS: u64 = 24;
@@ -179,7 +180,7 @@ impl ReportRequest {
 fn add_sections(
     findings: &mut Findings,
     inputs: &ReportRequest,
-    bar: &SharedProgress,
+    bar: &Arc<dyn Progress>,
 ) -> Result<()> {
     let search = inputs.search.as_ref();
     let mut remarks = vec![];
@@ -237,7 +238,7 @@ fn answer(args: &Args, origin: &SetupOrigin, findings: &Findings, files: Vec<&st
 fn add_drives(
     findings: &mut Findings,
     search: Option<&Search>,
-    bar: &SharedProgress,
+    bar: &Arc<dyn Progress>,
     remarks: &mut Vec<Message>,
 ) -> Result<()> {
     let setup = &findings.setup;
@@ -338,7 +339,7 @@ fn add_derivatives(
     findings: &mut Findings,
     search: Option<&Search>,
     sigmas: &[Sigma],
-    bar: &SharedProgress,
+    bar: &Arc<dyn Progress>,
     remarks: &mut Vec<Message>,
 ) -> Result<()> {
     let (setup, of) = (&findings.setup, findings.of);

@@ -5,6 +5,7 @@ use crate::command::files::OutputRule;
 use crate::command::interrupt;
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, note_detail, spinner, system, warn};
+use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::search::allowed_loss;
 use crate::command::swings::{SwingsRequest, search_over_swings, swing_ranges};
@@ -13,7 +14,7 @@ use crate::report::{RobustReport, robust_toml};
 use crate::study::swings::{Model, robust};
 use crate::study::{Goal, Search};
 use crate::units::{Message, Quantity, YARD};
-use crate::{Error, Result, Setup};
+use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
 
 #[derive(clap::Args)]
@@ -158,8 +159,14 @@ impl Args {
                 setup, scenarios, ..
             } = self.swings.request(request, false)?;
             let started = request.with_starts(setup, &self.search.vary)?;
-            let search =
-                search_over_swings(request, &self.search, &self.swings, &started, scenarios)?;
+            let search = search_over_swings(
+                &self.search,
+                &self.swings,
+                &started,
+                scenarios,
+                Goal::mean(Outcome::Carry),
+                || DefaultRanges::loft(request, &started)?.vary(),
+            )?;
             note_the_run(&search.outcomes());
             return Ok((setup, search));
         }

@@ -2,7 +2,7 @@
 
 use crate::command::args::{OptimumArgs, SearchArgs, stated};
 use crate::command::files::{Destination, OutputRule};
-use crate::command::host::{SharedProgress, Work};
+use crate::command::host::{Progress, Work};
 use crate::command::names::note_the_run;
 use crate::command::output::{note, shown, system, warn};
 use crate::command::ranges::{DefaultRanges, varied};
@@ -135,10 +135,11 @@ impl OptimumArgs {
     }
 
     /// A bar with the number of completed searches and the best value so far.
-    fn show_searches(&self, search: &Search, follow: &mut Observers) -> SharedProgress {
+    fn show_searches(&self, search: &Search, follow: &mut Observers) -> Arc<dyn Progress> {
         let (of, sign, system) = (search.of.clone(), search.sense.sign(), system());
         let show = move |value: f64| goal_text(&of, sign * value, system);
-        let bar = shown(Work::Searches(u64::from(self.starts)));
+        let bar = shown(Work::Searches);
+        bar.set_length(u64::from(self.starts));
         let best: Mutex<Option<f64>> = Mutex::new(None);
         let progress = bar.clone();
         follow.end = Some(Arc::new(move |_, solution| {
@@ -254,7 +255,7 @@ fn checkpoint_identity(setup: &Setup<f64>, search: &Search, starts: u32) -> Stri
 }
 
 /// Shows the last iteration in one line; with `--verbose`, prints a line for each iteration.
-fn show_iterations(search: &Search, follow: &mut Observers) -> SharedProgress {
+fn show_iterations(search: &Search, follow: &mut Observers) -> Arc<dyn Progress> {
     let (followed, running) = (search.clone(), running());
     let bar = match running.is_verbose() {
         true => Arc::new(()),

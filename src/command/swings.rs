@@ -205,7 +205,14 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
         scenarios,
     } = args.swings.request(&request, true)?;
     let started = request.with_starts(setup, &search.vary)?;
-    let search = search_over_swings(&request, search, &args.swings, &started, scenarios)?;
+    let search = search_over_swings(
+        search,
+        &args.swings,
+        &started,
+        scenarios,
+        Goal::mean(Outcome::Carry),
+        || DefaultRanges::loft(&request, &started)?.vary(),
+    )?;
     request.note_starts(&setup, &search.vary);
     let found = optimize_and_write(args, &request, setup, swings, search)?;
     interrupt::disable();
@@ -272,27 +279,8 @@ pub fn optimize_and_write(
     })
 }
 
-/// The search over swings. By default it maximizes the mean carry and varies the loft: the attack
-/// angle belongs to the golfer and varies from swing to swing.
-pub fn search_over_swings(
-    request: &Request,
-    search: &SearchArgs,
-    swings: &SwingsArgs,
-    setup: &Setup<f64>,
-    scenarios: Scenarios,
-) -> Result<Search> {
-    search_with_defaults(
-        search,
-        swings,
-        setup,
-        scenarios,
-        Goal::mean(Outcome::Carry),
-        || DefaultRanges::loft(request, setup)?.vary(),
-    )
-}
-
 /// The search over swings. By default it maximizes `usual` and varies the ranges of `usual_vary`.
-pub fn search_with_defaults(
+pub fn search_over_swings(
     search: &SearchArgs,
     swings: &SwingsArgs,
     setup: &Setup<f64>,
@@ -305,15 +293,7 @@ pub fn search_with_defaults(
     let read = |option: &str, text: &str| goal(option, text, strokes);
     let (of, sense) = search.objective(read, usual)?;
     let vary = varied(&search.vary, setup, usual_vary)?;
-    let subject_to = search
-        .subject_to
-        .iter()
-        .map(|text| limit(setup, text, strokes))
-        .collect::<Result<Vec<_>>>()?;
-    refuse_idle_strokes(
-        strokes,
-        std::iter::once(&of).chain(subject_to.iter().map(|limit: &Constraint| &limit.goal)),
-    )?;
+    let subject_to = limits(setup, &search.subject_to, [&of], strokes)?;
     Ok(Search {
         of,
         sense,
@@ -324,26 +304,31 @@ pub fn search_with_defaults(
     })
 }
 
-/// Refuses a table of strokes that no goal uses.
-pub fn refuse_idle_strokes<'a>(
+/// The constraints of a search for the objectives `of`: each on a goal, or on an expression of
+/// parameters.
+///
+/// # Errors
+/// [`Error::Unreadable`] for a table of strokes that neither an objective nor a constraint uses.
+pub fn limits<const N: usize>(
+    setup: &Setup<f64>,
+    texts: &[String],
+    of: [&Goal; N],
     strokes: Option<&Strokes>,
-    mut goals: impl Iterator<Item = &'a Goal>,
-) -> Result<()> {
-    if strokes.is_some() && goals.all(|goal| goal.strokes().next().is_none()) {
+) -> Result<Vec<Constraint>> {
+    let read = |text: &String| match Constraint::is_relation(text) {
+        true => Constraint::read_relation(setup, text),
+        false => Constraint::read_over_swings(text, strokes),
+    };
+    let limits = texts.iter().map(read).collect::<Result<Vec<_>>>()?;
+    let uses_strokes = |goal: &Goal| goal.strokes().next().is_some();
+    let is_used =
+        of.into_iter().any(uses_strokes) || limits.iter().any(|limit| uses_strokes(&limit.goal));
+    if strokes.is_some() && !is_used {
         let source = "no goal uses strokes; write for example `minimize \"strokes(400yd)\"`, or \
                       leave it out";
         return Err(Error::unreadable("`strokes`", source));
     }
-    Ok(())
-}
-
-/// A constraint on a goal or on an expression of parameters.
-pub fn limit(setup: &Setup<f64>, text: &str, strokes: Option<&Strokes>) -> Result<Constraint> {
-    if Constraint::is_relation(text) {
-        Constraint::read_relation(setup, text)
-    } else {
-        Constraint::read_over_swings(text, strokes)
-    }
+    Ok(limits)
 }
 
 /// The goal in `text`, the value of the option `option`. An error shows the position of the fault

@@ -5,7 +5,7 @@
 //! - Files are complete or absent. A message names the files that were completed before.
 //! - A second Ctrl-C ends the program at once.
 
-use super::host::{Host, MessageKind, Progress, SharedProgress, Work};
+use super::host::{Host, MessageKind, Progress, Work};
 use super::{colour, width};
 use crate::report::{Reply, remark};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -173,7 +173,7 @@ impl Host for Terminal {
         Box::new(move |path| now.written.push(path.display().to_string()))
     }
 
-    fn show_progress(&self, work: Work<'_>) -> SharedProgress {
+    fn show_progress(&self, work: Work<'_>) -> Arc<dyn Progress> {
         let bar = |parts, template: &str| {
             let style = ProgressStyle::with_template(template);
             let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
@@ -182,9 +182,7 @@ impl Host for Terminal {
         // `ProgressBar` draws on standard error, if that is a terminal
         Arc::new(match work {
             Work::Parts(of) => bar(0, &format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left")),
-            Work::Searches(all) => {
-                bar(all, "{bar:40} {pos}/{len} searches, {eta} left, best {msg}")
-            }
+            Work::Searches => bar(0, "{bar:40} {pos}/{len} searches, {eta} left, best {msg}"),
             Work::Iterations => bar(0, "{msg}"),
             Work::Uncounted(doing) => {
                 let spinner = ProgressBar::new_spinner().with_message(doing.to_owned());

@@ -7,7 +7,7 @@ pub use args::Args;
 
 use crate::atmosphere::AirState;
 use crate::command::compare::warnings;
-use crate::command::host::SharedProgress;
+use crate::command::host::Progress;
 use crate::command::names::{outcomes, sigmas};
 use crate::command::output::{Answer, bar, note, spinner, system, with_bar};
 use crate::command::pareto;
@@ -35,6 +35,7 @@ use args::{
 };
 use drive::{at_optimum, drawn_optimum, face, fairway, launches, strikes};
 use std::rc::Rc;
+use std::sync::Arc;
 
 pub fn run(args: &Args) -> Result<Answer> {
     match &args.kind {
@@ -174,7 +175,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
 }
 
 /// Counts the points of a chart in a progress bar.
-pub fn counted_points(bar: &SharedProgress) -> ChartObserver {
+pub fn counted_points(bar: &Arc<dyn Progress>) -> ChartObserver {
     let bar = bar.clone();
     ChartObserver {
         point: Some(Rc::new(move |_| bar.inc(1))),

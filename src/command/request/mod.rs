@@ -14,7 +14,9 @@ use crate::command::args::{DriveArgs, OwnLaw, SetupArgs};
 use crate::command::output::{note, system};
 use crate::command::running::running;
 use crate::integration::StepChoice;
-use crate::parameters::{Law, Parameter, TABLE, Vary, follows_from, is_of_strike, is_unset};
+use crate::parameters::{
+    Law, Parameter, TABLE, Vary, follows_from, is_of_strike, is_reset, is_unset,
+};
 use crate::report::{SetupOrigin, parameter_text};
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
@@ -122,8 +124,9 @@ impl Request {
         }
         // Settings with the value `none` reset parameters. `set` would refuse some of them: it
         // requires the values of other parameters, which may be columns of a table.
-        let (resets, settings): (Vec<_>, Vec<_>) =
-            settings.into_iter().partition(|setting| setting.is_reset());
+        let (resets, settings): (Vec<_>, Vec<_>) = settings
+            .into_iter()
+            .partition(|setting| is_reset(&setting.parameter, &setting.value));
         setup.set_all(
             settings
                 .iter()
@@ -479,7 +482,8 @@ impl Request {
     /// determine NAME.
     fn refuse_idle_unset(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
         let mut setup = *setup;
-        for setting in self.settings.iter().filter(|setting| setting.is_reset()) {
+        let resets = |setting: &&CommandSetting| is_reset(&setting.parameter, &setting.value);
+        for setting in self.settings.iter().filter(resets) {
             let follows = more
                 .iter()
                 .any(|other| follows_from(&setting.parameter, other.name));

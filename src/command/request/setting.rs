@@ -1,6 +1,5 @@
 //! Settings of the command line: `--set club.loft=11deg`, `--launch ball_speed=70m/s`.
 
-use crate::parameters::is_reset;
 use crate::repeated::first_repeated;
 use crate::{Error, Result, Setup};
 use std::fmt;
@@ -88,12 +87,6 @@ impl CommandSetting {
     /// and spin axis. With `--set launch.…`, two forms of the spin are an error.
     pub fn replaces_launch(&self) -> bool {
         self.is_of_launch() && self.name != self.parameter
-    }
-
-    /// Returns true for the value `none` of a parameter that other parameters can determine. The
-    /// weather determines the air density, for example.
-    pub fn is_reset(&self) -> bool {
-        is_reset(&self.parameter, &self.value)
     }
 
     /// The option and its value that give this setting to another command.

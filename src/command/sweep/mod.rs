@@ -125,7 +125,12 @@ fn answer(
     }
     let answer = if is_json {
         let reply = Reply::done("sweep", warnings(), summary);
-        Answer::json(&ended(reply, is_complete, nothing))
+        let stopped = || format!("stopped: {}", summary.text(None));
+        Answer::json(&match (is_complete, nothing) {
+            (true, None) => reply,
+            (true, nothing) => reply.ended("no-answer", nothing),
+            (false, _) => reply.ended("interrupted", Some(stopped())),
+        })
     } else if is_complete && !is_standard_output {
         let file = destination.file().and(destination.shown_on_disk());
         Answer::text(summary.text(file) + "\n")
@@ -133,22 +138,6 @@ fn answer(
         Answer::text(String::new())
     };
     answer.found(is_answered)
-}
-
-/// The reply with its status; `nothing` is the reason if no drive has an outcome.
-fn ended(
-    reply: Reply<&SweepSummary>,
-    is_complete: bool,
-    nothing: Option<String>,
-) -> Reply<&SweepSummary> {
-    match (is_complete, nothing) {
-        (true, None) => reply,
-        (true, nothing) => reply.ended("no-answer", nothing),
-        (false, _) => {
-            let stopped = format!("stopped: {}", reply.body.text(None));
-            reply.ended("interrupted", Some(stopped))
-        }
-    }
 }
 
 /// Refuses options that apply only to a part of a sweep if the request writes no part.

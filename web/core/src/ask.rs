@@ -3,9 +3,7 @@
 use crate::message;
 use crate::refusal::Refusal;
 use crate::words::page_words;
-use longdrive::command::{
-    Host, MemoryFiles, Mention, MessageKind, Progress, SharedProgress, Work, run,
-};
+use longdrive::command::{Host, MemoryFiles, Mention, MessageKind, Progress, Work, run};
 use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
 use std::io;
@@ -218,15 +216,11 @@ impl Host for Page {
         self.state().outputs.push((name.into(), content));
     }
 
-    fn show_progress(&self, work: Work<'_>) -> SharedProgress {
-        let length = match work {
-            Work::Searches(all) => all,
-            _ => 0,
-        };
+    fn show_progress(&self, _: Work<'_>) -> Arc<dyn Progress> {
         Arc::new(Bar {
             show: self.show,
             position: AtomicU64::new(0),
-            length: AtomicU64::new(length),
+            length: AtomicU64::new(0),
         })
     }
 }
