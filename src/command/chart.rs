@@ -1,5 +1,4 @@
 use crate::command::args::{SearchArgs, SetupArgs};
-use crate::command::host::Progress;
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{
     Answer, note, note_detail, note_error, once_a_second, spinner, stated_system, system, warn,
@@ -126,12 +125,12 @@ fn follow(
             if last.replace(place.clone()) != place {
                 let doing = format!("searching for an optimum at {place}");
                 spinner.set_message(doing.clone());
-                spinner.suspend(&mut || note_detail(&doing));
+                note_detail(&doing);
             }
         }
     };
     let point = {
-        let (spinner, of, at) = (spinner.clone(), search.outcome(), at.to_vec());
+        let (of, at) = (search.outcome(), at.to_vec());
         move |point: &ChartPoint| {
             if at.is_empty() || at.contains(&point.at) {
                 let value = point
@@ -139,14 +138,14 @@ fn follow(
                     .value()
                     .map_or("–".into(), |value| outcome_text(of, value, system()));
                 let place = place_text(point.at);
-                spinner.suspend(&mut || note_detail(&format!("{place}: {} {value}", of.name())));
+                note_detail(&format!("{place}: {} {value}", of.name()));
             }
         }
     };
     let observer = ChartObserver {
         interrupt: stop.clone(),
         beginning: Some(Rc::new(beginning)),
-        iteration: Some(Rc::new(progress(search, &spinner))),
+        iteration: Some(Rc::new(progress(search))),
         point: Some(Rc::new(point)),
     };
     let chart = chart(setup, search, along, at, &observer);
@@ -155,11 +154,11 @@ fn follow(
 }
 
 /// Shows an iteration at most once a second.
-fn progress(search: &Search, spinner: &Arc<dyn Progress>) -> impl Fn(&Iteration) + use<> {
-    let (search, spinner, is_due) = (search.clone(), spinner.clone(), once_a_second());
+fn progress(search: &Search) -> impl Fn(&Iteration) + use<> {
+    let (search, is_due) = (search.clone(), once_a_second());
     move |iteration| {
         if is_due() {
-            spinner.suspend(&mut || note_detail(&iteration_line(&search, iteration, system())));
+            note_detail(&iteration_line(&search, iteration, system()));
         }
     }
 }

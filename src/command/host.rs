@@ -164,11 +164,6 @@ pub trait Progress: Send + Sync {
     /// counted so far.
     fn reset_eta(&self) {}
 
-    /// Hides the progress from the screen while `work` prints messages.
-    fn suspend(&self, work: &mut dyn FnMut()) {
-        work();
-    }
-
     /// Announces the end of the work.
     fn finish(&self) {}
 }

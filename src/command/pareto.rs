@@ -154,7 +154,7 @@ fn follow(setup: &Setup<f64>, search: ParetoSearch, stop: &Arc<AtomicBool>) -> R
             let doing = format!("following the front: {} searches so far", number + 1);
             shown.set_message(doing.clone());
             if running.is_verbose() {
-                shown.suspend(&mut || running.note(&doing));
+                running.note(&doing);
             }
         }
     });

@@ -26,6 +26,8 @@ const AT_ONCE: i32 = 130;
 #[derive(Clone, Default)]
 pub struct Terminal {
     now: Arc<Mutex<Now>>,
+    /// The last progress bar, which messages hide while they are printed.
+    bar: Arc<Mutex<Option<ProgressBar>>>,
 }
 
 /// The state of the command that the handler of Ctrl-C reads.
@@ -53,6 +55,10 @@ struct Interruptible {
 impl Terminal {
     fn now(&self) -> MutexGuard<'_, Now> {
         self.now.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn bar(&self) -> MutexGuard<'_, Option<ProgressBar>> {
+        self.bar.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn pressed(&self) {
@@ -125,7 +131,7 @@ impl Host for Terminal {
     }
 
     fn say(&self, kind: MessageKind, text: &str) {
-        match kind {
+        let write = || match kind {
             MessageKind::Note => {
                 let _ = writeln!(
                     io::stderr().lock(),
@@ -139,6 +145,11 @@ impl Host for Terminal {
             MessageKind::Usage => {
                 let _ = write!(anstream::stderr().lock(), "{text}");
             }
+        };
+        let bar = self.bar().clone();
+        match bar {
+            Some(bar) => bar.suspend(write),
+            None => write(),
         }
     }
 
@@ -180,7 +191,7 @@ impl Host for Terminal {
             ProgressBar::new(parts).with_style(style)
         };
         // `ProgressBar` draws on standard error, if that is a terminal
-        Arc::new(match work {
+        let bar = match work {
             Work::Parts(of) => bar(0, &format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left")),
             Work::Searches => bar(0, "{bar:40} {pos}/{len} searches, {eta} left, best {msg}"),
             Work::Iterations => bar(0, "{msg}"),
@@ -189,7 +200,9 @@ impl Host for Terminal {
                 spinner.enable_steady_tick(Duration::from_millis(200));
                 spinner
             }
-        })
+        };
+        *self.bar() = Some(bar.clone());
+        Arc::new(bar)
     }
 }
 
@@ -212,10 +225,6 @@ impl Progress for ProgressBar {
 
     fn reset_eta(&self) {
         Self::reset_eta(self);
-    }
-
-    fn suspend(&self, work: &mut dyn FnMut()) {
-        Self::suspend(self, work);
     }
 
     fn finish(&self) {

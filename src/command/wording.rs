@@ -3,7 +3,7 @@
 use super::files::{ending, is_table};
 use super::mention::Mention;
 use super::running::running;
-use crate::error::Error;
+use crate::error::{Error, Result};
 use crate::parameters::{Preset, Setup};
 use crate::units::Quantity;
 use std::path::Path;
@@ -116,10 +116,10 @@ fn joined(left_over: &str) -> Option<String> {
     })
 }
 
-/// Advice on a table given as a setup, with the command's option for it.
-pub fn no_setup(file: &Path) -> Option<String> {
+/// Refuses a table given as a setup, and names the command's option for it.
+pub fn refuse_table(file: &Path) -> Result<()> {
     if !is_table(file) {
-        return None;
+        return Ok(());
     }
     let running = running();
     let advice = match running.words.first().and_then(|command| command.to_str()) {
@@ -132,7 +132,10 @@ pub fn no_setup(file: &Path) -> Option<String> {
         _ if ending(file) == "csv" => "; `fly()` flies a table of shots",
         _ => "",
     };
-    Some(format!("a table is no setup{advice}"))
+    Err(Error::Toml {
+        file: file.display().to_string(),
+        message: format!("a table is no setup{advice}"),
+    })
 }
 
 /// Advice on `NAME=VALUE` without an option before it.

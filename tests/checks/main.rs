@@ -73,6 +73,7 @@ mod reference;
 mod report;
 mod repository;
 mod reproduce;
+mod requests;
 mod robust;
 mod row_filter;
 mod sample;

@@ -1,6 +1,7 @@
 //! Messages with name, value, allowed range and advice; singular and plural.
 
 use crate::command_line::{json, longdrive, on_one_line};
+use longdrive::command::{mark_options, with_mentions};
 use longdrive::{Error, Setup};
 use std::fs;
 
@@ -422,4 +423,49 @@ fn a_missed_ball_says_what_the_bend_of_the_shaft_grows_with() {
     let message = Error::NoStrike { approach: -1.0 }.to_string();
     let growth = "swing.shaft_bend, which grows with the head speed as swing.shaft_growth says";
     assert!(message.contains(growth), "{message}");
+}
+
+/// The message in the syntax of the command line.
+fn in_program(message: &str) -> String {
+    with_mentions(message, |mention| mention.in_command_line_syntax())
+}
+
+#[test]
+fn exact_arguments_and_commands_are_written_as_on_the_command_line() {
+    for (message, words) in [
+        ("`subject_to`: expected", "--subject-to: expected"),
+        ("add `set club.loft=11deg`", "add --set club.loft=11deg"),
+        (
+            "with `subject_to \"head_mass <= 205 g\"`",
+            "with --subject-to \"head_mass <= 205 g\"",
+        ),
+        ("as in `output mine.toml`", "as in -o mine.toml"),
+        ("write `tolerance 1um`", "write --tolerance=1um"),
+        (
+            "`parameters()` lists them",
+            "'longdrive parameters' lists them",
+        ),
+        ("`plot laws()` draws", "'longdrive plot laws' draws"),
+    ] {
+        assert_eq!(in_program(message), words);
+    }
+}
+
+#[test]
+fn exact_other_backquotes_stay() {
+    for message in [
+        "expected `=`",
+        "the file 'a`b.csv'",
+        "`nonsense 3`",
+        "a ` b ` c",
+    ] {
+        assert_eq!(in_program(message), message);
+    }
+}
+
+#[test]
+fn exact_options_of_a_help_are_marked() {
+    let help = "--set and --max-size (--sigma); 1--2 -- a";
+    let marked = "`set` and `max_size` (`sigma`); 1--2 -- a";
+    assert_eq!(mark_options(help), marked);
 }

@@ -1,7 +1,7 @@
 //! The source of a setup: a preset, a TOML file, or standard input.
 
 use crate::command::running::running;
-use crate::command::wording::{advice_on, no_setup};
+use crate::command::wording::{advice_on, refuse_table};
 use crate::input_file;
 use crate::parameters::{Law, PRESETS, Parameter, Preset, SetupFile};
 use crate::{Error, Result, Setup};
@@ -34,7 +34,8 @@ impl Source {
         } else if !is_preset
             && (input_file::exists(path) || is_named_like_a_file && !argument.contains('='))
         {
-            read_file(path)?
+            refuse_table(path)?;
+            SetupFile::open(path)?
         } else {
             read_preset(argument)?
         };
@@ -113,16 +114,6 @@ fn read_preset(argument: &str) -> Result<SetupFile> {
         Error::unknown("setup", argument, names, advice)
     };
     SetupFile::of_preset(argument).map_err(|_| unknown())
-}
-
-fn read_file(path: &Path) -> Result<SetupFile> {
-    match no_setup(path) {
-        Some(message) => Err(Error::Toml {
-            file: path.display().to_string(),
-            message,
-        }),
-        None => SetupFile::open(path),
-    }
 }
 
 fn read_standard_input() -> Result<SetupFile> {
