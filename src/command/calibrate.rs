@@ -2,7 +2,7 @@
 #![allow(rustdoc::broken_intra_doc_links)]
 
 use crate::command::args::{SetupArgs, U32_MAX, whole};
-use crate::command::files::{Destination, Folder, OutputRule};
+use crate::command::files::{Destination, OutputRule};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{Answer, note, system, warn};
 use crate::command::reproduce::{DOCUMENT, write};
@@ -20,7 +20,7 @@ use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 
 #[derive(clap::Args)]
 #[command(group = clap::ArgGroup::new("written").args(["output", "plot"]).multiple(true))]
@@ -106,7 +106,13 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let setup = request.setup()?;
-    let outputs = CalibrationFiles::new(args, &request)?;
+    let rule = OutputRule::new(request.inputs().chain([args.data.clone()]), args.overwrite);
+    let folder = match &args.plot {
+        Some(path) => Some(rule.folder(path, &DOCUMENT)?),
+        None => None,
+    };
+    let rule = rule.and_not(args.plot.as_deref());
+    let output = rule.setup_file(args.output.as_deref())?;
     request.refuse_launch(
         &setup,
         &format!(
@@ -135,12 +141,8 @@ pub fn run(args: &Args) -> Result<Answer> {
         &follow.interrupt,
     ));
     warn(found.warnings(&table));
-    let quiet = FitObserver {
-        iteration: None,
-        ..follow
-    };
     let held_out = match &validation {
-        Some(validation) => validation.run(&setup, &table, &plan, &quiet)?,
+        Some(validation) => validation.run(&setup, &table, &plan, follow.interrupt)?,
         None => vec![],
     };
     let mut report = CalibrationReport::new(&table, &found, &held_out);
@@ -152,13 +154,14 @@ pub fn run(args: &Args) -> Result<Answer> {
             report.message()
         ))]);
     }
-    let is_setup_written = outputs.write_setup(args, &request, &found, &report)?;
-    if let Some(folder) = &outputs.folder {
+    report.file = match &output {
+        Some(output) => write_setup(output, args, &request, &found, &report)?,
+        None => None,
+    };
+    if let Some(folder) = &folder {
         write(folder, &report, system())?;
+        report.folder = Some(folder.path.display().to_string());
     }
-    let named = |path: &PathBuf| path.display().to_string();
-    report.file = args.output.as_ref().filter(|_| is_setup_written).map(named);
-    report.folder = args.plot.as_ref().map(named);
     let answer = Answer::report(&report, &request.origin(), request.is_json);
     Ok(answer.found(is_found))
 }
@@ -209,57 +212,41 @@ fn assumed_ground(request: &Request, table: &ShotTable, plan: &FitPlan) -> Optio
     })
 }
 
-struct CalibrationFiles {
-    folder: Option<Folder>,
-    setup: Option<Destination>,
-}
-
-impl CalibrationFiles {
-    fn new(args: &Args, request: &Request) -> Result<Self> {
-        let rule = OutputRule::new(request.inputs().chain([args.data.clone()]), args.overwrite);
-        let folder = args
-            .plot
-            .as_ref()
-            .map(|folder| rule.folder(folder, &DOCUMENT))
-            .transpose()?;
-        let rule = rule.and_not(args.plot.as_deref());
-        let setup = rule.setup_file(args.output.as_deref())?;
-        Ok(Self { folder, setup })
+/// Writes the fitted setup, and returns the name of the file. If an interruption or the iteration
+/// limit ended the fit before a minimum, the setup has the values of the last iteration; it is then
+/// not written.
+fn write_setup(
+    output: &Destination,
+    args: &Args,
+    request: &Request,
+    found: &Calibration,
+    report: &CalibrationReport<'_>,
+) -> Result<Option<String>> {
+    let is_unfinished = matches!(
+        found.fit.status,
+        FitStatus::Interrupted | FitStatus::IterationLimit
+    );
+    if is_unfinished && !found.is_minimum {
+        warn([output.not_written("the fit ended before it came to a minimum")]);
+        return Ok(None);
     }
-
-    /// Writes the fitted setup; returns true if the file was written.
-    fn write_setup(
-        &self,
-        args: &Args,
-        request: &Request,
-        found: &Calibration,
-        report: &CalibrationReport<'_>,
-    ) -> Result<bool> {
-        let Some(output) = &self.setup else {
-            return Ok(false);
-        };
-        if !is_fitted(found) {
-            warn([output.not_written("the fit ended before it came to a minimum")]);
-            return Ok(false);
-        }
-        let data = args.data.display().to_string();
-        let toml = report.toml(&request.source.content, &data)?;
-        let file = request.write_setup(output, toml)?;
-        note(&format!("wrote the fitted setup into {file}"));
-        Ok(true)
-    }
+    let data = args.data.display().to_string();
+    let toml = report.toml(&request.source.content, &data)?;
+    let file = request.write_setup(output, toml)?;
+    note(&format!("wrote the fitted setup into {file}"));
+    Ok(Some(file))
 }
 
 /// Cross-validation of the setup's law and of the laws to compare.
-struct CrossValidation<'a> {
+struct CrossValidation {
     folds: usize,
-    compared: Vec<ComparedLaw<'a>>,
+    compared: Vec<ComparedLaw>,
 }
 
-impl<'a> CrossValidation<'a> {
+impl CrossValidation {
     /// `None` without `--folds` and `--compare`.
     fn new(
-        args: &'a Args,
+        args: &Args,
         setup: &Setup<f64>,
         table: &ShotTable,
         plan: &FitPlan,
@@ -278,9 +265,11 @@ impl<'a> CrossValidation<'a> {
             .map(|law| ComparedLaw::new(setup, law, plan))
             .collect::<Result<Vec<_>>>()?;
         check_folds(table, plan, folds)?;
-        for ComparedLaw { law, plan, .. } in &compared {
-            check_folds(table, plan, folds)
-                .map_err(|error| Error::unreadable(format!("`compare {law}`"), error))?;
+        for ComparedLaw { setup, plan } in &compared {
+            check_folds(table, plan, folds).map_err(|error| {
+                let law = setup.law.name();
+                Error::unreadable(format!("`compare {law}`"), error)
+            })?;
         }
         Ok(Some(Self { folds, compared }))
     }
@@ -291,9 +280,13 @@ impl<'a> CrossValidation<'a> {
         setup: &Setup<f64>,
         table: &ShotTable,
         plan: &FitPlan,
-        follow: &FitObserver,
+        interrupt: Arc<AtomicBool>,
     ) -> Result<Vec<(String, HeldOut)>> {
         let folds = self.folds;
+        let follow = &FitObserver {
+            iteration: None,
+            interrupt,
+        };
         if !follow.is_interrupted() {
             note(&format!(
                 "cross-validation: fitting {folds} times, each time without a part of the rows"
@@ -302,29 +295,25 @@ impl<'a> CrossValidation<'a> {
         let own_law = setup.law.name();
         let fitted = held_out(setup, table, plan, folds, follow)?;
         let mut all = vec![(format!("{own_law}, fitted as above"), fitted)];
-        if self.compared.iter().all(|other| other.law != own_law) {
+        let mut laws = self.compared.iter().map(|other| other.setup.law.name());
+        if laws.all(|law| law != own_law) {
             let unfitted = HeldOut::as_it_stands(setup, table, follow)?;
             all.push((format!("{own_law}, {AS_SET_UP}"), unfitted));
         }
         for other in &self.compared {
-            let law = other.law;
+            let law = other.setup.law.name();
+            let label = if law == own_law {
+                AS_SET_UP
+            } else {
+                "as published"
+            };
             let unfitted = HeldOut::as_it_stands(&other.setup, table, follow)?;
-            all.push((format!("{law}, {}", other.unfitted_label), unfitted));
+            all.push((format!("{law}, {label}"), unfitted));
             let fitted = held_out(&other.setup, table, &other.plan, folds, follow)?;
             all.push((format!("{law}, all coefficients fitted"), fitted));
         }
         Ok(all)
     }
-}
-
-/// Returns false if an interruption or the iteration limit ended the fit before a minimum. The
-/// setup then has the values of the last iteration.
-fn is_fitted(found: &Calibration) -> bool {
-    found.is_minimum
-        || !matches!(
-            found.fit.status,
-            FitStatus::Interrupted | FitStatus::IterationLimit
-        )
 }
 
 /// Shows each iteration. With several searches, it also shows the number of the search, because
@@ -349,23 +338,17 @@ fn show_iteration(is_numbered: bool) -> impl Fn(u64, f64) {
 const AS_SET_UP: &str = "as the setup has it";
 
 /// A law to compare on the rows: without a fit, and with all its coefficients fitted.
-struct ComparedLaw<'a> {
-    law: &'a str,
-    /// The label of the law without a fit.
-    unfitted_label: &'static str,
+struct ComparedLaw {
+    /// The setup with this law.
     setup: Setup<f64>,
+    /// The fit of its coefficients, and of the other parameters to fit.
     plan: FitPlan,
 }
 
-impl<'a> ComparedLaw<'a> {
-    fn new(setup: &Setup<f64>, law: &'a str, plan: &FitPlan) -> Result<Self> {
+impl ComparedLaw {
+    fn new(setup: &Setup<f64>, law: &str, plan: &FitPlan) -> Result<Self> {
         let mut other = *setup;
         other.set_law(law)?;
-        let unfitted_label = if law == setup.law.name() {
-            AS_SET_UP
-        } else {
-            "as published"
-        };
         let own = Law::all_rows().filter(|row| row.law == Some(other.law.name()));
         let coefficients = own.map(|row| Vary {
             parameter: row,
@@ -381,11 +364,6 @@ impl<'a> ComparedLaw<'a> {
             fit: kept.chain(coefficients).collect(),
             ..plan.clone()
         };
-        Ok(Self {
-            law,
-            unfitted_label,
-            setup: other,
-            plan,
-        })
+        Ok(Self { setup: other, plan })
     }
 }
