@@ -98,7 +98,14 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let requests = Requests::new(args)?;
-    let outputs = DeliveryFiles::new(args, &requests.club)?;
+    let inputs = requests.club.inputs().chain(args.shots.clone());
+    let rule = OutputRule::new(inputs, args.overwrite);
+    let output = rule.setup_file(args.output.as_deref())?;
+    let rule = rule.and_not(args.output.as_deref());
+    let swings_output = match &args.swings {
+        Some(path) => Some(swings_destination(&rule, path)?),
+        None => None,
+    };
     let setup = requests.setup_of_club()?;
     let launched = requests.setup_of_launch(args)?;
     warn(setup.warnings());
@@ -117,18 +124,18 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
     };
     warn(found.warnings());
-    let is_setup_written = outputs.write_setup(&found, &requests.club, &setup)?;
-    let setup_words = || match &outputs.setup {
-        Some(output) if is_setup_written => vec![output.shown.display().to_string()],
-        // omit the settings of the unknowns: the file of swings has their values
-        _ => requests.club.as_arguments(
-            &unknowns
-                .iter()
-                .map(|unknown| unknown.parameter)
-                .collect::<Vec<_>>(),
-        ),
+    let written = match &output {
+        Some(output) => write_setup(output, &found, &requests.club, &setup)?,
+        None => None,
     };
-    let is_whole = outputs.write_swings(&found, setup_words)?;
+    // omit the settings of the unknowns: the file of swings has their values
+    let unknown: Vec<_> = unknowns.iter().map(|unknown| unknown.parameter).collect();
+    let setup_words =
+        written.map_or_else(|| requests.club.as_arguments(&unknown), |file| vec![file]);
+    let is_whole = match &swings_output {
+        Some(output) => write_swings(output, &found, setup_words)?,
+        None => true,
+    };
     let is_found = found.explained() == found.all.len() && found.left_out == 0 && is_whole;
     let population = found
         .population
@@ -291,130 +298,106 @@ fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<V
     Ok(all.into_iter().map(measured).collect())
 }
 
-struct DeliveryFiles {
-    setup: Option<Destination>,
-    swings: Option<Destination>,
-    /// True for a table of swings; false for their distributions.
-    is_table: bool,
+/// The destination of the swings: a table (.csv), or distributions (.toml).
+fn swings_destination(rule: &OutputRule, path: &Path) -> Result<Destination> {
+    let destination = rule.file(path)?;
+    if ["csv", "toml"].contains(&ending(path).as_str()) {
+        return Ok(destination);
+    }
+    let source = format!(
+        "the extension of {} is neither .csv nor .toml; write .csv for a row of each shot, or \
+         .toml for distributions",
+        path.display()
+    );
+    Err(Error::unreadable("`swings`", source))
 }
 
-impl DeliveryFiles {
-    fn new(args: &Args, request: &Request) -> Result<Self> {
-        let rule = OutputRule::new(request.inputs().chain(args.shots.clone()), args.overwrite);
-        let setup = rule.setup_file(args.output.as_deref())?;
-        let rule = rule.and_not(args.output.as_deref());
-        let swings = args.swings.as_deref();
-        Ok(Self {
-            setup,
-            swings: swings.map(|file| rule.file(file)).transpose()?,
-            is_table: swings.map(is_table).transpose()?.unwrap_or_default(),
-        })
-    }
-
-    /// Writes the setup with the delivery. Returns true if a file was written.
-    fn write_setup(
-        &self,
-        found: &Deliveries,
-        request: &Request,
-        setup: &Setup<f64>,
-    ) -> Result<bool> {
-        let Some(output) = &self.setup else {
-            return Ok(false);
-        };
-        let why = match (found.explained(), found.left_out) {
-            (0, _) => "no delivery was found",
-            (_, 0) => {
-                let base = &request.source.content;
-                let toml = delivery_toml(setup, &found.all, base, &found.from, system())?;
-                let file = request.write_setup(output, toml)?;
-                note(&format!("wrote the setup with this delivery into {file}"));
-                note(&format!(
-                    "to find the loft of the longest carry with this delivery: {}",
-                    command_line(["optimize", &file, "--vary", "club.loft=4deg..20deg"])
-                ));
-                return Ok(true);
-            }
-            _ => "the work was interrupted",
-        };
+/// Writes the setup with the delivery, and returns the name of the file; `None` if there is no
+/// delivery to write.
+fn write_setup(
+    output: &Destination,
+    found: &Deliveries,
+    request: &Request,
+    setup: &Setup<f64>,
+) -> Result<Option<String>> {
+    let why_not = match (found.explained(), found.left_out) {
+        (0, _) => Some("no delivery was found"),
+        (_, 0) => None,
+        _ => Some("the work was interrupted"),
+    };
+    if let Some(why) = why_not {
         warn([output.not_written(why)]);
-        Ok(false)
+        return Ok(None);
     }
-
-    /// Writes the swings that explain the shots, and prints the command that optimizes a design for
-    /// them. `setup_words` returns the arguments of the printed command for the setup. Returns
-    /// false if the swings were requested but not written.
-    fn write_swings(
-        &self,
-        found: &Deliveries,
-        setup_words: impl Fn() -> Vec<String>,
-    ) -> Result<bool> {
-        let (Some(swings), Some(population)) = (&self.swings, &found.population) else {
-            return Ok(true);
-        };
-        if let Some(why) = self.why_no_swings(found, population) {
-            warn([swings.not_written(&why)]);
-            return Ok(false);
-        }
-        let text = match population {
-            Ok(population) if !self.is_table => recovered_toml(population, &found.from, system()),
-            _ => recovered_csv(&found.all, stated_system().into())?,
-        };
-        swings.write(text.as_bytes())?;
-        let file = swings.shown.display();
-        let explained = found.explained();
-        let count = counted(explained as u64, "swing");
-        note(&if self.is_table {
-            format!(
-                "wrote {count} into {file}: a parameter that a shot does not identify is close to \
-                 its prior value, so these swings scatter less than the golfer's; for their \
-                 distribution, name a file that ends in .toml"
-            )
-        } else {
-            format!("wrote the distribution of {count} into {file}")
-        });
-        if found.all.len() > explained {
-            note(&format!(
-                "left out of the file: {} whose delivery was not found",
-                counted((found.all.len() - explained) as u64, "row")
-            ));
-        }
-        let mut optimize: Vec<OsString> = vec!["optimize".into()];
-        optimize.extend(setup_words().into_iter().map(OsString::from));
-        optimize.extend(["--swings".into(), swings.shown.clone().into()]);
-        note(&format!(
-            "to find the best design over these swings: {}",
-            command_line(optimize)
-        ));
-        Ok(true)
-    }
-
-    /// The reason why the swings cannot be written; `None` if they can.
-    fn why_no_swings(&self, found: &Deliveries, population: &Result<Population>) -> Option<String> {
-        if found.left_out > 0 {
-            return Some("the work was interrupted".into());
-        }
-        match population {
-            _ if self.is_table => (found.explained() == 0).then(|| "no delivery was found".into()),
-            Ok(_) => None,
-            Err(Error::Delivery { reason }) => Some(reason.clone()),
-            Err(error) => Some(error.to_string()),
-        }
-    }
+    let base = &request.source.content;
+    let toml = delivery_toml(setup, &found.all, base, &found.from, system())?;
+    let file = request.write_setup(output, toml)?;
+    note(&format!("wrote the setup with this delivery into {file}"));
+    note(&format!(
+        "to find the loft of the longest carry with this delivery: {}",
+        command_line(["optimize", &file, "--vary", "club.loft=4deg..20deg"])
+    ));
+    Ok(Some(file))
 }
 
-/// Returns true for a table of swings (.csv), false for distributions (.toml).
-fn is_table(file: &Path) -> Result<bool> {
-    match ending(file).as_str() {
-        "csv" => Ok(true),
-        "toml" => Ok(false),
-        _ => {
-            let source = format!(
-                "the extension of {} is neither .csv nor .toml; write .csv for a row of each \
-                 shot, or .toml for distributions",
-                file.display()
-            );
-            Err(Error::unreadable("`swings`", source))
-        }
+/// Writes the swings that explain the shots, and prints the command that optimizes a design for
+/// them; `setup` has its arguments for the setup. Returns false if the swings are not written.
+fn write_swings(output: &Destination, found: &Deliveries, setup: Vec<String>) -> Result<bool> {
+    let Some(population) = &found.population else {
+        return Ok(true);
+    };
+    let is_table = ending(&output.shown) == "csv";
+    if let Some(why) = why_no_swings(found, population, is_table) {
+        warn([output.not_written(&why)]);
+        return Ok(false);
+    }
+    let text = match population {
+        Ok(population) if !is_table => recovered_toml(population, &found.from, system()),
+        _ => recovered_csv(&found.all, stated_system().into())?,
+    };
+    output.write(text.as_bytes())?;
+    let file = output.shown.display();
+    let explained = found.explained();
+    let count = counted(explained as u64, "swing");
+    note(&if is_table {
+        format!(
+            "wrote {count} into {file}: a parameter that a shot does not identify is close to its \
+             prior value, so these swings scatter less than the golfer's; for their distribution, \
+             name a file that ends in .toml"
+        )
+    } else {
+        format!("wrote the distribution of {count} into {file}")
+    });
+    if found.all.len() > explained {
+        note(&format!(
+            "left out of the file: {} whose delivery was not found",
+            counted((found.all.len() - explained) as u64, "row")
+        ));
+    }
+    let mut optimize: Vec<OsString> = vec!["optimize".into()];
+    optimize.extend(setup.into_iter().map(OsString::from));
+    optimize.extend(["--swings".into(), output.shown.clone().into()]);
+    note(&format!(
+        "to find the best design over these swings: {}",
+        command_line(optimize)
+    ));
+    Ok(true)
+}
+
+/// The reason why the swings cannot be written; `None` if they can.
+fn why_no_swings(
+    found: &Deliveries,
+    population: &Result<Population>,
+    is_table: bool,
+) -> Option<String> {
+    if found.left_out > 0 {
+        return Some("the work was interrupted".into());
+    }
+    match population {
+        _ if is_table => (found.explained() == 0).then(|| "no delivery was found".into()),
+        Ok(_) => None,
+        Err(Error::Delivery { reason }) => Some(reason.clone()),
+        Err(error) => Some(error.to_string()),
     }
 }
 
