@@ -240,7 +240,13 @@ impl CommandLine {
             ArgumentValue::Switch(is_on) => is_on.to_string().into(),
             ArgumentValue::Text(text) => text.clone(),
             ArgumentValue::Whole(number) => number.to_string().into(),
-            ArgumentValue::Number(number) => self.number(*number, quantity).into(),
+            ArgumentValue::Number(number) => {
+                if quantity == Some(Quantity::ANGLE) {
+                    self.bare_angles.push(*number);
+                }
+                let unit = quantity.map_or("", |quantity| quantity.si);
+                format!("{number:?} {unit}").trim_end().into()
+            }
             ArgumentValue::Range { low, high, count } => {
                 let mut text = self.text(low, quantity);
                 text.push("..");
@@ -272,14 +278,6 @@ impl CommandLine {
                 texts.join(",".as_ref())
             }
         }
-    }
-
-    fn number(&mut self, number: f64, quantity: Option<Quantity>) -> String {
-        if quantity == Some(Quantity::ANGLE) {
-            self.bare_angles.push(number);
-        }
-        let unit = quantity.map_or("", |quantity| quantity.si);
-        format!("{number:?} {unit}").trim_end().to_owned()
     }
 }
 

@@ -129,6 +129,14 @@ fn follow(
             }
         }
     };
+    let iteration = {
+        let (search, is_due) = (search.clone(), once_a_second());
+        move |iteration: &Iteration| {
+            if is_due() {
+                note_detail(&iteration_line(&search, iteration, system()));
+            }
+        }
+    };
     let point = {
         let (of, at) = (search.outcome(), at.to_vec());
         move |point: &ChartPoint| {
@@ -145,22 +153,12 @@ fn follow(
     let observer = ChartObserver {
         interrupt: stop.clone(),
         beginning: Some(Rc::new(beginning)),
-        iteration: Some(Rc::new(progress(search))),
+        iteration: Some(Rc::new(iteration)),
         point: Some(Rc::new(point)),
     };
     let chart = chart(setup, search, along, at, &observer);
     spinner.finish();
     chart
-}
-
-/// Shows an iteration at most once a second.
-fn progress(search: &Search) -> impl Fn(&Iteration) + use<> {
-    let (search, is_due) = (search.clone(), once_a_second());
-    move |iteration| {
-        if is_due() {
-            note_detail(&iteration_line(&search, iteration, system()));
-        }
-    }
 }
 
 impl Args {
