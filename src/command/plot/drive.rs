@@ -35,12 +35,7 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
         )?);
     }
     let figure = with_optimum(fairway_figure(&landings, system()), best.as_ref());
-    target.write_with_setup(
-        &request,
-        &setup,
-        &figure,
-        best.as_ref().map_or(vec![], at_optimum),
-    )
+    target.write_with_setup(&request, &setup, &figure, at_optimum(best.as_ref()))
 }
 
 pub fn launches(args: &PlotSearch) -> Result<Answer> {
@@ -55,12 +50,7 @@ pub fn launches(args: &PlotSearch) -> Result<Answer> {
     let map = Launches::around(&drives)?;
     spinner.finish();
     let figure = with_optimum(launches_figure(&map, system()), best.as_ref());
-    target.write_with_setup(
-        &request,
-        &setup,
-        &figure,
-        best.as_ref().map_or(vec![], at_optimum),
-    )
+    target.write_with_setup(&request, &setup, &figure, at_optimum(best.as_ref()))
 }
 
 pub fn face(setup_args: &SetupArgs, drawing: &PictureArgs) -> Result<Answer> {
@@ -100,7 +90,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         }
         None => {
             let (setup, best) = setup_and_optimum(&request, &args.search)?;
-            let warnings = best.as_ref().map_or(vec![], at_optimum);
+            let warnings = at_optimum(best.as_ref());
             (
                 setup,
                 best.map(|best| ([NamedDrive::AS_SET_UP, NamedDrive::OPTIMUM], best.setup)),
@@ -189,13 +179,15 @@ fn other_differences(before: &Setup<f64>, after: &Setup<f64>) -> Vec<Message> {
     vec![message.into()]
 }
 
-/// The warnings about the drive at an optimum.
-pub fn at_optimum(best: &Optimum) -> Vec<Message> {
-    let warnings = best.drive.as_ref().map_or_else(Vec::new, |drive| {
-        drive.warnings_about(&best.setup, &best.search.outcomes())
+/// The warnings about the drive at an optimum; none without an optimum.
+pub fn at_optimum(best: Option<&Optimum>) -> Vec<Message> {
+    let warnings = best.and_then(|best| {
+        let drive = best.drive.as_ref()?;
+        Some(drive.warnings_about(&best.setup, &best.search.outcomes()))
     });
     warnings
         .into_iter()
+        .flatten()
         .map(|warning| Message::from("at the optimum: ").message(warning))
         .collect()
 }

@@ -90,7 +90,7 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
     }
     let best = best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
-    let of_best = best.map_or(vec![], at_optimum);
+    let of_best = at_optimum(best);
     if let Some((_, message)) = best.and_then(short_drive) {
         note(message);
     }
