@@ -437,7 +437,9 @@ fn values_that_are_not_as_many_as_their_parameters_are_refused() {
 fn a_preset_printed_as_a_setup_file_reads_back_as_itself() {
     for preset in PRESETS {
         let text = preset_toml(preset.name).unwrap();
-        let read = Setup::from_toml(&text.replace("preset =", "# preset ="), preset.name).unwrap();
+        let read = SetupFile::read(&text.replace("preset =", "# preset ="), preset.name)
+            .unwrap()
+            .setup;
         assert_eq!(read, Setup::preset(preset.name).unwrap(), "{text}");
     }
 }
@@ -456,7 +458,7 @@ fn same_setup_of_every_law_after_writing_and_reading() {
             }
             let file = SetupFile::of_preset(preset.name).unwrap();
             let text = setup_toml(&setup, &file, &["a file\nwith a break".into()], &[]).unwrap();
-            assert_eq!(Setup::from_toml(&text, "f").unwrap(), setup, "{text}");
+            assert_eq!(SetupFile::read(&text, "f").unwrap().setup, setup, "{text}");
             assert!(
                 text.starts_with("# a file with a break\npreset = "),
                 "{text}"

@@ -661,7 +661,7 @@ fn exact_bias_and_errors_by_ball_speed() {
     });
     let tally = fly_shots(io::Cursor::new(text)).2;
     let yards = |value: Option<f64>| value.unwrap() / 0.9144;
-    close(yards(tally.all[0].moments.mean()), 0.1, 1.0, 1e-9, "bias");
+    close(yards(tally.all[0].moments.mean), 0.1, 1.0, 1e-9, "bias");
     close(
         yards(tally.all[0].mean_absolute()),
         2.1,
@@ -681,12 +681,7 @@ fn exact_bias_and_errors_by_ball_speed() {
         .bands
         .iter()
         .filter(|band| band.sums[0].moments.count > 0)
-        .map(|band| {
-            (
-                band.sums[0].moments.count,
-                yards(band.sums[0].moments.mean()),
-            )
-        })
+        .map(|band| (band.sums[0].moments.count, yards(band.sums[0].moments.mean)))
         .collect();
     for ((count, bias), (expected, of)) in
         bands.iter().zip([(1, -1.0), (2, -1.0), (1, 3.0), (1, 0.5)])
