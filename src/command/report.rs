@@ -13,7 +13,7 @@ use crate::command::wording::in_host_syntax;
 use crate::derivative::default_variables;
 use crate::flight::Flight;
 use crate::optimize::Observer;
-use crate::report::page::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE, report_documents};
+use crate::report::page::{EXPLORER_FILE, Findings, SETUP_FILE, report_documents};
 use crate::report::{Reply, SetupOrigin, TextFile, explorer_state};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{DerivativeRow, certify};
@@ -65,11 +65,10 @@ pub fn run(args: &Args) -> Result<Answer> {
     let inputs = ReportRequest::new(args, &request)?;
     let date = today()?;
     // before the work begins, refuse existing files whose names are known already
-    let explorer = explorer_link(&request, &inputs.stated);
-    let explorer_page = match &explorer {
-        Some(ExplorerLink::State(_)) => compiled_in(),
-        _ => None,
-    };
+    let explorer_page = compiled_in();
+    let state = explorer_state(&inputs.stated, request.source.content.preset, system());
+    let explorer = explorer_page.and(state.ok());
+    let explorer_page = explorer_page.filter(|_| explorer.is_some());
     let mut names = vec!["index.html", SETUP_FILE];
     names.extend(explorer_page.map(|_| EXPLORER_FILE));
     let folder = OutputRule::new(request.inputs(), args.overwrite).folder(&args.output, &names)?;
@@ -108,18 +107,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     let origin = request.origin();
     let names = files.iter().map(|(name, _)| *name).collect();
     Ok(answer(args, &origin, &findings, names))
-}
-
-/// The link to the explorer with the drive as set up: the state for the explorer's page, or, if the
-/// page is not compiled in, the command `explore`. `None` for a setup that the explorer cannot
-/// represent.
-fn explorer_link(request: &Request, setup: &Setup<f64>) -> Option<ExplorerLink> {
-    let state = explorer_state(setup, request.source.content.preset, system()).ok()?;
-    if compiled_in().is_some() {
-        return Some(ExplorerLink::State(state));
-    }
-    let words = std::iter::once("explore".to_owned()).chain(request.as_arguments(&[]));
-    Some(ExplorerLink::Command(command_line(words)))
 }
 
 /// The drive and the search of a report.

@@ -17,14 +17,6 @@ pub const SETUP_FILE: &str = "setup.toml";
 /// Name of the explorer's file in the folder of a report.
 pub const EXPLORER_FILE: &str = "explorer.html";
 
-/// The link from a report to the explorer, which opens with the drive as set up.
-pub enum ExplorerLink {
-    /// Opens [`EXPLORER_FILE`] with this state, the text after `#`.
-    State(String),
-    /// States the command that serves the explorer.
-    Command(String),
-}
-
 /// The contents of a page. The page omits missing sections; `remarks` has the reasons.
 pub struct Findings {
     /// The name of the setup.
@@ -73,8 +65,9 @@ pub struct Findings {
     pub rows: Vec<DerivativeRow>,
     /// Finite differences of the MAE 494 report's while-loop.
     pub loops: Vec<LoopRow>,
-    /// The link to the explorer; `None` for a setup that the explorer cannot represent.
-    pub explorer: Option<ExplorerLink>,
+    /// The state of the drive as set up for [`EXPLORER_FILE`]; `None` without this file, or for a
+    /// setup that the explorer cannot represent.
+    pub explorer: Option<String>,
     /// The units shown when the page opens.
     pub system: System,
     /// Warnings, and the reasons for missing sections.

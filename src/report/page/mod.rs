@@ -9,7 +9,7 @@ mod numbers;
 mod request;
 mod sections;
 
-pub use findings::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE};
+pub use findings::{EXPLORER_FILE, Findings, SETUP_FILE};
 
 use super::figures::{
     Causes, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
@@ -232,7 +232,7 @@ fn main(findings: &Findings, plots: &Plots) -> Result<Markup> {
             @for [metric, us] in &plots.left_out {
                 p.faint { (chosen(&capital(metric), &capital(us))) "." }
             }
-            @if let Some(explorer) = &findings.explorer { (sections::explorer(explorer)) }
+            @if let Some(state) = &findings.explorer { (sections::explorer(state)) }
             (pictures(&plots.strike)?)
             h3 { "As set up, on a launch monitor" }
             (sections::panel(findings))

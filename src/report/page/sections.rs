@@ -1,6 +1,6 @@
 //! The sections of a page with texts and tables.
 
-use super::findings::{EXPLORER_FILE, ExplorerLink, Findings, SETUP_FILE};
+use super::findings::{EXPLORER_FILE, Findings, SETUP_FILE};
 use super::numbers::outcome;
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::Result;
@@ -265,17 +265,12 @@ fn source_of(findings: &Findings, row: &SourcedValue) -> String {
     }
 }
 
-/// The line about the explorer.
-pub(super) fn explorer(link: &ExplorerLink) -> Markup {
+/// The link to the explorer with the state of a drive, which is the text after `#`.
+pub(super) fn explorer(state: &str) -> Markup {
     html! {
         p {
             "This drive with sliders: "
-            @match link {
-                ExplorerLink::State(state) => {
-                    a href=(format!("{EXPLORER_FILE}#{state}")) { "the explorer" } "."
-                }
-                ExplorerLink::Command(command) => code { (command) },
-            }
+            a href=(format!("{EXPLORER_FILE}#{state}")) { "the explorer" } "."
         }
     }
 }
