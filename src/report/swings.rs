@@ -197,7 +197,7 @@ pub(super) fn goals(
         "over all swings",
         ended_at(best.solution.status, "best"),
         "best for mean swing",
-        "with that swing alone",
+        "mean swing alone",
         "as set up",
     ];
     DocumentTable::new(head, rows).right(1..5)

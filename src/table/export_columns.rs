@@ -236,5 +236,5 @@ fn unknown_columns(columns: &[Column]) -> Option<Message> {
         .map(|column| with_nearest(&column.head))
         .collect();
     let list = unknown.join(", ");
-    (!unknown.is_empty()).then(|| format!("unknown columns are left out: {list}").into())
+    (!unknown.is_empty()).then(|| format!("columns that are not used: {list}").into())
 }

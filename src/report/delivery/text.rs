@@ -160,6 +160,10 @@ pub(super) fn of_table(
     document.list(first.and_then(|first| measured_club(first, system)));
     if let Some(population) = population {
         document.add(swings(population, system));
+        document.list([Line::flush(
+            "over all shots: the deliveries above, which `output` writes; the swings behind them: \
+             without the errors of the launch monitor, which `swings` writes",
+        )]);
     }
     document
 }
