@@ -15,8 +15,6 @@ pub struct Flown {
     /// For each shot, its row in the block; `None` for a refused shot.
     pub(super) flights: Vec<Option<usize>>,
     pub(super) block: Block,
-    /// Ball radius of the setup, m.
-    pub(super) ball_radius: f64,
     /// True if the predicted and measured roll-outs are compared.
     pub(super) compares_roll_out: bool,
     /// The section of the table; `None` for JSON.

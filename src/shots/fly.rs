@@ -171,7 +171,6 @@ impl Flying {
             shots,
             flights,
             block,
-            ball_radius: self.batch.setup().ball.radius,
             compares_roll_out: self.compares_roll_out,
             section,
         }

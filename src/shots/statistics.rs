@@ -156,21 +156,8 @@ pub struct ShotStatistics {
     pub noted: u64,
     /// Number of landed drives that exceed each validity limit of the model.
     pub exceeded: ExceededCount,
-    /// Number of landed drives whose spin ratio at launch is too large for a driver. It is computed
-    /// with the ball radius of the setup.
-    pub lofted: u64,
     /// Predicted and measured values, for checks of units and signs.
     unit_checks: UnitChecks,
-}
-
-/// True if the spin ratio rω/v of a launch (ball speed, angle, direction, backspin and sidespin,
-/// SI) of a ball of this radius is above 0.12: the club has more loft than a driver.
-fn is_lofted(launch: &[f64], ball_radius: f64) -> bool {
-    const OF_DRIVES: f64 = 0.12;
-    let [speed, _, _, back, side] = launch else {
-        return false;
-    };
-    ball_radius * back.hypot(*side) > OF_DRIVES * speed
 }
 
 impl ShotStatistics {
@@ -196,7 +183,6 @@ impl ShotStatistics {
             normalized: 0,
             noted: 0,
             exceeded: ExceededCount::default(),
-            lofted: 0,
             unit_checks: UnitChecks::new(of.len()),
         }
     }
@@ -226,8 +212,6 @@ impl ShotStatistics {
             if flown.status(row) == Some(Status::Landed) {
                 self.flown += 1;
                 self.exceeded.add(flown.exceeded(row));
-                let is_lofted = |launch| is_lofted(launch, flown.ball_radius);
-                self.lofted += u64::from(shot.launch().is_some_and(is_lofted));
             }
             self.unit_checks.add(flown, row);
             if let Some(name) = shot.club_name.as_deref() {
@@ -277,7 +261,6 @@ impl ShotStatistics {
         self.normalized += other.normalized;
         self.noted += other.noted;
         self.exceeded.merge(other.exceeded);
-        self.lofted += other.lofted;
         self.unit_checks.merge(other.unit_checks);
         self.rows_of_further_clubs += other.rows_of_further_clubs;
         for (name, shots) in &other.clubs {

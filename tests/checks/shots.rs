@@ -629,21 +629,6 @@ fn marks_of_parameters_and_of_the_club_are_read_as_those_of_the_launch() {
 }
 
 #[test]
-fn the_loft_of_a_club_is_judged_with_the_radius_of_the_ball() {
-    let lofted = |radius: f64| {
-        let mut setup = Setup::default();
-        setup.ball.radius = radius;
-        let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n150,12,3500\n";
-        let mut shots = Shots::read(&setup, "shots.csv", text.as_bytes()).unwrap();
-        let flying = Flying::new(&setup, &shots.other_parameters, &OF).unwrap();
-        let tally = flying.fly(&mut shots, &Run::default(), |_| (), |()| Ok(()));
-        tally.unwrap().lofted
-    };
-    // 0.12 · 150 mph / 3500 rpm = 0.02196 m
-    assert_eq!((lofted(0.0219), lofted(0.0220)), (0, 1));
-}
-
-#[test]
 fn exact_bias_and_errors_by_ball_speed() {
     // measured carries with known errors
     let speeds = [110.0, 150.0, 155.0, 165.0, 190.0];

@@ -15,7 +15,7 @@ use crate::command::output::{Answer, note, note_each, system, text_of, warn};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::input_file;
-use crate::parameters::{Law, Preset};
+use crate::parameters::Preset;
 use crate::report::{Ending, Report, ShotWriter, ShotsReport};
 #[cfg(feature = "parquet")]
 use crate::report::{PARQUET_MAGIC, ShotParquet};
@@ -79,9 +79,12 @@ fn fly(args: &Args) -> Result<Answer> {
         refuse_no_rows(&tally, file)?;
         output.finish()?;
     }
-    let of_lofted = warn_about_shots(&tally, &shots, &setup.law);
-    note_each(file.display(), &of_lofted);
-    remarks.extend(of_lofted);
+    warn(tally.exceeded.warnings(
+        &setup.law,
+        ["shot that landed", "shots that landed"],
+        CheckScope::Launch,
+    ));
+    warn(tally.unit_warnings(&shots));
     let stopped = is_stopped.then(|| stopped(&tally, &destination));
     let nothing = nothing(&tally, &remarks);
     if request.is_json {
@@ -169,35 +172,6 @@ fn not_compared(shots: &Shots, of: &[Outcome], compares_roll_out: bool) -> Vec<M
         ));
     }
     remarks
-}
-
-/// Warns about shots outside of the validity range of the law, and about columns with a likely
-/// wrong unit or sign. If there is no such column, returns the remark on lofted clubs.
-fn warn_about_shots(tally: &ShotStatistics, shots: &Shots, law: &Law<f64>) -> Option<Message> {
-    warn(tally.exceeded.warnings(
-        law,
-        ["shot that landed", "shots that landed"],
-        CheckScope::Launch,
-    ));
-    let of_units = tally.unit_warnings(shots);
-    let of_lofted = match of_units.is_empty() {
-        true => of_lofted(tally, law).map(Message::from),
-        false => None,
-    };
-    warn(of_units);
-    of_lofted
-}
-
-/// A remark on the error of the law `launch-monitor` for shots of clubs with more loft than a
-/// driver.
-fn of_lofted(tally: &ShotStatistics, law: &Law<f64>) -> Option<String> {
-    (tally.lofted > 0 && law.name() == "launch-monitor").then(|| {
-        format!(
-            "{} with a spin ratio above 0.12, as of irons and of slow drivers: for irons, launch \
-             monitors give carries 4 to 8 yd longer, half as much with `set aero.law=ferguson`",
-            counted(tally.lofted, "shot")
-        )
-    })
 }
 
 /// A remark on rows that the table by club lacks.
