@@ -15,9 +15,9 @@ pub struct Batch {
     pub(super) wrt: Vec<&'static Parameter>,
     /// Largest accepted defect of the integration, m (docs/model.md, eq. 16a). Drives with a larger
     /// defect are repeated with shorter steps. Infinity keeps the setup's step.
-    pub(super) largest_defect: f64,
+    pub(crate) largest_defect: f64,
     /// Instruction level.
-    pub(super) level: Level,
+    pub(crate) level: Level,
 }
 
 impl Batch {
@@ -142,17 +142,6 @@ impl Batch {
             });
         }
         Ok(Self { level, ..self })
-    }
-
-    /// Instruction level.
-    pub fn level(&self) -> Level {
-        self.level
-    }
-
-    /// Largest accepted defect of the integration, m (docs/model.md, eq. 16a); infinite if all
-    /// drives have the setup's step.
-    pub fn largest_defect(&self) -> f64 {
-        self.largest_defect
     }
 
     /// Setup whose parameters are swept.
