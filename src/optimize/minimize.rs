@@ -3,7 +3,7 @@
 use super::domain::Domain;
 use super::iteration::Iteration;
 use super::kink::Kink;
-use super::observer::{Observer, Snapshot};
+use super::observer::{Observer, SaveSnapshot, Snapshot};
 use super::options::Options;
 use super::problem::Problem;
 use super::solution::Solution;
@@ -213,7 +213,7 @@ fn resumed(solver: &Sqp, snapshot: Snapshot) -> Sqp {
 
 /// Connects the observer's `save` and `resume` to argmin's checkpointing.
 struct SnapshotIo {
-    save: Option<RefCell<Box<dyn FnMut(&Snapshot) -> Result<()>>>>,
+    save: Option<RefCell<Box<SaveSnapshot>>>,
     resumed: Option<(Sqp, SqpState)>,
 }
 

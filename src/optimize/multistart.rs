@@ -27,13 +27,16 @@ pub struct LocalMinimum {
     pub starts: Vec<usize>,
 }
 
+/// Callback that receives the number of a search, and its [`Iteration`] or [`Solution`].
+pub type Callback<T> = Arc<dyn Fn(usize, &T) + Send + Sync>;
+
 /// Callbacks, interrupt flag and checkpoint of searches that run in parallel.
 #[derive(Clone, Default)]
 pub struct Observers {
     /// Called at the start (iteration 0) and after every iteration, with the number of the start.
-    pub iteration: Option<Arc<dyn Fn(usize, &Iteration) + Send + Sync>>,
+    pub iteration: Option<Callback<Iteration>>,
     /// Called at the end of every search, with the number of the start.
-    pub end: Option<Arc<dyn Fn(usize, &Solution) + Send + Sync>>,
+    pub end: Option<Callback<Solution>>,
     /// Interrupt flag: once true, all searches end with their best points so far.
     pub interrupt: Arc<AtomicBool>,
     /// Checkpoint in which the searches are saved, and from which they resume.
@@ -154,13 +157,8 @@ fn search_from(
     };
     if observers.interrupt.load(Ordering::Relaxed) {
         let message = "stopped before it began".into();
-        let x = start.to_vec();
-        return Ok(Solution::without_point(
-            domain,
-            Status::Interrupted,
-            message,
-            x,
-        ));
+        let found = Solution::without_point(domain, Status::Interrupted, message, start.to_vec());
+        return Ok(found);
     }
     let mut observer = Observer {
         resume,

@@ -15,13 +15,16 @@ pub struct Observer {
     /// next evaluation, or during an evaluation that [checks the flag](super::Problem::evaluate).
     pub interrupt: Arc<AtomicBool>,
     /// Called after every iteration with a snapshot to save.
-    pub save: Option<Box<dyn FnMut(&Snapshot) -> Result<()>>>,
+    pub save: Option<Box<SaveSnapshot>>,
     /// Snapshot to resume from.
     pub resume: Option<Snapshot>,
     /// True if every iteration passed to the observer contains the quadratic model at the iterate.
     /// This costs a copy of the search's state and the solution of a quadratic program.
     pub models: bool,
 }
+
+/// Saves a snapshot.
+pub type SaveSnapshot = dyn FnMut(&Snapshot) -> Result<()>;
 
 impl Observer {
     /// Observer that passes every iteration to a closure.

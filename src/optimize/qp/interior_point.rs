@@ -277,11 +277,14 @@ impl StandardForm {
                 columns[*column].push((at, *value));
             }
         }
-        let mut column_starts = vec![0];
-        for column in &columns {
-            column_starts.push(column_starts[column_starts.len() - 1] + column.len());
+        let (mut column_starts, mut row_indices, mut values) = (vec![0], vec![], vec![]);
+        for column in columns {
+            for (row, value) in column {
+                row_indices.push(row);
+                values.push(value);
+            }
+            column_starts.push(values.len());
         }
-        let (row_indices, values) = columns.into_iter().flatten().unzip();
         let limits: Vec<f64> = self.rows().map(|row| row.limit).collect();
         (
             CscMatrix::new(limits.len(), self.size, column_starts, row_indices, values),
