@@ -38,8 +38,6 @@ pub(crate) struct Column {
     /// quantity.
     size: Option<Unit>,
     pub format: TableFormat,
-    /// True for a launch condition whose column head is its dotted name: `launch.ball_speed`.
-    pub is_dotted_condition: bool,
     /// True for an air column that the setup overrides.
     pub is_overridden_air: bool,
     /// Handedness of the golfer.
@@ -79,7 +77,7 @@ pub(crate) const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
 /// Prefixes of columns that `fly` adds.
 const FLOWN_PREFIXES: [&str; 2] = ["Predicted ", "Residual "];
 /// Group of the launch conditions.
-const LAUNCH: &str = "launch.";
+pub(super) const LAUNCH: &str = "launch.";
 
 impl Column {
     /// Interprets the column head `head`: `carry [yd]`, `sigma carry [yd]`, `club.loft [deg]`,
@@ -174,15 +172,12 @@ impl Column {
 
     /// A column with this content, in SI.
     pub fn of(content: Content, head: &str) -> Self {
-        let is_dotted_condition =
-            head.starts_with(LAUNCH) && matches!(content, Content::Outcome(_));
         Self {
             content,
             head: head.into(),
             unit: None,
             size: None,
             format: TableFormat::default(),
-            is_dotted_condition,
             is_overridden_air: false,
             golfer: Golfer::Right,
             has_units_in_cells: false,

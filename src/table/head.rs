@@ -1,7 +1,7 @@
 //! The column heads of a table: meaning of the columns, and errors in column heads.
 
 use super::CONDITIONS;
-use super::column::{Column, Content, SHOTS_ADVICE, STATUS, TableFormat};
+use super::column::{Column, Content, LAUNCH, SHOTS_ADVICE, STATUS, TableFormat};
 use super::export_columns::{ClubColumns, ignore_columns};
 use super::launch_monitor::{is_export, units_row};
 use crate::drive::Outcome;
@@ -61,8 +61,6 @@ impl TableOptions {
 /// The column heads of a table, interpreted.
 #[derive(Clone, Debug)]
 pub(crate) struct TableHead {
-    /// Line of the column heads, from 1.
-    pub line: u64,
     /// The column heads as written.
     pub heads: Vec<String>,
     /// The columns in order.
@@ -118,7 +116,6 @@ impl TableHead {
         resolve_sweep_names(&mut columns);
         let units = units.and(first);
         Ok(Self {
-            line: 1,
             heads,
             columns,
             format,
@@ -140,7 +137,6 @@ impl TableHead {
         let mut columns = all(columns, POINTS_ADVICE, file)?;
         resolve_sweep_names(&mut columns);
         Ok(Self {
-            line: 1,
             heads: names.to_vec(),
             columns,
             format: TableFormat::default(),
@@ -183,15 +179,20 @@ fn resolve_sweep_names(columns: &mut [Column]) {
     if !columns.iter().any(is_status) {
         return;
     }
-    if columns.iter().any(|column| column.is_dotted_condition) {
+    let is_condition = |column: &Column| match column.content {
+        Content::Outcome(outcome) => CONDITIONS.contains(&outcome),
+        _ => false,
+    };
+    let is_dotted = |column: &Column| column.head.starts_with(LAUNCH);
+    if columns
+        .iter()
+        .any(|column| is_condition(column) && is_dotted(column))
+    {
         for column in columns
             .iter_mut()
-            .filter(|column| !column.is_dotted_condition)
+            .filter(|column| is_condition(column) && !is_dotted(column))
         {
-            if matches!(column.content, Content::Outcome(outcome) if CONDITIONS.contains(&outcome))
-            {
-                column.content = Content::Written;
-            }
+            column.content = Content::Written;
         }
     }
     for column in columns

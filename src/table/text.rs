@@ -223,7 +223,6 @@ impl TextTable {
         let first = below.as_ref().map(|below| self.cells(below));
         let file = &self.name.0;
         let mut head = TableHead::read(setup, heads, first, self.separator, wanted, file)?;
-        head.line = record.line;
         if head.units.is_none()
             && let Some(below) = below
         {
