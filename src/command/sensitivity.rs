@@ -68,8 +68,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(unflown.into_iter().flatten());
     let slopes = best.as_ref().map(total_slopes).transpose()?;
     warn(slopes.iter().flat_map(|slopes| missing_slopes(slopes)));
-    let totals = best.as_ref().zip(slopes.as_deref());
-    let totals = totals.map(|(best, slopes)| (best.search.outcome(), slopes));
+    let totals = slopes.as_deref().unwrap_or_default();
     let report = EffectsReport::new(&found, best.as_ref(), totals);
     let origin = request.origin();
     Ok(Answer::report(&report, &origin, request.is_json))

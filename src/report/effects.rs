@@ -22,7 +22,7 @@ pub(super) const STATED: &str = "given";
 pub struct EffectsReport<'a> {
     #[serde(skip)]
     found: &'a [Effects],
-    /// The outcome whose optimal value has derivatives.
+    /// The optimized outcome, whose optimal value has derivatives.
     #[serde(skip)]
     optimized: Option<Outcome>,
     /// Each outcome, in the order requested.
@@ -75,20 +75,21 @@ pub struct EffectReport {
 
 impl<'a> EffectsReport<'a> {
     /// The report of the effects `found`: on the drive as set up, or on the drive of the optimum
-    /// `best`. `totals` has the optimized outcome and, for each parameter, the sensitivity of its
-    /// optimal value, or the error of the computation.
+    /// `best`. `totals` has, for each parameter, the sensitivity of the optimal value, or the error
+    /// of its computation; it is empty without an optimum.
     pub fn new(
         found: &'a [Effects],
         best: Option<&Optimum>,
-        totals: Option<(Outcome, &[(&'static Parameter, Result<Sensitivity>)])>,
+        totals: &[(&'static Parameter, Result<Sensitivity>)],
     ) -> Self {
+        let optimized = best.map(|best| best.search.outcome());
         let outcomes = found.iter().map(|effects| {
-            let totals = totals.filter(|(optimized, _)| *optimized == effects.of);
-            OutcomeEffects::new(effects, totals.map_or(&[], |(_, totals)| totals))
+            let is_optimized = optimized == Some(effects.of);
+            OutcomeEffects::new(effects, if is_optimized { totals } else { &[] })
         });
         Self {
             found,
-            optimized: totals.map(|(optimized, _)| optimized),
+            optimized,
             outcomes: outcomes.collect(),
             at_optimum: best.map(OptimumReport::new),
         }
