@@ -66,8 +66,8 @@ pub struct FlyRow {
     predicted: ByOutcome<JsonNumber>,
     /// The residuals, predicted − measured.
     residual: ByOutcome<JsonNumber>,
-    /// The row as in the file: the cells by their column heads, or the message, if the shot came as
-    /// a message. The text, if it cannot be divided into cells.
+    /// The row as in the file: the cells by their column heads, the message if the shot came as a
+    /// message, or the text if it cannot be divided into cells.
     #[schemars(extend("type" = ["object", "string"]))]
     row: serde_json::Value,
 }
