@@ -21,7 +21,7 @@ use super::plot::{Figure, Look, figure_svg};
 use super::setup_toml;
 use super::shown::{self, capital};
 use crate::error::{Error, Result};
-use crate::study::{Map, NamedDrive};
+use crate::study::NamedDrive;
 use crate::units::{Message, System};
 use maud::{Markup, html};
 
@@ -64,39 +64,36 @@ fn plots(findings: &Findings) -> Plots {
             System::ALL.map(|system| fairway_figure(&findings.landings, system)),
         );
     }
-    let launches = findings
-        .launches
-        .as_ref()
-        .map(|launches| System::ALL.map(|system| launches_figure(launches, system)));
-    let face = findings
-        .face
-        .as_ref()
-        .map(|face| System::ALL.map(|system| face_figure(face, system)));
+    let (launches, face) = (findings.launches.as_ref(), findings.face.as_ref());
+    let on_map = OnMap {
+        setup: &findings.setup,
+        limits: &findings.limits,
+        best: findings.best(),
+        region: findings.region.as_ref(),
+    };
+    let causes = |effects| Causes::APART.map(|causes| (effects, causes));
     Plots {
         drive,
-        strike: launches.into_iter().chain(face).collect(),
+        strike: pairs(|system| {
+            let launches = launches.map(|launches| launches_figure(launches, system));
+            let face = face.map(|face| face_figure(face, system));
+            launches.into_iter().chain(face)
+        }),
         strikes: strikes(findings),
         left_out,
-        map: findings
-            .map
-            .as_ref()
-            .map(|map| System::ALL.map(|system| mapped(findings, map, system)))
-            .into_iter()
-            .collect(),
-        chart: findings
-            .chart
-            .as_ref()
-            .map(|chart| {
-                pairs(System::ALL.map(|system| chart_figures(chart, findings.best(), system).drawn))
-            })
-            .unwrap_or_default(),
+        map: pairs(|system| {
+            let map = findings.map.as_ref();
+            map.map(|map| map_figure(map, &on_map, system))
+        }),
+        chart: pairs(|system| {
+            let charts = findings.chart.iter();
+            charts.flat_map(move |chart| chart_figures(chart, on_map.best, system).drawn)
+        }),
         effects: findings
             .effects
             .iter()
-            .flat_map(|effects| Causes::APART.map(|causes| (effects, causes)))
-            .flat_map(|(effects, causes)| {
-                pairs(System::ALL.map(|system| tornado_figure(effects, causes, system)))
-            })
+            .flat_map(causes)
+            .flat_map(|(effects, causes)| pairs(|system| tornado_figure(effects, causes, system)))
             .collect(),
         // omit the plot if its logarithmic axis can show no error: each error is 0, as for a
         // derivative of 0
@@ -120,23 +117,13 @@ fn strikes(findings: &Findings) -> Vec<Pair> {
         .into_iter()
         .filter_map(|(name, face)| Some((name, face.as_ref()?)))
         .collect();
-    pairs(System::ALL.map(|system| strikes_figure(&designs, system)))
+    pairs(|system| strikes_figure(&designs, system))
 }
 
-/// The plots in metric and in US units, as a pair for each plot.
-fn pairs([metric, us]: [impl IntoIterator<Item = Figure>; 2]) -> Vec<Pair> {
-    let pairs = metric.into_iter().zip(us);
-    pairs.map(Pair::from).collect()
-}
-
-fn mapped(findings: &Findings, map: &Map, system: System) -> Figure {
-    let on = OnMap {
-        setup: &findings.setup,
-        limits: &findings.limits,
-        best: findings.best(),
-        region: findings.region.as_ref(),
-    };
-    map_figure(map, &on, system)
+/// The plots that `draw` makes in each system of units, as a pair for each plot.
+fn pairs<F: IntoIterator<Item = Figure>>(draw: impl Fn(System) -> F) -> Vec<Pair> {
+    let [metric, us] = System::ALL.map(draw);
+    metric.into_iter().zip(us).map(Pair::from).collect()
 }
 
 /// The views of the drives that fly, from the side and from above; and for each missing view the
