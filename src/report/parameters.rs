@@ -101,7 +101,8 @@ impl ParametersReport {
     /// Selects the parameters and choices whose names contain a word.
     ///
     /// # Errors
-    /// [`Error::Unknown`] if no name contains the word, with the most similar name, group or preset.
+    /// [`Error::Unknown`] if no name contains the word, with the most similar name, group or
+    /// preset.
     pub fn with_word(mut self, word: &str) -> Result<Self> {
         let mut choices = self.choices.iter().map(|one| one.choice).chain([LAW]);
         let is_choice = choices.any(|name| has_word(name, word));

@@ -45,8 +45,8 @@ pub(super) enum Cells {
 }
 
 /// A table. Each row group is created as a separate file in memory. A file with many row groups
-/// consists of `PARQUET_MAGIC`, the bytes of the groups, and a [`footer`](Self::footer) made from the
-/// metadata of the groups. An interrupted file can therefore continue after any of its groups.
+/// consists of `PARQUET_MAGIC`, the bytes of the groups, and a [`footer`](Self::footer) made from
+/// the metadata of the groups. An interrupted file can therefore continue after any of its groups.
 pub(super) struct ParquetTable {
     schema: TypePtr,
     properties: WriterPropertiesPtr,
@@ -120,7 +120,7 @@ impl ParquetTable {
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `columns`.
     pub fn new(name: &str, columns: &[(String, ColumnType)], definition: &str) -> Result<Self> {
-        // no page index: `PlacedGroup::new` would have to change the file position of each page in it
+        // no page index: `PlacedGroup::new` would have to change the position of each page in it
         let mut properties = WriterProperties::builder()
             .set_created_by(concat!("longdrive ", env!("CARGO_PKG_VERSION")).into())
             .set_statistics_enabled(EnabledStatistics::Chunk)

@@ -27,8 +27,8 @@ pub(super) fn clear_names(layers: &mut [Layer]) {
     }
 }
 
-/// The outcome `outcome`, with index `of` in `plane`, as a field of a plot with gradients. A `plane`
-/// without this outcome gives a field without values.
+/// The outcome `outcome`, with index `of` in `plane`, as a field of a plot with gradients. A
+/// `plane` without this outcome gives a field without values.
 pub(super) fn field(plane: &Plane, of: usize, outcome: Outcome) -> Field {
     Field {
         quantity: NamedQuantity::outcome(outcome),

@@ -15,7 +15,8 @@ const MOST_BYTES: usize = 16 << 20;
 ///
 /// Row groups are created one at a time. A file with many row groups consists of
 /// [`PARQUET_MAGIC`](crate::report::PARQUET_MAGIC), the bytes of the groups, and a
-/// [`footer`](Self::footer) made from the metadata of the groups. An interrupted file can therefore continue after any of its groups.
+/// [`footer`](Self::footer) made from the metadata of the groups. An interrupted file can therefore
+/// continue after any of its groups.
 pub struct SweepParquet {
     table: ParquetTable,
     /// Number of parameters, outcomes and derivatives.
