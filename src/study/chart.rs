@@ -171,6 +171,9 @@ fn with_intervals(warning: Message, intervals: &[[f64; 2]], along: &Vary) -> Mes
 /// Tolerance of event locations, relative to the range.
 const LOCATED: f64 = 1e-10;
 
+/// Callback that receives one value of a chart.
+type ChartCallback<T> = Rc<dyn Fn(&T)>;
+
 /// Callbacks and cancellation flag of a chart.
 #[derive(Clone, Default)]
 pub struct ChartObserver {
@@ -180,9 +183,9 @@ pub struct ChartObserver {
     /// and further values if there is no optimum at the low end.
     pub beginning: Option<Rc<dyn Fn(f64)>>,
     /// Receives every iteration of every search.
-    pub iteration: Option<Rc<dyn Fn(&Iteration)>>,
+    pub iteration: Option<ChartCallback<Iteration>>,
     /// Receives every point of the continuation.
-    pub point: Option<Rc<dyn Fn(&ChartPoint)>>,
+    pub point: Option<ChartCallback<ChartPoint>>,
 }
 
 impl ChartObserver {
