@@ -18,7 +18,7 @@ use crate::study::calibrate::{
 use crate::table::RowFilter;
 use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 
@@ -113,15 +113,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     let rule = rule.and_not(args.plot.as_deref());
     let output = rule.setup_file(args.output.as_deref())?;
-    request.refuse_launch(
-        &setup,
-        &format!(
-            "calibrate reads the launch of each ball from columns of the table; leave this out, \
-             and add the columns to {} if it has none: ball_speed, launch_angle, and backspin or \
-             spin, with their units, as in \"ball_speed [mph]\"",
-            args.data.display()
-        ),
-    )?;
+    request.refuse_launch(&setup, &launch_columns_advice(&args.data))?;
     warn(setup.warnings());
     let table = read_shots(args, &request, &setup)?;
     warn(table.warnings.clone());
@@ -164,6 +156,16 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let answer = Answer::report(&report, &request.origin(), request.is_json);
     Ok(answer.found(is_found))
+}
+
+/// Why a calibration refuses a stated launch, with advice.
+fn launch_columns_advice(data: &Path) -> String {
+    format!(
+        "calibrate reads the launch of each ball from columns of the table; leave this out, and \
+         add the columns to {} if it has none: ball_speed, launch_angle, and backspin or spin, \
+         with their units, as in \"ball_speed [mph]\"",
+        data.display()
+    )
 }
 
 impl Args {

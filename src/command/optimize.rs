@@ -1,7 +1,6 @@
 pub use crate::command::args::OptimizeArgs as Args;
 
 use crate::Result;
-use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{Answer, note, warn};
 use crate::command::ranges::DefaultRanges;
 use crate::command::search::write;
@@ -22,10 +21,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     request.note_starts(&setup, &search.vary);
     let setup = request.for_many(setup, &search.vary)?;
     let output = args.destination(&request)?;
-    let stop = interrupt::enable(BEST_SO_FAR);
-    let optima = args.optima(&setup, &search, &stop);
-    interrupt::disable();
-    let mut optima = optima?;
+    let mut optima = args.optima(&setup, &search)?;
     if let Some(set_up) = request.before_starts(&setup) {
         optima.best = optima.best.compared_with(set_up);
     }

@@ -1,5 +1,4 @@
 use crate::command::args::OptimumArgs;
-use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::variables;
 use crate::command::output::{Answer, note, note_error, spinner, warn, with_bar};
 use crate::command::ranges::DefaultRanges;
@@ -56,10 +55,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         &setup,
         DefaultRanges::longest_drive,
     )?;
-    let stop = interrupt::enable(BEST_SO_FAR);
-    let optima = args.optimum.optima(&setup, &search, &stop);
-    interrupt::disable();
-    let optima = optima?;
+    let optima = args.optimum.optima(&setup, &search)?;
     let best = &optima.best;
     let written = write(output.as_ref(), &request, &optima, None)?;
     if let Some(moved) = best.moved_start() {

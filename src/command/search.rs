@@ -3,6 +3,7 @@
 use crate::command::args::{OptimumArgs, SearchArgs, stated};
 use crate::command::files::{Destination, OutputRule};
 use crate::command::host::{Progress, Work};
+use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::note_the_run;
 use crate::command::output::{note, shown, system, warn};
 use crate::command::ranges::{DefaultRanges, varied};
@@ -101,9 +102,17 @@ impl SearchArgs {
 }
 
 impl OptimumArgs {
+    /// Runs the search, which Ctrl-C interrupts.
+    pub fn optima(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
+        let stop = interrupt::enable(BEST_SO_FAR);
+        let found = self.optima_until(setup, search, &stop);
+        interrupt::disable();
+        found
+    }
+
     /// Runs the search, which `stop` interrupts, and writes its checkpoint. Shows the last
     /// iteration as progress, or a bar for several searches.
-    pub fn optima(
+    pub fn optima_until(
         &self,
         setup: &Setup<f64>,
         search: &Search,

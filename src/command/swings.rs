@@ -241,7 +241,7 @@ pub fn optimize_and_write(
     let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
     let output = args.optimum.destination(request)?;
     let stop = interrupt::enable(BEST_SO_FAR);
-    let optima = args.optimum.optima(&setup, &search, &stop)?;
+    let optima = args.optimum.optima_until(&setup, &search, &stop)?;
     let best = &optima.best;
     let is_found = best.solution.status == Status::Converged;
     let mut analysis = None;

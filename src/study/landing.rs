@@ -46,10 +46,9 @@ impl Landing {
             .copied()
             .collect();
         let parameters: Vec<_> = sigmas.iter().map(|sigma| sigma.parameter).collect();
-        let order = if parameters.is_empty() {
-            Order::Value
-        } else {
-            Order::First
+        let order = match parameters.len() {
+            0 => Order::Value,
+            _ => Order::First,
         };
         let taylors = evaluate(
             setup,

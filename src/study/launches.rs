@@ -40,6 +40,19 @@ pub struct NamedLaunch {
     pub carry: Option<f64>,
 }
 
+impl NamedLaunch {
+    fn of(name: &str, drive: &Drive<f64>) -> Self {
+        let launch = &drive.launch;
+        Self {
+            name: name.into(),
+            launch_angle: launch.launch_angle(),
+            backspin: launch.backspin(),
+            ball_speed: launch.ball_speed(),
+            carry: Outcome::Carry.value(drive),
+        }
+    }
+}
+
 /// Margin of [`Launches::plane`] around the launches, rad and rad/s. The ends of the plane's ranges
 /// are rounded to multiples of `ENDS`.
 const BEYOND: [f64; 2] = [7.0 * DEGREE, 1250.0 * RPM];
@@ -61,15 +74,8 @@ impl Launches {
         let mut first = None;
         for (name, setup) in drives {
             let drive = Drive::new(setup)?;
-            let launch = drive.launch;
-            launched.push(NamedLaunch {
-                name: (*name).into(),
-                launch_angle: launch.launch_angle(),
-                backspin: launch.backspin(),
-                ball_speed: launch.ball_speed(),
-                carry: Outcome::Carry.value(&drive),
-            });
-            first.get_or_insert((*setup, launch));
+            launched.push(NamedLaunch::of(name, &drive));
+            first.get_or_insert((*setup, drive.launch));
         }
         let (own, launch) = first.ok_or(Error::Nothing {
             doing: "draw the launches of",

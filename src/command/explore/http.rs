@@ -12,7 +12,6 @@ pub const TOO_MANY: &[u8] =
     b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n";
 
 /// A response: its head and its body.
-#[derive(Debug, PartialEq)]
 pub struct HttpResponse<'a> {
     pub head: String,
     pub body: &'a [u8],

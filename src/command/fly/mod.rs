@@ -11,11 +11,11 @@ use crate::batch::Run;
 use crate::command::args::refuse_threads;
 use crate::command::files::{Destination, DestinationKind, OutputStream};
 use crate::command::interrupt;
-use crate::command::output::{Answer, note, note_each, system, text_of, warn};
+use crate::command::output::{Answer, note, note_each, say_error, system, text_of, warn};
 use crate::command::request::Request;
 use crate::drive::CheckScope;
 use crate::input_file;
-use crate::parameters::Preset;
+use crate::parameters::{Law, Preset};
 use crate::report::{Ending, Report, ShotWriter, ShotsReport};
 #[cfg(feature = "parquet")]
 use crate::report::{PARQUET_MAGIC, ShotParquet};
@@ -79,12 +79,7 @@ fn fly(args: &Args) -> Result<Answer> {
         refuse_no_rows(&tally, file)?;
         output.finish()?;
     }
-    warn(tally.exceeded.warnings(
-        &setup.law,
-        ["shot that landed", "shots that landed"],
-        CheckScope::Launch,
-    ));
-    warn(tally.unit_warnings(&shots));
+    warn_about_shots(&tally, &shots, &setup.law);
     let stopped = is_stopped.then(|| stopped(&tally, &destination));
     let nothing = nothing(&tally, &remarks);
     if request.is_json {
@@ -172,6 +167,17 @@ fn not_compared(shots: &Shots, of: &[Outcome], compares_roll_out: bool) -> Vec<M
         ));
     }
     remarks
+}
+
+/// Warns about shots outside of the validity range of the law, and about columns with a likely
+/// wrong unit or sign.
+fn warn_about_shots(tally: &ShotStatistics, shots: &Shots, law: &Law<f64>) {
+    warn(tally.exceeded.warnings(
+        law,
+        ["shot that landed", "shots that landed"],
+        CheckScope::Launch,
+    ));
+    warn(tally.unit_warnings(shots));
 }
 
 /// A remark on rows that the table by club lacks.
@@ -305,7 +311,7 @@ fn answer(
     request.origin().put_before(&mut document, system());
     let text = text_of(&document);
     for message in stopped.iter().chain(&nothing) {
-        crate::command::output::say_error(message);
+        say_error(message);
     }
     let answer = match destination.shown_on_disk() {
         Some(file) if is_answered => Answer::text(format!("{text}wrote {}\n", file.display())),
