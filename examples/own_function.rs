@@ -40,7 +40,7 @@ fn main() -> longdrive::Result<()> {
             );
         }
     }
-    // closed form without a limit of the height: the best can is as high as wide, h = 2 r = ∛(4/π)
+    // closed form without a limit of the height: the best cylinder has h = 2 r = ∛(4/π)
     println!("∛(4/π) = {:.9} dm", (4.0 / PI).cbrt());
     Ok(())
 }

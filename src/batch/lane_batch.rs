@@ -50,8 +50,8 @@ pub(super) struct FlyingRow {
 impl OverNumbers for LaneBatch<'_> {
     type Output = ();
 
-    /// Computes impact and flight of the flying rows, a group of lanes at a time, and writes the
-    /// results to the block.
+    /// Computes impact and flight of the rows whose ball flies, a group of lanes at a time, and
+    /// writes the results to the block.
     #[inline(always)]
     fn over<J: Lanes<Lane: Derivatives>>(&mut self, _per_lane: usize) {
         let batch = self.batch;

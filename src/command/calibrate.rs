@@ -343,7 +343,7 @@ const AS_SET_UP: &str = "as the setup has it";
 struct ComparedLaw {
     /// The setup with this law.
     setup: Setup<f64>,
-    /// The fit of its coefficients, and of the other parameters to fit.
+    /// The plan of a fit of the law's coefficients and of the other parameters to fit.
     plan: FitPlan,
 }
 

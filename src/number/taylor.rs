@@ -39,7 +39,7 @@ impl Taylor {
         );
         assert!(
             first == count,
-            "there are {count} {of_what}, and {first} derivatives"
+            "there are {count} {of_what}, and {first} derivatives; the numbers must be equal"
         );
         let is_square = rows.is_empty() || rows == vec![count; count];
         assert!(

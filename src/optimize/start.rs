@@ -48,8 +48,8 @@ pub(super) fn first_point(
 }
 
 /// Point `k` of a low-discrepancy sequence: multiples, modulo 1, of powers of the inverse
-/// generalized golden ratio (Roberts 2018). The sequence covers the part of the bounds within one
-/// scale of `start`; point 0 is the centre of this part. Unlike a Sobol sequence it needs no table
+/// generalized golden ratio (Roberts 2018). The sequence covers the part of the bounds that is at
+/// most one scale length from `start`; point 0 is the centre of this part. Unlike a Sobol sequence it needs no table
 /// of direction numbers, which would limit the number of variables of a search.
 pub(super) fn low_discrepancy_point(bounds: &Bounds, start: &[f64], k: u32) -> Vec<f64> {
     let n = start.len();

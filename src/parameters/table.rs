@@ -120,8 +120,8 @@ parameter_groups! {
         /// from the centre of the face; unset: 0.
         cg_high: Option<T> or 0.0 = "club.cg_high", "c₁", LENGTH in "mm", Range::from_to(-0.1, 0.1),
             "none", "the centre of mass lies behind the centre of the face";
-        /// Centre of mass towards the toe from the centre of the face; strikes are then measured
-        /// from the centre of the face; unset: 0.
+        /// Distance of the centre of mass from the centre of the face, towards the toe. If set,
+        /// strikes are measured from the centre of the face; unset: 0.
         cg_toe: Option<T> or 0.0 = "club.cg_toe", "c₂", LENGTH in "mm", Range::from_to(-0.1, 0.1),
             "none", "the centre of mass lies behind the centre of the face";
         /// Mass of the first movable weight, in addition to club.mass; unset: 0.

@@ -43,7 +43,7 @@ pub struct ComparedDrive {
     pub flight: Option<ByName<JsonNumber>>,
 }
 
-/// The difference of an outcome, SI and radians.
+/// The difference of an outcome between two drives, SI and radians.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct DifferenceReport {

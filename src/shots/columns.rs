@@ -277,7 +277,7 @@ impl ShotColumns {
         let stated_air = self.stated_air().map(|air| air_of_rows(&air.column.head));
         let of_air = stated_air.or_else(|| given_air(columns));
         let replaced = (!self.added.is_empty()).then_some(
-            "the columns that an earlier 'fly' added, beginning with Line, are replaced",
+            "the column Line and all after it, which an earlier 'fly' added, are replaced",
         );
         let remarks = assumed_units
             .into_iter()

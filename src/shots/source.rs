@@ -317,7 +317,8 @@ impl UnreadRows {
 }
 
 impl JsonRecords {
-    /// The parameters besides the launch of the first flown shot. Reads ahead until this shot.
+    /// The parameters that the first flown shot states, without those of its launch. Reads ahead
+    /// until this shot.
     fn other_parameters(&mut self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
         while let Some(record) = self.read()? {
             let parameters = written::other_parameters(setup, &record.text);

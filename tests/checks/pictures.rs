@@ -7,7 +7,7 @@ use longdrive::report::plot::{Axis, Figure, Layer, Look, NamedQuantity, figure_s
 
 const WIDTHS: [u32; 10] = [240, 280, 320, 340, 380, 420, 480, 640, 800, 1200];
 
-/// Command lines of plots: of each kind, those with the most text in the picture.
+/// Command lines of plots. For each kind of plot, those with the most text in the picture.
 const KINDS: &[&[&str]] = &[
     &["tornado"],
     &["tornado", "--show", "model", "--units", "metric"],

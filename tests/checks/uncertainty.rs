@@ -365,7 +365,7 @@ fn missing_values_are_counted_and_not_replaced() {
 
 fn drive() -> (Setup<f64>, Vec<Uncertain>) {
     let mut setup = Setup::default();
-    // gradients and samples are of the same drives, in large steps
+    // gradients and samples use the same integration step, so both are of the same drives
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     setup.set_all(crate::common::RIGID).unwrap();
     let sigmas = [

@@ -97,9 +97,9 @@ impl Ladder {
         .with_rounding_size(size)
     }
 
-    /// Raises the size that determines the rounding to at least `size`: the size of numbers whose
-    /// small difference is the function (for example spins that cancel). The assumed size of the
-    /// function becomes at least 1e-5 `size`.
+    /// For a function that is a small difference of large numbers, such as spins that cancel:
+    /// `size` is the magnitude of these numbers, to which the rounding error is relative. The
+    /// magnitude of the function then counts as at least 1e-5 `size`.
     #[must_use]
     pub fn with_rounding_size(self, size: f64) -> Self {
         Self {

@@ -31,8 +31,8 @@ impl WorkingSet {
             && self.max_terms.len() == program.max_terms.len()
     }
 
-    /// Working set of the constraints `active` and of the constraints that are always active: fixed
-    /// variables, equalities, and at least one term.
+    /// Working set of the constraints `active`, the fixed variables and the equalities. If the
+    /// objective is a maximum of terms, at least one term is in the set.
     pub(super) fn new(
         program: &QuadraticProgram,
         active: impl IntoIterator<Item = ActiveConstraint>,

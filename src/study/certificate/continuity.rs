@@ -43,8 +43,8 @@ pub struct Continuity {
     pub at: f64,
     /// Number of time steps before and after the change.
     pub steps: [usize; 2],
-    /// Jumps of value, gradient and Hessian by scaled parameters, relative to the largest entry, or
-    /// to the magnitude of the outcome's terms if that is larger.
+    /// Jumps of value, gradient and Hessian with respect to scaled parameters. They are relative
+    /// to the largest entry of each, or to the magnitude of the outcome's terms if that is larger.
     pub jumps: [f64; 3],
     /// Tolerances of the jumps of value, gradient and Hessian: 1e-13, 1e-12 and 1e-10, or more if
     /// rounding makes the samples scatter more.

@@ -54,7 +54,7 @@ pub fn golfer(setup: &Setup<f64>) -> Result<Swings> {
 }
 
 /// Truncated normal distribution with the standard deviation `deviation`. The normal distribution
-/// before truncation has a larger one, which bisection finds.
+/// before truncation has a larger standard deviation, which bisection finds.
 fn truncated_with_deviation(mean: f64, deviation: f64) -> Distribution {
     let of = |mean: f64, deviation: f64, wider: f64| {
         let [low, high] = [mean - WITHIN * deviation, mean + WITHIN * deviation];
