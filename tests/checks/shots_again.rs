@@ -334,7 +334,7 @@ fn same_rows_of_a_table_flown_again() {
         let output = longdrive(&["fly", &first, "-o", &second]);
         assert_eq!(output.status, 0, "{}", output.err);
         assert!(
-            output.err.contains("an earlier 'fly' added"),
+            on_one_line(&output.err).contains("an earlier 'fly' added"),
             "{}",
             output.err
         );
