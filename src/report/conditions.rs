@@ -62,11 +62,13 @@ pub(super) fn wind(setup: &Setup<f64>, system: System) -> Option<String> {
         return None;
     }
     let stated = parameters(setup, &names, system);
-    match setup.wind.speed.zip(setup.wind.from) {
-        Some((speed, from)) if names.contains(&"wind.speed") => {
-            let sides = sides_of_wind(setup, [speed * from.cos(), speed * from.sin()], system);
-            Some(format!("{stated}: {sides}"))
-        }
+    let direction = setup.wind.speed.zip(setup.wind.from);
+    let sides = direction.filter(|_| names.contains(&"wind.speed"));
+    let sides = sides.map(|(speed, from)| {
+        sides_of_wind(setup, [speed * from.cos(), speed * from.sin()], system)
+    });
+    match sides {
+        Some(sides) if !sides.is_empty() => Some(format!("{stated}: {sides}")),
         _ => Some(stated),
     }
 }

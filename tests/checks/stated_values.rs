@@ -516,6 +516,32 @@ fn answers_state_an_assumption_where_it_applies_alone() {
             &["compare", "--set-b", "club.loft=12deg"],
         ),
         (
+            "club.loft 8.8° is the loft of tour-average at 115 mph",
+            &["gradient", "--speed", "95mph", "--wrt", "swing.speed"],
+            &["gradient", "--speed", "115mph", "--wrt", "swing.speed"],
+        ),
+        (
+            "swing.speed of the only launch is more than 3 prior standard deviations from 115",
+            &[
+                "delivery",
+                "--ball-speed",
+                "240mph",
+                "--launch-angle",
+                "12deg",
+                "--spin",
+                "2600rpm",
+            ],
+            &[
+                "delivery",
+                "--ball-speed",
+                "150mph",
+                "--launch-angle",
+                "12deg",
+                "--spin",
+                "2600rpm",
+            ],
+        ),
+        (
             "wind from 0°: 10.00 mph tail wind",
             &["simulate", "--wind=-10mph", "--set", "wind.from=0deg"],
             &["simulate", "--wind=10mph", "--set", "wind.from=0deg"],

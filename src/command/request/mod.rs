@@ -278,11 +278,14 @@ impl Request {
 
     /// Advice if a stated speed is combined with the loft of an average golfer of another speed.
     pub fn loft_advice(&self) -> Option<String> {
-        let states = |name| self.stated().any(|stated| stated == name);
-        if !self.source.is_average() || !states("swing.speed") || states("club.loft") {
+        let is_stated = self.stated().any(|stated| stated == "club.loft");
+        if is_stated || !self.source.is_average() {
             return None;
         }
         let own = Setup::preset(&self.source.argument).ok()?;
+        if self.partial_setup.swing.speed == own.swing.speed {
+            return None;
+        }
         let show = |name| {
             let parameter = own.variable(name).ok()?;
             Some(parameter_text(parameter, own.value(parameter)?, system()))

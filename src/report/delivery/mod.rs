@@ -192,7 +192,8 @@ pub fn bound_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
 }
 
 /// Warnings about unstated parameters that lie far from their prior: few golfers have such values,
-/// so the launch or its units may be wrong.
+/// so the launch or its units may be wrong. Parameters at a bound have a warning of their own
+/// ([`bound_warnings`]).
 pub fn unusual_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
     /// Least distance from the prior, in prior standard deviations.
     const FAR: f64 = 3.0;
@@ -205,7 +206,8 @@ pub fn unusual_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
     let warning = |parameter: &'static Parameter| {
         let known = found.iter().flat_map(|delivered| &delivered.posteriors);
         let far: Vec<&Posterior> = known
-            .filter(|known| known.unknown.parameter == parameter && known.residual().abs() > FAR)
+            .filter(|known| known.unknown.parameter == parameter && known.sigma.is_some())
+            .filter(|known| known.residual().abs() > FAR)
             .collect();
         let first = far.first()?;
         let show = |value| shown::parameter(parameter, value, system);
