@@ -19,7 +19,7 @@ pub(crate) fn create_beside(path: &Path) -> io::Result<tempfile::NamedTempFile> 
             .map(|found| found.permissions());
         builder.permissions(permissions.unwrap_or_else(|| fs::Permissions::from_mode(0o666)));
     }
-    // omit the path of the temporary file (privacy)
+    // omit the path of the temporary file from the error (privacy)
     builder
         .tempfile_in(folder_of(path))
         .map_err(|error| io::Error::from(error.kind()))
@@ -36,8 +36,8 @@ pub(crate) fn persist(
         return file.persist(at);
     }
     match file.persist_noclobber(at) {
-        // some file systems cannot rename without replacing an existing file: check before the
-        // rename
+        // Some file systems have no rename that keeps an existing file. Check that there is no
+        // file, and rename.
         Err(failed) if failed.error.kind() != io::ErrorKind::AlreadyExists && !at.exists() => {
             failed.path.persist(at)
         }

@@ -35,14 +35,14 @@ impl FittedRange {
     }
 }
 
-/// How a law continues beyond ends of its ranges.
+/// How a law continues beyond the ends of its ranges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Continuation {
-    /// It is extrapolated at all ends.
+    /// The law is extrapolated at all ends.
     Extrapolated,
-    /// It clamps the variable at all ends.
+    /// The variable is clamped at all ends.
     Held,
-    /// It is extrapolated at some ends, and clamps the variable at others.
+    /// The law is extrapolated at some ends. At the other ends the variable is clamped.
     ExtrapolatedOrHeld,
 }
 
@@ -58,8 +58,8 @@ impl Display for Continuation {
 
 /// The measurements to which a law was fitted, and the range of each quantity; `null` for an
 /// unknown range.
-// outside of a range the law is extrapolated or a variable is clamped ("held"), with an unknown
-// error
+// outside of a range, the law is extrapolated or the variable is clamped (`held`); the error of the
+// law is unknown there
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[cfg_attr(test, schemars(rename = "FittedReport"))]
@@ -98,7 +98,8 @@ fn unless_empty<S: Serializer>(text: &str, serializer: S) -> Result<S::Ok, S::Er
 }
 
 impl Fitted {
-    /// All ranges unknown: the law has no data, or its source does not describe them.
+    /// All ranges are unknown: the law has no measurements, or its source does not state the
+    /// ranges.
     pub const UNKNOWN: Self = Self {
         spin_ratio: None,
         spin: None,
@@ -154,8 +155,8 @@ impl Fitted {
             })
     }
 
-    /// How the law continues beyond the ends (below, above) of its ranges that are true in
-    /// `exceeded_ends`.
+    /// How the law continues beyond the exceeded ends of its ranges. For each range,
+    /// `exceeded_ends` is true for an exceeded end (below, above).
     pub(crate) fn continuation(&self, exceeded_ends: [[bool; 2]; 4]) -> Continuation {
         let exceeded = exceeded_ends
             .as_flattened()

@@ -5,9 +5,9 @@ use super::{Coefficients, Stream};
 use crate::number::{Numbers, inlined, smooth_clamp_above, smooth_clamp_below};
 use crate::parameters::{AxisVariable, CoefficientGrid, LawTableAxis};
 
-/// C_D and C_L of a grid, multiplied by `factors`. Beyond the edges of the grid, speed and spin are
-/// clamped. Below the limit ω₁ of spin or spin ratio in `lift_onset`, the lift is multiplied by 1 −
-/// (1 − ω/ω₁)³, so that it is 0 without spin.
+/// C_D and C_L of a grid, multiplied by `cd_factor` and `cl_factor`. Beyond the edges of the grid,
+/// speed and spin are clamped. `lift_onset` has a limit x₁ of the spin or spin ratio x. For x < x₁
+/// the lift is multiplied by 1 − (1 − x/x₁)³, which is 0 without spin.
 #[inline(always)]
 pub(super) fn grid_coefficients<T: Numbers>(
     grid: &'static CoefficientGrid,
@@ -53,7 +53,7 @@ fn value<T: Numbers>(variable: AxisVariable, stream: &Stream<T>) -> T {
     }
 }
 
-/// Coordinate along an axis, clamped beyond its ends; 0 if the grid has no such axis.
+/// The variable of an axis, clamped beyond the ends of the axis; 0 if `axis` is `None`.
 #[inline(always)]
 fn coordinate<T: Numbers>(axis: &Option<LawTableAxis>, stream: &Stream<T>) -> T {
     let Some(LawTableAxis {

@@ -8,10 +8,10 @@ const MEASURED: [f64; 2] = [0.045, 0.32];
 /// s = 0.61.
 const UPPER_CLAMP_WIDTH: f64 = 0.04;
 
-/// Centre, in Re/10⁵, of the transition between the two parabolas of the drag. For 0.75 < Re/10⁵ <
-/// 1 both parabolas are valid, and differ by at most 0.02.
+/// Centre of the transition between the two parabolas of the drag, in Re/10⁵. Both parabolas are
+/// valid for 0.75 < Re/10⁵ < 1, where they differ by at most 0.02.
 const BETWEEN: f64 = 0.875;
-/// Width of the transition in Re/10⁵: a quarter of the interval in which both parabolas are valid.
+/// Width of the transition, in Re/10⁵: a quarter of the interval in which both parabolas are valid.
 const WIDTH: f64 = 0.06;
 
 /// With r = Re/10⁵ and σ = (1 + tanh((r − 0.875)/0.06))/2: C_D = (1 − σ)(cd_low0 + cd_low1 r +

@@ -34,7 +34,7 @@ pub struct Stream<T> {
     pub spin: T,
     /// Airspeed |v|, m/s.
     pub speed: T,
-    /// |v|², m²/s². Laws compute 1/|v| from |v|², so that they need not wait for |v|.
+    /// |v|², m²/s². A law computes 1/|v| from |v|², without waiting for the square root |v|.
     pub(crate) square: T,
     /// Radius of the ball R, m.
     pub radius: T,
@@ -111,10 +111,10 @@ pub struct LawProperties {
     pub published: Published,
     /// The ranges that the law was fitted to.
     pub fitted: Fitted,
-    /// Number of continuous derivatives of C_D and C_L where pieces of the law join; `None` for a
-    /// law without joins. A join within a step limits the order of the integration.
+    /// Number of continuous derivatives of C_D and C_L at the joins of a piecewise law; `None` for
+    /// a law without joins. A join limits the order of the integration step that crosses the join.
     pub continuous_derivatives: Option<u32>,
-    /// True if C_D has a slope in |ω| at zero spin, so that outcomes have a corner there.
+    /// True if C_D has a slope in |ω| at zero spin. Outcomes then have a corner at zero spin.
     pub has_corner_at_zero_spin: bool,
 }
 
@@ -136,8 +136,8 @@ pub trait AerodynamicLaw<T: Numbers> {
 impl<T: Numbers> AerodynamicLaw<T> for Law<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {
-        // a law that is not inlined returns its `Coefficients` in memory; with the fields copied,
-        // the coefficients of the inlined laws stay in registers
+        // A law that is not inlined returns its `Coefficients` in memory. Copying the fields keeps
+        // the coefficients of the inlined laws in registers.
         let (drag, lift) = with_law!(self, |law| {
             let found = law.coefficients(stream);
             (found.drag, found.lift)

@@ -41,7 +41,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Nathan<T> {
                 source: "TrajectoryCalculatorGolf-v2, a worksheet; transcribed by others, \
                          docs/sources.md",
             },
-            // spin ratios at launch from a driver to a 5-iron
+            // spin ratios of the seven clubs at launch
             fitted: Fitted {
                 spin_ratio: Some([0.07, 0.2]),
                 to: "the averages of seven clubs, driver to 5-iron",

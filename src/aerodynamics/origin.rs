@@ -2,9 +2,10 @@
 
 use crate::number::{Numbers, inlined};
 
-/// Cubic that replaces C_L for spin ratios s < s₀, if the formula of a law has lift or an infinite
-/// slope at zero spin: C_L = a u + b u² + c u³ with u = s/s₀. At s₀ it has the value, the slope s₀
-/// dC_L/ds and the curvature s₀² d²C_L/ds² of the formula, so C_L is C². At zero spin C_L is 0.
+/// Cubic C_L = a u + b u² + c u³ with u = s/s₀, which replaces the formula of a law for spin ratios
+/// s < s₀. It is needed if the formula gives lift, or an infinite slope, at zero spin. The cubic is
+/// 0 at zero spin. At s₀ it has the C_L, the slope s₀ dC_L/ds and the curvature s₀² d²C_L/ds² of
+/// the formula, so C_L is C².
 #[inline(always)]
 fn cubic_origin<T: Numbers>(value: T, slope: T, curvature: T, u: T) -> T {
     let rise = slope - value;
@@ -14,7 +15,8 @@ fn cubic_origin<T: Numbers>(value: T, slope: T, curvature: T, u: T) -> T {
     (a + (b + c * u) * u) * u
 }
 
-/// s₀ of the [`cubic_origin`] of a power law, whose slope is infinite at zero spin.
+/// Spin ratio s₀ below which a [`cubic_origin`] replaces a power law, because the slope of the
+/// power law is infinite at zero spin.
 const SMOOTH_BELOW: f64 = 0.001;
 
 /// C_L = factor s^exponent, replaced by a [`cubic_origin`] for s < 0.001.

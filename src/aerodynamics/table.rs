@@ -38,8 +38,9 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
                 held: [[true; 2]; 4],
             },
             continuous_derivatives: Some(2),
-            // C_D is constant below the least spin of a table, so C_D has a slope at zero spin only
-            // if the least spin is 0
+            // `lift_onset` is `None` for a table that begins at zero spin. In other tables the spin
+            // is clamped, so C_D has no slope at zero spin (if the clamp is narrower than the least
+            // spin).
             has_corner_at_zero_spin: self.table.grid.lift_onset.is_none(),
         }
     }

@@ -2,16 +2,16 @@ use super::{AerodynamicLaw, Coefficients, Fitted, LawProperties, Published, Stre
 use crate::number::Numbers;
 use crate::parameters::WinfieldTan;
 
-/// v₀, m/s: middle of the speeds of the paper's flights.
+/// Middle v₀ of the speeds of the flights in Winfield & Tan (1994), m/s.
 const MIDDLE: f64 = 50.0;
-/// Speed above v₀ for which u = 1, m/s: about half the range of speeds of the paper's flights.
+/// Divisor of v − v₀ in u, m/s: about half the range of speeds in Winfield & Tan (1994).
 const SPREAD: f64 = 20.0;
 
 /// With x = s √(v/v₀) and u = (v − v₀)/20 m/s: C_D = (cd0 + cd1 x + cd2 x² + cd3 x³)(1 + cd_v1 u +
 /// cd_v2 u²), C_L = (cl_hill x/(x + cl_half) + cl_slope x)/(1 + ((v − cl_speed)/cl_width)²).
-/// Winfield & Tan (1994) use unprinted curves of Aoyama (1990) over spin and speed. This law is
-/// fitted to the tables of Winfield & Tan for 25 < v < 68 m/s and 0.02 < s < 0.35. It is smooth
-/// everywhere. C_L is 0 without spin, and rises with the spin.
+/// Winfield & Tan (1994) use curves of Aoyama (1990), which they do not print. This law is fitted
+/// to their tables for 25 < v < 68 m/s and 0.02 < s < 0.35. It is smooth everywhere. C_L is 0
+/// without spin, and rises with the spin.
 impl<T: Numbers> AerodynamicLaw<T> for WinfieldTan<T> {
     #[inline(always)]
     fn coefficients(&self, stream: Stream<T>) -> Coefficients<T> {

@@ -9,8 +9,9 @@ pub use wind::WindField;
 
 use crate::parameters::Setup;
 
-/// The setup with the density, viscosity and wind components that its drive uses: as given, or
-/// computed from the weather and from the wind's speed and direction.
+/// The setup with the density, viscosity and wind components that its drive uses. The setup gives
+/// these values, or they are computed from the weather and from the speed and direction of the
+/// wind.
 pub fn in_effect(setup: &Setup<f64>) -> Setup<f64> {
     let mut effective = *setup;
     AirState {

@@ -14,7 +14,7 @@ pub struct AirState<T> {
 }
 
 impl<T: Numbers> AirState<T> {
-    /// Reynolds number by airspeed, ρ 2R/μ, s/m, of a ball with the radius R, m.
+    /// Reynolds number divided by airspeed, ρ 2R/μ, s/m, of a ball with the radius R, m.
     ///
     /// ```
     /// use longdrive::atmosphere::AirState;

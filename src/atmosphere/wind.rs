@@ -1,10 +1,10 @@
 use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Ground, Wind};
 
-/// ℓ, m: height below which the logarithmic profile is smoothed towards the ground. With a step of
-/// 0.01 s, carry is accurate to some micrometres (docs/limitations.md). Without smoothing, the wind
-/// would change within the roughness length, some millimetres, and carry would be accurate only to
-/// some millimetres.
+/// Height ℓ below which the logarithmic profile is smoothed, m. With a step of 0.01 s, carry is
+/// then accurate to some micrometres (docs/limitations.md). Without smoothing, carry would be
+/// accurate only to some millimetres, because the wind changes within the roughness length at the
+/// ground.
 const SMOOTHING_HEIGHT: f64 = 0.5;
 
 /// Velocity of the air over the ground, uniform or a function of height (docs/model.md, eq. 15).
@@ -22,7 +22,8 @@ struct Profile<T> {
     ln_roughness: T,
     /// Height of the ground, m.
     ground: T,
-    /// 1/L(z_ref), which makes the wind at the reference height z_ref equal to the stated wind.
+    /// 1/L(z_ref), with L(z) of `logarithm`. This factor makes the wind at the reference height
+    /// z_ref equal to the stated wind.
     scale: T,
 }
 
@@ -67,7 +68,8 @@ impl<T: Numbers> WindField<T> {
     }
 }
 
-/// Components of the wind to the right and downrange, as given or from speed and direction.
+/// Components of the wind to the right and downrange. If a speed is given, they are computed from
+/// the speed and the direction of the wind.
 #[inline(always)]
 pub(super) fn horizontal_components<T: Numbers>(wind: &Wind<T>) -> [T; 2] {
     let Some(speed) = wind.speed else {

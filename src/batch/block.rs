@@ -13,9 +13,9 @@ pub enum Status {
     NoFlight,
     /// The ball is still in the air at `flight.time_limit`. Only outcomes of the launch exist.
     Aloft,
-    /// `flight.step` is too long: drag and lift change the airspeed too much within a step, numbers
-    /// overflow, or the defect of the integration exceeds its limit even with the shortest step. No
-    /// outcomes exist.
+    /// The integration failed. Drag and lift change the airspeed too much within a step
+    /// (`flight.step` is too long), or numbers overflow, or the defect exceeds its limit even with
+    /// the shortest step. No outcomes exist.
     Diverged,
     /// The club does not strike the ball: the strike is off the face, or the face moves away from
     /// the ball, or the bodies jam. No outcomes exist.
@@ -77,7 +77,7 @@ impl StatusCounts {
         }
     }
 
-    /// Number of landed drives, and number of those that exceed each validity limit.
+    /// Number of landed drives, and how many of them exceed each validity limit.
     pub fn exceeded(&self) -> ExceededCount {
         let [law, face, flat] = self.exceeded;
         ExceededCount {
@@ -88,8 +88,8 @@ impl StatusCounts {
         }
     }
 
-    /// True if at least one drive has at least one of the outcomes `of`, or if there are no drives.
-    /// Outcomes of the launch also exist for balls that do not land.
+    /// True if some drive has an outcome in `of`, or if there are no drives. A ball that does not
+    /// land also has the outcomes of the launch.
     pub fn has_any(&self, of: &[Outcome]) -> bool {
         let is_of_the_launch = of
             .iter()
@@ -134,8 +134,8 @@ impl Display for StatusCounts {
     }
 }
 
-/// Results of consecutive points. Missing values are `None`, never NaN. Access to rows and columns
-/// outside the block panics.
+/// Drives at consecutive points of a batch. A missing value is `None`, never NaN. Access to a row
+/// or an outcome outside the block panics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
     pub(super) first_row: u64,

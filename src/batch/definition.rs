@@ -16,7 +16,6 @@ pub struct Batch {
     /// Largest accepted defect of the integration, m (docs/model.md, eq. 16a). Drives with a larger
     /// defect are repeated with shorter steps. Infinity keeps the setup's step.
     pub(crate) largest_defect: f64,
-    /// Instruction level.
     pub(crate) level: Level,
 }
 
@@ -113,7 +112,7 @@ impl Batch {
         Ok(batch)
     }
 
-    /// Copy of the batch that sweeps these parameters instead of its own.
+    /// Copy of the batch with other swept parameters.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).

@@ -11,8 +11,9 @@ use crate::number::MOST_PER_LANE;
 use crate::parameters::{Parameter, Setup};
 use std::sync::atomic::AtomicBool;
 
-/// Largest number of parameters of differentiation for lane batches. With more parameters, the
-/// directions of one drive fill the four lanes of AVX2, the widest level of a single drive.
+/// Largest number of parameters of differentiation in a lane batch. With more parameters, each row
+/// is evaluated by itself: its directions fill the four lanes of AVX2, the widest level that a
+/// single drive uses.
 const MOST_IN_LANES: usize = 4 * MOST_PER_LANE;
 
 impl Batch {
@@ -75,9 +76,8 @@ impl Batch {
     }
 
     /// Computes the drives of a block in lane batches, and returns the rows that need scalar
-    /// evaluation. All rows need it if the inertia tensor is swept, because the tensor must be
-    /// checked in each row. All rows also need it if there are more than [`MOST_IN_LANES`]
-    /// parameters of differentiation.
+    /// evaluation. These are all rows in two cases: the inertia tensor is swept, so that it must be
+    /// checked in each row, or there are more than [`MOST_IN_LANES`] parameters of differentiation.
     fn evaluate_in_lanes(&self, block: &mut Block, stop: &AtomicBool) -> Vec<usize> {
         if self.wrt.len() > MOST_IN_LANES
             || self
@@ -94,7 +94,7 @@ impl Batch {
             flying: &mut flying,
             scalar_rows: &mut scalar_rows,
         });
-        // at least one iteration, which computes the values if there are no derivatives
+        // without derivatives, a single iteration computes the values
         for first in (0..self.wrt.len().max(1)).step_by(MOST_PER_LANE) {
             let wrt = &self.wrt[first..self.wrt.len().min(first + MOST_PER_LANE)];
             self.level.run_sweep(LaneBatch {
@@ -151,8 +151,8 @@ impl Batch {
         Ok(())
     }
 
-    /// Computes the derivatives of all outcomes in one evaluation. If this fails, computes each
-    /// derivative by itself; a derivative that fails is missing.
+    /// Computes the derivatives of all outcomes in one evaluation. If it fails, computes each
+    /// derivative in an evaluation of its own; a derivative whose evaluation fails is missing.
     ///
     /// # Errors
     /// [`Error::Stopped`] if `stop` became true.

@@ -17,15 +17,16 @@ const MOST_THREADS: usize = 256;
 pub(crate) const HAS_THREADS: bool =
     cfg!(any(not(target_family = "wasm"), target_feature = "atomics"));
 
-/// The number of threads for a number of chunks: `wanted` threads, or for 0 one per processor, but
-/// at most [`MOST_THREADS`] and at most one per chunk.
+/// The number of threads: `wanted`, or one per processor if `wanted` is 0. At most
+/// [`MOST_THREADS`], and at most one per chunk.
 fn thread_count(wanted: usize, chunks: u64) -> usize {
     let wanted = if wanted == 0 { processors() } else { wanted };
     let chunks = usize::try_from(chunks).unwrap_or(usize::MAX);
     wanted.min(MOST_THREADS).min(chunks).max(1)
 }
 
-/// The number of processors, or `RAYON_NUM_THREADS`, as for rayon's own pools.
+/// The number of processors. The environment variable `RAYON_NUM_THREADS` overrides it, as in
+/// rayon.
 fn processors() -> usize {
     std::env::var("RAYON_NUM_THREADS")
         .ok()
@@ -36,9 +37,9 @@ fn processors() -> usize {
 
 /// Calls `work` on each chunk from `next` in parallel, and `sink` on the results in the order of
 /// the chunks. The number of chunks that are begun but not yet passed to `sink` is bounded.
-/// `threads` is the number of threads, at most 256 and at most `chunks`, the number of chunks or
-/// `u64::MAX`; 0 means one per processor. Without threads (WebAssembly) the chunks are processed
-/// one by one.
+/// `chunks` is the number of chunks, or `u64::MAX` if it is unknown. `threads` is the number of
+/// threads; 0 means one per processor. There are at most 256 threads, and at most one per chunk.
+/// Without threads (WebAssembly) the chunks are processed one by one.
 ///
 /// # Errors
 /// Errors of `next` and `sink`. If `next` fails, the earlier results are delivered first.
@@ -73,7 +74,7 @@ pub(crate) fn in_order<T: Send, R: Send>(
                     Ok(Some(chunk)) => {
                         let (finished, work) = (finished.clone(), &work);
                         scope.spawn(move |_| {
-                            // fails if `results` was dropped after an error of `sink`
+                            // `send` fails after an error of `sink`, which drops `results`
                             let _ = finished
                                 .send((begun, catch_unwind(AssertUnwindSafe(|| work(chunk)))));
                         });

@@ -20,7 +20,7 @@ pub(super) struct LaneBatch<'a> {
     pub block: &'a mut Block,
     /// Parameters of differentiation in this evaluation.
     pub wrt: &'a [&'static Parameter],
-    /// Index of the first of `wrt` among all parameters of differentiation.
+    /// Index of `wrt[0]` among all parameters of differentiation of the batch.
     pub first: usize,
     /// Interrupt flag: once true, flights of thousands of steps end early.
     pub stop: &'a AtomicBool,
@@ -42,7 +42,7 @@ impl Task for LaneBatch<'_> {
 
 /// A row whose ball flies.
 pub(super) struct FlyingRow {
-    /// Vertical speed at launch, m/s: flights of similar speed have similar lengths.
+    /// Vertical speed at launch, m/s. Flights with similar vertical speeds have similar lengths.
     upward_speed: f64,
     row: usize,
 }
@@ -50,8 +50,8 @@ pub(super) struct FlyingRow {
 impl OverNumbers for LaneBatch<'_> {
     type Output = ();
 
-    /// Computes impact and flight of the rows whose ball flies, a group of lanes at a time, and
-    /// writes the results to the block.
+    /// Computes impact and flight of the rows whose ball flies, and writes the results to the
+    /// block. The rows are computed in groups, with one row per lane.
     #[inline(always)]
     fn over<J: Lanes<Lane: Derivatives>>(&mut self, _per_lane: usize) {
         let batch = self.batch;
@@ -60,7 +60,7 @@ impl OverNumbers for LaneBatch<'_> {
         let has_run = any(|outcome| outcome.needs_run());
         let has_head = any(|outcome| outcome.group() == OutcomeGroup::Head);
         let fitted = batch.setup.law.properties().fitted;
-        // the parameters that are not swept are set once, the swept parameters for each group
+        // set the parameters that are not swept; `put_group` sets the swept parameters
         let mut setup = batch.setup.constant::<J>();
         self.seed_parameters(&mut setup);
         let directions: Vec<Option<usize>> = batch
@@ -113,7 +113,7 @@ impl OverNumbers for LaneBatch<'_> {
 pub(super) struct LaunchPartition<'a> {
     pub batch: &'a Batch,
     pub block: &'a mut Block,
-    /// Receives the rows whose ball flies, in the order of the length of the flight.
+    /// Receives the rows whose ball flies, sorted by the vertical speed at launch.
     pub flying: &'a mut Vec<FlyingRow>,
     /// Receives the rows that need scalar evaluation.
     pub scalar_rows: &'a mut Vec<usize>,
@@ -122,7 +122,7 @@ pub(super) struct LaunchPartition<'a> {
 impl Task for LaunchPartition<'_> {
     type Output = ();
 
-    /// Rows whose ball flies go to `flying`, rows without a valid impact to `scalar_rows`. A row
+    /// Rows whose ball flies go to `flying`. Rows without a valid impact go to `scalar_rows`. A row
     /// whose ball is launched into the ground gets its status here, or goes to `scalar_rows` if an
     /// outcome of the launch is requested.
     #[inline(always)]
@@ -142,7 +142,7 @@ impl Task for LaunchPartition<'_> {
         };
         let rows: Vec<usize> = (0..self.block.rows()).filter(is_in_range).collect();
         for rows in rows.chunks(V::WIDTH) {
-            // the last group is filled up with copies of its last row
+            // copies of the last row fill the remaining lanes of the last group
             let row_of = |lane: usize| rows[lane.min(rows.len() - 1)];
             let block = &*self.block;
             setup.put(&batch.parameters, |k| {
@@ -168,7 +168,7 @@ impl Task for LaunchPartition<'_> {
                 }
             }
         }
-        // the lanes of a group take as long as its longest flight
+        // a group takes as long as its longest flight, so it should have flights of similar lengths
         self.flying.sort_unstable_by(|a, b| {
             a.upward_speed
                 .total_cmp(&b.upward_speed)
@@ -188,7 +188,7 @@ impl LaneBatch<'_> {
         group: &[FlyingRow],
         directions: &[Option<usize>],
     ) {
-        // the last group is filled up with copies of its last row
+        // copies of the last row fill the remaining lanes of the last group
         let row_of = |lane: usize| group[lane.min(group.len() - 1)].row;
         let block = &*self.block;
         setup.put(
@@ -200,8 +200,8 @@ impl LaneBatch<'_> {
         );
     }
 
-    /// Sets the parameters of differentiation to the setup's own values, each with the derivative 1
-    /// in its own direction.
+    /// Seeds the parameters of differentiation: each gets its value in the setup, and the
+    /// derivative 1 in its direction.
     #[inline(always)]
     fn seed_parameters<J: Lanes>(&self, setup: &mut Setup<J>) {
         setup.put(
@@ -270,7 +270,8 @@ impl<J: Lanes<Lane: Derivatives>> FlownLanes<'_, J> {
     }
 }
 
-/// Sets the derivative in `direction` to 1 in all lanes; with `None` all derivatives are 0.
+/// Seeds `values`: the derivative in `direction` is 1 in all lanes. With `None`, all derivatives
+/// are 0.
 #[inline(always)]
 fn seeded_in<J: Lanes>(values: J, direction: Option<usize>) -> J {
     let changes_in = inlined!(|k: usize| if direction == Some(k) {

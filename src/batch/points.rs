@@ -8,14 +8,14 @@ pub trait Points {
     /// Parameters of each row.
     fn parameters(&self) -> &[&'static Parameter];
 
-    /// Range of the values of each parameter. Values that are missing or outside the range of the
-    /// parameter are ignored; a parameter without other values is omitted.
+    /// Range of the values of each parameter. Missing values, and values outside the allowed range
+    /// of the parameter, are ignored. A parameter without a valid value is omitted.
     fn ranges(&self) -> Vec<Vary>;
 
     /// Number of rows.
     fn rows(&self) -> u64;
 
-    /// Moves to `row`, the first row that [`read`](Self::read) then appends.
+    /// Moves to `row`: the next call of [`read`](Self::read) begins with this row.
     ///
     /// # Errors
     /// The errors of the rows before `row`, if this source must read them to reach `row`.

@@ -12,8 +12,8 @@ pub const CHUNK: usize = 1024;
 /// Options of a run.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Run<'a> {
-    /// First row to compute; 0 by default. A multiple of [`CHUNK`] gives the same blocks as an
-    /// uninterrupted run.
+    /// First row to compute; 0 by default. If it is a multiple of [`CHUNK`], the blocks are those
+    /// of a run from row 0.
     pub first_row: u64,
     /// The row after the last row to compute. With `None`, the default, all rows are computed.
     pub end_row: Option<u64>,

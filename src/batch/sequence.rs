@@ -3,8 +3,8 @@ use crate::error::{Error, Result};
 use crate::optimize::sobol;
 use crate::parameters::{Parameter, Vary};
 
-/// Scrambled Sobol sequence over ranges of some parameters (Owen 1995; Burley 2020). Any number of
-/// its first points are evenly spread. The scrambling changes after every 65,536 points.
+/// Scrambled Sobol sequence over the ranges of several parameters (Owen 1995; Burley 2020). The
+/// first n points are evenly spread for every n. The scrambling changes after every 65,536 points.
 #[derive(Clone, Debug)]
 pub struct Sequence {
     over: Vec<Vary>,
@@ -20,7 +20,7 @@ impl Sequence {
     ///
     /// # Errors
     /// [`Error::SearchRange`] if `over` repeats a parameter or has too many parameters;
-    /// [`Error::Nothing`] if it is empty.
+    /// [`Error::Nothing`] if `over` is empty.
     pub fn new(over: Vec<Vary>, rows: u64, seed: u32) -> Result<Self> {
         let parameters: Vec<_> = over.iter().map(|vary| vary.parameter).collect();
         refuse_repeated(&parameters)?;

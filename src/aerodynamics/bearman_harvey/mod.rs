@@ -10,11 +10,10 @@ use crate::units::RPM;
 use grid::{DRAG, LIFT, SPEEDS, SPINS};
 use std::sync::LazyLock;
 
-/// Beyond the grid, the speed is clamped smoothly: within this width beyond the lower and the upper
-/// end, m/s. The lower width is small, because the coefficients are steep there: at 13.7 m/s and
-/// 2000 rpm the lift halves within 200 rpm.
+/// Widths of the smooth clamps of the speed below and above the grid, m/s. The lower width is
+/// small, because C_D and C_L change steeply with the speed near 13.7 m/s.
 const SPEED_OVER: [f64; 2] = [1.0, 4.0];
-/// Width of the smooth clamps of the spin beyond both ends of the grid, rpm.
+/// Width of the smooth clamps of the spin below and above the grid, rpm.
 const SPIN_OVER: f64 = 100.0;
 
 /// Measured speeds, m/s. The last column of the grid, 88.1 m/s, is not measured: its drag is that
@@ -76,8 +75,8 @@ impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
                 spin: Some(SPINS.map(|rpm| rpm * RPM)),
                 speed: Some(MEASURED),
                 to: "a wind tunnel, Bearman & Harvey 1976",
-                // the law is extrapolated above the measured speeds: the upper clamp of the speed
-                // begins only at the last column, 88.1 m/s
+                // above 80.2 m/s the law is extrapolated; the speed is clamped only above the last
+                // column of the grid, 88.1 m/s
                 held: [[false; 2], [true; 2], [false; 2], [true, false]],
                 ..Fitted::UNKNOWN
             },
