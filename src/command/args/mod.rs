@@ -13,8 +13,8 @@ pub use output::OutputOptions;
 pub use search::{OptimizeArgs, OptimumArgs, SearchArgs, SwingsArgs};
 pub use setup::{DriveArgs, OwnLaw, SetupArgs};
 
-/// The names of the options that the user states: those whose `bool` is true, in the order of
-/// `options`.
+/// The names of the stated options, in the order of `options`. The `bool` is true for a stated
+/// option.
 pub fn stated<const N: usize>(
     options: [(&'static str, bool); N],
 ) -> impl Iterator<Item = &'static str> {

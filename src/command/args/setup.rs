@@ -86,7 +86,7 @@ pub struct DriveArgs {
 }
 
 impl DriveArgs {
-    /// The given short options, such as `--speed`: each with its parameter and its value.
+    /// The stated short options, such as `--speed`: name of the option, parameter and value.
     pub fn short_names(&self) -> impl Iterator<Item = (&'static str, &'static str, &str)> {
         [
             ("speed", "swing.speed", &self.speed),

@@ -7,7 +7,7 @@ pub const MOST_BYTES: usize = 16 << 10;
 /// Maximum number of headers of a request.
 const MOST_HEADERS: usize = 64;
 
-/// The response to a connection above the maximum number of connections.
+/// The response if the maximum number of connections is already open.
 pub const TOO_MANY: &[u8] =
     b"HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n";
 
@@ -27,7 +27,7 @@ pub struct Site<'a> {
     pub policy: &'a str,
 }
 
-/// The response with a status and a text in place of the page; `more` has additional headers.
+/// A response without the page: a status and a text. `more` has additional headers.
 pub fn refusal(status: &str, more: &str, text: &'static str) -> HttpResponse<'static> {
     HttpResponse {
         head: head(status, "text/plain; charset=utf-8", text.len(), more),
@@ -108,7 +108,8 @@ impl Site<'_> {
             self.policy
         );
         HttpResponse {
-            // the file of the page has this encoding: each byte of the packed core is one character
+            // The page contains the compiled core as text. In this encoding, each byte of the text
+            // is one character.
             head: head(
                 "200 OK",
                 "text/html; charset=windows-1252",

@@ -1,8 +1,8 @@
-//! The page of the explorer, and the error of a command that cannot serve it.
+//! The page of the explorer, and the error if the page cannot be served.
 
 use crate::Error;
 
-/// The page, one file with the core inside.
+/// The page: one HTML file that contains the core, compiled to WebAssembly.
 #[cfg(feature = "explore")]
 pub const PAGE: &[u8] = include_bytes!("../../../web/dist/explorer.html"); // if it is missing: run web/build
 
@@ -28,7 +28,7 @@ pub fn policy(page: &[u8]) -> Option<&str> {
     std::str::from_utf8(policy).ok()
 }
 
-/// The error of a command that cannot serve the explorer.
+/// The error if the explorer cannot be served.
 pub fn refused(why: &str) -> Error {
     Error::unreadable("explore", why)
 }

@@ -15,10 +15,11 @@ const REQUEST_TIME: Duration = Duration::from_secs(5);
 /// Time for a client to read a response and close its connection.
 const CLOSING_TIME: Duration = Duration::from_secs(1);
 
-/// Serves the page until Ctrl-C, and prints its address with `state` after the `#`.
+/// Serves the page until Ctrl-C. Prints the address of the page, which ends with `#` and `state`.
 ///
 /// # Errors
-/// If no port or no random number is available, or if the compiled page is not that of web/build.
+/// If no port or no random number is available, or if the page in this program was not made by
+/// web/build.
 pub fn serve(state: &str) -> Result<()> {
     let wanted = SocketAddr::new(Ipv4Addr::LOCALHOST.into(), 0);
     let listener = Listener::bind(wanted)

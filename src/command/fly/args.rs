@@ -1,4 +1,4 @@
-//! Options of the shots of a launch monitor.
+//! Options of `fly`, which flies the shots of a launch monitor.
 
 // these doc comments are help texts, in which "carry [yd]" is a column head, not a link
 #![allow(rustdoc::broken_intra_doc_links)]

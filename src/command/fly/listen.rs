@@ -18,7 +18,7 @@ use std::net::{SocketAddr, TcpStream};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// The answer to a connection above the maximum number of connections.
+/// The answer if the maximum number of connections is already open.
 const TOO_MANY: &[u8] =
     b"{\"Code\":503,\"Message\":\"there are too many connections; close one\"}\n";
 
@@ -39,8 +39,8 @@ pub struct MessageCounts {
     refused: AtomicU64,
 }
 
-/// The error for `--listen` with a file of shots. `why` is the reason why the file cannot be the
-/// setup of the messages.
+/// The error if a file of shots is given with `--listen`. The file would be the setup; `why` is the
+/// reason why it is no setup.
 fn both_given(file: &Path, why: &str) -> Error {
     let file = file.display();
     let source = format!(
@@ -88,7 +88,7 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
     })
 }
 
-/// The request of a listener. The first argument is the setup, because no file of shots is read.
+/// The request of `--listen`. The first argument is the setup, because no file of shots is read.
 fn request(args: &Args) -> Result<Request> {
     let shots = args.shots.as_ref();
     if let Some(shots) = shots.filter(|_| args.setup_args.drive.setup != DEFAULT_PRESET) {
@@ -125,7 +125,7 @@ fn serve(
                 true
             }
             Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {
-                // the client is silent: end an incomplete message
+                // the client is silent: an incomplete message counts as finished
                 objects.finish();
                 true
             }

@@ -97,7 +97,7 @@ fn fly(args: &Args) -> Result<Answer> {
 }
 
 /// The flights of the shots. If the request states a ground, the measured roll-outs are compared
-/// with those on this ground.
+/// with the computed roll-outs on this ground.
 fn flying(request: &Request, setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Flying> {
     request.refuse_replaced(setup, &shots.other_parameters)?;
     let mut flying = flying_within_tolerance(request, setup, of, |setup| {
@@ -119,7 +119,7 @@ fn refuse_preset(file: &Path) -> Result<()> {
     Err(Error::unreadable(file.display().to_string(), source))
 }
 
-/// Opens the shots, and refuses settings that their columns replace.
+/// Opens the shots. Refuses settings of parameters that each row states.
 fn read_shots(
     file: &Path,
     filter: RowFilter,
@@ -180,7 +180,7 @@ fn warn_about_shots(tally: &ShotStatistics, shots: &Shots, law: &Law<f64>) {
     warn(tally.unit_warnings(shots));
 }
 
-/// A remark on rows that the table by club lacks.
+/// A remark with the number of rows that are missing in the statistics by club.
 fn of_further_clubs(tally: &ShotStatistics) -> Option<Message> {
     (tally.rows_of_further_clubs > 0).then(|| {
         format!(
@@ -196,7 +196,7 @@ fn of_further_clubs(tally: &ShotStatistics) -> Option<Message> {
 struct WrittenShots {
     tally: ShotStatistics,
     output: OutputStream,
-    /// A remark on values that the format lacks.
+    /// A remark on values that the format cannot store.
     of_format: Option<Message>,
 }
 
@@ -257,8 +257,8 @@ fn stopped(tally: &ShotStatistics, destination: &Destination) -> String {
     }
 }
 
-/// If no row flies: the reason of the first row, and the assumed units of columns without units.
-/// `None` if a row flies.
+/// The message that no row flies, with the reason of the first row, and the assumed units of
+/// columns without units. `None` if a row flies.
 fn nothing(tally: &ShotStatistics, remarks: &[Message]) -> Option<String> {
     (tally.flown == 0 && tally.rows > 0).then(|| {
         let first = tally.refused.values().min_by_key(|refused| refused.line);

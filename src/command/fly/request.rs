@@ -1,4 +1,4 @@
-//! The request for shots, from a file or from messages: outcomes, setup and integration.
+//! The request of `fly`: outcomes, setup and integration.
 
 use super::args::Args;
 use crate::command::names::outcomes;
@@ -27,7 +27,8 @@ pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
     Ok(setup)
 }
 
-/// The flights of the shots, with the method and step that [`Request::integration`] chooses.
+/// The flights of the shots, with the integration method and step that [`Request::integration`]
+/// chooses. `new` makes them for a setup.
 pub fn flying_within_tolerance(
     request: &Request,
     setup: &Setup<f64>,

@@ -66,7 +66,7 @@ pub fn face(setup_args: &SetupArgs, drawing: &PictureArgs) -> Result<Answer> {
 
 pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    // the settings of the command line apply only to the first design
+    // no settings: the command line sets parameters of the first design only
     let other = |after: &String| Request::new(Source::read(after)?, vec![], &args.setup_args);
     let after = args.after.as_ref().map(other).transpose()?;
     let inputs = request

@@ -204,9 +204,9 @@ fn shown_curve(args: &PlotChart, search: &Search) -> Result<Option<&'static Para
     Err(Error::unknown("curve", name, names, advice))
 }
 
-/// The figure of the parameter `shown`, or of the outcome if `shown` is `None`. The first drawn
-/// figure is that of the outcome. The others are those of the varied parameters in the order of the
-/// search, without parameters at a bound.
+/// The figure of the parameter `shown`, or of the outcome if `shown` is `None`. In `figures.drawn`,
+/// the outcome comes first, then the varied parameters in the order of the search. Parameters at a
+/// bound are not drawn.
 fn figure_of<'a>(
     figures: &'a ChartFigures,
     search: &Search,
@@ -283,7 +283,7 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
         })
     })?;
     note_missing_outcomes(&certificate);
-    // draw the derivatives in the requested order: the rows of a certificate are sorted by verdict
+    // draw the derivatives in the requested order; the rows of a certificate are sorted by verdict
     let requested = of
         .iter()
         .flat_map(|of| wrt.iter().map(move |parameter| (*of, *parameter)));

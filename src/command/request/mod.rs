@@ -1,6 +1,6 @@
 //! The request of a command: its setup with the settings of the command line, read once.
 //!
-//! The words of a command line become [`SetupArgs`], and these become a [`Request`], which all
+//! [`SetupArgs`] are the arguments on the command line. They are read into a [`Request`], which all
 //! commands use. The library receives a setup; only this module and the commands know options.
 
 mod setting;
@@ -25,11 +25,11 @@ use std::path::PathBuf;
 #[derive(Clone)]
 pub struct Request {
     pub source: Source,
-    /// The settings of the command line, in the order of its options: each parameter once.
+    /// The settings of the command line, in the order of the options. A parameter occurs only once.
     pub settings: Vec<CommandSetting>,
-    /// The source with the settings applied, without a check of the launch: the columns of a table
-    /// or the points of a sweep may complete the launch. Parameters without a default may be
-    /// missing.
+    /// The setup of the source, with the settings applied. It may be incomplete: the columns of a
+    /// table or the points of a sweep may give missing launch conditions, and parameters without a
+    /// default.
     pub partial_setup: Setup<f64>,
     /// The choice of method and step.
     step: StepChoice,
@@ -122,8 +122,8 @@ impl Request {
             setup.replace_spin(setup.parameter(&setting.parameter)?);
             self.note_replaced(&setup, &before, setting);
         }
-        // Settings with the value `none` reset parameters. `set` would refuse some of them: it
-        // requires the values of other parameters, which may be columns of a table.
+        // The value `none` resets a parameter that other parameters determine. `set` would refuse
+        // `none` if these have no values, but their values may come from columns of a table.
         let (resets, settings): (Vec<_>, Vec<_>) = settings
             .into_iter()
             .partition(|setting| is_reset(&setting.parameter, &setting.value));
@@ -152,9 +152,9 @@ impl Request {
         Ok(self.partial_setup)
     }
 
-    /// The setup of the request with method and step of the setup `searched`, but without the start
-    /// values that [`with_starts`](Self::with_starts) added. `None` if no start value was added, or
-    /// if the setup is incomplete without them.
+    /// The setup of the request before [`with_starts`](Self::with_starts) added start values, with
+    /// the integration method and step of `searched`. `None` if no start value was added, or if the
+    /// setup is incomplete without start values.
     pub fn before_starts(&self, searched: &Setup<f64>) -> Option<Setup<f64>> {
         let mut set_up = self.partial_setup;
         set_up.method = searched.method;
@@ -201,8 +201,8 @@ impl Request {
         Ok(starts)
     }
 
-    /// Adds these values to a setup, each only if its parameter has no value. A note reports each
-    /// added value; `how` is the verb of the note, such as "begins at".
+    /// Gives the parameters that have no value in a setup these values. A note reports each added
+    /// value; `how` is the verb of the note, such as "begins at".
     ///
     /// # Errors
     /// The errors of [`setup`](Self::setup).
@@ -265,8 +265,7 @@ impl Request {
         self.source.title() + &settings.collect::<String>()
     }
 
-    /// The setup that the answer is about. A stated speed with the loft of an average golfer gets
-    /// advice ([`Self::loft_advice`]).
+    /// The setup, for the first lines of the answer, with the advice of [`Self::loft_advice`].
     pub fn origin(&self) -> SetupOrigin {
         SetupOrigin {
             title: self.title(),
@@ -276,7 +275,8 @@ impl Request {
         }
     }
 
-    /// Advice if a stated speed is combined with the loft of an average golfer of another speed.
+    /// Advice if the loft is that of an average golfer, but the speed is not: at another speed,
+    /// another loft carries farther.
     pub fn loft_advice(&self) -> Option<String> {
         let is_stated = self.stated().any(|stated| stated == "club.loft");
         if is_stated || !self.source.is_average() {
@@ -299,9 +299,9 @@ impl Request {
         ))
     }
 
-    /// The setup that the answer of a search is about. A search for the loft gets advice if shaft
-    /// and strike are averages of many golfers: the best loft of a single golfer differs by some
-    /// degrees.
+    /// The setup, for the first lines of a search's answer. It has advice if the search varies the
+    /// loft, and shaft and strike are averages of many golfers: the best loft of a single golfer
+    /// differs by some degrees.
     pub fn origin_of_search(&self, vary: &[Vary]) -> SetupOrigin {
         let varies_loft = vary.iter().any(|vary| vary.parameter.name == "club.loft");
         if !varies_loft {
@@ -390,7 +390,7 @@ impl Request {
 /// Refusal of settings and files that contradict the command.
 impl Request {
     /// Refuses club settings of a command that uses no club, because they would have no effect.
-    /// Values that a program states are settings too.
+    /// A value that the host states counts as a setting.
     ///
     /// # Errors
     /// [`Error::Unreadable`], which names the setting and gives the reason `why`.
@@ -449,8 +449,8 @@ impl Request {
         self.refuse_stated(&parameters, why)
     }
 
-    /// Refuses parameters of the setup file and of the settings if other parameters of the setup,
-    /// or the columns `more`, replace them.
+    /// Refuses parameters that the setup file or a setting states, if other stated parameters, or
+    /// the columns `more`, replace their values.
     ///
     /// # Errors
     /// [`Error::Together`].
@@ -481,8 +481,8 @@ impl Request {
         setup.refuse_replaced(&names)
     }
 
-    /// Refuses `--set NAME=none` if neither the setup nor `more` states the parameters that would
-    /// determine NAME.
+    /// Refuses `--set NAME=none` if nothing else determines NAME: neither other parameters of the
+    /// setup, nor the columns `more`.
     fn refuse_idle_unset(&self, setup: &Setup<f64>, more: &[&'static Parameter]) -> Result<()> {
         let mut setup = *setup;
         let resets = |setting: &&CommandSetting| is_reset(&setting.parameter, &setting.value);
@@ -520,8 +520,8 @@ impl Request {
         }
     }
 
-    /// Prints a note if the setting `by` states the spin in another form than the setup, such as
-    /// spin axis instead of sidespin: the setting then replaces the setup's values of the spin.
+    /// Prints a note on the launch conditions `before` that the setting `by` has unset: total spin
+    /// replaces backspin and sidespin, and backspin replaces total spin and spin axis.
     fn note_replaced(
         &self,
         setup: &Setup<f64>,

@@ -9,7 +9,7 @@ use std::fmt;
 pub struct CommandSetting {
     /// The argument that states the parameter: `set`, `launch_a`, `ball_speed`, `speed`.
     argument: &'static str,
-    /// The name as typed: `ball_speed` after `--launch`, `speed` of `--speed`.
+    /// The name as typed: `ball_speed` after `--launch`, or the name of an option such as `speed`.
     name: String,
     /// The name of the parameter: `launch.ball_speed`.
     pub parameter: String,
@@ -82,9 +82,10 @@ impl CommandSetting {
         self.parameter.starts_with("launch.")
     }
 
-    /// Returns true for a launch condition from `--launch` or an option such as `--ball-speed`. The
-    /// total spin then unsets backspin and sidespin of the setup; the backspin unsets total spin
-    /// and spin axis. With `--set launch.…`, two forms of the spin are an error.
+    /// Returns true for a launch condition from `--launch` or an option such as `--ball-speed`. Its
+    /// spin replaces the spin of the setup: total spin unsets backspin and sidespin, backspin
+    /// unsets total spin and spin axis. With `--set launch.…`, both forms of the spin together are
+    /// an error.
     pub fn replaces_launch(&self) -> bool {
         self.is_of_launch() && self.name != self.parameter
     }

@@ -46,8 +46,8 @@ impl Source {
     }
 
     /// True if the argument names a setup: a preset, standard input or an existing file. A text
-    /// with a slash, `=` or an extension counts as a setup too, unless it is a part of a parameter
-    /// name. Any other text is a search word.
+    /// with a slash, `=` or an extension also counts as a setup, unless the text is a part of a
+    /// parameter name. Any other text is a search word.
     pub fn is_named_by(argument: &str) -> bool {
         let path = Path::new(argument);
         let is_written_like_a_file =
@@ -83,7 +83,7 @@ impl Source {
         format!("{} ({})", self.name(), self.content.preset.name)
     }
 
-    /// True if the setup has a name on the command line: a preset or a file, not standard input.
+    /// True for a preset or a file, which have a name; false for standard input.
     pub fn has_name(&self) -> bool {
         self.argument != STANDARD_INPUT
     }
@@ -132,8 +132,8 @@ fn read_standard_input() -> Result<SetupFile> {
     }
     let read = SetupFile::read(&text, name)?;
     Ok(SetupFile {
-        // a written setup file names its base by `name`; standard input cannot be read again, so
-        // this is the preset
+        // a written setup file starts from the setup `name`; standard input cannot be read again,
+        // so the file starts from the preset
         name: read.preset.name.into(),
         ..read
     })

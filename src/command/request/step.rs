@@ -1,4 +1,5 @@
-//! Integration method and step of a request: stated, for a tolerance, or chosen for many drives.
+//! Integration method and step of a request: those of the setup, or chosen for a tolerance or for
+//! many drives.
 
 use super::Request;
 use crate::command::args::SetupArgs;
@@ -25,8 +26,8 @@ impl SetupArgs {
     }
 }
 
-/// Warns of settings of the wind profile without effect, unless `ranges` has a parameter of the
-/// wind.
+/// Warns of parameters of the wind profile that have no effect. Does not warn if a parameter of the
+/// wind is in `ranges`.
 fn warn_of_idle_wind(setup: &Setup<f64>, ranges: &[Vary]) {
     let mut varied = ranges.iter().map(|vary| vary.parameter.name);
     if varied.all(|name| !name.starts_with("wind.")) {
@@ -38,8 +39,8 @@ fn warn_of_idle_wind(setup: &Setup<f64>, ranges: &[Vary]) {
 }
 
 impl Request {
-    /// The setup of a single drive, with a step for `--tolerance`; without this option, the step is
-    /// unchanged. Warns of a wind profile without effect.
+    /// The setup of a single drive, with an integration step for `--tolerance`. Without this
+    /// option, the step is unchanged. Warns of a wind profile that has no effect.
     ///
     /// # Errors
     /// The errors of [`integration`](Self::integration).
@@ -48,8 +49,9 @@ impl Request {
         self.one_of_two_within_tolerance(setup)
     }
 
-    /// Like [`within_tolerance`](Self::within_tolerance), for one of two drives to compare. It does
-    /// not warn of a wind profile without effect, which may have an effect on the other drive.
+    /// Like [`within_tolerance`](Self::within_tolerance), for one of two drives to compare. Does
+    /// not warn of a wind profile that has no effect on this drive: it may have an effect on the
+    /// other drive.
     ///
     /// # Errors
     /// The errors of [`integration`](Self::integration).
@@ -120,7 +122,7 @@ impl Request {
         matches!(self.step, StepChoice::Within(_))
     }
 
-    /// Writes a setup file for other commands, and returns its name.
+    /// Writes the setup `toml` into a file, and returns the name of the file.
     ///
     /// # Errors
     /// If the setup cannot be written.

@@ -106,8 +106,8 @@ fn bytes_in_parquet(args: &Args, batch: &Batch, points: &dyn Points) -> f64 {
     8.5 * (swept + computed) as f64 + 1.0
 }
 
-/// The number of bytes available for a file (its present size included), and its folder. `None` if
-/// the free space is unknown.
+/// The number of bytes available for a file, and the folder of the file. The bytes of an existing
+/// file count as available. `None` if the free space is unknown.
 fn free(path: &Path) -> Option<(f64, String)> {
     let folder = folder_of(path);
     #[cfg(feature = "cli")]

@@ -17,8 +17,8 @@ struct JournalHeader {
 }
 
 /// The progress of an incomplete file of rows, in a separate file `FILE.resume`. The first line is
-/// the identity of the sweep; each further line records that rows were written to the disk. After a
-/// kill, the last line may be incomplete; it is then ignored.
+/// the identity of the sweep. Each further line is an entry: it records that rows were written to
+/// the disk. An incomplete last line, left by a killed program, is ignored.
 pub struct Journal {
     path: PathBuf,
     file: File,
@@ -29,11 +29,12 @@ pub struct Journal {
     length: u64,
     /// True if the rows may replace an existing file.
     pub overwrite: bool,
-    /// The replaced journal, kept locked: programs that opened it earlier cannot lock it.
+    /// The replaced journal. It stays locked, because other programs may have opened it before it
+    /// was replaced.
     _replaced: Option<File>,
 }
 
-/// The path with a text after its whole name.
+/// The path with `suffix` appended to the file name.
 pub fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(suffix);
@@ -124,8 +125,8 @@ impl Journal {
         lock(&file)?;
         let mut text = String::new();
         file.read_to_string(&mut text)?;
-        // the journal is empty: between its opening and its lock, the sweep completed and removed
-        // it
+        // another program completed the sweep and emptied the journal after it was opened here, and
+        // before it was locked
         if text.is_empty() {
             return Ok(None);
         }

@@ -81,7 +81,7 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
         &stop,
     )?;
     let counts = output.status_counts();
-    // an incomplete file has another name
+    // an incomplete file has the name FILE.part
     let part = destination.file().filter(|_| !is_complete).map(part_of);
     let file = part.as_deref().unwrap_or(&args.output);
     let summary = SweepSummary::new(total, counts, notes, file);
@@ -118,7 +118,7 @@ fn answer(
     }
     let is_answered = is_complete && nothing.is_none();
     let is_standard_output = destination.kind == DestinationKind::StandardOutput;
-    // standard output has the rows, so the counts of drives that did not land are a note
+    // standard output contains the rows: report the counts of drives that did not land as a note
     let all_landed = summary.statuses.get(&Status::Landed) == Some(&summary.written);
     if is_answered && is_standard_output && !all_landed {
         note(&summary.text(None));

@@ -21,9 +21,9 @@ const OFTEN: Duration = Duration::from_secs(1);
 /// Minimum number of blocks of rows between two lines of the journal.
 const BLOCKS: u64 = 16;
 
-/// The output file of a sweep that can be resumed: `FILE.part` until all rows are present, then
-/// `FILE`. It always contains whole rows. The journal counts only rows that equal the rows of an
-/// uninterrupted run, byte for byte.
+/// The output file of a sweep that can be resumed. Its name is `FILE.part` until all rows are
+/// present, then `FILE`. The file always contains whole rows. The journal counts only rows that
+/// equal the rows of an uninterrupted run, byte for byte.
 pub struct ResumableFile<'a> {
     /// The path of the complete file.
     path: PathBuf,

@@ -50,7 +50,7 @@ impl Identity {
         })
     }
 
-    /// The name, in plural, of the first part that differs from `other`; `None` if no part differs.
+    /// The name, in plural, of the first field that differs from `other`; `None` if both are equal.
     pub fn difference(&self, other: &Self) -> Option<&'static str> {
         let parts = [
             ("the versions of longdrive", &self.version, &other.version),

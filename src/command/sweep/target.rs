@@ -116,8 +116,8 @@ impl<'a> SweepOutput<'a> {
         })
     }
 
-    /// Number of rows after which a sweep continues: those that the journal records. Always 0 for a
-    /// stream.
+    /// Number of rows that the journal records; a resumed sweep continues after these rows. Always
+    /// 0 for a stream.
     pub fn recorded_rows(&self) -> u64 {
         match self {
             Self::Resumable(file) => file.recorded_rows,
@@ -162,7 +162,7 @@ impl<'a> SweepOutput<'a> {
     }
 }
 
-/// Writes to a stream. An error names the number of rows so far.
+/// Writes to a stream. An error contains the number of rows written before.
 fn write(stream: &mut OutputStream, bytes: &[u8], status_counts: &StatusCounts) -> Result<()> {
     stream.try_write(bytes).map_err(|error| {
         if error.kind() == io::ErrorKind::BrokenPipe {
