@@ -158,7 +158,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(is_found))
 }
 
-/// Why a calibration refuses a stated launch, with advice.
+/// The reason, with advice, why a calibration refuses a stated launch.
 fn launch_columns_advice(data: &Path) -> String {
     format!(
         "calibrate reads the launch of each ball from columns of the table; leave this out, and \
@@ -181,7 +181,7 @@ impl Args {
     }
 }
 
-/// Reads the measured shots, and refuses settings of parameters that the shots state.
+/// Reads the measured shots. Refuses settings of parameters that the table has as columns.
 fn read_shots(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<ShotTable> {
     let file = args.data.display();
     let filter = RowFilter::read(&args.only)?;
@@ -198,8 +198,7 @@ fn read_shots(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Shot
     Ok(table)
 }
 
-/// A warning if the table has measured rest positions, and no parameter of the ground is stated or
-/// fitted.
+/// A warning if the table has measured rest positions, and the ground is neither stated nor fitted.
 fn assumed_ground(request: &Request, table: &ShotTable, plan: &FitPlan) -> Option<Message> {
     let measured = table.shots.iter().flat_map(|shot| &shot.measured);
     let is_at_rest = measured.map(|one| one.outcome).any(Outcome::needs_run);
@@ -214,9 +213,8 @@ fn assumed_ground(request: &Request, table: &ShotTable, plan: &FitPlan) -> Optio
     })
 }
 
-/// Writes the fitted setup, and returns the name of the file. If an interruption or the iteration
-/// limit ended the fit before a minimum, the setup has the values of the last iteration; it is then
-/// not written.
+/// Writes the fitted setup, and returns the name of the file. Writes nothing, with a warning, if an
+/// interruption or the iteration limit ended the fit before a minimum.
 fn write_setup(
     output: &Destination,
     args: &Args,
@@ -276,7 +274,8 @@ impl CrossValidation {
         Ok(Some(Self { folds, compared }))
     }
 
-    /// Prediction errors, each with a label of the law and of its fit.
+    /// The prediction errors of each law, with and without a fit. A label names the law and its
+    /// coefficients.
     fn run(
         &self,
         setup: &Setup<f64>,
@@ -336,14 +335,15 @@ fn show_iteration(is_numbered: bool) -> impl Fn(u64, f64) {
     }
 }
 
-/// The label of the setup's law without a fit.
+/// The label of a law with the coefficients of the setup.
 const AS_SET_UP: &str = "as the setup has it";
 
-/// A law to compare on the rows: without a fit, and with all its coefficients fitted.
+/// A law of `--compare`. Its prediction errors are computed without a fit, and with all its
+/// coefficients fitted.
 struct ComparedLaw {
     /// The setup with this law.
     setup: Setup<f64>,
-    /// The plan of a fit of the law's coefficients and of the other parameters to fit.
+    /// The fit of all coefficients of this law, and of the parameters to fit that belong to no law.
     plan: FitPlan,
 }
 

@@ -28,7 +28,7 @@ use std::ffi::OsString;
 pub struct Call {
     /// The command, as on the command line: `optimize`, `plot contour`.
     pub command: String,
-    /// Arguments by the names of their options, with underscores: `subject_to`.
+    /// Arguments: the name of the option with underscores, such as `subject_to`, and the value.
     pub arguments: Vec<(String, ArgumentValue)>,
 }
 
@@ -112,8 +112,8 @@ impl Call {
         Ok(line)
     }
 
-    /// The quantity of the goal of a search, by default of the carry; `None` as in
-    /// [`quantity_of_goal`].
+    /// The quantity of the goal of a search; the default goal is the carry. `None` if the goal has
+    /// no unit.
     fn goal(&self) -> Option<Quantity> {
         let text = self.arguments.iter().find_map(|(name, value)| match value {
             ArgumentValue::Text(text) if name == "maximize" || name == "minimize" => text.to_str(),
@@ -234,7 +234,7 @@ impl CommandLine {
         }
     }
 
-    /// A value as text; `quantity` is the quantity of the numbers in the value.
+    /// A value as text. The numbers in the value have the quantity `quantity`.
     fn text(&mut self, value: &ArgumentValue, quantity: Option<Quantity>) -> OsString {
         match value {
             ArgumentValue::Switch(is_on) => is_on.to_string().into(),
@@ -281,8 +281,9 @@ impl CommandLine {
     }
 }
 
-/// If an angle without a unit is out of range, replaces the advice of the error: it proposes the
-/// same number in degrees. `bare_angles` are the angles without a unit in the request, rad.
+/// Replaces the advice of an error about an angle that is out of range. If the request states the
+/// angle without a unit, the new advice proposes the number in degrees. `bare_angles` are the
+/// angles without a unit in the request, rad.
 pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
     let Error::OutOfRange {
         name,
@@ -295,7 +296,8 @@ pub fn with_degrees(error: Error, bare_angles: &[f64]) -> Error {
     };
     let parameter = parameter(&name).or_else(|| parameter(&format!("launch.{name}")));
     let is_angle = parameter.is_some_and(|parameter| parameter.quantity == Quantity::ANGLE);
-    // "1145.916 deg (20 rad)"; compare with a tolerance, because the value in the error is rounded
+    // `value` is a text such as "1145.916 deg (20 rad)", in which the number is rounded: compare
+    // with a tolerance
     let si = value
         .rsplit_once('(')
         .and_then(|(_, si)| si.strip_suffix(" rad)"));

@@ -163,7 +163,8 @@ fn follow(
 
 impl Args {
     /// The parameter of `--along` with its range, and the values of `--at`, SI. With `--at`, the
-    /// range is from the smallest to the largest value. Without `--at`, there are no values.
+    /// range is from the smallest to the largest value. Without `--at`, the list of values is
+    /// empty.
     fn places(&self, setup: &Setup<f64>) -> Result<(Vary, Vec<f64>)> {
         if !self.along.contains('=') && self.at.is_empty() {
             let reason =

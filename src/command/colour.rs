@@ -33,8 +33,8 @@ const STATUS: [(&str, Style); 15] = [
 /// Prints an answer to standard output.
 pub fn print(text: &str) -> io::Result<()> {
     let mut out = anstream::stdout().lock();
-    // without colours, write the bytes unchanged; the help contains escape codes, and only the
-    // stream removes them
+    // Without colours, write the bytes unchanged. The help contains escape codes: `out` removes
+    // them.
     if AutoStream::choice(&io::stdout()) == ColorChoice::Never && !text.contains('\u{1b}') {
         let mut out = out.into_inner();
         return out.write_all(text.as_bytes()).and_then(|()| out.flush());

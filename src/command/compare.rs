@@ -133,7 +133,8 @@ impl PairArgs {
         ])
     }
 
-    /// The settings of a drive: its own settings, and the common settings that they do not replace.
+    /// The settings of a drive: its own settings, and the common settings. An own setting replaces
+    /// a common setting of the same parameter.
     fn settings(
         &self,
         own_set: Vec<CommandSetting>,

@@ -128,7 +128,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         Some(output) => write_setup(output, &found, &requests.club, &setup)?,
         None => None,
     };
-    // omit the settings of the unknowns: the file of swings has their values
+    // the printed command needs no settings of the unknowns: the file of swings has their values
     let unknown: Vec<_> = unknowns.iter().map(|unknown| unknown.parameter).collect();
     let setup_words =
         written.map_or_else(|| requests.club.as_arguments(&unknown), |file| vec![file]);
@@ -240,9 +240,9 @@ fn of_shots(
 /// The club parameter whose value is printed on the club.
 const LOFT: &str = "club.loft";
 
-/// A warning if the setup is the preset of an average golfer, and the loft is neither stated nor
-/// varied. The delivery is found for this loft, and a search from it finds a loft relative to this
-/// one.
+/// A warning if the loft is neither stated nor varied, and the setup is the preset of an average
+/// golfer. The delivery is then found for the loft of the preset, and a later search finds a best
+/// loft relative to the loft of the preset.
 fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec<Message> {
     let is_varied = unknowns
         .iter()
@@ -262,8 +262,9 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
     loft.into_iter().map(Message::from).collect()
 }
 
-/// A warning about stated parameters without effect on the impact, such as air or ground. `None` if
-/// a file is written: the setup file, or the printed command for the swings, has these parameters.
+/// A warning about stated parameters that have no effect on the impact, such as air or ground.
+/// `None` if a file is written, because the setup file or the printed command contains these
+/// parameters.
 fn idle_settings_warning(args: &Args, club: &Request) -> Option<Message> {
     if args.output.is_some() || args.swings.is_some() {
         return None;
@@ -280,8 +281,8 @@ fn idle_settings_warning(args: &Args, club: &Request) -> Option<Message> {
     })
 }
 
-/// The parameters to find, each with its prior. A stated club value counts as measured: its
-/// uncertainty is that of a launch monitor, as for a column of a table.
+/// The parameters to find, each with its prior. A stated club value counts as measured by a launch
+/// monitor, with the uncertainty of a launch monitor.
 fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Vec<Unknown>> {
     let vary = varied(&args.vary, setup, || Ok(vec![]))?;
     let sigmas = sigmas(setup, &args.sigma)?;
@@ -340,8 +341,9 @@ fn write_setup(
     Ok(Some(file))
 }
 
-/// Writes the swings that explain the shots, and prints the command that optimizes a design for
-/// them; `setup` has its arguments for the setup. Returns false if the swings are not written.
+/// Writes the swings that explain the shots, and prints the command that optimizes a design over
+/// these swings. `setup` has the arguments of this command that give the setup. Returns false if
+/// the swings are not written.
 fn write_swings(output: &Destination, found: &Deliveries, setup: Vec<String>) -> Result<bool> {
     let Some(population) = &found.population else {
         return Ok(true);
@@ -401,7 +403,7 @@ fn why_no_swings(
     }
 }
 
-/// Prints the default priors, a note for all priors from one source.
+/// Prints the default priors: one note for each source.
 fn note_assumed(unknowns: &[Unknown]) {
     let mut sources: Vec<&str> = vec![];
     for source in unknowns.iter().filter_map(|unknown| unknown.source) {
@@ -426,7 +428,7 @@ fn note_assumed(unknowns: &[Unknown]) {
     }
 }
 
-/// Prints a note on the uncertainty of each column that measures an unknown.
+/// Prints a note for each unknown that a column of the table measures, with its uncertainty.
 fn note_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
     for unknown in unknowns {
         let name = unknown.parameter.name;

@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 /// Commands that are useful only in a terminal, not in a binding for another language.
 const OF_THE_PROGRAM: [&str; 4] = ["completions", "explore", "man", "help"];
 
-/// Every command with its options, as JSON. Bindings for another language can be generated from
-/// it.
+/// Every command with its options, as JSON, from which bindings for another language can be
+/// generated.
 ///
 /// ```
 /// let commands = longdrive::command::described();

@@ -122,8 +122,9 @@ fn refuse_unnamed_preset(request: &Request) -> Result<()> {
     Err(Error::unreadable(request.source.name(), source))
 }
 
-/// The stated swings; without them, the swings of a golfer whose drives were measured. These
-/// scatter about the values of the setup, so settings of their parameters have an effect.
+/// The stated swings or, if none are stated, the swings of a golfer whose drives were measured. The
+/// golfer's swings scatter about the values of the setup, so the user may set the parameters that
+/// scatter.
 fn swings_or_golfer(args: &SwingsArgs, request: &Request) -> Result<SwingsRequest> {
     if args.is_given() {
         return args.request(request, true);

@@ -26,8 +26,8 @@ pub struct OutputRule {
 }
 
 impl OutputRule {
-    /// The rule for a command with these input files. Files of its own that store progress count as
-    /// inputs.
+    /// The rule for a command. `inputs` are the files that the command reads. A file in which the
+    /// command stores its progress counts as an input.
     pub fn new(inputs: impl IntoIterator<Item = PathBuf>, overwrite: bool) -> Self {
         Self {
             inputs: inputs
@@ -39,7 +39,7 @@ impl OutputRule {
         }
     }
 
-    /// Also protects another output of the command from being replaced.
+    /// Adds another output of the command to the files that must not be replaced.
     #[must_use]
     pub fn and_not(mut self, output: Option<&Path>) -> Self {
         self.inputs.extend(output.and_then(canonical));
@@ -90,7 +90,8 @@ impl OutputRule {
         }
     }
 
-    /// Checks a destination, except for the permissions of its folder.
+    /// The destination of a file, if the rule allows it. Does not check whether the folder can be
+    /// written.
     ///
     /// # Errors
     /// The errors of [`file`](Self::file).
@@ -198,7 +199,8 @@ impl OutputRule {
         }
         create_beside(&path.join("file")).map_err(|error| unwritable(path, &error))?;
         if is_new {
-            // the folder was created only for this check: work without an answer leaves no folder
+            // delete the folder, which was created only for this check: a command without an answer
+            // must leave no folder
             fs::remove_dir(path).map_err(|error| unwritable(path, &error))?;
         }
         Ok(folder)
@@ -234,7 +236,7 @@ pub fn ending(path: &Path) -> String {
 pub struct Destination {
     /// The name as typed, for messages.
     pub shown: PathBuf,
-    /// The path of the file itself: as typed, but without a link to it.
+    /// The path of the file itself. If the typed path is a link, this is the target of the link.
     path: PathBuf,
     pub kind: DestinationKind,
     /// True if an existing file may be replaced. If false, a file that another program creates
@@ -272,7 +274,7 @@ impl Destination {
         format!("{} is not written: {why}", self.shown.display()).into()
     }
 
-    /// The file on disk itself, not a link to it.
+    /// The path of a file on disk itself, not of a link to it; `None` for other kinds.
     pub fn file(&self) -> Option<&Path> {
         (self.kind == DestinationKind::File).then_some(&self.path)
     }
@@ -410,7 +412,7 @@ impl OutputStream {
     }
 }
 
-/// A folder that the rule allows to write.
+/// A folder for output files, which follow the rule.
 #[derive(Clone, Debug)]
 pub struct Folder {
     pub path: PathBuf,
@@ -452,7 +454,7 @@ impl Folder {
         let place = |(name, bytes)| Ok((self.rule.place(&self.path.join(name))?, bytes));
         let files = files.into_iter().map(place).collect::<Result<Vec<_>>>()?;
         interrupt::undisturbed(&self.path, || {
-            // write all files before the first is renamed: a full disk then replaces none of them
+            // write all files before the first is renamed, so that a full disk replaces no file
             let staged = files
                 .iter()
                 .map(|(destination, bytes)| destination.stage(bytes))
@@ -465,7 +467,7 @@ impl Folder {
     }
 }
 
-/// Refuses `overwrite` for rows that go to standard output.
+/// Refuses the option `overwrite` if the rows go to standard output.
 pub fn refuse_overwrite_of_standard_output(path: &Path, overwrite: bool) -> Result<()> {
     if path != Path::new("-") || !overwrite {
         return Ok(());
@@ -475,13 +477,13 @@ pub fn refuse_overwrite_of_standard_output(path: &Path, overwrite: bool) -> Resu
     Err(refused(path, reason))
 }
 
-/// The error for Parquet without a file.
+/// The error if the format is Parquet and no file is named.
 pub fn parquet_without_file(path: &Path) -> Error {
     let reason = "Parquet needs a file; name one with `output`, or take `format csv` or jsonl";
     refused(path, reason)
 }
 
-/// Refuses "-": these outputs need a file name.
+/// Refuses "-", which stands for standard output. `what` is the needed output: a file or a folder.
 fn refuse_standard_output(path: &Path, what: &str) -> Result<()> {
     match path == Path::new("-") {
         true => Err(refused(

@@ -1,5 +1,4 @@
-//! Texts of the help: the commands of the program in groups, with two examples, and the list of
-//! outcomes in the help of a command.
+//! Texts of the help: the commands in groups, examples, and the list of all outcomes.
 
 use crate::Outcome;
 use crate::report::wrapped;
@@ -38,8 +37,8 @@ pub fn template(program: &clap::Command, groups: &[(&str, &[&str])], width: usiz
     text + "\n" + EXAMPLES + "\n" + &explained + "\nOptions:\n{options}"
 }
 
-/// Appends the names of all outcomes to the help of a command, and of each of its subcommands, that
-/// has an argument for an outcome.
+/// Appends the names of all outcomes to the help of a command if it has an argument for an outcome.
+/// Does the same for its subcommands.
 pub fn with_outcomes(command: clap::Command) -> clap::Command {
     let takes_outcomes = command.get_arguments().any(|argument| {
         let mut names = argument.get_value_names().into_iter().flatten();

@@ -83,8 +83,8 @@ pub trait Host: Send + Sync {
         "standard input"
     }
 
-    /// Names of the parameters of the setup named `-` whose values count as stated, as by `--set`.
-    /// A search keeps their values, unless `--vary` names them.
+    /// Names of parameters in the setup named `-` that count as settings, like parameters of
+    /// `--set`. A search varies none of these parameters unless `--vary` names it.
     fn stated(&self) -> Vec<String> {
         vec![]
     }
@@ -160,8 +160,8 @@ pub trait Progress: Send + Sync {
     /// Sets the message.
     fn set_message(&self, _message: String) {}
 
-    /// Restarts the estimate of the remaining time. An earlier run completed the parts that are
-    /// counted so far.
+    /// Restarts the estimate of the remaining time, because an earlier run completed all parts that
+    /// are counted so far.
     fn reset_eta(&self) {}
 
     /// Announces the end of the work.

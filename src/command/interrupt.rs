@@ -5,11 +5,11 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// The message of an interrupted search.
+/// The message when a search is interrupted.
 pub const BEST_SO_FAR: &str = "stopping with the best result so far";
 
-/// A flag that the `Host` sets to stop the following work. The work then returns its result so far,
-/// and the `Host` shows the message `stopping`.
+/// A flag for work that can be interrupted. To interrupt it, the `Host` sets the flag and shows the
+/// message `stopping`; the work then returns its result so far.
 pub fn enable(stopping: &'static str) -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     running().host.can_stop(stopping, &stop);

@@ -32,8 +32,8 @@ impl Listener {
         Ok(Self { listener, address })
     }
 
-    /// Serves connections until `stop` is true. A connection above the maximum number receives
-    /// `too_many`. Returns the number of connections that were served.
+    /// Serves connections until `stop` is true. While the maximum number of connections is open, a
+    /// new connection receives `too_many`. Returns the number of connections that were served.
     pub fn serve(
         &self,
         stop: &AtomicBool,

@@ -1,9 +1,9 @@
 //! Arguments and commands in messages.
 //!
-//! A message writes an argument of a request in backquotes, with its value after a space: `` `vary
-//! club.loft=4deg..20deg` ``; a command has parentheses: `` `parameters()` ``. The
-//! [`Host`](super::Host) of the command replaces both by its own syntax: the program writes `--vary
-//! club.loft=4deg..20deg`.
+//! In a message, an argument is in backquotes, with its value after a space: `` `vary
+//! club.loft=4deg..20deg` ``. A command has parentheses: `` `parameters()` ``. The
+//! [`Host`](super::Host) writes arguments and commands in its own syntax: the program writes
+//! `--vary club.loft=4deg..20deg`.
 
 use clap::{Arg, Command};
 

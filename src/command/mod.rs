@@ -323,8 +323,8 @@ fn asks_for_json(matches: &ArgMatches) -> bool {
     json == Some(&true) || below.is_some_and(|(_, matches)| asks_for_json(matches))
 }
 
-/// The command that an error in JSON names if the command line `words` is invalid: the first word
-/// that names a command with `--json`.
+/// The command of an invalid command line, for the error in JSON: the first of `words` that is the
+/// name of a command with `--json`.
 fn named_in(words: &[OsString]) -> Option<&'static str> {
     let with_json = mention::commands_with(program(), "json");
     let has_json = |name| {

@@ -14,7 +14,7 @@ fn given(names: &[String]) -> impl Iterator<Item = &str> {
         .filter(|name| !name.is_empty())
 }
 
-/// The named outcomes; "all" means every outcome.
+/// The named outcomes; "all" means every outcome of a drive.
 ///
 /// # Errors
 /// For an unknown name, and for a list without names.
@@ -46,8 +46,8 @@ pub fn note_the_run(of: &[Outcome]) {
     }
 }
 
-/// The parameters to differentiate by, from their names; "all" means every parameter with a number
-/// in this setup.
+/// The parameters to differentiate by, from their names; "all" means every numeric parameter that
+/// has a value in this setup.
 ///
 /// If no outcome in `of` depends on the roll-out, "all" excludes the parameters that affect only
 /// the roll-out.

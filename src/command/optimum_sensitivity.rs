@@ -62,7 +62,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         note(&moved);
     }
     warn(best.warnings(&AtomicBool::new(false)));
-    // for each changed setup, choose the integration step that `optimize` would choose
+    // a changed setup gets the integration step that `optimize` would choose for it
     let integrated = |mut changed: Setup<f64>| {
         (changed.method, changed.flight.step) = (own.method, own.flight.step);
         request.for_many(changed, &search.vary)

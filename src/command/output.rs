@@ -25,8 +25,9 @@ pub fn system() -> System {
     running().system()
 }
 
-/// Reports a warning before the work of the command begins, unless it was reported already. These
-/// warnings come first in the answer; an answer without a result has no other warnings.
+/// Reports a warning before the work of the command begins. Does nothing if the warning was
+/// reported already. Early warnings come first in the answer; an answer without a result has no
+/// other warnings.
 pub fn warn_early(warning: Message) {
     if running().early().contains(&warning) {
         return;
@@ -105,7 +106,8 @@ impl Answer {
         )
     }
 
-    /// An answer about a setup: the reply with the warnings as JSON, or the document as text.
+    /// An answer about a setup. In JSON, it is `reply` with the warnings; as text, it is
+    /// `document`.
     pub fn of<T: Serialize>(
         is_json: bool,
         origin: &SetupOrigin,
@@ -151,7 +153,7 @@ fn value_of(answer: &impl Serialize) -> Value {
     serde_json::to_value(answer).unwrap_or_default()
 }
 
-/// Replaces the arguments in backquotes, in every text of a JSON value, by the syntax of the host:
+/// Writes the arguments in backquotes, in all texts of a JSON value, in the syntax of the host:
 /// options in a shell, keyword arguments in Python.
 fn put_in_host_syntax(value: &mut Value) {
     match value {
@@ -287,8 +289,8 @@ fn with_named_arguments(message: &str, error: &clap::Error) -> String {
     message
 }
 
-/// The maximum edit distance between a typed option and a suggested option, as a fraction of the
-/// length of the suggested option; a distance of one is always allowed.
+/// The maximum edit distance between a typed option and a suggested option, relative to the length
+/// of the suggested option. A distance of 1 is always allowed.
 const MOST_DIFFERENT: f64 = 0.3;
 
 /// True for a misspelling of an option: `--threds` of `--threads`, and not `--over` of
@@ -299,7 +301,8 @@ fn is_misspelt(argument: &str, option: &str) -> bool {
     different <= (MOST_DIFFERENT * known.len() as f64).max(1.0)
 }
 
-/// The tip about an option that this command does not have: the commands that have it.
+/// The tip about an option that this command does not have. It names the commands that have the
+/// option.
 fn tip_of_unknown_option(argument: &str) -> String {
     let name = argument.split('=').next().unwrap_or(argument);
     let commands = commands_with(running().program, name.trim_start_matches('-'));
@@ -310,8 +313,8 @@ fn tip_of_unknown_option(argument: &str) -> String {
     format!("this command has no option '{name}'{others}; --help lists those that it has")
 }
 
-/// Replaces the parser's tip about an unexpected argument. The parser treats an unknown option as a
-/// setup and advises `--`, or it suggests options that only have the same beginning.
+/// Replaces the parser's tip about an unexpected argument. The parser takes an unknown option for a
+/// setup and advises `--`, or it suggests an option that only begins like the typed option.
 fn in_own_words(error: &mut clap::Error) {
     let Some(ContextValue::String(argument)) = error.get(ContextKind::InvalidArg) else {
         return;

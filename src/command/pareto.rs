@@ -22,7 +22,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// The message of an interrupted front.
+/// The message when the search for a front is interrupted.
 const POINTS_SO_FAR: &str = "stopping with the points so far";
 
 /// The two goals and the varied parameters.

@@ -83,7 +83,7 @@ pub struct PlotDestination<'a> {
 }
 
 impl<'a> PlotDestination<'a> {
-    /// The checked destination of a plot, for a command that reads the files `inputs`.
+    /// Checks the destination of a plot. `inputs` are the files that the command reads.
     pub fn new(inputs: impl Iterator<Item = PathBuf>, drawing: &'a PictureArgs) -> Result<Self> {
         let format = PlotFormat::of(&drawing.output)?;
         let look = [
@@ -103,7 +103,7 @@ impl<'a> PlotDestination<'a> {
         })
     }
 
-    /// The error of a plot that has nothing to show.
+    /// The error if there is nothing to plot.
     pub fn refused(&self, reason: impl Into<String>) -> Error {
         Error::Plot {
             name: self.drawing.output.display().to_string(),
@@ -111,8 +111,8 @@ impl<'a> PlotDestination<'a> {
         }
     }
 
-    /// Writes the plot; `of_optima` are the warnings about its optima, in addition to the warnings
-    /// about the setup's drive.
+    /// Writes the plot. Reports the warnings about the drive of the setup, and the warnings
+    /// `of_optima` about optima.
     pub fn write_with_setup(
         &self,
         request: &Request,

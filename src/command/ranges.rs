@@ -22,8 +22,8 @@ pub fn varied(
     }
 }
 
-/// The parameters that the default ranges (`usual`) contain but the request states, so that a
-/// search does not vary them. Empty with `--vary`.
+/// The parameters of the default ranges that a search does not vary, because the request states
+/// them. Empty with `--vary`. `usual` gives the default ranges.
 ///
 /// # Errors
 /// The errors of `usual`.
@@ -38,9 +38,9 @@ pub fn kept(
 }
 
 impl Request {
-    /// The setup that the answer of a search over `vary` is about. It names the parameters of the
-    /// default ranges that the search does not vary, because the request states them. `given` are
-    /// the texts of `--vary`; `usual` gives the default ranges.
+    /// The setup, for the first lines of a search's answer. The search does not vary those
+    /// parameters of the default ranges that the request states; they are in `held`. `vary` are the
+    /// ranges of the search, `given` the texts of `--vary`; `usual` gives the default ranges.
     ///
     /// # Errors
     /// The errors of `usual`.
@@ -73,7 +73,7 @@ impl SwingsArgs {
 /// The default ranges of a command. A parameter that the request states is not varied.
 pub struct DefaultRanges {
     vary: Vec<Vary>,
-    /// The parameters that the request states.
+    /// The parameters of the ranges that the request states; they are not varied.
     kept: Vec<&'static Parameter>,
 }
 

@@ -121,8 +121,8 @@ struct ReportRequest {
     search: Option<Search>,
     /// The reason why there is no search.
     reason: Option<String>,
-    /// The parameter along which the chart runs. `None` (no chart) without a search, or without
-    /// `--along` if the search varies the default parameter.
+    /// The parameter along which the chart runs. `None` if there is no chart: there is no search,
+    /// or `--along` is not given and the search varies the default parameter.
     along: Option<Vary>,
     /// The stated uncertainties.
     given: Vec<Sigma>,
@@ -250,7 +250,7 @@ fn add_drives(
     Ok(())
 }
 
-/// The reason why there is no optimum. `reason` is the reason why there was no search.
+/// The reason why there is no optimum. `reason` is given if there was no search.
 fn why_none(findings: &Findings, reason: Option<&str>) -> Option<Message> {
     match (&findings.found, findings.best()) {
         (None, _) => reason.map(|reason| {
@@ -352,8 +352,8 @@ fn add_derivatives(
 }
 
 impl Args {
-    /// The search, and the parameter along which the chart runs. It is `None` without `--along`, if
-    /// the search varies the default parameter.
+    /// The search, and the parameter along which the chart runs. The parameter is `None` if
+    /// `--along` is not given and the search varies the default parameter.
     fn search_and_along(
         &self,
         request: &Request,
@@ -371,8 +371,8 @@ impl Args {
         Ok((search, (!is_varied).then_some(along)))
     }
 
-    /// Refuses options of a search if there is nothing to vary. The objective is allowed: the
-    /// report is about it.
+    /// Refuses options of a search if there is nothing to vary. The objective is allowed, because
+    /// the report is about this outcome.
     fn refuse_idle_search(&self) -> Result<()> {
         let along = self.along.as_ref().map(|_| "`along`");
         let options = self.search.given().chain(along);
@@ -405,8 +405,8 @@ fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
     }
 }
 
-/// Adds the plot data of the drive as set up and of the optimal drive, each if its ball lands.
-/// `given` are the stated uncertainties.
+/// Adds the plot data of the drive as set up and of the optimal drive. A drive that does not land
+/// is omitted. `given` are the stated uncertainties.
 fn add_pictures(
     findings: &mut Findings,
     given: &[Sigma],
@@ -465,8 +465,8 @@ fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<
     Ok(certify(setup, &[of], &wrt, &|_, _| true)?.rows)
 }
 
-/// The section of a report. If it has no answer, adds the reason to the remarks and returns `None`,
-/// so that the report continues.
+/// A section of the report. If the section has no answer, adds the reason to the remarks and
+/// returns `None`, so that the report continues.
 fn or_remark<T>(part: Result<T>, remarks: &mut Vec<Message>) -> Result<Option<T>> {
     match part {
         Ok(part) => Ok(Some(part)),

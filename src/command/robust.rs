@@ -111,8 +111,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(is_found))
 }
 
-/// Warnings about stated coefficients of the setup's law without effect in a model that has another
-/// law.
+/// Warnings about stated coefficients of the setup's law: they have no effect in a model with
+/// another law.
 fn lost_settings(request: &Request, setup: &Setup<f64>, models: &[Model]) -> Vec<Message> {
     let other_laws = models
         .iter()

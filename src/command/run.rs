@@ -30,13 +30,13 @@ pub fn run_in_terminal(words: Vec<OsString>) -> u8 {
 }
 
 /// Runs a command line for a host; the first word is the name of the program. Returns the exit
-/// status: 0 done, 1 no answer, 2 bad input. The host receives the error message; with `--json` the
-/// answer contains it too.
+/// status: 0 done, 1 no answer, 2 bad input. The host receives the error message. With `--json`,
+/// the answer also contains the error message.
 pub fn run(words: Vec<OsString>, host: Arc<dyn Host>) -> u8 {
     run_words(words, host, &[])
 }
 
-/// Runs a request of a program that embeds the library, as [`run`] runs a command line.
+/// Runs a request of a program that embeds the library. Returns the exit status of [`run`].
 pub fn call(call: &Call, host: Arc<dyn Host>) -> u8 {
     match call.command_line() {
         Ok(line) => run_words(line.words, host, &line.bare_angles),

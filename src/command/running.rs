@@ -18,7 +18,7 @@ pub struct Running {
     pub options: OutputOptions,
     /// The arguments, without the name of the program.
     pub words: Vec<OsString>,
-    /// Warnings about the automatic choices of the command, collected before its work begins.
+    /// Warnings that were reported before the work of the command began.
     early: Mutex<Vec<Message>>,
     /// The other warnings of the answer.
     warnings: Mutex<Vec<Message>>,
@@ -100,7 +100,8 @@ impl Running {
         }
     }
 
-    /// The warnings from before the work of the command. They come first in the answer.
+    /// The warnings that were reported before the work of the command began. They come first in the
+    /// answer.
     pub fn early(&self) -> MutexGuard<'_, Vec<Message>> {
         self.early.lock().unwrap_or_else(PoisonError::into_inner)
     }

@@ -105,7 +105,7 @@ impl Answers {
         self
     }
 
-    /// Adds the key `left_out`: the parameters that the value `all` omits.
+    /// Adds the key `left_out`: the parameters that `--wrt all` omits.
     fn with_left_out(mut self) -> Self {
         for (_, answer) in &mut self.results {
             properties(answer)["left_out"] = json!({
@@ -161,8 +161,8 @@ fn properties(schema: &mut Schema) -> &mut Value {
     schema.get_mut("properties").unwrap()
 }
 
-/// The schema with closed objects, without names of Rust's number types, and with the first
-/// paragraph of each doc comment as the description.
+/// The schema without additional properties of objects, and without names of Rust's number types. A
+/// description is the first paragraph of a doc comment.
 fn plain(mut schema: Schema) -> Schema {
     RecursiveTransform(|schema: &mut Schema| {
         schema.remove("format");

@@ -64,8 +64,8 @@ impl SearchArgs {
         Ok(DefaultRanges::longest_drive(request, setup)?.reason())
     }
 
-    /// The objective and its sense; by default, `usual` is maximized. `read` parses the value of an
-    /// option, whose name is its first argument.
+    /// The objective and its sense. By default, `usual` is maximized. `read` takes the name and the
+    /// value of an option, and returns the objective.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for two objectives, and the errors of `read`.
@@ -110,8 +110,8 @@ impl OptimumArgs {
         found
     }
 
-    /// Runs the search, which `stop` interrupts, and writes its checkpoint. Shows the last
-    /// iteration as progress, or a bar for several searches.
+    /// Runs the search and writes its checkpoint. `stop` interrupts the search. The progress is the
+    /// last iteration, or a bar for several searches.
     pub fn optima_until(
         &self,
         setup: &Setup<f64>,
@@ -234,8 +234,8 @@ pub fn options(max_iterations: Option<u64>) -> Options {
     }
 }
 
-/// The outcome of a single drive that `text` names; `text` is the value of `option`. A goal over
-/// many swings is an error, because it needs a distribution of swings.
+/// The outcome that `text`, the value of `option`, names. A goal over many swings is an error,
+/// because it needs a distribution of swings.
 pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
     Outcome::named(text.trim()).map_err(|error| match text.contains('(') {
         true => {

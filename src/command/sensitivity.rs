@@ -94,8 +94,8 @@ fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Op
     Ok(Some(found))
 }
 
-/// Total derivatives of the optimal outcome by every parameter that is not varied: the varied
-/// parameters are re-optimized. Parameters of the roll-out are omitted if no outcome of the search
+/// Total derivatives of the optimal outcome by every parameter that is not varied, with the varied
+/// parameters re-optimized. Omits the parameters of the roll-out if no outcome of the search
 /// depends on the roll-out.
 fn total_slopes(best: &Optimum) -> Result<Vec<(&'static Parameter, Result<Sensitivity>)>> {
     let is_varied = |parameter: &Parameter| {
@@ -120,7 +120,8 @@ fn missing_slopes(slopes: &[(&'static Parameter, Result<Sensitivity>)]) -> Vec<M
         .collect()
 }
 
-/// A warning for each end of an uncertainty range at which there is no drive, with the reason.
+/// A warning for each end (−σ or +σ) of an uncertainty at which the drive is missing, with the
+/// reason.
 fn unflown(setup: &Setup<f64>, of: &[Outcome], effects: &Effects) -> Vec<Message> {
     let why = |bar: &SigmaEffect, sign: f64| flown_off(setup, of, &bar.sigma, sign).err();
     let ends = effects

@@ -21,10 +21,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// Number of resamples of recorded swings.
+/// Number of bootstrap samples of recorded swings.
 const RESAMPLES: usize = 200;
 
-/// The swings of a request, with the setup that they vary.
+/// The swings of a request, and the setup whose parameters vary from swing to swing.
 pub struct SwingsRequest {
     /// The setup, with a value for each parameter that varies from swing to swing.
     pub setup: Setup<f64>,
@@ -67,8 +67,8 @@ impl SwingsArgs {
         self.request_of(request, swings, is_resampled)
     }
 
-    /// The setup and the scenarios of these swings. Refuses a seed without effect: recorded swings
-    /// use a seed only if the command resamples them (`is_resampled`).
+    /// The setup and the scenarios of these swings. Refuses a seed that has no effect: recorded
+    /// swings use a seed only if the command resamples them (`is_resampled`).
     pub fn request_of(
         &self,
         request: &Request,
@@ -141,8 +141,8 @@ impl SwingsArgs {
     }
 }
 
-/// Names the parameters of the setup file that differ from the mean of the swings, which replace
-/// them.
+/// Prints a note on parameters of the setup file whose values differ from the means of the swings.
+/// The swings replace the values of the setup file.
 fn note_replaced(request: &Request, swings: &Swings) {
     let setup = &request.partial_setup;
     let means = swings.parameters().into_iter().zip(swings.means());
@@ -174,7 +174,7 @@ pub struct SwingsOptimum {
     pub setup: Setup<f64>,
     pub optima: Optima,
     pub over: OverSwings,
-    /// A flag that Ctrl-C sets: the rest of the work is then skipped.
+    /// A flag that Ctrl-C sets, to skip the rest of the work.
     pub stop: Arc<AtomicBool>,
     /// The file that was written.
     file: Option<String>,
@@ -216,8 +216,8 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     request.note_starts(&setup, &search.vary);
     let found = optimize_and_write(args, &request, setup, swings, search)?;
     interrupt::disable();
-    // the search holds no stated parameter: by default it varies only the loft, and it is refused
-    // if the request states the loft
+    // `held` is empty: the default search varies only the loft, and is refused if the request
+    // states the loft
     let origin = request.origin_of_search(&found.optima.best.search.vary);
     let answer = Answer::of(
         request.is_json,
@@ -279,7 +279,7 @@ pub fn optimize_and_write(
     })
 }
 
-/// The search over swings. By default it maximizes `usual` and varies the ranges of `usual_vary`.
+/// The search over swings. By default it maximizes `usual`, over the ranges of `usual_vary`.
 pub fn search_over_swings(
     search: &SearchArgs,
     swings: &SwingsArgs,
@@ -304,8 +304,8 @@ pub fn search_over_swings(
     })
 }
 
-/// The constraints of a search for the objectives `of`: each on a goal, or on an expression of
-/// parameters.
+/// The constraints of a search for the objectives `of`. A constraint limits a goal or an expression
+/// of parameters.
 ///
 /// # Errors
 /// [`Error::Unreadable`] for a table of strokes that neither an objective nor a constraint uses.

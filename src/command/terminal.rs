@@ -26,7 +26,7 @@ const AT_ONCE: i32 = 130;
 #[derive(Clone, Default)]
 pub struct Terminal {
     now: Arc<Mutex<Now>>,
-    /// The last progress bar, which messages hide while they are printed.
+    /// The last progress bar. It is hidden while a message is printed.
     bar: Arc<Mutex<Option<ProgressBar>>>,
 }
 
@@ -190,7 +190,7 @@ impl Host for Terminal {
             let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
             ProgressBar::new(parts).with_style(style)
         };
-        // `ProgressBar` draws on standard error, if that is a terminal
+        // `ProgressBar` draws on standard error, and only on a terminal
         let bar = match work {
             Work::Parts(of) => bar(0, &format!("{{bar:40}} {{pos}}/{{len}} {of}, {{eta}} left")),
             Work::Searches => bar(0, "{bar:40} {pos}/{len} searches, {eta} left, best {msg}"),

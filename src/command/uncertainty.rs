@@ -86,7 +86,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(is_found))
 }
 
-/// The uncertain parameters that the options state, or the defaults.
+/// The uncertain parameters: those that the options state, or else the default uncertainties.
 fn inputs(
     request: &Request,
     setup: &Setup<f64>,

@@ -62,7 +62,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .collect();
     warn([setup.drive_warnings(&of), of_step].concat());
     note_missing_outcomes(&certificate);
-    // do not continue after an interruption
+    // after an interruption, skip the loops
     let loops = if certificate.stopped.is_none() {
         while_loop(&setup, &certificate.rows)
     } else {
