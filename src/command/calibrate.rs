@@ -74,8 +74,8 @@ pub struct Args {
     )]
     pub folds: u32,
 
-    /// Compare with another aerodynamic law, as published and fitted, by its cross-validation
-    /// error. Repeatable.
+    /// Show the cross-validation errors of another aerodynamic law too: with its published
+    /// coefficients, and with all its coefficients fitted. Repeatable.
     #[arg(long, value_name = "LAW")]
     pub compare: Vec<String>,
 

@@ -22,7 +22,8 @@ pub struct Args {
     #[command(flatten)]
     pub search: SearchArgs,
 
-    /// The parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
+    /// The parameter along which optima are computed, with its range, e.g.
+    /// swing.speed=80mph..130mph.
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub along: String,
 

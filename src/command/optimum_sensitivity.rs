@@ -32,8 +32,9 @@ pub struct Args {
     #[arg(long, value_name = "NAME=AMOUNT", allow_hyphen_values = true)]
     pub change: Vec<String>,
 
-    /// The loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for
-    /// a distance, or 1 % of the carry if that is below 10 yd; 1 % of the outcome otherwise].
+    /// The allowed loss of the outcome, for the range in which each varied parameter may move
+    /// [default: 1 yd for a distance, or 1 % of the carry if the carry is below 10 yd; 1 % of the
+    /// outcome otherwise].
     #[arg(long, value_name = "AMOUNT", allow_hyphen_values = true)]
     pub loss: Option<String>,
 }

@@ -43,8 +43,8 @@ pub struct GoalArgs {
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub vary: Vec<String>,
 
-    /// A constraint on a goal, e.g. "apex_height <= 35 yd", over many swings "mean(carry) >= 240
-    /// yd"; every limit with its unit. Repeatable.
+    /// A constraint on a goal, e.g. "apex_height <= 35 yd", or over many swings "mean(carry) >= 240
+    /// yd". Every limit needs its unit. Repeatable.
     #[arg(long, value_name = "CONSTRAINT", allow_hyphen_values = true)]
     pub subject_to: Vec<String>,
 

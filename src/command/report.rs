@@ -53,7 +53,7 @@ pub struct Args {
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 
-    /// The parameter to follow the optimum along, with its range [default:
+    /// The parameter along which optima are computed, with its range [default:
     /// swing.speed=80mph..130mph; with --launch, launch.ball_speed=120mph..190mph; around the
     /// drive's own speed if this is outside of the range].
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]

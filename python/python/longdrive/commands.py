@@ -175,8 +175,9 @@ def optimize(
         and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
-        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
-        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+        or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
+        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
+        club.weight_2.mass <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     starts : int
@@ -285,8 +286,9 @@ def optimum_sensitivity(
         and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
-        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
-        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+        or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
+        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
+        club.weight_2.mass <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     starts : int
@@ -305,8 +307,9 @@ def optimum_sensitivity(
         A change of a parameter, e.g. swing.speed=+5mph or air.density=-20% of its value: its effect
         on the optimum is predicted, and compared with a new search.
     loss : Amount
-        The loss of the outcome for which tolerances of the optimum are computed [default: 1 yd for
-        a distance, or 1 % of the carry if that is below 10 yd; 1 % of the outcome otherwise].
+        The allowed loss of the outcome, for the range in which each varied parameter may move
+        [default: 1 yd for a distance, or 1 % of the carry if the carry is below 10 yd; 1 % of the
+        outcome otherwise].
     angles : {"rad", "deg"}
         The unit of angles without a unit.
     progress : bool or callable
@@ -516,8 +519,8 @@ def calibrate(
         Cross-validate: fit K times, each time without a K-th of the rows, and show the prediction
         errors of the omitted rows [default: 0].
     compare : Names
-        Compare with another aerodynamic law, as published and fitted, by its cross-validation
-        error.
+        Show the cross-validation errors of another aerodynamic law too: with its published
+        coefficients, and with all its coefficients fitted.
     max_iterations : int
         The largest number of iterations of a search [default: 200].
     output : PathLike
@@ -705,12 +708,14 @@ def chart(
         and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
-        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
-        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+        or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
+        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
+        club.weight_2.mass <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     along : Given
-        The parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
+        The parameter along which optima are computed, with its range, e.g.
+        swing.speed=80mph..130mph.
     at : Names
         The values of the parameter of along at which the optimum is computed, one or several, e.g.
         90mph,100mph,110mph; along then needs only the name [default: as many values as the curve
@@ -797,8 +802,8 @@ def pareto(
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg;
         for one drive also attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
-        A constraint on a goal, e.g. "apex_height <= 35 yd", over many swings "mean(carry) >= 240
-        yd"; every limit with its unit.
+        A constraint on a goal, e.g. "apex_height <= 35 yd", or over many swings "mean(carry) >= 240
+        yd". Every limit needs its unit.
     points : int
         The number of points, spread evenly from the optimum of one goal to the optimum of the other
         [default: 15].
@@ -914,8 +919,9 @@ def robust(
         and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
-        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
-        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+        or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
+        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
+        club.weight_2.mass <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     swings : TableLike
@@ -1027,8 +1033,9 @@ def report(
         and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
-        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
-        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+        or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
+        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
+        club.weight_2.mass <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     output : PathLike
@@ -1041,7 +1048,7 @@ def report(
         The standard uncertainty of a parameter, e.g. swing.speed=1mph or air.density=0.5%.
         Repeatable; other parameters have the default uncertainties of "longdrive sensitivity".
     along : Given
-        The parameter to follow the optimum along, with its range [default:
+        The parameter along which optima are computed, with its range [default:
         swing.speed=80mph..130mph; with launch, launch.ball_speed=120mph..190mph; around the drive's
         own speed if this is outside of the range].
     angles : {"rad", "deg"}
@@ -1374,8 +1381,9 @@ def sensitivity(
         and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
-        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
-        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+        or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
+        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
+        club.weight_2.mass <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     angles : {"rad", "deg"}

@@ -148,8 +148,9 @@ def contour(
         and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
-        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
-        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+        or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
+        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
+        club.weight_2.mass <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     output : PathLike
@@ -239,8 +240,9 @@ def chart(
         and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
-        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
-        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+        or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
+        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
+        club.weight_2.mass <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     output : PathLike
@@ -254,7 +256,8 @@ def chart(
         The width of the picture in pixels; a PNG has twice the resolution. The size of the text
         does not change [default: 480].
     along : Given
-        The parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
+        The parameter along which optima are computed, with its range, e.g.
+        swing.speed=80mph..130mph.
     show : str
         The curve to draw: the outcome, or one of the parameters varied.
     angles : {"rad", "deg"}
@@ -340,8 +343,8 @@ def pareto(
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg;
         for one drive also attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
-        A constraint on a goal, e.g. "apex_height <= 35 yd", over many swings "mean(carry) >= 240
-        yd"; every limit with its unit.
+        A constraint on a goal, e.g. "apex_height <= 35 yd", or over many swings "mean(carry) >= 240
+        yd". Every limit needs its unit.
     points : int
         The number of points, spread evenly from the optimum of one goal to the optimum of the other
         [default: 15].
@@ -777,8 +780,9 @@ def fairway(
         and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
-        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
-        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+        or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
+        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
+        club.weight_2.mass <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     output : PathLike
@@ -944,8 +948,9 @@ def strike(
         and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
-        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
-        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+        or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
+        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
+        club.weight_2.mass <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     after : SetupLike
@@ -1037,8 +1042,9 @@ def launch(
         and attack angle -5 to 5 deg, except a parameter that the request states].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
-        or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
-        name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
+        or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
+        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
+        club.weight_2.mass <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     output : PathLike

@@ -21,9 +21,9 @@ pub struct SearchArgs {
     pub vary: Vec<String>,
 
     /// A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
-    /// or "lateral == 0 m"; every limit with its unit. Over many swings also a relation with a
-    /// name, linear in parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass <= 20 g".
-    /// Repeatable.
+    /// or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
+    /// linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
+    /// club.weight_2.mass <= 20 g". Repeatable.
     #[arg(long, value_name = "CONSTRAINT", allow_hyphen_values = true)]
     pub subject_to: Vec<String>,
 

@@ -168,7 +168,8 @@ pub struct PlotChart {
     #[command(flatten)]
     pub drawing: PictureArgs,
 
-    /// The parameter to follow the optimum along, with its range, e.g. swing.speed=80mph..130mph.
+    /// The parameter along which optima are computed, with its range, e.g.
+    /// swing.speed=80mph..130mph.
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub along: String,
 

@@ -40,9 +40,9 @@ pub struct Args {
     )]
     pub seed: u32,
 
-    /// Take the points from a table (.csv, .parquet, or Arrow IPC: .arrow, .arrows, .feather): a
-    /// column for each parameter, in CSV with its unit in the head, as in "club.loft [deg]", in
-    /// other formats in SI.
+    /// Take the points from a table (.csv, .parquet, or Arrow IPC: .arrow, .arrows, .feather) with
+    /// a column for each parameter. In CSV the head of a column names its unit, as in "club.loft
+    /// [deg]"; other formats are in SI.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["over", "sample", "seed"])]
     pub points: Option<PathBuf>,
 
