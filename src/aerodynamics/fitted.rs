@@ -85,8 +85,8 @@ pub struct Fitted {
     #[serde(serialize_with = "range")]
     #[cfg_attr(test, schemars(with = "Option<JsonRange>"))]
     pub speed: Option<[f64; 2]>,
-    /// For each of [`ranges`](Self::ranges), true for the ends (below, above) at which the law
-    /// clamps the variable. Beyond an end with false, the law is extrapolated.
+    /// For each end (below, above) of each range in [`ranges`](Self::ranges): true if the variable
+    /// is clamped beyond this end, false if the law is extrapolated.
     #[serde(skip)]
     pub held: [[bool; 2]; 4],
 }

@@ -17,7 +17,8 @@ use std::sync::atomic::AtomicBool;
 const MOST_IN_LANES: usize = 4 * MOST_PER_LANE;
 
 impl Batch {
-    /// Computes the drives of `points`: the values of the swept parameters, SI, row by row.
+    /// Computes the drives of a block. `points` has the values of the swept parameters, SI, row by
+    /// row.
     ///
     /// # Panics
     /// If the last point is incomplete.

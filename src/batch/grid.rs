@@ -61,7 +61,7 @@ impl GridAxis {
     }
 }
 
-/// Cartesian grid of several axes; the first axis varies slowest, the last fastest.
+/// Cartesian grid of several axes. The first axis varies slowest, the last axis varies fastest.
 #[derive(Clone, Debug)]
 pub struct Grid {
     axes: Vec<GridAxis>,

@@ -6,11 +6,11 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::mpsc;
 
-/// Maximum number of chunks per thread that are begun but not yet passed to `sink`: enough that
-/// threads need not wait for `sink`.
+/// Maximum number of chunks per thread that are begun but not yet passed to `sink`. With this
+/// number, threads need not wait for `sink`.
 const CHUNKS_PER_THREAD: u64 = 4;
 
-/// Maximum number of threads. More threads need longer to start than they save.
+/// Maximum number of threads. To start more threads takes longer than they save.
 const MOST_THREADS: usize = 256;
 
 /// WebAssembly has threads only if compiled with atomics.

@@ -109,7 +109,8 @@ impl OverNumbers for LaneBatch<'_> {
     }
 }
 
-/// Partitions the rows in range by their launches, before any flight is computed.
+/// Partitions the rows by the launch of the ball, before any flight is computed. Rows with a value
+/// out of range are omitted.
 pub(super) struct LaunchPartition<'a> {
     pub batch: &'a Batch,
     pub block: &'a mut Block,

@@ -1,5 +1,5 @@
-//! Requests of programs that embed the library: a command with its arguments by name, as typed
-//! values. This module writes a request as the words of a command line, which clap reads.
+//! Requests of programs that embed the library. A request is a command with named arguments, whose
+//! values are typed. This module writes a request as the words of a command line, which clap reads.
 
 use super::program;
 use crate::parameters::{Law, Parameter};

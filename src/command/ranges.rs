@@ -38,9 +38,10 @@ pub fn kept(
 }
 
 impl Request {
-    /// The setup, for the first lines of a search's answer. The search does not vary those
-    /// parameters of the default ranges that the request states; they are in `held`. `vary` are the
-    /// ranges of the search, `given` the texts of `--vary`; `usual` gives the default ranges.
+    /// The description of the setup for the first lines of a search's answer. Its field `held` has
+    /// the parameters of the default ranges that the search does not vary, because the request
+    /// states them. `vary` are the ranges of the search, `given` the texts of `--vary`; `usual`
+    /// gives the default ranges.
     ///
     /// # Errors
     /// The errors of `usual`.

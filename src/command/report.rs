@@ -386,8 +386,8 @@ impl Args {
     }
 }
 
-/// The default speed range of the chart. If the drive's speed is outside of this range: a range of
-/// the same width around the drive's speed, but not below half of the drive's speed.
+/// The default speed range of the chart. If the drive's speed is outside of this range, a range of
+/// equal width around the drive's speed is used, but not below half of the drive's speed.
 fn usual_speeds(setup: &Setup<f64>) -> Result<Vary> {
     let usual = if setup.launch.is_given() {
         "launch.ball_speed=120mph..190mph"

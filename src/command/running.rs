@@ -29,8 +29,8 @@ pub struct Running {
 }
 
 thread_local! {
-    /// The commands on this thread, the innermost last: while a command waits for other threads,
-    /// this thread may run another command.
+    /// The commands on this thread; the innermost command is the last. While a command waits for
+    /// other threads, this thread may run another command.
     static RUNNING: RefCell<Vec<Arc<Running>>> = const { RefCell::new(vec![]) };
 }
 
@@ -111,7 +111,8 @@ impl Running {
         self.warnings.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The parameters that the answer leaves out, with the reasons, for its key `left_out`.
+    /// The parameters that the answer leaves out, with the reasons. They become the key `left_out`
+    /// of the answer.
     pub fn left_out(&self) -> MutexGuard<'_, Vec<String>> {
         self.left_out.lock().unwrap_or_else(PoisonError::into_inner)
     }

@@ -250,7 +250,7 @@ pub fn of_a_drive(option: &str, text: &str) -> Result<Outcome> {
 }
 
 /// The identity of a search for its checkpoint: setup, search and number of starts in debug form,
-/// with all digits, but without the iteration limit.
+/// which has all digits. The iteration limit is excluded.
 fn checkpoint_identity(setup: &Setup<f64>, search: &Search, starts: u32) -> String {
     let options = Options {
         max_iterations: 0,

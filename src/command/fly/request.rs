@@ -27,8 +27,8 @@ pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
     Ok(setup)
 }
 
-/// The flights of the shots, with the integration method and step that [`Request::integration`]
-/// chooses. `new` makes them for a setup.
+/// The [`Flying`] that `new` makes for the setup with the integration method and step of
+/// [`Request::integration`].
 pub fn flying_within_tolerance(
     request: &Request,
     setup: &Setup<f64>,

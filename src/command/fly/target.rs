@@ -10,8 +10,8 @@ use crate::command::running::running;
 use crate::{Error, Result};
 use std::path::Path;
 
-/// The format of `--format`, or else of the file name extension. Standard output without `--format`
-/// is a table for a screen, or else CSV.
+/// The format of `--format`, or else of the file name extension. Without `--format`, a screen gets
+/// a table of fixed width, and any other standard output gets CSV.
 ///
 /// # Errors
 /// [`Error::Together`] for `--format` with an answer in JSON and no file, because then no rows are

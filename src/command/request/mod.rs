@@ -201,8 +201,8 @@ impl Request {
         Ok(starts)
     }
 
-    /// Gives the parameters that have no value in a setup these values. A note reports each added
-    /// value; `how` is the verb of the note, such as "begins at".
+    /// Adds these values to a setup. A parameter that already has a value keeps it. A note reports
+    /// each added value; `how` is the verb of the note, such as "begins at".
     ///
     /// # Errors
     /// The errors of [`setup`](Self::setup).
@@ -242,8 +242,8 @@ impl Request {
             .map(|setting| setting.parameter.as_str())
     }
 
-    /// True if the command line or the host states the parameter. A search by default ranges then
-    /// does not vary it.
+    /// True if the command line or the host states the parameter. A search over the default ranges
+    /// does not vary stated parameters.
     pub fn states(&self, parameter: &Parameter) -> bool {
         let is = |name: &str| name == parameter.name;
         self.stated().any(is) || self.stated_by_host().iter().any(|name| is(name))
@@ -265,7 +265,8 @@ impl Request {
         self.source.title() + &settings.collect::<String>()
     }
 
-    /// The setup, for the first lines of the answer, with the advice of [`Self::loft_advice`].
+    /// The description of the setup for the first lines of an answer, with the advice of
+    /// [`Self::loft_advice`].
     pub fn origin(&self) -> SetupOrigin {
         SetupOrigin {
             title: self.title(),
@@ -299,9 +300,9 @@ impl Request {
         ))
     }
 
-    /// The setup, for the first lines of a search's answer. It has advice if the search varies the
-    /// loft, and shaft and strike are averages of many golfers: the best loft of a single golfer
-    /// differs by some degrees.
+    /// The description of the setup for the first lines of a search's answer. It has advice if the
+    /// search varies the loft, and shaft and strike are averages of many golfers: the best loft of
+    /// a single golfer differs by some degrees.
     pub fn origin_of_search(&self, vary: &[Vary]) -> SetupOrigin {
         let varies_loft = vary.iter().any(|vary| vary.parameter.name == "club.loft");
         if !varies_loft {
@@ -389,7 +390,7 @@ impl Request {
 
 /// Refusal of settings and files that contradict the command.
 impl Request {
-    /// Refuses club settings of a command that uses no club, because they would have no effect.
+    /// Refuses settings of club parameters, because the command uses no club.
     /// A value that the host states counts as a setting.
     ///
     /// # Errors

@@ -63,7 +63,7 @@ impl Request {
     }
 
     /// The setup with method and step for many drives whose parameters are in these ranges. Warns
-    /// of a wind profile without effect.
+    /// of a wind profile that has no effect.
     ///
     /// # Errors
     /// The errors of [`integration`](Self::integration).

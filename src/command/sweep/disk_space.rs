@@ -14,7 +14,8 @@ use std::time::{Duration, Instant};
 /// Number of drives in the trial that measures the size and time of a row.
 const TRIED: usize = 64;
 
-/// Refuses a sweep larger than `--max-size` or the free disk space, before any other work.
+/// Refuses a sweep whose file would be larger than `--max-size` or the free disk space. Call this
+/// before any other work.
 pub fn check(
     args: &Args,
     batch: &Batch,

@@ -60,7 +60,8 @@ pub fn part_of(path: &Path) -> PathBuf {
     with_suffix(path, ".part")
 }
 
-/// Refuses to lose the rows of an earlier sweep, or to replace a file that no sweep wrote.
+/// Refuses a sweep that would delete the rows of an earlier sweep, or replace a file that no sweep
+/// wrote.
 pub fn refuse_unfinished_sweep(path: &Path, resume: bool, overwrite: bool) -> Result<()> {
     let journal = Journal::path(path);
     if !journal.exists() {
