@@ -53,8 +53,7 @@ pub fn with_argument(error: Error) -> Error {
     }
 }
 
-/// The argument that a command lacks, with an example; `doing` is the operation that
-/// [`Error::Nothing`] names.
+/// The argument that a command lacks, with an example. `doing` is the field of [`Error::Nothing`].
 fn missing_argument(doing: &str) -> Option<&'static str> {
     match doing {
         "vary" => Some(
@@ -102,7 +101,7 @@ fn quotes_advice() -> String {
     )
 }
 
-/// Advice on a length after `--tolerance` and a space: the option needs '=' before its value.
+/// Advice on a length that follows the word `--tolerance`: this option needs '=' before its value.
 fn joined(left_over: &str) -> Option<String> {
     let running = running();
     let is_behind = running
@@ -182,7 +181,7 @@ fn in_quotes(left_over: &str) -> Option<String> {
         .split(['.', ',', ':'])
         .next()
         .filter(|unit| !unit.is_empty())?;
-    // NAME=VALUE, or the value of an option such as --speed
+    // the number follows `NAME=`, or stands alone after an option such as --speed
     let is_number = (number.contains('=') || number.parse::<f64>().is_ok())
         && number.ends_with(|c: char| c.is_ascii_digit());
     let is_parted = is_number

@@ -1,7 +1,7 @@
 //! Chain rule between impact and flight. Club and strike affect a flight only through the launch.
 //! The launch has six components: three of velocity, three of spin. If there are many parameters of
-//! club and strike, the flight is differentiated by these components and by its own parameters, and
-//! the chain rule combines the derivatives of impact and flight.
+//! club and strike, the flight is differentiated by these six components instead. The chain rule
+//! combines the derivatives of impact and flight.
 
 use super::Taylor;
 use super::pass::{COMPONENTS, EvaluationPoint, Stage};
@@ -10,19 +10,19 @@ use crate::error::Result;
 use crate::number::{Level, MOST_PER_LANE};
 use crate::parameters::Parameter;
 
-/// Parameters that affect the launch, and parameters that affect the flight at fixed launch; the
-/// ball's parameters are in both lists.
+/// Parameters that affect the launch, and parameters that affect the flight after a given launch.
+/// The parameters of the ball are in both lists.
 #[derive(Clone, Debug)]
 pub(super) struct ParameterSplit {
     /// Indices of the parameters of the launch: club, strike and ball, or a given launch.
     pub of_launch: Vec<usize>,
-    /// Indices of the parameters of the flight at fixed launch: ball, air, wind, law and ground.
+    /// Indices of the other inputs of the flight: ball, air, wind, law and ground.
     pub of_flight: Vec<usize>,
 }
 
 impl ParameterSplit {
-    /// Divides the parameters `wrt`. Parameters that affect only the run are omitted unless `runs`
-    /// is true: an outcome depends on the run.
+    /// Divides the parameters `wrt`. `runs` is true if an outcome depends on the run; otherwise the
+    /// parameters that affect only the run are omitted.
     pub fn of(wrt: &[&'static Parameter], runs: bool) -> Self {
         let indices = |holds: &dyn Fn(&Parameter) -> bool| {
             (0..wrt.len()).filter(|&index| holds(wrt[index])).collect()
@@ -39,16 +39,16 @@ impl ParameterSplit {
         }
     }
 
-    /// True if the chain rule is cheaper than direct differentiation. For Hessians: if the flight
-    /// has fewer variables than there are parameters. For gradients: if the parameters need more
-    /// than one pass, or if the variables of the flight need a pass with fewer directions per lane.
+    /// True if the chain rule is cheaper than direct differentiation. The cost of a Hessian grows
+    /// with the number of variables. The cost of a gradient grows with the number of passes and
+    /// with the number of directions in a lane.
     pub fn is_cheaper(&self, parameters: usize, to_second: bool, level: Level) -> bool {
         let most_variables = COMPONENTS + self.of_flight.len();
         if to_second {
             return most_variables < parameters;
         }
         let most = MOST_PER_LANE * level.width();
-        // cost: number of passes times directions per lane
+        // cost of a gradient: number of passes times number of directions in a lane
         let size = |count: usize| {
             if count <= level.width() {
                 1
@@ -60,9 +60,9 @@ impl ParameterSplit {
     }
 }
 
-/// Outcomes and derivatives at a point, by the chain rule if `split` is given. `progress` receives
-/// the number of completed passes (evaluations of a drive in all lanes) and the number of all
-/// passes; with the chain rule, passes of the impact are not counted.
+/// Outcomes and derivatives at a point. If `split` is given, they are computed by the chain rule.
+/// `progress` receives the number of completed passes (evaluations of a drive in all lanes) and the
+/// number of all passes. Passes of the impact alone are not counted.
 pub(super) fn derivatives(
     point: &EvaluationPoint<'_>,
     split: Option<&ParameterSplit>,
@@ -115,7 +115,7 @@ pub(super) fn derivatives(
     Ok(taylors)
 }
 
-/// Zero polynomial in `columns` variables, up to the order of `point`.
+/// Zero value and derivatives by `columns` variables; with a Hessian if `point` requests Hessians.
 fn zero(point: &EvaluationPoint<'_>, columns: usize) -> Taylor {
     Taylor::zero(columns, point.entries.map_or(0, |_| columns))
 }
@@ -145,8 +145,9 @@ fn flight_variables(
         .collect()
 }
 
-/// Chain rule: adds to `taylor` the derivatives by the parameters, computed from the derivatives by
-/// the variables of the flight (`by_variables`) and the derivatives of the `launch`.
+/// Chain rule: adds the derivatives by the parameters to `taylor`. `by_variables` has the
+/// derivatives by the variables of the flight. `launch` has the derivatives of the launch by the
+/// parameters.
 fn chain(taylor: &mut Taylor, by_variables: &Taylor, variables: &[usize], launch: &[Taylor]) {
     let parameters = taylor.gradient.len();
     let component = |variable: usize| {

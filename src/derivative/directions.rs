@@ -1,13 +1,12 @@
 use crate::number::{Lanes, Level, MOST_PER_LANE, Mask, inlined};
 
-/// Variables of differentiation, by index. All lanes compute the same drive, each with its own
-/// directions.
+/// The variables of a differentiation, divided among the lanes. Every lane computes the same drive,
+/// with derivatives by other variables.
 #[derive(Clone, Copy)]
 pub(super) struct Directions<'a> {
-    /// Indices of the variables. Each lane takes the next of them, as many as its number type has
-    /// directions.
+    /// Indices of the variables: first those of lane 0, then those of lane 1, and so on.
     pub variables: &'a [usize],
-    /// True if the directions are pairs, one pair per lane, for a mixed second derivative.
+    /// True if each lane has a pair of variables, for their mixed second derivative.
     pub are_pairs: bool,
 }
 
@@ -17,12 +16,12 @@ pub(super) enum Entries {
     All,
     /// Second derivatives ∂²/∂x² by each variable x.
     Diagonal,
-    /// Second derivatives that involve the last variable.
+    /// Last row: second derivatives ∂²/∂x∂y by each variable x and the last variable y.
     Last,
 }
 
-/// Pairs of variables of the requested entries in the lower triangle of a Hessian: two elements of
-/// the result for each entry.
+/// List of the two variables of each requested entry of a Hessian, one pair after the other. Only
+/// entries of the lower triangle are listed.
 pub(super) fn pairs(variables: &[usize], entries: Entries) -> Vec<usize> {
     let row = |i: usize| {
         variables[..=i]
@@ -38,8 +37,8 @@ pub(super) fn pairs(variables: &[usize], entries: Entries) -> Vec<usize> {
 }
 
 impl Directions<'_> {
-    /// Splits the directions into passes: evaluations with one set of directions per lane. Without
-    /// variables there is one pass, which computes the values.
+    /// Splits the variables into passes: evaluations of the drive in all lanes. Without variables
+    /// there is one pass, which computes the values.
     pub fn passes(self, level: Level) -> impl ExactSizeIterator<Item = Self> {
         let per_lane = if self.are_pairs { 2 } else { MOST_PER_LANE };
         let most = per_lane * level.width();
@@ -64,9 +63,9 @@ impl Directions<'_> {
         self.variables.len().div_ceil(per_lane).max(1)
     }
 
-    /// Calls `put` with each variable and its seeded number: the variable's value, with the
-    /// derivative 1 in the variable's lanes and directions. A variable of several pairs is passed
-    /// several times.
+    /// Calls `put` with each variable and a number. The number has the value of the variable, and
+    /// the derivative 1 in each lane and direction of this variable. If several pairs contain a
+    /// variable, `put` is called several times with it.
     #[inline(always)]
     pub fn seeded<J: Lanes>(
         &self,

@@ -41,7 +41,7 @@ pub struct Evaluator {
     /// Entries of the Hessians to compute.
     entries: Entries,
     split: ParameterSplit,
-    /// Largest accepted defect of the integration, m; infinity keeps the setup's step.
+    /// Largest accepted defect of the integration, m. If it is infinite, the setup's step is kept.
     largest_defect: f64,
     level: Level,
 }
@@ -50,9 +50,10 @@ impl Evaluator {
     /// Evaluator of the outcomes `of`, with derivatives by `wrt` up to `order`.
     ///
     /// # Errors
-    /// Errors of [`Setup::validate`] and [`Setup::variable`] (for values only: [`Setup::column`]);
-    /// [`Error::OtherLaw`] for a coefficient of another law; [`Error::Together`] for a repeated
-    /// parameter; [`Error::Nothing`] without outcomes or, above order `Value`, without parameters.
+    /// Errors of [`Setup::validate`] and [`Setup::variable`] (of [`Setup::column`] for order
+    /// `Value`); [`Error::OtherLaw`] for a coefficient of another law; [`Error::Together`] for a
+    /// repeated parameter; [`Error::Nothing`] without outcomes. A higher order than `Value` needs
+    /// parameters: otherwise [`Error::Nothing`].
     pub fn new(
         setup: &Setup<f64>,
         of: &[Outcome],
@@ -166,8 +167,9 @@ impl Evaluator {
         self.unchecked(setup, values, order.min(self.order), stop, &mut |_, _| ())
     }
 
-    /// Outcomes of the setup itself. `progress` receives the number of completed evaluations of the
-    /// drive and the number of all evaluations. Interrupted once `stop` is true.
+    /// Outcomes at the setup's own values of the parameters. `progress` receives the number of
+    /// completed evaluations of the drive and the number of all evaluations. Interrupted once
+    /// `stop` is true.
     ///
     /// # Errors
     /// The errors of [`at_until`](Self::at_until).

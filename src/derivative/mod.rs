@@ -77,9 +77,9 @@ pub fn evaluate(
     Evaluator::new(setup, of, wrt, order)?.at_setup(None, &mut |_, _| ())
 }
 
-/// Like [`evaluate`] to second order, but computes only the second derivatives that involve the
-/// last parameter. The other entries of the Hessians are 0; the sensitivity of an optimum does not
-/// need them.
+/// Like [`evaluate`] to second order, but computes only the last row and column of each Hessian:
+/// the second derivatives that involve the last parameter. The other entries are 0. The sensitivity
+/// of an optimum needs only these second derivatives.
 ///
 /// # Errors
 /// The errors of [`evaluate`].

@@ -24,11 +24,12 @@ pub(super) struct EvaluationPoint<'a> {
     pub wrt: &'a [&'static Parameter],
     /// Values of the parameters.
     pub x: &'a [f64],
-    /// Number of parameters of differentiation: all of `wrt`, or 0 if only values are computed.
+    /// Number of first derivatives by parameters: one for each of `wrt`, or 0 if only values are
+    /// computed.
     pub columns: usize,
     /// Entries of the Hessians to compute; `None` without second derivatives.
     pub entries: Option<Entries>,
-    /// True if an outcome belongs to the flight.
+    /// True if an outcome of the flight is requested.
     pub flies: bool,
     /// True if an outcome depends on the apex.
     pub has_apex: bool,
@@ -92,8 +93,8 @@ impl EvaluationPoint<'_> {
         Ok(())
     }
 
-    /// The error of [`strike`] for an impact that is not valid in the lanes. If `strike` finds the
-    /// impact valid, rounding decided: the strike is on the limit.
+    /// The error for an impact that the lanes refuse: the error of [`strike`]. If `strike` accepts
+    /// the impact, the strike is exactly on the limit, where rounding decides.
     fn impact_error(&self) -> Error {
         strike(self.setup)
             .err()
@@ -190,7 +191,7 @@ impl Pass<'_> {
         }
     }
 
-    /// Components of the given launch, as constants; zeros without a given launch.
+    /// Components of the given launch, without derivatives; zeros if no launch is given.
     #[inline(always)]
     fn launch_constants<J: Lanes>(&self) -> [J; COMPONENTS] {
         let given = self.given_launch();

@@ -1,12 +1,11 @@
-//! The parameters to differentiate by, if the request does not name them.
+//! The parameters by which outcomes are differentiated if the user names none.
 
 use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 
-/// The parameters of all derivatives of these outcomes: every parameter with a number in this
-/// setup. Without an outcome of the roll-out, the parameters that affect only the roll-out are
-/// omitted.
+/// All parameters by which these outcomes can be differentiated in this setup. If no outcome
+/// depends on the run, the parameters that affect only the run are omitted.
 pub fn all_variables(setup: &Setup<f64>, of: &[Outcome]) -> Vec<&'static Parameter> {
     let needs_run = of.iter().any(|of| of.needs_run());
     let mut parameters = setup.variables();

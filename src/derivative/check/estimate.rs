@@ -30,8 +30,8 @@ pub(super) struct DifferenceQuotient {
     pub rounding: f64,
 }
 
-/// An extrapolation combines at most as many differences as reduce its error to O(h⁸): four central
-/// or eight one-sided differences.
+/// Largest order of an extrapolation: its error is O(h⁸) with four central or eight one-sided
+/// differences.
 const LARGEST_ORDER: u8 = 8;
 
 /// Derivative from differences.
@@ -78,8 +78,8 @@ pub(super) fn estimate(
     best
 }
 
-/// Extrapolates `differences` to step 0. The truncation error is estimated by the larger change of
-/// the result if the first or the last difference is omitted.
+/// Extrapolates `differences` to step 0. Two further extrapolations omit the first or the last
+/// difference; the larger change of the result estimates the truncation error.
 fn extrapolated(differences: &[DifferenceQuotient], side: Side) -> DerivativeEstimate {
     let all = at_zero(differences, side);
     let but_one = [&differences[1..], &differences[..differences.len() - 1]];

@@ -1,23 +1,24 @@
 use super::estimate::{DerivativeEstimate, DifferenceQuotient, Side, estimate};
 
-/// Values of k for the steps 10^(-k/2) of a ladder: from 1e-1 down to 1e-13 of the scale, two steps
-/// per decade.
+/// Values of k for the steps of a ladder. A step is 10^(-k/2) times the scale: from 1e-1 down to
+/// 1e-13, two steps per decade.
 pub const STEPS: std::ops::RangeInclusive<i32> = 2..=26;
 
-/// Values of k for expensive functions: steps from 1e-1 to 1e-5, and three steps that show the
-/// rounding.
+/// Values of k for expensive functions: steps from 1e-1 to 1e-5, and three small steps that measure
+/// the rounding error.
 pub const FEW_STEPS: [i32; 12] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 19, 20, 21];
 
 /// Smallest step used in an extrapolation, relative to the scale. Features of a function within a
 /// smaller interval, such as a rounded kink, are not resolved.
 pub(super) const LEAST_STEP: f64 = 1e-6;
 
-/// Smallest assumed size of a function, relative to the terms from which the function is computed.
-/// With a smaller size, the largest tolerance of [`Demand::FIRST`](super::Demand::FIRST) would be
-/// below the rounding error.
+/// Smallest assumed size of a function, as a fraction of [`Ladder::rounding_size`]. If it were
+/// smaller, the rounding error could exceed the largest tolerance of
+/// [`Demand::FIRST`](super::Demand::FIRST).
 const LEAST_RELATIVE_SIZE: f64 = 1e-5;
 
-/// Range of steps, relative to the scale, at which second differences are pure rounding.
+/// Range of steps, relative to the scale. These steps are so small that second differences consist
+/// of rounding errors only.
 const ROUNDING_ONLY: std::ops::Range<f64> = 1e-12..2e-9;
 
 /// One step of a ladder with the function values on both sides. A value is `None` where the
@@ -39,7 +40,7 @@ pub struct Ladder {
     pub scale: f64,
     /// f(x).
     pub centre: f64,
-    /// Assumed size of f: |f(x)| or more.
+    /// Assumed size of f, at least |f(x)|.
     pub size: f64,
     /// Size of the terms from which f is computed, at least [`size`](Self::size). It determines the
     /// rounding error of f.
@@ -67,7 +68,7 @@ impl Ladder {
         };
         let mut ladders: Vec<Self> = f(at).into_iter().map(blank).collect();
         for k in steps {
-            // the exact difference of the two rounded points
+            // the distance between the rounded points `at` and `at + h`, which may differ from h
             let step = (at + scale * 10.0_f64.powf(-0.5 * f64::from(k))) - at;
             if step <= 0.0 {
                 break;
@@ -98,8 +99,8 @@ impl Ladder {
     }
 
     /// For a function that is a small difference of large numbers, such as spins that cancel:
-    /// `size` is the magnitude of these numbers, to which the rounding error is relative. The
-    /// magnitude of the function then counts as at least 1e-5 `size`.
+    /// `size` is the size of these numbers, which determines the rounding error. The assumed size
+    /// of the function becomes at least 1e-5 times `size`.
     #[must_use]
     pub fn with_rounding_size(self, size: f64) -> Self {
         Self {
@@ -157,8 +158,8 @@ impl Ladder {
                 .into_iter()
                 .flatten()
                 .fold(0.0_f64, |most, value| most.max(value.abs()));
-            // the rounding error of two values, divided by 2h in a central difference, by h in a
-            // one-sided difference
+            // a difference has the rounding errors of two values; a central difference divides them
+            // by 2h, a one-sided difference by h
             let share = if side == Side::Both { 1.0 } else { 2.0 };
             Some(DifferenceQuotient {
                 step: rung.step,

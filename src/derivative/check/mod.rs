@@ -44,8 +44,8 @@ pub struct CheckedDerivatives {
     pub gradient: Vec<Check>,
     /// Each ∂²f/∂xᵢ∂xⱼ, compared with differences of ∂f/∂xⱼ along xᵢ; empty without a Hessian.
     pub hessian: Vec<Vec<Check>>,
-    /// Orders of the Taylor remainders along each xᵢ: with exact derivatives 1, 2 and 3, without a
-    /// Hessian 1, 2 and 2. `None` if too few remainders exceed rounding.
+    /// Orders of the Taylor remainders along each xᵢ. Exact derivatives give 1, 2 and 3; without a
+    /// Hessian they give 1, 2 and 2. `None` if too few remainders exceed the rounding error.
     pub slopes: Vec<[Option<f64>; 3]>,
 }
 

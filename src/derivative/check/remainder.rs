@@ -4,7 +4,7 @@ use super::{Ladder, Rung};
 /// Smallest ratio of a usable remainder to the rounding of the function.
 const ABOVE_ROUNDING: f64 = 100.0;
 
-/// Number of steps in a fit: the smallest usable steps, over two decades.
+/// Number of steps in a fit. The smallest usable steps are fitted; five steps span two decades.
 const FITTED: usize = 5;
 
 /// Orders of the Taylor remainders |f(x+h) − f|, |f(x+h) − f − h f′| and |f(x+h) − f − h f′ − ½ h²
@@ -19,15 +19,15 @@ pub fn taylor_slopes(ladder: &Ladder, first: f64, second: f64) -> [Option<f64>; 
 }
 
 /// Order of the remainder f(x + h) − f(x) − `polynomial`(h), fitted over the smallest steps at
-/// which the remainder exceeds rounding; the higher order of the two sides.
+/// which the remainder exceeds rounding. Returns the higher of the orders for h > 0 and for h < 0.
 fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
     let (size, rounding) = (ladder.scale, ladder.rounding());
     let to_a_side = |sign: f64| {
         let above_rounding = |rung: &Rung| {
             let value = if sign > 0.0 { rung.above? } else { rung.below? };
             let remainder = (value - ladder.centre - polynomial(sign * rung.step)).abs();
-            // if large terms of the function cancel, their rounding also affects the change of the
-            // function over a step
+            // rounding error of the change f(x + h) − f(x): it is relative to the terms of f, which
+            // are larger than f if they cancel
             let of_the_change = rounding_of(ladder.rounding_size * rung.step / size);
             (remainder > ABOVE_ROUNDING * rounding.max(rounding_of(value)).max(of_the_change))
                 .then(|| ((rung.step / size).log10(), remainder.log10()))

@@ -6,7 +6,7 @@ use serde::Serialize;
 /// Result of comparing an exact derivative with differences.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
-    /// Differences contradict the derivative, or cannot decide.
+    /// Differences contradict the derivative, or are too inaccurate to confirm it.
     Fail,
     /// The function has a kink here, and no unique derivative.
     Corner,
@@ -65,8 +65,8 @@ impl Demand {
     };
 }
 
-/// Rounding error of the exact derivative, in units of s/scale, with s the size of the terms from
-/// which the function is computed.
+/// Rounding error of the exact derivative, as a multiple of [`Ladder::rounding_size`] divided by
+/// the scale of the variable.
 const OWN_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// One step of a V-curve: error of the central difference.
@@ -206,8 +206,8 @@ impl Ladder {
     }
 
     /// Like [`judge`](Self::judge), for a function with a known kink at this point. At the end of
-    /// the variable's range, only one of the two one-sided derivatives can be computed, and the
-    /// exact derivative need not equal it. The verdict is then `Corner` instead of `Fail`.
+    /// the variable's range, differences exist on one side only, and the exact derivative may be
+    /// that of the other side. The verdict is then `Corner` instead of `Fail`.
     pub fn judge_on_a_corner(&self, exact: f64, demand: Demand) -> Check {
         let check = self.judge(exact, demand);
         let sides =
@@ -228,10 +228,9 @@ impl Ladder {
         NEGLIGIBLE * self.size / self.scale
     }
 
-    /// One-sided derivatives (below, above) at a corner; `None` without a corner. At a corner their
-    /// difference exceeds each of three limits: ten times the sum of their error estimates, 1e-4
-    /// times the larger derivative, and the rounding of the function's terms divided by the
-    /// smallest step.
+    /// One-sided derivatives (below, above) at a corner; `None` without a corner. At a corner, the
+    /// difference of the two derivatives exceeds three limits: ten times the sum of their error
+    /// estimates, 1e-4 times the larger derivative, and the rounding error over the smallest step.
     fn corner(&self) -> Option<[Option<f64>; 2]> {
         let (below, above) = (self.slope(Side::Below, 0.0)?, self.slope(Side::Above, 0.0)?);
         let distance = (above.value - below.value).abs();
