@@ -106,7 +106,7 @@ pub enum Error {
         /// The reason, and advice.
         reason: String,
     },
-    /// A derivative or a search by a parameter that cannot be varied.
+    /// A parameter that a search cannot vary, and that has no derivatives.
     #[error("{name} cannot be varied, and has no derivatives: {reason}")]
     NotVariable {
         /// The parameter.
@@ -193,13 +193,13 @@ pub enum Error {
         high_mm: f64,
         /// `strike.toe`, mm.
         toe_mm: f64,
-        /// The ellipsoid's q.
+        /// q of the message: below 1 on the face.
         q: f64,
     },
     /// A face that does not move towards the ball.
     #[error("{}", no_strike(*approach))]
     NoStrike {
-        /// n·u⁻, m/s.
+        /// Speed of the face towards the ball along the face normal, m/s: not above 0.
         approach: f64,
     },
     /// An impact without a solution of the rigid-body equations.
@@ -223,7 +223,8 @@ pub enum Error {
         /// Unusual conditions, and advice.
         advice: String,
     },
-    /// A flight whose defect (docs/model.md, eq. 16a) exceeds its limit with the shortest step.
+    /// A flight whose defect (docs/model.md, eq. 16a) exceeds its limit even with the shortest
+    /// step.
     #[error(
         "the integration error of the flight is estimated as {} m, more than {} m, also with \
          flight.step = {} s; give a larger tolerance, or set flight.method and flight.step",
@@ -499,9 +500,9 @@ pub(crate) fn nearest<'a>(
 }
 
 /// Jaro–Winkler similarity of two names, 0 to 1; it is 1 for names that differ only in case. The
-/// last point of a name separates its group from its last part: "club.weight_1" and "toe". For
-/// names with equally many points, the similarity of the groups is multiplied by the similarity of
-/// the last parts, so that a long group does not outweigh the last part. A name without a group
+/// last dot of a name separates its group from its last part: "club.weight_1" and "toe". If both
+/// names have the same number of dots, the similarity of the groups is multiplied by the similarity
+/// of the last parts, so that a long group does not outweigh the last part. A name without a group
 /// ("loft") is also compared with the last part of `known`.
 fn similarity(given: &str, known: &str) -> f64 {
     if given.eq_ignore_ascii_case(known) {

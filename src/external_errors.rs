@@ -16,7 +16,7 @@ pub(crate) fn parquet_error_text(error: &parquet::errors::ParquetError) -> Strin
         }
         ParquetError::External(error) => match error.downcast_ref::<std::io::Error>() {
             Some(error) if error.raw_os_error().is_some() => read_error_text(error),
-            // any other error comes from a decoder
+            // without a code of the operating system, the error comes from a decoder
             _ => format!("it is damaged; {DAMAGED}"),
         },
         _ => format!("it is damaged or was cut short; {DAMAGED}"),
@@ -32,7 +32,7 @@ pub(crate) fn arrow_error_text(error: &arrow_schema::ArrowError) -> String {
             "it uses a feature of Arrow that is not supported; write plain columns of numbers"
                 .into()
         }
-        // an I/O error without a code comes from a decoder
+        // an I/O error without a code of the operating system comes from a decoder
         ArrowError::IoError(_, error) if error.raw_os_error().is_some() => read_error_text(error),
         ArrowError::MemoryError(_) => {
             "a record batch does not fit into memory; write smaller ones".into()
@@ -76,7 +76,7 @@ pub(crate) const NOT_UTF_8: &str = "it holds bytes that are not text in UTF-8; s
 pub(crate) fn read_error_text(error: &std::io::Error) -> String {
     use std::io::ErrorKind;
     let why = match error.kind() {
-        // `read_to_string` has no inner error, decoders have one
+        // an error of `read_to_string` has no inner error, unlike an error of a decoder
         ErrorKind::InvalidData if error.get_ref().is_none() => return NOT_UTF_8.into(),
         ErrorKind::Other if error.get_ref().is_some() => return error.to_string(),
         ErrorKind::NotFound => "there is no such file".to_owned(),

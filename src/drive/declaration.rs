@@ -24,8 +24,8 @@ pub(super) struct Declaration {
     pub instrument: Option<Instrument>,
 }
 
-/// Part of a drive that the formula of an outcome reads: the part that is computed last, if the
-/// formula reads several. It determines the order of convergence of the outcome.
+/// Part of a drive that the formula of an outcome reads. If the formula reads several parts, this
+/// is the part that is computed last. It determines the order of convergence of the outcome.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ComputedFrom {
     /// The launch.
@@ -37,7 +37,7 @@ pub(crate) enum ComputedFrom {
     /// Height of the apex. An error of the apex time does not change the height to first order,
     /// because the height is a maximum.
     ApexHeight,
-    /// Time of the apex, or its position along the ground.
+    /// Time or horizontal position of the apex.
     ApexTime,
     /// Position at rest.
     Rest,

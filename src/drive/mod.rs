@@ -32,7 +32,7 @@ use std::sync::atomic::AtomicBool;
 pub struct Drive<T> {
     /// Velocity and spin of the ball at launch.
     pub launch: Launch<T>,
-    /// The impact; `None` if the setup gives the launch and no club strikes the ball.
+    /// The impact; `None` if the setup gives the launch, so that no club strikes the ball.
     pub impact: Option<Impact<T>>,
     /// The flight.
     pub flight: Flight<T>,
@@ -136,8 +136,8 @@ pub(crate) fn with_accepted_step<R>(
     }
 }
 
-/// Checks the defect of a flight. `value` extracts the value of a number. `step`, s, is only for
-/// the message.
+/// Checks the defect of a flight. `value` returns the value of a number without its derivatives.
+/// The message names `step`, s.
 ///
 /// # Errors
 /// [`Error::LargeDefect`] for a defect larger than `largest_defect`, m.
@@ -158,8 +158,8 @@ pub(crate) fn check_defect<T: Copy>(
     }
 }
 
-/// Spin, rad/s, below which a launch counts as being at the corner of |ω|, zero spin: some hundreds
-/// of times the rounding error of |ω|.
+/// A smaller spin |ω| at launch, rad/s, counts as zero spin, where |ω| has a corner. The limit is
+/// some hundreds of times the rounding error of |ω|.
 const ZERO_SPIN_LIMIT: f64 = 1e-3;
 
 /// Maximum number of halvings of the step until the defect of the integration is accepted.
@@ -176,11 +176,12 @@ impl Drive<f64> {
     }
 
     /// Computes the drive, and halves the step in `setup` until the defect of the integration
-    /// (docs/model.md, eq. 16a) is at most `largest_defect`, m. Infinity keeps the step.
+    /// (docs/model.md, eq. 16a) is at most `largest_defect`, m. If `largest_defect` is infinite,
+    /// the step is kept.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new), except the error for the step; [`Error::LargeDefect`]
-    /// for a larger defect with the shortest step; [`Error::Stopped`] once `stop` is true.
+    /// if the defect is larger even with the shortest step; [`Error::Stopped`] once `stop` is true.
     pub(crate) fn refined(
         setup: &mut Setup<f64>,
         largest_defect: f64,
@@ -195,7 +196,7 @@ impl Drive<f64> {
         })
     }
 
-    /// True if the spin at launch is zero, at the corner of |ω|.
+    /// True if the spin at launch is zero. |ω| has a corner there.
     pub(crate) fn is_without_spin(&self) -> bool {
         self.launch.total_spin() < ZERO_SPIN_LIMIT
     }

@@ -14,15 +14,15 @@ use std::sync::atomic::AtomicBool;
 /// variable outside the range of the law, and to the effect of the ball's temperature.
 pub(super) const LEAST_WARNED_CHANGE: f64 = 0.3 * YARD;
 
-/// Smallest share of the flight time outside the range of a law that causes a warning, for a
-/// variable that the law itself clamps to the range.
+/// A variable that the law itself clamps to its fitted range causes a warning if it is outside this
+/// range for at least this share of the flight time.
 pub(super) const LEAST_WARNED_SHARE: f64 = 0.01;
 
 /// Width and height of the largest conforming head, m: 5 in from heel to toe, 2.8 in from sole to
 /// crown (R&A and USGA, Equipment Rules, part 2, 4b).
 const LARGEST_HEAD: [f64; 2] = [0.127, 0.07112];
 
-/// Smallest angle to the ground of a landing whose bounce was measured, rad. The bounce of a
+/// Smallest angle between path and ground, rad, for which a bounce was measured. The bounce of a
 /// flatter landing is an assumption (docs/limitations.md).
 const FLATTEST_MEASURED: f64 = 25.0 * std::f64::consts::PI / 180.0;
 
@@ -68,8 +68,8 @@ pub(super) fn with_flat_landing_warning(before: Message) -> Message {
         )
 }
 
-/// A field for each validity limit of the model. Over `bool`: true if a drive exceeds the limit.
-/// Over `f64`: the share of drives, from 0 to 1, that exceed the limit.
+/// A field for each validity limit of the model. If T is `bool`, a field is true if a drive exceeds
+/// the limit. If T is `f64`, a field is the share of drives, from 0 to 1, that exceed the limit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExceededLimits<T = bool> {
     /// Spin ratio, spin, Reynolds number or airspeed outside the ranges that the law was fitted to.
@@ -184,7 +184,7 @@ impl ExceededLimits<f64> {
     /// Smallest share of drives that causes a warning.
     const LEAST_WARNED: f64 = 0.01;
 
-    /// Adds a drive that counts as `share` of all drives.
+    /// Adds a drive with the weight `share`. The weights of all drives add up to 1.
     pub fn add(&mut self, drive: ExceededLimits, share: f64) {
         self.law += share * f64::from(u8::from(drive.law));
         self.face += share * f64::from(u8::from(drive.face));
@@ -217,9 +217,8 @@ impl ExceededLimits<f64> {
 }
 
 impl ExceededLimits<Option<String>> {
-    /// The warnings. For each limit, `self` has the subject of its warning, such as "3 of 10
-    /// drives", or `None` if no drive exceeds the limit. `is_one_flat` is true if exactly one drive
-    /// lands flat.
+    /// The warnings. Each field of `self` is the beginning of a warning, such as "3 of 10 drives";
+    /// `None` if no drive exceeds the limit. `is_one_flat` is true if exactly one drive lands flat.
     fn warnings(self, law: &Law<f64>, scope: CheckScope, is_one_flat: bool) -> Vec<Message> {
         let mut warnings = vec![];
         if let Some(subject) = &self.law {
@@ -265,8 +264,7 @@ fn law_range_warning(subject: &str, law: &Law<f64>, scope: CheckScope) -> Messag
         .words(format!("; {}), where it is {how}{rest}", fitted.to))
 }
 
-/// The criteria of [`Drive::extrapolated`] for a flight outside of the ranges, as words for
-/// [`law_range_warning`].
+/// Words of a warning about whole flights: the thresholds of [`Drive::extrapolated`].
 fn share_outside(how: Continuation) -> Message {
     let time = format!(
         "at least {:.0} % of the flight time",

@@ -21,9 +21,8 @@ pub(super) struct Extrapolated {
     /// Index of the variable in [`Fitted::ranges`](crate::aerodynamics::Fitted::ranges).
     variable: usize,
     flown: FlownRange,
-    /// Change of the carry, m, if the variable is held within the range. `None` for at most 0.3 yd,
-    /// for example because the law itself holds the variable, and if the ball does not land with or
-    /// without holding.
+    /// Change of the carry, m, if the variable is held within the range. `None` if the change is at
+    /// most 0.3 yd, or if the law itself holds the variable. Also `None` if the ball does not land.
     change: Option<f64>,
 }
 
@@ -37,7 +36,7 @@ const TEN_DEGREES: f64 = 10.0 / 1.8;
 /// Temperature of the balls whose restitution was measured, K: 25 °C.
 const BALL_TEMPERATURE: f64 = 298.15;
 
-/// Shift of the landing by half the step, m, above which the step is too long: it causes a warning.
+/// A larger shift of the landing, m, when the step is halved causes a warning about a long step.
 const LEAST_WARNED_SHIFT: f64 = 1e-3;
 
 /// The fitted range of a quantity of the law, and its range in the flight.
@@ -138,7 +137,7 @@ impl Drive<f64> {
         })
     }
 
-    /// The landing of this drive's launch, flown with `setup`; `None` without a landing.
+    /// Flies the launch of this drive again, with `setup`; `None` without a landing.
     fn landed_with(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Landed<f64>> {
         setup.flight.check_steps().ok()?;
         match Inputs::new(setup, &self.launch, false).fly(Some(stop), None) {
@@ -205,9 +204,10 @@ impl Drive<f64> {
             .max_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
 
-    /// The variables outside the ranges of the law that change the carry by more than 0.3 yd. A
-    /// variable that the law itself holds at an exceeded end is also included by its share of the
-    /// flight time outside the range ([`LEAST_WARNED_SHARE`]).
+    /// The variables of the law that leave their fitted range enough for a warning: holding the
+    /// variable within the range changes the carry by more than 0.3 yd. If the law itself holds the
+    /// variable, or if the change is unknown, the share of the flight time outside the range
+    /// decides ([`LEAST_WARNED_SHARE`]).
     pub(super) fn extrapolated(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<Extrapolated> {
         let fitted = setup.law.properties().fitted;
         let ranges = fitted.ranges().map(|fitted| fitted.range);
@@ -327,8 +327,8 @@ impl Drive<f64> {
     }
 }
 
-/// Share of the time in which `condition` holds for a value. `values` are pairs of time and value;
-/// the value at the start of each interval represents the interval.
+/// Share of the time for which `condition` is true. `values` are pairs of time and value. Each
+/// value applies until the next time.
 fn share(values: impl Iterator<Item = (f64, f64)>, condition: impl Fn(f64) -> bool) -> f64 {
     let (mut total, mut held, mut before) = (0.0, 0.0, None);
     for (time, value) in values {
