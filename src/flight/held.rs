@@ -1,5 +1,5 @@
-//! The effect of a law outside the ranges that it was fitted to, found from the flight with one
-//! variable of the law held within its range.
+//! Flights in which one variable of the law is held within its fitted range. The change of the
+//! carry shows the effect of the law outside this range.
 
 use super::inputs::Inputs;
 use super::motion::StepNode;
@@ -14,7 +14,7 @@ const SPIN_RATIO: usize = 0;
 const SPIN: usize = 1;
 const REYNOLDS: usize = 2;
 
-/// A law with one variable held within a range.
+/// A law with one of its variables clamped to a range.
 struct HeldLaw {
     law: Law<f64>,
     variable: usize,
@@ -32,8 +32,8 @@ impl AerodynamicLaw<f64> for HeldLaw {
     }
 }
 
-/// The downrange carry, m, of the flight in which `variable` of the law is held within `range`.
-/// `None` if the ball does not land, or once `stop` is true.
+/// The carry, m, of a flight in which `variable` of the law is clamped to `range`. `None` if the
+/// ball does not land, or once `stop` is true.
 pub(crate) fn carry_by_holding(
     setup: &Setup<f64>,
     launch: &Launch<f64>,
@@ -56,9 +56,9 @@ pub(crate) fn carry_by_holding(
     result.has_landed.then_some(result.landed.carry)
 }
 
-/// True if the variables of the law ([`Stream::variables`]) stay within `ranges` at all nodes of
-/// the flight, with a margin for the time between the nodes. False if a variable may leave its
-/// range, or if the flight cannot be computed.
+/// True if the variables of the law ([`Stream::variables`]) stay within `ranges` during the whole
+/// flight. They are checked at the nodes, with a margin for their change between two nodes. False
+/// if a variable may leave its range, or if the flight cannot be computed.
 pub(crate) fn stays_within(
     setup: &Setup<f64>,
     launch: &Launch<f64>,
@@ -70,8 +70,8 @@ pub(crate) fn stays_within(
     let holds = |node: &StepNode<f64>| {
         let speed = node.rate.speed;
         let stream = Stream::new(node.spin, speed, inputs.radius, inputs.reynolds_per_speed);
-        // the airspeed v has v″ ≤ a²/v with the acceleration a: within half a step h from a
-        // minimum, v rises by at most (h a)²/(8 v); the margin is twice this, relative to v
+        // with the acceleration a, the airspeed v has v″ ≤ a²/v: it rises by at most (h a)²/(8 v)
+        // within half a step h from a minimum; the margin is twice this rise, relative to v
         let margin = (h * node.rate.acceleration.norm() / speed).powi(2) * 0.25;
         let is_within = |(value, range): (f64, Option<[f64; 2]>)| {
             range.is_none_or(|[low, high]| {
@@ -88,9 +88,9 @@ pub(crate) fn stays_within(
     stays && flight.is_ok()
 }
 
-/// The flow `stream` with `variable` clamped to the range. Airspeed and Reynolds number are
-/// constant if spin or spin ratio is clamped. All other variables are constant if the Reynolds
-/// number is clamped. Spin ratio and Reynolds number are constant if the airspeed is clamped.
+/// The flow `stream` with `variable` clamped to the range. Clamping the spin or the spin ratio does
+/// not change airspeed and Reynolds number. Clamping the Reynolds number changes no other variable.
+/// Clamping the airspeed does not change spin ratio and Reynolds number.
 fn hold(stream: Stream<f64>, variable: usize, [low, high]: [f64; 2]) -> Stream<f64> {
     let mut held = stream;
     match variable {
@@ -99,7 +99,7 @@ fn hold(stream: Stream<f64>, variable: usize, [low, high]: [f64; 2]) -> Stream<f
         }
         SPIN => held.spin = stream.spin.clamp(low, high),
         REYNOLDS => held.reynolds_per_speed = stream.reynolds().clamp(low, high) / stream.speed,
-        // the airspeed
+        // the remaining variable is the airspeed
         _ => {
             let speed = stream.speed.clamp(low, high);
             held = Stream::new(

@@ -6,8 +6,8 @@ use crate::number::{Numbers, Vector, inlined};
 use crate::parameters::{Law, Method, Setup};
 use std::f64::consts::PI;
 
-/// Everything that a flight depends on (docs/model.md, eqs. 12–15). Of the impact, only the
-/// velocity, the spin and the spin axis at launch matter. `L` is the law of drag and lift.
+/// Everything that a flight depends on (docs/model.md, eqs. 12–15). The impact affects the flight
+/// only through velocity, spin and spin axis at launch. `L` is the law of drag and lift.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Inputs<T, L = Law<T>> {
     /// Velocity at launch, m/s.
@@ -17,17 +17,18 @@ pub(crate) struct Inputs<T, L = Law<T>> {
     /// Spin axis ω₀/|ω₀|, constant during the flight. As the spin tends to 0, the length of this
     /// vector tends to 0.
     pub axis: Vector<T>,
-    /// ρ A/(2 m): deceleration per C_D |v_r|², 1/m.
+    /// ρ A/(2 m), 1/m. The deceleration by drag is this factor times C_D |v_r|².
     pub force_per_mass: T,
     /// Acceleration of gravity g, m/s².
     pub gravity: T,
-    /// Radius of the ball R, m.
+    /// Radius R of the ball, m.
     pub radius: T,
     /// Reynolds number per airspeed, Re/|v_r|, s/m.
     pub reynolds_per_speed: T,
-    /// Decay rate of the spin in time δ, 1/s.
+    /// δ, 1/s: decay rate of the spin with time.
     pub decay: T,
-    /// κ/R, 1/m: decay rate of the spin with the distance through the air; `None` without damping.
+    /// κ/R, 1/m: decay rate of the spin with the distance travelled through the air; `None` without
+    /// damping.
     pub damping: Option<T>,
     /// Velocity of the air.
     pub wind: WindField<T>,
@@ -46,8 +47,8 @@ pub(crate) struct Inputs<T, L = Law<T>> {
 }
 
 impl<T: Numbers> Inputs<T> {
-    /// The inputs of a flight from this launch; all others are from the setup. The turf is included
-    /// if `has_run` is true.
+    /// The inputs of a flight with this launch, and with air, ball, law and step of the setup. The
+    /// turf is included if `has_run` is true.
     #[inline(always)]
     pub fn new(setup: &Setup<T>, launch: &Launch<T>, has_run: bool) -> Self {
         T::not_inlined(inlined!(|| {

@@ -11,9 +11,9 @@ use crate::aerodynamics::AerodynamicLaw;
 use crate::ground::LandingState;
 use crate::number::{Mask, Numbers, Vector, inlined};
 
-/// Additional weight of the last step's defect (eq. 16a). The path is interpolated within this
-/// step, and the error of the interpolation is 30 to 110 times the error of a whole step with an
-/// equal defect.
+/// Additional weight of the defect of the last step (eq. 16a), in which the landing is
+/// interpolated. The error of this interpolation is 30 to 110 times the error of the end of a step
+/// that has the same defect.
 const INTERPOLATION_WEIGHT: f64 = 100.0;
 
 /// State of the lanes between two steps.
@@ -81,7 +81,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         while lanes.flying.any() && result.time < self.time_limit {
             stepper.advance(&mut step);
             if let Some(observe) = observer {
-                // a copy of the step: the loop's own step stays in registers
+                // a copy, so that the original `step` can stay in registers
                 let step = Step {
                     from: &mut *step.from,
                     to: &mut *step.to,
@@ -100,7 +100,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
                     to: &mut *step.to,
                     ..step
                 };
-                // copies for the closure: the loop's own lanes and events stay in registers
+                // copies for the closure, so that the originals can stay in registers
                 let lanes_before = lanes;
                 let expected = events;
                 lanes = T::not_inlined(inlined!(|| self.locate_events(
@@ -126,8 +126,9 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         result
     }
 
-    /// Ends the flights whose forces the step does not resolve. Adds the defect of the step (eq.
-    /// 16a) to the other flights' defects. Returns the lanes still in flight.
+    /// Ends the flights that diverge: the step is too long for their drag and lift, or a number
+    /// overflows. For the other flights, adds the defect of the step (eq. 16a). Returns the lanes
+    /// still in flight.
     #[inline(always)]
     fn check_step(
         &self,
@@ -136,7 +137,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         flying: T::Mask,
         result: &mut FlightResult<T>,
     ) -> T::Mask {
-        // comparisons with NaN are false: an overflow diverges too
+        // comparisons with NaN are false, so a flight with an overflow diverges
         let is_resolved = self.is_resolved(step.from, tableau.largest_relative_change)
             & step.to.position.x.is_finite();
         result.diverges = result.diverges | flying & !is_resolved;
@@ -175,7 +176,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     }
 
     /// Locates the events of a step on the interpolated path: the height at the time limit, the
-    /// apex, the landing. Returns the lanes after the step.
+    /// apex, the landing. Returns the state of the lanes at the end of the step.
     #[inline(always)]
     fn locate_events(
         &self,
@@ -204,8 +205,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         lanes
     }
 
-    /// Records the apex at s of a step. Ends a flight that has never been above the ground if its
-    /// apex does not clear the ground.
+    /// Records the apex at s = (t − t₀)/h within a step. Ends a flight that has never been above
+    /// the ground if its apex does not clear the ground.
     #[inline(always)]
     fn record_apex(
         &self,
@@ -223,10 +224,10 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
             apex.height = top.x.select(apex.height, is_higher);
             apex.time = (s * h + result.time).select(apex.time, is_higher);
             apex.downrange = top.z.select(apex.downrange, is_higher);
-            // D_A = 400 d |v_A|/(h a_A), eq. 16a: d is the defect of the step, v_A the velocity and
-            // a_A the downward acceleration at the apex. An error of the path proportional to s⁴ (1
-            // − s)⁴ has a derivative by s of up to 4 times its maximum; this derivative shifts the
-            // apex.
+            // D_A = 400 d |v_A|/(h a_A), eq. 16a, with the defect d of the step, and the velocity
+            // v_A and the downward acceleration a_A at the apex. 400 = 4 · 100: an error of the
+            // path proportional to s⁴(1 − s)⁴ has a derivative by s of up to 4 times its maximum,
+            // and this derivative shifts the apex.
             if result.landed.defect.is_some() {
                 let per_defect = path.velocity(s).norm() * (4.0 * INTERPOLATION_WEIGHT * h)
                     / -path.up.second_derivative(s);
@@ -245,7 +246,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         lanes
     }
 
-    /// Records the landing at s of a step. Returns the lanes that land before the time limit.
+    /// Records the landing at s = (t − t₀)/h within a step. Returns the lanes that land before the
+    /// time limit.
     #[inline(always)]
     fn record_landing(
         &self,
@@ -281,7 +283,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         lands
     }
 
-    /// State of the ball at landing, with `spin`, rad/s.
+    /// State of the ball at landing; `spin` is |ω| at landing, rad/s.
     #[inline(always)]
     pub(super) fn landing(&self, landed: &Landed<T>, spin: T) -> LandingState<T> {
         LandingState {
@@ -295,8 +297,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
         }
     }
 
-    /// Lanes in which a step resolves the forces: within the step, drag and lift change the
-    /// airspeed by less than the fraction `largest_relative_change`.
+    /// Lanes in which the step is short enough: drag and lift change the airspeed within the step
+    /// by less than the fraction `largest_relative_change`.
     #[inline(always)]
     fn is_resolved(&self, node: &StepNode<T>, largest_relative_change: f64) -> T::Mask {
         let h = self.step;

@@ -107,9 +107,9 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
     }
 
     /// Time derivative of the rate, d²v/dt² and d|v_r|/dt, as a central difference of the equation
-    /// of motion along the path. The difference depends smoothly on the node, and on nothing else,
-    /// so the interpolants of neighbouring steps join C³. Dual numbers would double the code size
-    /// of a flight.
+    /// of motion along the path. It depends only on the node. Neighbouring steps share a node, so
+    /// their interpolants join with three continuous derivatives (C³). A derivative by dual numbers
+    /// would double the code size of a flight.
     #[inline(always)]
     pub(super) fn rate_per_time(&self, node: &StepNode<T>) -> Rate<T> {
         let Rate {
@@ -142,7 +142,7 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
 
     /// |ω| within a step at s = (t − t₀)/h (eq. 13). Without damping the value is exact. With
     /// damping, it is a Hermite polynomial of degree 5 through the spin and its first two
-    /// derivatives at both ends of the step; the polynomials of neighbouring steps join C².
+    /// derivatives at both ends of the step, which makes the spin C² over the flight.
     #[inline(always)]
     pub(super) fn spin_within(&self, [from, to]: [&StepNode<T>; 2], s: T) -> T {
         let Some(damping) = self.damping else {
@@ -155,8 +155,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
             *end = self.spin_and_derivatives(node, damping);
         }
         let [[p0, m0, c0], [p1, m1, c1]] = ends;
-        // at s = 1: value, first and second derivative of the spin minus those of the parabola p0 +
-        // m0 s + c0 s²/2
+        // x, v, a: value and first two derivatives at s = 1 of the spin minus the parabola p0 + m0
+        // s + c0 s²/2
         let x = p1 - p0 - m0 - c0 * 0.5;
         let v = m1 - m0 - c0;
         let a = c1 - c0;

@@ -301,7 +301,7 @@ struct DivergedFlight {
     speed: f64,
     /// Spin at launch, rad/s.
     spin: f64,
-    /// ρ A/(2 m): deceleration by the air per C_D |v|², 1/m.
+    /// ρ A/(2 m), 1/m. The deceleration by drag is this factor times C_D |v|².
     force_per_mass: f64,
     /// Wind speed, m/s.
     wind: f64,

@@ -7,12 +7,13 @@ use crate::aerodynamics::AerodynamicLaw;
 use crate::number::{Mask, Numbers, Vector, inlined};
 
 /// Hermite polynomial of degree 7 of one coordinate within a step, in s = (t − t₀)/h, through
-/// position, velocity, acceleration and jerk at both ends. Neighbouring polynomials join C³, so the
-/// velocity at landing is C² in the parameters even where the number of steps changes.
+/// position, velocity, acceleration and jerk at both ends. The path of several steps is therefore
+/// C³, and the velocity at landing is C² in the parameters even where the number of steps changes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Septic<T>([T; 8]);
 
-/// k!/(k − m)!: factor of s^(k − m) in derivative m.
+/// k!/(k − m)! for m from 0 to 2 and k from 0 to 7: factor of s^(k − m) in the m-th derivative of
+/// sᵏ.
 const FACTORS: [[f64; 8]; 3] = [
     [1.0; 8],
     [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0],
@@ -20,8 +21,8 @@ const FACTORS: [[f64; 8]; 3] = [
 ];
 
 impl<T: Numbers> Septic<T> {
-    /// Builds the polynomial of the coordinate that `coordinate` selects. Position and velocity at
-    /// the end of the step enter as increments over the step: differences of the positions or
+    /// Builds the polynomial of the coordinate that `coordinate` selects. The increments of
+    /// position and velocity over the step are read from `step`: differences of the positions or
     /// velocities at both ends would lose digits by cancellation.
     #[inline(always)]
     fn new(
@@ -36,8 +37,8 @@ impl<T: Numbers> Septic<T> {
             coordinate(&step.to.rate.acceleration) * h2,
         ];
         let [j0, j1] = [coordinate(&jerks[0]) * h3, coordinate(&jerks[1]) * h3];
-        // at s = 1: position and its first three derivatives by s, minus those of the cubic through
-        // the start of the step
+        // x, v, a, j: value and first three derivatives by s, at s = 1, of the coordinate minus its
+        // Taylor cubic at the start of the step
         let (half, sixth) = (a0 * 0.5, j0 * (1.0 / 6.0));
         let x = coordinate(&step.position_increment) - half - sixth;
         let v = coordinate(&step.velocity_increment) * h - a0 - j0 * 0.5;
@@ -112,10 +113,10 @@ impl<T: Numbers> Septic<T> {
 }
 
 /// Root in [low, 1] of a function that is positive at `low` and not positive at 1; `f` returns its
-/// value and derivative. The Newton iteration is in values only until it converges; a step out of
-/// the bracket is replaced by a bisection. Two more Newton steps carry derivatives: the first makes
-/// first derivatives exact, the second also second derivatives (implicit function theorem). If the
-/// iteration does not converge, the root has no derivatives.
+/// value and derivative. Newton's method first runs without derivatives of the root. A Newton step
+/// out of the bracket is replaced by a bisection. After convergence, two more Newton steps add the
+/// derivatives: the first makes first derivatives exact, the second also second derivatives
+/// (implicit function theorem). Without convergence, the root has no derivatives.
 #[inline(always)]
 fn falling_root<T: Numbers>(low: T, lanes: T::Mask, f: impl Fn(T) -> (T, T)) -> T {
     // bisection alone needs 53 steps

@@ -12,8 +12,8 @@ pub(super) struct Stepper<'a, T, L> {
     pub tableau: &'static Tableau,
     /// Step h, s.
     h: f64,
-    /// exp(−δ cᵢ h): factor by which the spin decays in time from the start of a step to each
-    /// stage.
+    /// exp(−δ cᵢ h): factor by which the spin decays from the start of a step to stage i, without
+    /// damping.
     decay_factors: [T; MOST_STAGES + 1],
     /// Rates at the stages of a step. Entry 0 is unused, because the first stage is the start node.
     rates: [Rate<T>; MOST_STAGES],
@@ -36,9 +36,9 @@ pub(crate) struct Step<'n, T> {
 pub(crate) type StepObserver<'o, T> = Option<&'o mut dyn FnMut(f64, &Step<'_, T>)>;
 
 impl<T: Numbers> Step<'_, T> {
-    /// Defect of a step of length h, m (docs/model.md, eq. 16a): the change of position minus its
-    /// value by Hermite's quadrature, times (|Δv|/|v_r|)⁴. The defect of a step is O(h⁹), so the
-    /// sum over a flight is O(h⁸).
+    /// Defect of a step of length h, m (docs/model.md, eq. 16a): |Δx − Δx_H| (|Δv|/|v_r|)⁴, where
+    /// Δx_H is the change of position Δx by Hermite's quadrature. The defect of a step is O(h⁹), so
+    /// the sum over a flight is O(h⁸).
     #[inline(always)]
     pub fn defect(&self, h: f64) -> T {
         let (a0, a1) = (self.from.rate.acceleration, self.to.rate.acceleration);

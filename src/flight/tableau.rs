@@ -52,8 +52,8 @@ pub(super) struct Tableau {
     pub stages: usize,
     /// aᵢⱼ: weights of the accelerations in the velocity of stage i, without zeros.
     pub velocity_weights: [Weights; MOST_STAGES + 1],
-    /// Σₖ aᵢₖ aₖⱼ: weights of the accelerations in the position of stage i, at index j; (0, 0)
-    /// from j = i − 1 on.
+    /// Entry j of stage i is (j, Σₖ aᵢₖ aₖⱼ): weight of acceleration j in the position of stage i.
+    /// Entries from j = i − 1 on are (0, 0).
     pub position_weights: [[(usize, f64); MOST_STAGES]; MOST_STAGES + 1],
     /// cᵢ = Σⱼ aᵢⱼ: time of stage i, in steps.
     pub times: [f64; MOST_STAGES + 1],

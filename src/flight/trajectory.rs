@@ -14,8 +14,8 @@ const LARGEST_INTERVAL: f64 = 0.05;
 /// Path of a flight and of the run after it.
 #[derive(Clone, Debug)]
 pub struct Trajectory {
-    /// The launch, the end of each step, and points within long steps, so that two points are at
-    /// most 0.05 s apart. If the ball lands, the last point is the landing.
+    /// The launch and the end of each step. Steps longer than 0.05 s have points in between. If the
+    /// ball lands, the last point is the landing.
     pub points: Vec<TrajectoryPoint>,
     /// Result of the flight.
     pub flight: Flight<f64>,
