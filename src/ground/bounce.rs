@@ -22,32 +22,32 @@ impl<T: Numbers> Motion<T> {
     }
 }
 
-/// Speed of the impact whose crater has the tilt θ_g, m/s: Penner (2002), p. 934.
+/// The compliance θ_g is the tilt of the crater at this impact speed, m/s: Penner (2002), p. 934.
 const REFERENCE_SPEED: f64 = 18.6;
-/// Angle of incidence of the impact whose crater has the tilt θ_g, rad.
+/// The compliance θ_g is the tilt of the crater at this angle of incidence, rad.
 const REFERENCE_INCIDENCE: f64 = 44.4 / 180.0 * PI;
-/// Start and width of the smooth clamp (H in eq. 19) of θ_c/φ, the tilt of the crater over the
-/// angle of incidence. The clamped ratio is at most 1. At 1 the ball meets the crater head-on;
-/// above 1 Penner's φ − θ_c would be negative.
+/// Start and width of the smooth clamp H in eq. 19. The clamped ratio θ_c/φ, the tilt of the crater
+/// over the angle of incidence, is at most 1: at 1 the ball meets the crater head-on. In Penner's
+/// formula the ratio can exceed 1.
 const TILT_CLAMP: [f64; 2] = [0.7, 0.6];
-/// Angle to the ground, rad, below which the ball digs less than in Penner's formula (S in eq. 19).
-/// Penner's tilt is largest for a ball that moves along the ground, which in fact does not dig. The
-/// angle is fitted to the runs of TrackMan's 60 drives (docs/sources.md).
+/// Angle of the path to the ground, rad. A ball on a flatter path makes a crater with less tilt
+/// than in Penner's formula (factor S in eq. 19). Penner's tilt is largest for a ball that moves
+/// along the ground, but such a ball makes no crater. The angle is fitted to the runs of TrackMan's
+/// 60 drives (docs/sources.md).
 const FULL_TILT_ANGLE: f64 = 70.0 / 180.0 * PI;
 /// Coefficients, s/m and s²/m², of e/e_g = 1 + e₁ u + e₂ u² (eq. 20): Penner (2002), p. 933.
 const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];
-/// Speed at which the smooth clamp of u begins, m/s. u is the speed of the ball along the normal of
-/// its crater.
+/// Start of the smooth clamp of u, m/s. u is the speed of the ball along the normal of its crater.
 const CLAMP_SPEED: f64 = 18.0;
-/// Width of the smooth clamp of u, m/s: the clamped u ends at the minimum of e, 20.8 m/s.
+/// Width of the smooth clamp of u, m/s. The largest clamped u is 20.8 m/s, where e has its minimum.
 const CLAMP_WIDTH: f64 = 2.0 * (-RESTITUTION[0] / (2.0 * RESTITUTION[1]) - CLAMP_SPEED);
-/// Start of the transition from sticking to slipping in x (eq. 21), the ratio of needed to
-/// available friction.
+/// The transition from sticking to slipping starts at this value of x (eq. 21). x is the friction
+/// that sticking needs, divided by the available friction.
 const SLIP_START: f64 = 0.8;
-/// Width in x of the transition from sticking to slipping.
+/// The transition from sticking to slipping ends at x = [`SLIP_START`] + [`SLIP_WIDTH`].
 const SLIP_WIDTH: f64 = 0.4;
-/// Margin, (m/s)², in the comparison of squared impulses per mass. A contact without slip then
-/// sticks even without friction: the friction of a slipping contact would have no direction there.
+/// Tolerance, (m/s)², for squared impulses per mass. With this tolerance, a contact without slip
+/// sticks even if there is no friction: the friction of a slipping contact needs a direction.
 const NO_SLIP: f64 = 1e-24;
 /// Added to the squared speed along the ground, (m/s)², to keep direction and derivatives finite
 /// for a ball that falls vertically.
@@ -100,8 +100,8 @@ impl<T: Numbers> Turf<T> {
         ground * cos - along * (per_level * sin)
     }
 
-    /// q (eq. 21): fraction of the sticking impulse that friction supplies. `limit` is Coulomb's
-    /// limit of the impulse per mass, m/s.
+    /// q (eq. 21): the impulse of friction, as a fraction of the impulse that sticking needs.
+    /// `limit` is Coulomb's limit of the impulse per mass, m/s.
     #[inline(always)]
     fn grip(&self, slip: Vector<T>, limit: T) -> T {
         let k = self.sticking_factor();
@@ -149,7 +149,7 @@ mod tests {
         0.5 * ball.velocity.dot(ball.velocity) + 0.2 * RADIUS * RADIUS * ball.spin.dot(ball.spin)
     }
 
-    /// Penner's equations by hand (2002, pp. 933–934): rolling at exit.
+    /// Penner's equations (2002, pp. 933–934), evaluated by hand for a ball that rolls at exit.
     #[test]
     fn published_bounce_of_penner_with_rolling_at_exit() {
         let turf = Turf::new(&Setup::default());
@@ -207,8 +207,8 @@ mod tests {
         }
     }
 
-    /// The tilt of the crater never exceeds the angle of incidence. Without the clamp it would from
-    /// 54 m/s on: the ball would bounce off a surface that faces away from it.
+    /// The tilt of the crater never exceeds the angle of incidence. Without the clamp, the tilt of
+    /// faster balls than 54 m/s would exceed this angle: the crater would face away from the ball.
     #[test]
     fn no_ball_meets_the_crater_from_behind() {
         let turf = Turf::new(&Setup::default());

@@ -47,11 +47,11 @@ pub(crate) struct LandingState<T> {
     pub velocity: Vector<T>,
     /// Angular velocity, rad/s.
     pub spin: Vector<T>,
-    /// Radius of the ball R, m.
+    /// Radius R of the ball, m.
     pub radius: T,
     /// Acceleration of gravity g, m/s².
     pub gravity: T,
-    /// ρ A/(2 m) with the mass m: deceleration by the air per C_D |v|², m⁻¹.
+    /// ρ A/(2 m) with the mass m, 1/m. The deceleration by drag is this factor times C_D |v|².
     pub force_per_mass: T,
 }
 
@@ -59,14 +59,14 @@ pub(crate) struct LandingState<T> {
 /// twice this speed, a smooth step reduces the hop (eq. 22). Penner ends the bounces at a height of
 /// 5 mm, which a ball reaches with 0.31 m/s.
 const LEAST_HOP_SPEED: f64 = 0.2;
-/// Speed, m/s, whose square is added to the squared speed along the ground, so that this speed has
-/// finite derivatives at rest.
+/// The square of this speed, m/s, is added to the squared speed along the ground. The root of the
+/// sum has finite derivatives at rest.
 const LEAST_SPEED: f64 = 1e-6;
 /// C_D of a ball with little spin, for the hops.
 const HOP_DRAG: f64 = 0.25;
 /// Largest number of bounces, more than occur on any ground. Afterwards the ball rolls.
 const MOST_BOUNCES: usize = 250;
-/// Number of intervals of a hop in the path of a run.
+/// Number of intervals into which the path of a run divides each hop.
 const HOP_INTERVALS: u32 = 16;
 
 impl<T: Numbers> Turf<T> {
@@ -88,8 +88,8 @@ impl<T: Numbers> Turf<T> {
         )))
     }
 
-    /// Computes bounces and roll-out. `observe` receives the start of each hop, relative to the
-    /// landing, m, and the hop.
+    /// Computes bounces and roll-out. `observe` receives each hop, after the position at which it
+    /// starts, m, relative to the landing.
     #[inline(always)]
     fn run(
         &self,
@@ -139,14 +139,14 @@ impl<T: Numbers> Turf<T> {
         );
         let velocity = ball.velocity - normal * normal.dot(ball.velocity);
         let slip = ball.slip(velocity, normal, radius);
-        // friction decelerates the slip s by μ_g g n_x/k, and gravity accelerates the slip by G: it
-        // ends like the motion of a sliding body
+        // friction decelerates the slip s by μ_g g n_x/k, and gravity accelerates s by G, so s has
+        // the equation of motion of a sliding body
         let slip_deceleration = self.friction * plane.normal_gravity / k;
         let (time, slip_distance) = slide_to_rest(slip, slip_deceleration, pull);
         let pulled = pull * time;
         let half = pull * (time * 0.5);
-        // v T + G T²/2 − k (s T + G T²/2 − D), with the time T until the slip s ends, and the
-        // integral D of the slip over this time
+        // displacement v T + G T²/2 − k (s T + G T²/2 − D): the slip s ends at the time T, and D is
+        // the integral of s up to T
         let slid = (velocity + half) * time - ((slip + half) * time - slip_distance) * k;
         let rolling_velocity = velocity + pulled - (slip + pulled) * k;
         let (_, rolled) = slide_to_rest(
@@ -159,13 +159,13 @@ impl<T: Numbers> Turf<T> {
 }
 
 /// Angle between the `velocity` of a landing ball and the ground, rad; negative if the ball moves
-/// away from the ground. `slope` and `side_slope`, rad, are those of the ground.
+/// away from the ground. `slope` and `side_slope` are the slopes of the ground, rad.
 pub(crate) fn angle_of_impact([slope, side_slope]: [f64; 2], velocity: Vector<f64>) -> f64 {
     let LandingPlane { normal, .. } = LandingPlane::new(slope, side_slope, 1.0);
     (-normal.dot(velocity) / velocity.norm()).asin()
 }
 
-/// Plane of the landing area under gravity.
+/// Plane of the landing area, with gravity divided into its components.
 struct LandingPlane<T> {
     /// Unit normal n, upwards.
     normal: Vector<T>,
@@ -226,7 +226,8 @@ struct Hop<T: Numbers> {
     rising: Vector<T>,
     /// Duration T, s.
     time: T,
-    /// Relative slowdown along the plane by drag during the hop: x in eq. 22 of docs/model.md.
+    /// x in eq. 22 of docs/model.md: during the hop, drag divides the speed along the plane by 1 +
+    /// x.
     slowdown: T,
     /// Acceleration of gravity g, m/s².
     gravity: T,
@@ -260,7 +261,7 @@ impl<T: Numbers> Hop<T> {
 
 impl Turf<f64> {
     /// Path from the landing to rest, m, relative to the landing: the hops, then a straight line.
-    /// Empty if the ball embeds. Without the line if the ball does not come to rest.
+    /// The line is missing if the ball does not come to rest. The path is empty if the ball embeds.
     pub fn path(&self, ball: &LandingState<f64>) -> Vec<Vector<f64>> {
         let Some(restitution) = self.restitution else {
             return vec![];

@@ -10,8 +10,7 @@ const SMOOTHING_SPEED: f64 = 1e-4;
 /// friction, m/s², and the acceleration G by the force, `pull`, m/s². NaN if |G| ≥ a, because the
 /// body does not stop.
 ///
-/// T follows from d(a|v| + v·G)/dt = −(a² − |G|²). D follows in the same way from quadratic
-/// functions of |v| and v·G.
+/// T follows from d(a|v| + v·G)/dt = −(a² − |G|²). D is the integral of v over this time.
 #[inline(always)]
 pub(super) fn slide_to_rest<T: Numbers>(
     velocity: Vector<T>,

@@ -10,8 +10,8 @@ pub(crate) struct Turf<T> {
     pub restitution: Option<T>,
     /// μ_g: coefficient of friction between the ball and the turf.
     pub friction: T,
-    /// θ_g, rad: compliance, the tilt of the crater of a ball that lands at 18.6 m/s, 44.4° from
-    /// the vertical.
+    /// Compliance θ_g, rad: tilt of the crater after a landing at 18.6 m/s, 44.4° from the
+    /// vertical.
     pub compliance: T,
     /// ρ_g: deceleration of a rolling ball on level ground, in units of gravity.
     pub rolling: T,
