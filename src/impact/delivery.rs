@@ -13,7 +13,7 @@ pub struct Delivery<T> {
     pub axes: [Vector<T>; 3],
 }
 
-/// V₁, m/s: head speed for which bend and droop of the shaft are stated, 100 mph.
+/// V₁, m/s: 100 mph. At this head speed the shaft has the bend and the droop that the setup states.
 const REFERENCE_SPEED: f64 = 44.704;
 
 impl<T: Numbers> Delivery<T> {
@@ -23,7 +23,7 @@ impl<T: Numbers> Delivery<T> {
     pub fn new(swing: &Swing<T>) -> Self {
         let (sin_attack, cos_attack) = swing.attack_angle.sin_cos();
         let (sin_path, cos_path) = swing.path.sin_cos();
-        // eq. 2a: the shaft at this head speed
+        // eq. 2a: bend and droop of the shaft at the speed of this swing
         let (mut bend, mut droop) = (swing.shaft_bend, swing.shaft_droop);
         if let Some(power) = swing.shaft_growth
             && (bend.is_some() || droop.is_some())

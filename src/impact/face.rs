@@ -42,7 +42,8 @@ impl<T: Numbers> FacePoint<T> {
         let (roll, bulge) = (club.roll_radius.recip(), club.bulge_radius.recip());
         let third = match club.face_semi_axis {
             Some(semi_axis) => semi_axis.recip(),
-            // 1/P_k = √(1/(R_b R_r)); 0 for a flat direction, where the root has no derivative
+            // 1/P_k = √(1/(R_b R_r)). If a direction is flat, this is the constant 0, because the
+            // root has no derivative at 0.
             None => {
                 let product = roll * bulge;
                 T::select_lazily(
@@ -52,7 +53,7 @@ impl<T: Numbers> FacePoint<T> {
                 )
             }
         };
-        // q′ and q, eq. 3
+        // `sag` is q′ of eq. 3
         let (high, toe) = (strike.high, strike.toe);
         let sag = high * high * roll + toe * toe * bulge;
         let q = sag * third;
@@ -84,10 +85,10 @@ const TOLERANCE: f64 = 1e-13;
 const MOST_STEPS: usize = 200;
 
 impl Strike<f64> {
-    /// Strike on the sweet spot: the face normal there passes through the centre of mass. Each step
-    /// of a fixed-point iteration goes from the centre of mass along the normal of the previous
-    /// impact point, up to the depth of that point. `None` if the iteration leaves the face or does
-    /// not converge: the face is too curved.
+    /// Strike on the sweet spot, where the face normal passes through the centre of mass. Each step
+    /// of a fixed-point iteration starts at the centre of mass and follows the normal of the
+    /// previous point, until it is as far forward as this point. `None` if the iteration leaves the
+    /// face or does not converge, because the face is too curved.
     pub fn on_sweet_spot(club: &Club<f64>) -> Option<Self> {
         let head = Head::new(club);
         let Some([cg_high, cg_toe]) = head.cg_offset else {

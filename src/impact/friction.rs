@@ -2,14 +2,15 @@ use super::rigid_body::{Collision, ContactSystem, jammed};
 use crate::error::Result;
 use crate::number::{Mask, Number, Numbers, Vector};
 
-/// State of the contact relative to the limit of friction.
+/// State of the contact: sticking or slipping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Grip {
     /// No limit to friction.
     Unlimited,
-    /// The ball sticks and uses the fraction |J_t|/(μ J_n) of the available friction.
+    /// The ball sticks. The number is the used fraction of the available friction, |J_t|/(μ J_n).
     Sticks(f64),
-    /// The ball slips. To stick, it would need |J_t|/(μ J_n) > 1 times the available friction.
+    /// The ball slips. The number is the friction that sticking would need, divided by the
+    /// available friction: |J_t|/(μ J_n) > 1.
     Slips(f64),
 }
 
@@ -22,7 +23,8 @@ pub(super) struct LimitedImpulse<T: Numbers> {
     limit: T,
     /// Lanes in which the ball slips.
     slips: T::Mask,
-    /// n·K(n + μ t̂), 1/kg; must be above 0 if the ball slips.
+    /// n·K(n + μ t̂), 1/kg, with K of docs/model.md, eq. 9. If the ball slips, this must be above
+    /// 0: otherwise the impulse does not separate the bodies.
     separating: T,
 }
 

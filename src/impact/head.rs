@@ -44,7 +44,7 @@ impl<T: Numbers> Head<T> {
     fn with_weights(&self, weights: [Option<Weight<T>>; 2], loft: T) -> Self {
         let [high, toe] = self.cg_offset.unwrap_or_else(|| [T::zero(); 2]);
         let body_cg = Vector::new(high, toe, -self.depth);
-        // m_k and s_k, from the centre of mass of the body
+        // mass m_k of each weight, and its position s_k relative to the centre of mass of `self`
         let point_masses = weights
             .map(|weight| weight.map(|w| (w.mass, Vector::new(w.high, w.toe, -w.depth) - body_cg)));
         // M′ = M + Σ m_k and Σ m_k s_k
@@ -119,8 +119,8 @@ fn add_point_mass<T: Numbers>(inertia: &mut [[T; 3]; 3], mass: T, r: Vector<T>) 
     }
 }
 
-/// Transforms a vector from the face frame (i′, j′, k′) to the head frame, by a rotation through
-/// the loft. The first argument is sine and cosine of the loft.
+/// Transforms a vector from the face frame (i′, j′, k′) to the head frame. The angle between the
+/// frames is the loft; the first argument is its sine and cosine.
 #[inline(always)]
 pub(super) fn pitched<T: Numbers>((sin, cos): (T, T), v: Vector<T>) -> Vector<T> {
     Vector::new(v.x * cos + v.z * sin, v.y, v.z * cos - v.x * sin)

@@ -2,7 +2,7 @@
 //! dimensions, an ellipsoidal face, after Winfield & Tan (1994) eqs. 1–20.
 //!
 //! The collision is solved in the head frame (X up, Y towards the toe, Z forward), because the
-//! inertia tensor is given in it. The result is transformed to the ground frame.
+//! inertia tensor is given in this frame. The result is transformed to the ground frame.
 
 mod delivery;
 mod face;
@@ -86,8 +86,7 @@ pub(crate) struct LaunchState<T: Numbers> {
     pub launch: Launch<T>,
     /// Speed of the head, m/s, if a club strikes the ball.
     pub club_speed: Option<T>,
-    /// Lanes in which [`strike`] returns this launch and no error; all lanes if the setup gives the
-    /// launch.
+    /// Lanes with a valid launch: [`strike`] returns it without an error, or the setup gives it.
     pub is_valid: T::Mask,
 }
 
@@ -138,7 +137,7 @@ impl<T: Numbers> LaunchState<T> {
             delivery.to_ground(rebound.ball_velocity),
             delivery.to_ground(rebound.ball_spin),
         );
-        // a comparison with NaN is false: an overflow is not valid
+        // a comparison with NaN is false, so a launch with an overflow is not valid
         let size = velocity.dot(velocity) + spin.dot(spin);
         let launch = Launch { velocity, spin };
         let launch = match setup.golfer {

@@ -10,19 +10,19 @@ use crate::units::significant;
 /// Collision of two rigid bodies in the head frame: a moving head, and a ball at rest.
 #[derive(Clone, Copy, Debug)]
 pub struct Collision<T> {
-    /// Mass of the head M, kg.
+    /// Mass M of the head, kg.
     pub club_mass: T,
-    /// Inertia tensor of the head I_c, kg m².
+    /// Inertia tensor I_c of the head, kg m².
     pub club_inertia: [[T; 3]; 3],
     /// Velocity of the head's centre of mass, m/s.
     pub club_velocity: Vector<T>,
     /// Angular velocity of the head, rad/s.
     pub club_spin: Vector<T>,
-    /// Mass of the ball m, kg.
+    /// Mass m of the ball, kg.
     pub ball_mass: T,
-    /// Moment of inertia of the ball I_b, kg m².
+    /// Moment of inertia I_b of the ball, kg m².
     pub ball_inertia: T,
-    /// Radius of the ball R, m.
+    /// Radius R of the ball, m.
     pub ball_radius: T,
     /// r_P: contact point relative to the head's centre of mass, m.
     pub contact: Vector<T>,
@@ -36,8 +36,8 @@ pub struct Collision<T> {
     pub gear_scale: Option<T>,
 }
 
-/// v₁, m/s: closing speed at which the restitution is that of the setup, if it depends on the speed
-/// (docs/model.md, eq. 10a). It is 160 ft/s, the speed of the USGA's test of clubs.
+/// Closing speed v₁, m/s: 160 ft/s, the speed of the USGA's test of clubs. If the restitution
+/// depends on the closing speed, the setup states its value at v₁ (docs/model.md, eq. 10a).
 const REFERENCE_SPEED: f64 = 48.768;
 
 /// The bodies after the collision.
@@ -108,7 +108,7 @@ impl<T: Numbers> Collision<T> {
         self.club_velocity + self.club_spin.cross(self.contact)
     }
 
-    /// K (eq. 9), and the factorizations of K and of I_c.
+    /// Matrix K of the contact (eq. 9), and factorizations of K and of the inertia tensor I_c.
     #[inline(always)]
     pub(super) fn contact_system(&self) -> ContactSystem<T> {
         let [[xx, ..], [xy, yy, _], [xz, yz, zz]] = self.club_inertia;
@@ -148,8 +148,8 @@ impl<T: Numbers> Collision<T> {
         }
     }
 
-    /// Columns of K (eqs. 9, 9a). K e is the decrease of the relative velocity of the contact
-    /// points by an impulse e: K e = (1/M + 1/m) e − r_P × I_c⁻¹ (r_P × e) − (R²/I_b) n × (n × e).
+    /// Columns of K (eqs. 9, 9a). An impulse e decreases the relative velocity of the contact
+    /// points by K e = (1/M + 1/m) e − r_P × I_c⁻¹ (r_P × e) − (R²/I_b) n × (n × e).
     #[inline(always)]
     fn columns(&self, inertia: &SymmetricFactors<T>) -> [Vector<T>; 3] {
         let inverse_mass = self.club_mass.recip() + self.ball_mass.recip();
@@ -162,7 +162,7 @@ impl<T: Numbers> Collision<T> {
             [arm.y, -arm.x, zero],
         ];
         let mut columns = [n; 3];
-        // a loop instead of three copies: its calls are inlined only once
+        // a loop instead of three copies, so that the called functions are inlined only once
         for (column, (arm_cross_e, along)) in columns
             .iter_mut()
             .zip(arm_crosses.into_iter().zip(n.to_array()))
@@ -194,7 +194,7 @@ impl<T: Numbers> Collision<T> {
     }
 }
 
-/// The two symmetric matrices of a collision.
+/// The inertia tensor I_c of the head and the matrix K of the contact (docs/model.md, eq. 9).
 pub(super) struct ContactSystem<T> {
     /// Factorization of I_c.
     pub inertia: SymmetricFactors<T>,
@@ -239,7 +239,8 @@ impl<T: Number> Collision<T> {
         Ok(self.after(self.pushing(self.sticking(&system))?, &system))
     }
 
-    /// Columns of K (docs/model.md, eq. 9).
+    /// Columns of K (docs/model.md, eq. 9): an impulse e decreases the relative velocity of the
+    /// contact points by K e.
     ///
     /// # Errors
     /// [`Error::Jammed`] if the head's inertia tensor is not positive definite.
