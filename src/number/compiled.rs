@@ -1,12 +1,12 @@
 //! The number types that impact and flight are compiled for.
 //!
 //! Only this file names these types, and a test compares it with docs/architecture.md. Each number
-//! type below is compiled once for each [`Level`](super::Level). On x86-64 these are five number
-//! types for the baseline level, five for AVX2, and the four number types of sweeps for AVX-512.
+//! type below is compiled once for each [`Level`](super::Level). On x86-64, five number types are
+//! compiled for the baseline level, five for AVX2, and four for AVX-512, which only sweeps use.
 //!
-//! The public generic functions are used with two number types: `f64`
-//! ([`Drive::new`](crate::Drive::new)), which is also a number type of the baseline level, and
-//! `num_dual::Dual64` (`study::certificate`), for which impact and flight are compiled once more.
+//! The public generic functions are used with two number types. `f64`
+//! ([`Drive::new`](crate::Drive::new)) is also a number type of the baseline level. For
+//! `num_dual::Dual64` (`study::certificate`), impact and flight are compiled once more.
 
 use super::{Derivatives, Jet, Lanes, Mixed};
 
@@ -14,8 +14,9 @@ use super::{Derivatives, Jet, Lanes, Mixed};
 /// both use the same compiled code of a flight.
 pub(crate) const MOST_PER_LANE: usize = 3;
 
-/// Work that is compiled for each number type of [`over_directions`] or [`over_drives`]. `over` and
-/// all functions of numbers that it calls must be inlined, as for [`Task`](super::Task).
+/// Work that [`over_directions`] or [`over_drives`] runs. It is compiled for each of their number
+/// types. `over` and all functions of numbers that it calls must be inlined, as for
+/// [`Task`](super::Task).
 pub(crate) trait OverNumbers {
     /// Result of the work.
     type Output;
@@ -23,8 +24,9 @@ pub(crate) trait OverNumbers {
     fn over<J: Lanes<Lane: Derivatives>>(&mut self, per_lane: usize) -> Self::Output;
 }
 
-/// Runs `work` for one drive, in which each lane has its own directions: values, gradients, or
-/// Hessians (a pair of variables in each lane).
+/// Runs `work` for one drive. Each lane differentiates by other variables. The number type has
+/// first derivatives; it has none if there are no variables. If `are_pairs` is true, each lane has
+/// the second derivative by a pair of variables.
 #[inline(always)]
 pub(crate) fn over_directions<V: Lanes<Lane = f64>, W: OverNumbers>(
     work: &mut W,
@@ -39,8 +41,8 @@ pub(crate) fn over_directions<V: Lanes<Lane = f64>, W: OverNumbers>(
     }
 }
 
-/// Runs `work` for a sweep, in which each lane is a drive, with derivatives by up to
-/// [`MOST_PER_LANE`] parameters.
+/// Runs `work` for a sweep. Each lane is a drive, with derivatives by up to [`MOST_PER_LANE`]
+/// parameters.
 #[inline(always)]
 pub(crate) fn over_drives<V: Lanes<Lane = f64>, W: OverNumbers>(
     work: &mut W,

@@ -46,8 +46,8 @@ fn filled<B: Copy, const K: usize>(number: B) -> [B; K] {
 }
 
 /// Dual number: a value of type `B` (by default `f64`) with its first derivatives in `K`
-/// directions. If `B` has lanes, each lane is one drive, or one set of directions. A nested jet has
-/// second derivatives: [`Jet<1, Jet<1>>`](Mixed) has one.
+/// directions. If `B` has lanes, the lanes are different drives, or one drive with different
+/// directions. A nested jet also has second derivatives: see [`Mixed`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<const K: usize, B = f64> {
     /// Value.
@@ -309,8 +309,8 @@ impl<const K: usize, B: Number> Number for Jet<K, B> {
     }
 }
 
-/// Access to derivatives by direction. In nested jets, the directions of the outer jet are counted
-/// first, then those of the inner jet.
+/// Access to derivatives. In nested jets, the directions of the outer jet are numbered first, then
+/// the directions of the inner jet.
 pub(crate) trait Derivatives: Number {
     /// First derivative in one direction.
     fn first(&self, direction: usize) -> f64;

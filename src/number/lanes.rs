@@ -1,6 +1,6 @@
 use super::{Jet, Number, Numbers, inlined};
 
-/// Numbers in lanes. Each lane is a drive, or each lane has other directions of the same drive.
+/// Numbers in lanes. The lanes are different drives, or one drive with different directions.
 pub(crate) trait Lanes: Numbers {
     /// Number of lanes.
     const WIDTH: usize;
@@ -11,14 +11,14 @@ pub(crate) trait Lanes: Numbers {
     fn lane(self, i: usize) -> Self::Lane;
     /// Lanes with the values `f(0)`, `f(1)`, … and zero derivatives.
     fn with_values(f: impl FnMut(usize) -> f64) -> Self;
-    /// Seeds derivatives: the derivative in direction d is 1 in the lanes of `changes_in(d)`, and 0
-    /// in the other lanes. `first` is the index of the first direction of this jet; the directions
-    /// of its inner jets follow.
+    /// Sets the derivatives: in direction d, the derivative is 1 in the lanes of `changes_in(d)`
+    /// and 0 in the other lanes. The directions of a jet are numbered from `first` on, followed by
+    /// the directions of its inner jets.
     fn seeded(self, changes_in: &impl Fn(usize) -> Self::Mask, first: usize) -> Self;
 }
 
-/// Function that extracts one lane. All code that reads outcomes from lanes uses it: each other
-/// closure would be a type of its own, for which the outcomes are compiled again.
+/// Function that extracts one lane. All code that reads outcomes from lanes uses this function,
+/// because the outcomes are compiled once for each type of closure.
 #[inline(always)]
 pub(crate) fn in_lane<J: Lanes>(lane: usize) -> impl Fn(J) -> J::Lane + Copy {
     inlined!(move |number: J| number.lane(lane))

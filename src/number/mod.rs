@@ -67,8 +67,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A real number with optional derivatives, or several such numbers in lanes.
 ///
-/// A formula with cases cannot branch, because the lanes may need different cases: it compares with
-/// [`below`](Numbers::below) and combines the cases with [`select_lazily`](Numbers::select_lazily).
+/// A formula with cases must not branch, because the lanes may need different cases. It compares
+/// numbers by [`below`](Numbers::below), and [`select_lazily`](Numbers::select_lazily) selects the
+/// case of each lane.
 pub trait Numbers:
     Copy
     + Debug
@@ -106,13 +107,13 @@ pub trait Numbers:
     fn below(self, limit: f64) -> Self::Mask;
     /// Selects lanes: `self` where the mask is true, `other` elsewhere.
     fn select(self, other: Self, mask: Self::Mask) -> Self;
-    /// The value with zero derivatives, for computations that are not differentiated: they then
-    /// cost no more than with plain numbers.
+    /// The value with zero derivatives. Computations with such numbers cost no more than with plain
+    /// numbers.
     fn without_derivatives(self) -> Self;
     /// True where the value is finite.
     fn is_finite(self) -> Self::Mask;
-    /// Gathers `N` constants from a table in each lane: `place` returns the constants for the
-    /// values of `self` and `other` in a lane. The result has zero derivatives.
+    /// Gathers `N` constants from a table, for each lane separately: `place` returns the constants
+    /// for the values of `self` and `other` in a lane. The result has zero derivatives.
     fn gather<const N: usize>(
         self,
         other: Self,
@@ -158,8 +159,8 @@ pub trait Numbers:
     }
 
     /// Runs `work` in a function that is not inlined and is compiled for the instruction set of
-    /// this number type. `work` is `FnMut`: a `FnOnce` would be called through a shim that is not
-    /// compiled for this instruction set.
+    /// this number type. `work` is `FnMut`, because a `FnOnce` would be called through a shim that
+    /// is compiled without this instruction set.
     #[inline(always)]
     fn not_inlined<R>(work: impl FnMut() -> R) -> R {
         inlined::plain::not_inlined(work)
@@ -210,8 +211,8 @@ pub trait Numbers:
             return power();
         }
         let is_nonzero = self.below(0.0) | (-self).below(0.0);
-        // at 0: the power has the value 0, and the factor 2 · `f64::MAX` makes its first nonzero
-        // derivative infinite
+        // at 0: with n = ⌈a⌉, xⁿ and its first n − 1 derivatives are 0, and the factor 2 ·
+        // `f64::MAX` makes derivative n infinite
         Self::select_lazily(
             is_nonzero,
             power,

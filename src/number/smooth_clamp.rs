@@ -12,8 +12,8 @@ pub(crate) fn smooth_clamp_above<T: Numbers>(x: T, end: f64, over: f64) -> T {
             let beyond = (x - end) * (1.0 / over);
             let u = beyond.select(T::constant(1.0), beyond.below(1.0));
             let square = u * u;
-            // derivative (1 − u)² (1 + 2u): 1 at u = 0 and 0 at u = 1, with zero second derivatives
-            // there
+            // the derivative is (1 − u)² (1 + 2u): 1 at u = 0 and 0 at u = 1; the second derivative
+            // is 0 at both ends
             (square * square).scale_add(0.5, u - u * square) * over + end
         }),
     )

@@ -1,7 +1,7 @@
 use super::{Numbers, inlined};
 
-/// Largest x² at which the polynomial is used. Laws that saturate by tanh need no larger x² for
-/// usual spin ratios.
+/// Largest x² at which the polynomial is used. A law that limits the spin ratio by tanh has a
+/// smaller x² at usual spin ratios.
 const MOST_SQUARED: f64 = 0.5;
 
 /// Polynomial for (tanh(x)/x − 1)/x² in powers of x²: interpolation at the zeros of Chebyshev's

@@ -1,5 +1,5 @@
-/// Value of a function and its exact first and second derivatives by the requested variables, in
-/// their order.
+/// Value of a function, and its exact first and second derivatives by the requested variables, in
+/// the order of the variables.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Taylor {
     /// Value.
@@ -26,8 +26,8 @@ impl Taylor {
         self.value.is_finite() && derivatives.all(|d| d.is_finite())
     }
 
-    /// Checks that there are `count` first derivatives, and `count` × `count` second derivatives or
-    /// none. `of_what` names the variables in the message.
+    /// Checks that there are `count` first derivatives, and either `count` × `count` second
+    /// derivatives or no second derivatives. `of_what` names the variables in the message.
     ///
     /// # Panics
     /// If the numbers differ; the message names both numbers.

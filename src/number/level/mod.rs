@@ -95,8 +95,8 @@ impl Level {
         self.min(Self::Avx2)
     }
 
-    /// Runs a task of one drive at this level, but not above AVX2 and not above the widest level of
-    /// this processor. Levels are ordered like the variants.
+    /// Runs a task of one drive at this level. A level above AVX2, or above the widest level of
+    /// this processor, is lowered.
     #[inline]
     #[cfg_attr(
         target_arch = "x86_64",

@@ -1,7 +1,7 @@
 use crate::number::Mask;
 use std::ops::{BitAnd, BitOr, Not};
 
-/// Mask of `W` lanes, a bit each; lane 0 is the lowest bit.
+/// Mask of `W` lanes, with one bit for each lane; lane 0 is the lowest bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bits<const W: usize>(pub u8);
 

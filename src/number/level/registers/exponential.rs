@@ -3,19 +3,19 @@
 
 use crate::number::{Numbers, inlined};
 
-/// 1.5·2⁵². The sum of this number and x has x, rounded to an integer, in the low bits of its
-/// mantissa.
+/// 1.5·2⁵². If x is added to this number, the low bits of the mantissa of the sum are x, rounded to
+/// an integer.
 pub(super) const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
-/// Leading digits of ln 2, few enough that the product with k in [`reduced`] is exact (Cody & Waite
-/// 1980).
+/// Leading digits of ln 2. There are so few digits that [`reduced`] multiplies them by k without
+/// rounding (Cody & Waite 1980).
 const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
 /// Remaining digits of ln 2.
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 
-/// Lower clamp of x: below it eˣ is 0 for practical purposes.
+/// Smallest x. A smaller x is clamped, because eˣ is then 0 for practical purposes.
 const LEAST: f64 = -708.0;
-/// Upper clamp of x: above it eˣ is ∞ for practical purposes.
+/// Largest x. A larger x is clamped, because eˣ is then ∞ for practical purposes.
 const GREATEST: f64 = 709.0;
 
 /// Taylor coefficients 1/n!.
@@ -31,7 +31,7 @@ pub(super) const TAYLOR: [f64; 18] = {
 
 /// Operations that the exponential needs in addition to those of [`Numbers`].
 pub(super) trait Powers: Numbers {
-    /// 2ᵏ for an integer k given as k + [`ROUNDER`], −1022 ≤ k ≤ 1023.
+    /// 2ᵏ for an integer k from −1022 to 1023. `rounded` is k + [`ROUNDER`].
     fn two_to(rounded: Self) -> Self;
     /// x clamped to an interval.
     fn clamped(self, low: f64, high: f64) -> Self;

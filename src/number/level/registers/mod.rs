@@ -1,9 +1,10 @@
 //! Vector registers as lanes: the only code with processor instructions.
 //!
-//! Only [`Level`](super::Level) names a register type, and only if the processor has its
-//! instructions: they are detected when the program runs (AVX2, AVX-512), are part of the
-//! architecture (NEON), or are required by the build (WebAssembly). All other code is generic over
-//! the lane type of a [`Task`](super::Task). Every `unsafe` in this module relies on this.
+//! Only [`Level`](super::Level) names a register type, and only if the processor has the
+//! instructions of the register. The program detects AVX2 and AVX-512 when it runs. NEON is part of
+//! the architecture, and a WebAssembly build with vectors requires them. All other code is generic
+//! over the lane type of a [`Task`](super::Task). Every `unsafe` in this module relies on these
+//! rules.
 #![allow(unsafe_code)]
 // some intrinsics are unsafe on one architecture and safe on another
 #![allow(unused_unsafe)]

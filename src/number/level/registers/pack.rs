@@ -134,7 +134,7 @@ macro_rules! pack {
             }
             #[inline(always)]
             fn is_finite(self) -> Bits<$width> {
-                // x − x is 0 for finite x, else NaN, which compares false
+                // x − x is 0 for a finite x and otherwise NaN; comparisons with NaN are false
                 (self - self).below(1.0)
             }
             #[inline(always)]

@@ -2,7 +2,7 @@ use super::exponential::{Powers, TAYLOR};
 use crate::number::{Mask, inlined};
 
 /// Largest x² at which Taylor's polynomials of degrees 17 (sine) and 16 (cosine) are exact to
-/// rounding. It is x = 46°; the usual angles of drivers and launches are smaller.
+/// rounding: x = 46°. The usual angles of drivers and launches are smaller.
 const MOST_SQUARED: f64 = 0.64;
 
 /// sin x and cos x: by polynomials if all lanes are within 46°, else by `large`.

@@ -31,9 +31,8 @@ pack! {
         below |x, limit| _mm512_cmp_pd_mask::<_CMP_LT_OQ>(x, limit),
         select |yes, no, mask| _mm512_mask_blend_pd(mask, no, yes),
         root and inverse |x| {
-            // for x > 0 (NaN at 0): an instruction gives 1/√x to 14 bits, and one iteration of
-            // fourth order raises this to 70 bits; the iteration also halves the rounding error of
-            // `first`
+            // for x > 0 (NaN at 0): an instruction gives 1/√x to 14 bits; one iteration of fourth
+            // order gives 70 bits, and halves the rounding error of `first`
             let guess = Self(unsafe { _mm512_rsqrt14_pd(x.0) });
             let first = x * guess;
             let error = -first.mul_add(guess, Self::constant(-1.0));
