@@ -13,7 +13,8 @@ use serde::{Deserialize, Serialize};
 /// Farther points are dropped.
 const NEARBY: f64 = 0.05;
 /// Largest distance from the iterate, in units of the variables' scale, at which the expansion of
-/// another side is accurate enough to show that no step reduces f.
+/// another side is accurate. If the piecewise model predicts no reduction of f, farther sides are
+/// dropped.
 const CLOSE: f64 = 1e-4;
 
 /// Points on the other sides of kinks near the iterate: the nearest known point of each side.
@@ -65,10 +66,10 @@ impl Bundle {
         too_far
     }
 
-    /// Terms of the piecewise model, in scaled variables: the second-order expansion of each other
-    /// side, rewritten as an expansion about `at`. The value of a term at `at` is limited to f(at):
-    /// at a kink that stalls a search, f is the maximum of its sides, so a value above f(at) is an
-    /// error of the expansion.
+    /// Terms of the piecewise model, in scaled variables. Each term is the second-order expansion
+    /// of another side, expressed about the point `at`. Its value at `at` is at most f(at): where a
+    /// kink stalls a search, f is the maximum of the sides, so a larger value would be an error of
+    /// the expansion.
     pub fn max_terms(
         &self,
         scaling: &Scaling,
@@ -78,8 +79,8 @@ impl Bundle {
         if self.0.is_empty() {
             return vec![];
         }
-        // use the smallest known curvature for all sides: the rounded tip of a smoothed kink has a
-        // curvature that belongs to no side
+        // use the smallest known curvature for all sides, because the rounded tip of a smoothed
+        // kink has a large curvature that belongs to no side
         let mildest = |least: DMatrix<f64>, other: &EvaluatedPoint| {
             let scale = &scaling.scale;
             let other = DMatrix::from_fn(scale.len(), scale.len(), |i, j| {

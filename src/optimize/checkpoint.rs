@@ -134,7 +134,7 @@ impl Checkpoint {
     }
 
     fn lock(&self) -> std::sync::MutexGuard<'_, CheckpointContent> {
-        // a poisoned lock is safe to use: the content only changes by whole entries
+        // a poisoned lock is safe to use, because each change of the content replaces whole entries
         self.content
             .lock()
             .unwrap_or_else(std::sync::PoisonError::into_inner)

@@ -7,10 +7,11 @@ use super::domain::Bounds;
 pub(crate) const LONGEST: f64 = 1.0 / 16.0;
 /// Shortest step, as a fraction of the range.
 const SHORTEST: f64 = 1.0 / 65_536.0;
-/// Largest distance of the predicted from the corrected optimum, in units of the variables' scales.
-/// If the distance is larger, the step is halved.
+/// Largest accepted distance between the predicted and the corrected optimum, in units of the
+/// variables' scales. If the distance is larger, the step is halved.
 pub(crate) const TOO_FAR: f64 = 0.02;
-/// Distance of the predicted from the corrected optimum below which the next step is doubled.
+/// If the predicted and the corrected optimum are closer than this distance, the next step is
+/// doubled.
 const NEAR: f64 = 0.002;
 /// Trust-region radius of the corrector. It keeps the search at the followed optimum.
 pub(crate) const RADIUS: f64 = 0.05;
@@ -78,8 +79,8 @@ impl AdaptiveStep {
     }
 }
 
-/// Predictor: the optimum after a change of the parameter, to first order (`rates` is dx*/dp),
-/// projected on the bounds.
+/// Predictor: the optimum, to first order, after the parameter p has changed by `change`. `rates`
+/// is dx*/dp. The result is projected on the bounds.
 pub(crate) fn predicted(x: &[f64], rates: &[f64], change: f64, bounds: &Bounds) -> Vec<f64> {
     let moved: Vec<f64> = x
         .iter()
@@ -98,11 +99,11 @@ pub(crate) fn relative_distance(x: &[f64], predicted: &[f64], bounds: &Bounds) -
         .fold(0.0, f64::max)
 }
 
-/// Locates a change between two points by bisection. Returns a point after the change, where
-/// `is_as_before` is false, at most `tolerance` after a point before the change. `at` returns the
-/// location of a point, `guess` predicts the location of the change, and `next` computes the point
-/// at a location from an earlier point. If `next` fails, returns the earliest known point after the
-/// change.
+/// Locates a change between the points `before` and `after` by bisection, and returns a point after
+/// the change. The change is less than `tolerance` before this point. `is_as_before` is true for
+/// points before the change, and `at` returns the location of a point. `guess` predicts the
+/// location of the change. `next` computes the point at a location from an earlier point. If `next`
+/// fails, returns the earliest known point after the change.
 pub(crate) fn locate_change<P>(
     [mut before, mut after]: [P; 2],
     tolerance: f64,

@@ -1,16 +1,17 @@
 use super::null_space::null_space;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-/// Smallest eigenvalue that is not reflected, relative to the largest |eigenvalue|. A smaller
-/// |eigenvalue| is raised to this size before the reflection.
+/// Eigenvalues below this fraction of the largest |eigenvalue| are reflected. The reflected
+/// |eigenvalue| is at least this fraction.
 const FLOOR: f64 = 1e-8;
-/// The curvature added to the Hessian along the active normals grows by this factor from one
-/// attempt to the next. The first attempt adds the Hessian's size, which is its largest |entry|.
+/// An attempt adds curvature to the Hessian along the active normals. The first attempt adds the
+/// largest |entry| of the Hessian; each further attempt adds more curvature by this factor.
 const GROWTH: f64 = 4.0;
-/// Maximum number of attempts. More added curvature makes the matrix numerically singular.
+/// Maximum number of attempts to add curvature. Still more curvature would make the matrix
+/// numerically singular.
 const MOST_RAISES: u32 = 15;
-/// Curvature added along the active normals before a reflection, relative to the Hessian's size. It
-/// separates the eigenvalues of the active normals from the eigenvalues of the tangents.
+/// Curvature added along the active normals before a reflection, relative to the largest |entry| of
+/// the Hessian. It separates the eigenvalues of the active normals from those of the tangents.
 const SEPARATION: f64 = 100.0;
 
 /// Result of the convexification.
@@ -67,8 +68,8 @@ pub(super) fn convexify(
         });
     };
     let size = hessian.amax();
-    // if the Hessian is positive definite on the tangents, a sufficiently large multiple of the
-    // outer products of the normals makes the sum positive definite (Debreu 1952)
+    // if the Hessian is positive definite on the tangents, the sum is positive definite for a
+    // sufficiently large added curvature (Debreu 1952)
     let mut raise = size;
     for _ in 0..MOST_RAISES {
         raised(convex, raise);
@@ -95,8 +96,9 @@ pub(super) fn convexify(
     }
 }
 
-/// The Hessian, with its negative curvature on the tangents of the active constraints reflected.
-/// Along the normals of these constraints the curvature is set to the Hessian's size.
+/// Reflects the negative curvature of the Hessian along the tangents of the active constraints.
+/// Along the normals of these constraints, the curvature is set to the largest |entry| of the
+/// Hessian.
 fn reflected_along(
     hessian: &DMatrix<f64>,
     active: &[DVector<f64>],

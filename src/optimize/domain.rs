@@ -13,8 +13,8 @@ impl Bounds {
     /// Creates the limits and checks them.
     ///
     /// # Errors
-    /// [`Error::Optimizer`] if a limit is NaN or infinite on the wrong side, if limits are
-    /// reversed, or if the vectors differ in length.
+    /// [`Error::Optimizer`] if a limit is NaN, if a lower limit is ∞ or an upper limit is −∞, if
+    /// limits are reversed, or if the vectors differ in length.
     pub fn new(low: Vec<f64>, high: Vec<f64>) -> Result<Self> {
         let bounds = Self { low, high };
         bounds.check()?;
@@ -53,7 +53,7 @@ impl Bounds {
     /// Projection of a point on the limits.
     ///
     /// # Panics
-    /// If a field was changed to NaN or reversed limits.
+    /// If a limit is NaN or limits are reversed, because a field was changed.
     pub fn project(&self, x: &[f64]) -> Vec<f64> {
         x.iter()
             .zip(self.low.iter().zip(&self.high))

@@ -21,8 +21,8 @@ pub(super) struct Compromise {
     pub at: f64,
     /// Sum a + b.
     pub sum: f64,
-    /// The point of the front. Unknown derivatives dx/ds are set to zero, so that the predictor
-    /// returns the point itself.
+    /// The point of the front. Unknown derivatives dx/ds are set to zero; the predicted point is
+    /// then this point.
     pub point: FrontPoint,
     /// Solution of the corrector with its derivatives by s; `None` if they are unknown.
     pub derivatives: Option<(Solution, OptimumResponse)>,
@@ -166,7 +166,8 @@ impl FrontPlane<'_> {
     }
 }
 
-/// Derivatives of the functions by s: only the limit of the last constraint depends on s.
+/// Derivatives by s of the functions minus their limits. Only the last constraint depends on s,
+/// because its limit is s.
 fn derivatives_by_s(solution: &Solution) -> Evaluation {
     let n = solution.x.len();
     let mut hessian = vec![vec![]; n];

@@ -15,30 +15,29 @@ use std::cell::Cell;
 /// Tolerance within which two values of a function count as equal, relative to the size of the
 /// function or to its change over the front.
 pub(super) const SAME: f64 = 1e-9;
-/// Allowed increase of a function above its minimum, as a fraction of its change over the front.
-/// All points within this increase count as minimisers; among them, the point at which the other
-/// function is smallest is selected.
+/// Allowed increase of a function above its minimum, as a fraction of its change over the front. A
+/// point within this increase counts as a minimum; the minimum at which the other function is
+/// smallest is selected.
 const UNIQUE_WITHIN: f64 = 1e-7;
 /// A minimum is isolated if the ratio of the smallest to the largest curvature is above this limit.
 const FLAT: f64 = 1e-9;
 /// Message for an interrupted front.
 pub(super) const PART_MISSING: &str = "interrupted: a part of the front is missing";
 
-/// Problem made of weighted sums of two functions: the objective and the last constraint function
-/// of another problem. One sum is the objective; a second sum replaces the last constraint.
+/// Problem made from another problem. Its two functions, the objective and the last constraint, are
+/// replaced by weighted sums of both. The other constraints are kept.
 pub(super) struct Combined<'a> {
     pub problem: &'a dyn Problem,
     /// Value subtracted from each function before the weighting.
     pub zero: [f64; 2],
     /// Weights in the objective.
     pub objective: [f64; 2],
-    /// Weights in the constraint; `None` without a constraint.
+    /// Weights in the last constraint; if `None`, the last constraint is dropped.
     pub constraint: Option<[f64; 2]>,
 }
 
 impl<'a> Combined<'a> {
-    /// Problem that minimizes the sum with the weights `objective`, without a constraint on a
-    /// second sum.
+    /// Problem that minimizes the sum with the weights `objective`, without the last constraint.
     pub fn minimized(problem: &'a dyn Problem, objective: [f64; 2]) -> Self {
         Self {
             problem,
@@ -176,8 +175,8 @@ impl FrontContext<'_> {
         }
     }
 
-    /// If the minimum of function `k` is not isolated (a variable may have no effect, for example),
-    /// selects the minimiser at which the other function is smallest.
+    /// Returns `end` if the minimum of function `k` is isolated. Otherwise, for example if a
+    /// variable has no effect, returns the minimum at which the other function is smallest.
     pub fn isolated_minimum(
         &self,
         k: usize,
@@ -212,8 +211,8 @@ impl FrontContext<'_> {
         {
             (domain.variables.low[i], domain.variables.high[i]) = (end.x[i], end.x[i]);
         }
-        // try without the limit on function `k` first: if active bounds determine the minimum, the
-        // limit is not needed
+        // the first search is without the limit on function `k`, which is not needed if active
+        // bounds determine the minimum
         let other = Combined::minimized(self.problem, weights_of(1 - k));
         let limited = Combined {
             constraint: Some(weights_of(k)),
@@ -239,7 +238,7 @@ impl FrontContext<'_> {
             .load(std::sync::atomic::Ordering::Relaxed)
     }
 
-    /// Options of a corrector search, which stays near its start.
+    /// Options of a corrector search. The small radius keeps the search near its start.
     pub fn near(&self) -> Options {
         Options {
             initial_radius: RADIUS,
