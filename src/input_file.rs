@@ -19,7 +19,7 @@ thread_local! {
     static MEMORY: RefCell<Vec<MemoryFiles>> = const { RefCell::new(vec![]) };
 }
 
-/// Runs `work` on this thread; `work` can open `files` as if they were on disk. They replace the
+/// Runs `work` on this thread. `work` can open `files` as if they were on disk. It cannot open the
 /// files in memory of an outer call.
 pub fn with_memory_files<T>(files: MemoryFiles, work: impl FnOnce() -> T) -> T {
     with_innermost(&MEMORY, files, work)

@@ -72,7 +72,7 @@ impl<T: Number> Launch<T> {
         self.velocity.y.atan2(self.velocity.z)
     }
 
-    /// |ω| as ω·ω/√(ω·ω + η²), rad/s: exactly 0 without spin, and smooth there.
+    /// |ω| as ω·ω/√(ω·ω + η²), rad/s: exactly 0 at zero spin, with finite derivatives there.
     pub fn total_spin(&self) -> T {
         let squared = self.spin.dot(self.spin);
         squared / (squared + LEAST_SPIN * LEAST_SPIN).sqrt()
@@ -85,16 +85,16 @@ impl<T: Number> Launch<T> {
         (self.spin.y * v.z - self.spin.z * v.y) / self.horizontal_speed()
     }
 
-    /// Spin about the axis perpendicular to the velocity in the vertical plane of the velocity,
-    /// rad/s; + curves right.
+    /// Spin about the axis that lies in the vertical plane of the velocity and is perpendicular to
+    /// the velocity, rad/s; + curves right.
     pub fn sidespin(&self) -> T {
         let (v, horizontal) = (self.velocity, self.horizontal_speed());
         let along = (self.spin.y * v.y + self.spin.z * v.z) / horizontal;
         (v.x * along - self.spin.x * horizontal) / self.ball_speed()
     }
 
-    /// Tilt of the spin axis, atan2(sidespin, backspin), rad; + tilts and curves right. NaN without
-    /// spin (|ω| < η).
+    /// Tilt of the spin axis, atan2(sidespin, backspin), rad; + curves right. NaN without spin (|ω|
+    /// < η).
     pub fn spin_axis(&self) -> T {
         if self.spin.dot(self.spin).re() < LEAST_SPIN * LEAST_SPIN {
             return T::constant(f64::NAN);

@@ -18,8 +18,8 @@ pub struct Accuracy {
     /// Number of drives compared.
     pub drives: usize,
     /// Largest defect of the integration (docs/model.md, eq. 16a) of the compared drives, m. A
-    /// drive with a larger defect may exceed the tolerance: give this limit to
-    /// [`Batch::with_largest_defect`].
+    /// drive with a larger defect may exceed the tolerance. [`Batch::with_largest_defect`] refines
+    /// such drives.
     pub largest_defect: f64,
 }
 
@@ -35,8 +35,8 @@ impl Accuracy {
 
 /// Method for every tolerance: the method of highest order needs the fewest force evaluations.
 const METHOD: Method = Method::DormandPrince8;
-/// Largest error allowed for the compared drives, as a fraction of the tolerance. The margin is for
-/// the drives in the ranges that are not compared.
+/// Largest error allowed for the compared drives, as a fraction of the tolerance. Other drives in
+/// the ranges, which are not compared, may have larger errors.
 pub(super) const SAFETY: f64 = 0.25;
 /// Longest trial step, s. Each further trial step is shorter by the factor 2^(−1/4).
 const LONGEST_STEP: f64 = 1.6;
@@ -48,26 +48,26 @@ const REFERENCE: f64 = 1.0 / 4.0;
 const SHORTEST_REFERENCE: f64 = 1e-3;
 /// Number of sampled points inside the ranges.
 const INTERIOR_POINTS: u64 = 64;
-/// Number of drives tested first. The other drives are tested only with a step that is accurate for
-/// these.
+/// Number of drives that are tested first. The other drives are tested only with a step that is
+/// accurate for the first drives.
 const TESTED_FIRST: usize = 16;
-/// Number of parameters whose range ends are combined, in up to 2⁴ drives. In these drives, the
-/// other parameters have the values of the setup.
+/// Drives at the corners of the ranges are tested for this number of parameters: at most 2⁴ drives.
+/// In these drives, the other parameters have the values of the setup.
 const CORNER_PARAMETERS: usize = 4;
 /// Number of steps tested per drive: the step itself and slightly shorter steps, because the error
 /// depends on the position of the landing within the last step.
 const PHASES: u32 = 8;
-/// Difference between two consecutive of these [`PHASES`] steps, as a fraction of the tested step.
-/// The shortest of the 8 steps is a quarter shorter than the tested step.
+/// Difference between a step and the next shorter step of these [`PHASES`] steps, as a fraction of
+/// the longest step. The shortest step is a quarter shorter than the longest step.
 const PHASE_DIFFERENCE: f64 = 0.035;
 /// Smallest value of [`Accuracy::largest_defect`], m. Smaller defects are rounding (for example in
 /// a flight almost without air).
 const ROUNDING: f64 = 1e-12;
 
-/// The longest trial step for which all lengths among the outcomes have errors below `tolerance`,
-/// m; without a length among the outcomes, carry is tested. The tested drives are the setup's own,
-/// and drives at the ends of the ranges and inside them. All drives have this one step, so outcomes
-/// stay smooth.
+/// The longest trial step for which all tested lengths have errors below `tolerance`, m. The tested
+/// lengths are those among the outcomes, or carry if there are none. The tested drives are the
+/// setup's own, and drives at the ends of the ranges and inside them. All drives have this one
+/// step, so outcomes stay smooth.
 ///
 /// ```
 /// use longdrive::{Outcome, Setup, integration::accuracy};
@@ -127,7 +127,7 @@ pub(super) fn accuracy_until(
 
 /// The compared drives with their reference flights.
 struct TestedDrives<'s> {
-    /// The batch with the lengths as outcomes, and with the integration method [`METHOD`].
+    /// Batch whose outcomes are the tested lengths. Its integration method is [`METHOD`].
     batch: Batch,
     points: Vec<f64>,
     /// Points of the drives that are tested later.
@@ -205,7 +205,8 @@ impl<'s> TestedDrives<'s> {
     /// test of `step`.
     fn refine(&mut self, step: f64) -> Result<()> {
         if self.reference_step > (REFERENCE * step).max(SHORTEST_REFERENCE) {
-            // half as long as needed, so that the reference also serves the next trial steps
+            // half the longest allowed reference step: the next, shorter trial steps can use the
+            // same reference flights
             self.reference_step = (0.5 * REFERENCE * step).max(SHORTEST_REFERENCE);
             self.reference = self.flown(self.reference_step)?;
         }
@@ -222,8 +223,8 @@ impl<'s> TestedDrives<'s> {
         Ok(true)
     }
 
-    /// The accuracy with `step`, or a text about the first drive that does not land or whose error
-    /// exceeds `limit`.
+    /// The accuracy with `step`. If a drive does not land or its error exceeds `limit`, a text
+    /// about the first such drive.
     ///
     /// # Errors
     /// [`Error::NoFlight`] if no drive lands.
@@ -245,7 +246,7 @@ impl<'s> TestedDrives<'s> {
         let with =
             |status| (0..self.reference.rows()).find(|&row| self.reference.status(row) == status);
         match (with(Status::Landed), with(Status::Diverged)) {
-            // a drive not tested yet may land
+            // no drive lands, but one of the drives that are not tested yet may land
             (None, _) if !self.untested_points.is_empty() => return Ok(Ok(found)),
             (None, None) => {
                 return Err(Error::NoFlight {
@@ -273,7 +274,7 @@ impl<'s> TestedDrives<'s> {
         Ok(Ok(found))
     }
 
-    /// The largest error of the lengths of a drive, m.
+    /// The largest error of the lengths of the drive in a row, m.
     ///
     /// # Errors
     /// A text about the drive, if an error exceeds `limit`, or if a length does not exist in the
@@ -334,7 +335,7 @@ fn flown(batch: &Batch, points: Vec<f64>, stop: &AtomicBool) -> Result<Block> {
         .ok_or(Error::Stopped)
 }
 
-/// The points of the drives to compare: for each point, a value for each range.
+/// The points of the drives to compare, one after the other. A point has a value for each range.
 fn points(setup: &Setup<f64>, ranges: &[Vary]) -> Vec<f64> {
     // one drive if nothing varies
     if ranges.iter().all(|range| range.low == range.high) {
@@ -363,7 +364,8 @@ fn points(setup: &Setup<f64>, ranges: &[Vary]) -> Vec<f64> {
                 }),
         );
     }
-    // points inside the ranges: the shortest flights, with the fewest steps, are rarely at a corner
+    // points inside the ranges, because the shortest flights, which have the fewest steps, are
+    // rarely at a corner of the ranges
     for k in 0..INTERIOR_POINTS {
         let at = |(i, range): (usize, &Vary)| {
             range.low + (range.high - range.low) * sobol::coordinate(k, i, 0)

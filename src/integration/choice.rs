@@ -15,8 +15,8 @@ const MICROMETRE: f64 = 1e-6;
 /// Choice of the method and the step of flights.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum StepChoice {
-    /// Lengths have errors of at most 1 µm, unless the setup states method or step
-    /// ([`Setup::states_step`]), or no step is that exact.
+    /// Lengths have errors of at most 1 µm. The method and the step of the setup are kept if the
+    /// setup states them ([`Setup::states_step`]), or if no step reaches 1 µm.
     #[default]
     Micrometre,
     /// Lengths have errors of at most this tolerance, m.
@@ -67,8 +67,8 @@ impl StepChoice {
     pub fn for_setup_until(self, setup: &Setup<f64>, stop: &AtomicBool) -> Result<Integration> {
         setup.validate()?;
         let mut found = self.for_ranges(setup, &[], &of_the_flight(), stop)?;
-        // `for_ranges` limits the defect for errors of at most `SAFETY` times the tolerance; a
-        // single drive may have an error as large as the tolerance
+        // with the limit of `for_ranges`, errors are at most `SAFETY` times the tolerance; the
+        // error of a single drive may be as large as the tolerance
         found.largest_defect /= SAFETY;
         Ok(found)
     }
@@ -115,8 +115,8 @@ impl StepChoice {
         self.for_ranges(setup, &neighbourhood(setup, wrt), of, stop)
     }
 
-    /// Method and step for many drives whose parameters are in these ranges, for the lengths among
-    /// the outcomes. Interrupted once `stop` is true.
+    /// Method and step for many drives with parameters in these ranges. The tolerance applies to
+    /// the lengths among the outcomes. Interrupted once `stop` is true.
     ///
     /// # Errors
     /// [`Error::Tolerance`] for a tolerance ≤ 0, or a stated tolerance that no step reaches;
@@ -138,7 +138,7 @@ impl StepChoice {
                 largest_defect: found.largest_defect,
                 warning: None,
             }),
-            // no drive lands, so no error of a length can limit the step
+            // no drive lands, so no length exists whose error limits the step
             Err(Error::NoFlight { .. }) => Ok(Integration::own(setup, None)),
             Err(Error::Tolerance { reason, .. }) if self == Self::Micrometre => {
                 let warning = format!(
@@ -153,12 +153,13 @@ impl StepChoice {
         }
     }
 
-    /// True if the setup keeps its own method and step; then no drives are computed to choose them.
+    /// True if the setup keeps its own method and step. No drives are then computed for a choice.
     pub fn is_own(self, setup: &Setup<f64>) -> bool {
         self.tolerance(setup).is_none()
     }
 
-    /// The tolerance, m, for which method and step are chosen; `None` if the setup keeps its own.
+    /// The tolerance, m, for which method and step are chosen; `None` if the setup keeps its own
+    /// method and step.
     fn tolerance(self, setup: &Setup<f64>) -> Option<f64> {
         match self {
             Self::Within(tolerance) => Some(tolerance),
