@@ -12,8 +12,8 @@ use crate::ground::LandingState;
 use crate::number::{Mask, Numbers, Vector, inlined};
 
 /// Additional weight of the defect of the last step (eq. 16a), in which the landing is
-/// interpolated. The error of this interpolation is 30 to 110 times the error of the end of a step
-/// that has the same defect.
+/// interpolated. The error of this interpolation is 30 to 110 times the integration error of a step
+/// with the same defect.
 const INTERPOLATION_WEIGHT: f64 = 100.0;
 
 /// State of the lanes between two steps.

@@ -155,8 +155,8 @@ impl<T: Numbers, L: AerodynamicLaw<T>> Inputs<T, L> {
             *end = self.spin_and_derivatives(node, damping);
         }
         let [[p0, m0, c0], [p1, m1, c1]] = ends;
-        // x, v, a: value and first two derivatives at s = 1 of the spin minus the parabola p0 + m0
-        // s + c0 s²/2
+        // x, v, a: value and first two derivatives, at s = 1, of the spin minus the parabola
+        // p0 + m0 s + c0 s²/2
         let x = p1 - p0 - m0 - c0 * 0.5;
         let v = m1 - m0 - c0;
         let a = c1 - c0;

@@ -26,9 +26,9 @@ pub(crate) struct Step<'n, T> {
     /// of a drive with rk4 (`src/number/mod.rs`, "Pipelines").
     pub from: &'n mut StepNode<T>,
     pub to: &'n mut StepNode<T>,
-    /// Position increment x₁ − x₀ − h v₀, not rounded by the addition to the position.
+    /// Position increment x₁ − x₀ − h v₀, computed without the rounding of x₁.
     pub position_increment: Vector<T>,
-    /// Velocity increment v₁ − v₀, not rounded by the addition to the velocity.
+    /// Velocity increment v₁ − v₀, computed without the rounding of v₁.
     pub velocity_increment: Vector<T>,
 }
 

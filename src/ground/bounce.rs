@@ -207,8 +207,8 @@ mod tests {
         }
     }
 
-    /// The tilt of the crater never exceeds the angle of incidence. Without the clamp, the tilt of
-    /// faster balls than 54 m/s would exceed this angle: the crater would face away from the ball.
+    /// The tilt of the crater never exceeds the angle of incidence. Without the clamp, it would
+    /// exceed this angle for a ball faster than 54 m/s: the crater would face away from the ball.
     #[test]
     fn no_ball_meets_the_crater_from_behind() {
         let turf = Turf::new(&Setup::default());

@@ -88,8 +88,8 @@ impl<T: Numbers> Turf<T> {
         )))
     }
 
-    /// Computes bounces and roll-out. `observe` receives each hop, after the position at which it
-    /// starts, m, relative to the landing.
+    /// Computes bounces and roll-out. `observe` receives the position at the start of each hop, m,
+    /// relative to the landing, and the hop.
     #[inline(always)]
     fn run(
         &self,
@@ -226,8 +226,8 @@ struct Hop<T: Numbers> {
     rising: Vector<T>,
     /// Duration T, s.
     time: T,
-    /// x in eq. 22 of docs/model.md: during the hop, drag divides the speed along the plane by 1 +
-    /// x.
+    /// x in eq. 22 of docs/model.md. During the hop, drag divides the speed along the plane by
+    /// 1 + x.
     slowdown: T,
     /// Acceleration of gravity g, m/s².
     gravity: T,
