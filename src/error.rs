@@ -193,7 +193,7 @@ pub enum Error {
         high_mm: f64,
         /// `strike.toe`, mm.
         toe_mm: f64,
-        /// q of the message: below 1 on the face.
+        /// q, as defined in the message. A strike on the face has q < 1.
         q: f64,
     },
     /// A face that does not move towards the ball.
@@ -418,8 +418,8 @@ impl Error {
         }
     }
 
-    /// The error as text with computed quantities in the units of a system; given values are
-    /// unchanged.
+    /// The error as text. Computed quantities are in the units of `system`; values that the user
+    /// gave are unchanged.
     pub fn in_units(&self, system: System) -> String {
         self.message().in_units(system)
     }

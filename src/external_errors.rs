@@ -76,7 +76,8 @@ pub(crate) const NOT_UTF_8: &str = "it holds bytes that are not text in UTF-8; s
 pub(crate) fn read_error_text(error: &std::io::Error) -> String {
     use std::io::ErrorKind;
     let why = match error.kind() {
-        // an error of `read_to_string` has no inner error, unlike an error of a decoder
+        // `read_to_string` reports bytes that are not UTF-8 without an inner error; the errors of
+        // decoders have an inner error
         ErrorKind::InvalidData if error.get_ref().is_none() => return NOT_UTF_8.into(),
         ErrorKind::Other if error.get_ref().is_some() => return error.to_string(),
         ErrorKind::NotFound => "there is no such file".to_owned(),

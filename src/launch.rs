@@ -93,8 +93,7 @@ impl<T: Number> Launch<T> {
         (v.x * along - self.spin.x * horizontal) / self.ball_speed()
     }
 
-    /// Tilt of the spin axis, atan2(sidespin, backspin), rad; + curves right. NaN without spin (|ω|
-    /// < η).
+    /// Tilt of the spin axis, atan2(sidespin, backspin), rad; + curves right. NaN if |ω| < η.
     pub fn spin_axis(&self) -> T {
         if self.spin.dot(self.spin).re() < LEAST_SPIN * LEAST_SPIN {
             return T::constant(f64::NAN);

@@ -53,7 +53,8 @@ pub fn with_argument(error: Error) -> Error {
     }
 }
 
-/// The argument that a command lacks, with an example. `doing` is the field of [`Error::Nothing`].
+/// The argument that a command lacks, with an example. `doing` is the operation that
+/// [`Error::Nothing`] reports.
 fn missing_argument(doing: &str) -> Option<&'static str> {
     match doing {
         "vary" => Some(

@@ -65,7 +65,7 @@ impl Directions<'_> {
 
     /// Calls `put` with each variable and a number. The number has the value of the variable, and
     /// the derivative 1 in each lane and direction of this variable. If several pairs contain a
-    /// variable, `put` is called several times with it.
+    /// variable, `put` is called several times with this variable.
     #[inline(always)]
     pub fn seeded<J: Lanes>(
         &self,

@@ -93,8 +93,9 @@ impl EvaluationPoint<'_> {
         Ok(())
     }
 
-    /// The error for an impact that the lanes refuse: the error of [`strike`]. If `strike` accepts
-    /// the impact, the strike is exactly on the limit, where rounding decides.
+    /// The error for an impact that is not valid in the lanes. [`strike`] computes the impact again
+    /// and returns the error. If `strike` returns no error, the strike is exactly on the limit,
+    /// where rounding decides.
     fn impact_error(&self) -> Error {
         strike(self.setup)
             .err()

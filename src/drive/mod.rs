@@ -158,8 +158,8 @@ pub(crate) fn check_defect<T: Copy>(
     }
 }
 
-/// A smaller spin |ω| at launch, rad/s, counts as zero spin, where |ω| has a corner. The limit is
-/// some hundreds of times the rounding error of |ω|.
+/// A spin at launch below this limit, rad/s, counts as zero spin. At zero spin, |ω| has a corner.
+/// The limit is some hundreds of times the rounding error of |ω|.
 const ZERO_SPIN_LIMIT: f64 = 1e-3;
 
 /// Maximum number of halvings of the step until the defect of the integration is accepted.
@@ -196,7 +196,7 @@ impl Drive<f64> {
         })
     }
 
-    /// True if the spin at launch is zero. |ω| has a corner there.
+    /// True if the spin at launch is zero. At zero spin, |ω| has a corner.
     pub(crate) fn is_without_spin(&self) -> bool {
         self.launch.total_spin() < ZERO_SPIN_LIMIT
     }

@@ -1,5 +1,5 @@
-//! Validity limits of the model: the ranges a law was fitted to, the largest face, the flattest
-//! measured bounce.
+//! Validity limits of the model: the ranges that a law was fitted to, the largest face, the
+//! flattest measured bounce.
 
 use super::{Drive, Outcome};
 use crate::aerodynamics::{AerodynamicLaw, Continuation};
@@ -10,8 +10,8 @@ use crate::parameters::{Law, Setup};
 use crate::units::{Digits, Message, Quantity, YARD, counted_of};
 use std::sync::atomic::AtomicBool;
 
-/// Smallest change of the carry, m, that causes a warning: 0.3 yd. It applies to the effect of a
-/// variable outside the range of the law, and to the effect of the ball's temperature.
+/// Smallest change of the carry, m, that causes a warning: 0.3 yd. The change is the effect of a
+/// variable outside the range of the law, or of the temperature of the ball.
 pub(super) const LEAST_WARNED_CHANGE: f64 = 0.3 * YARD;
 
 /// A variable that the law itself clamps to its fitted range causes a warning if it is outside this
@@ -264,7 +264,8 @@ fn law_range_warning(subject: &str, law: &Law<f64>, scope: CheckScope) -> Messag
         .words(format!("; {}), where it is {how}{rest}", fitted.to))
 }
 
-/// Words of a warning about whole flights: the thresholds of [`Drive::extrapolated`].
+/// Part of a warning: the thresholds of [`Drive::extrapolated`] in words, such as "at least 1 % of
+/// the flight time is".
 fn share_outside(how: Continuation) -> Message {
     let time = format!(
         "at least {:.0} % of the flight time",

@@ -36,7 +36,8 @@ const TEN_DEGREES: f64 = 10.0 / 1.8;
 /// Temperature of the balls whose restitution was measured, K: 25 °C.
 const BALL_TEMPERATURE: f64 = 298.15;
 
-/// A larger shift of the landing, m, when the step is halved causes a warning about a long step.
+/// Largest shift of the landing, m, when the step is halved. If the shift is larger, a warning says
+/// that the step is long.
 const LEAST_WARNED_SHIFT: f64 = 1e-3;
 
 /// The fitted range of a quantity of the law, and its range in the flight.
@@ -193,8 +194,8 @@ impl Drive<f64> {
         })
     }
 
-    /// The largest change of the carry, m, if one of the variables outside the ranges of the law is
-    /// held at the end of its range; `None` if no variable changes the carry by more than 0.3 yd.
+    /// The largest change of the carry, m, if a variable of the law that leaves its fitted range is
+    /// held within this range; `None` if no variable changes the carry by more than 0.3 yd.
     pub fn extrapolated_carry(&self, setup: &Setup<f64>) -> Option<f64> {
         let changes = self
             .extrapolated(setup, &AtomicBool::new(false))
@@ -204,10 +205,11 @@ impl Drive<f64> {
             .max_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
 
-    /// The variables of the law that leave their fitted range enough for a warning: holding the
-    /// variable within the range changes the carry by more than 0.3 yd. If the law itself holds the
-    /// variable, or if the change is unknown, the share of the flight time outside the range
-    /// decides ([`LEAST_WARNED_SHARE`]).
+    /// The variables of the law that leave their fitted range and cause a warning. A variable
+    /// causes a warning if holding it within the range changes the carry by more than 0.3 yd. If
+    /// the law itself holds the variable, or if the change is unknown, the variable also causes a
+    /// warning if its share of the flight time outside the range is at least
+    /// [`LEAST_WARNED_SHARE`].
     pub(super) fn extrapolated(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Vec<Extrapolated> {
         let fitted = setup.law.properties().fitted;
         let ranges = fitted.ranges().map(|fitted| fitted.range);

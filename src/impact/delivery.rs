@@ -17,8 +17,9 @@ pub struct Delivery<T> {
 const REFERENCE_SPEED: f64 = 44.704;
 
 impl<T: Numbers> Delivery<T> {
-    /// Delivery of a swing (docs/model.md, eqs. 1–2b). The head is turned toe down by the shaft
-    /// droop, pitched up by attack angle − shaft lean + shaft bend, then yawed by the face angle.
+    /// Delivery of a swing (docs/model.md, eqs. 1–2b). The head is first turned toe down by the
+    /// shaft droop, then pitched up by attack angle − shaft lean + shaft bend, then yawed by the
+    /// face angle.
     #[inline(always)]
     pub fn new(swing: &Swing<T>) -> Self {
         let (sin_attack, cos_attack) = swing.attack_angle.sin_cos();

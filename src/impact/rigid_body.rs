@@ -184,7 +184,7 @@ impl<T: Numbers> Collision<T> {
         columns
     }
 
-    /// w = K n − (n·K n) n (eq. 9a). A unit impulse along the face normal turns the head, which
+    /// w = K n − (n·K n) n (eq. 9a). A unit impulse along the face normal turns the head. This turn
     /// decreases the relative velocity along the face by w: the gear effect.
     #[inline(always)]
     fn gear_velocity(&self, [x, y, z]: &[Vector<T>; 3]) -> Vector<T> {

@@ -74,9 +74,10 @@ impl StepChoice {
     }
 
     /// Method and step for outcomes as functions of the parameters `wrt` near the setup's own
-    /// values. Each parameter may change by half its value, and by at least 10°, 5 m/s or 1 cm;
-    /// with more than four parameters, by less. Farther from the setup, a drive is repeated with
-    /// half the step if its defect exceeds the [limit](Integration::largest_defect).
+    /// values. Each parameter may change by half its value, or by 10°, 5 m/s or 1 cm if this is
+    /// more. With more than four parameters, each of them may change less. Farther from the setup,
+    /// a drive is repeated with half the step if its defect exceeds the
+    /// [limit](Integration::largest_defect).
     ///
     /// ```
     /// use longdrive::derivative::Order;

@@ -36,7 +36,7 @@ macro_rules! each {
     }};
 }
 
-/// Array of K equal numbers, without a loop for K ≤ 3 (compile time).
+/// Array of K equal numbers. For K ≤ 3 there is no loop, which shortens the compile time.
 #[inline(always)]
 fn filled<B: Copy, const K: usize>(number: B) -> [B; K] {
     [number, number, number]

@@ -211,8 +211,8 @@ pub trait Numbers:
             return power();
         }
         let is_nonzero = self.below(0.0) | (-self).below(0.0);
-        // at 0: with n = ⌈a⌉, xⁿ and its first n − 1 derivatives are 0, and the factor 2 ·
-        // `f64::MAX` makes derivative n infinite
+        // at 0: with n = ⌈a⌉, xⁿ and its first n − 1 derivatives are 0; the factor makes the n-th
+        // derivative infinite
         Self::select_lazily(
             is_nonzero,
             power,

@@ -100,7 +100,7 @@ pub(crate) fn relative_distance(x: &[f64], predicted: &[f64], bounds: &Bounds) -
 }
 
 /// Locates a change between the points `before` and `after` by bisection, and returns a point after
-/// the change. The change is less than `tolerance` before this point. `is_as_before` is true for
+/// the change. The change is at most `tolerance` before this point. `is_as_before` is true for
 /// points before the change, and `at` returns the location of a point. `guess` predicts the
 /// location of the change. `next` computes the point at a location from an earlier point. If `next`
 /// fails, returns the earliest known point after the change.

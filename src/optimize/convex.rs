@@ -5,7 +5,8 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 /// |eigenvalue| is at least this fraction.
 const FLOOR: f64 = 1e-8;
 /// An attempt adds curvature to the Hessian along the active normals. The first attempt adds the
-/// largest |entry| of the Hessian; each further attempt adds more curvature by this factor.
+/// largest |entry| of the Hessian. Each further attempt adds the previous curvature times this
+/// factor.
 const GROWTH: f64 = 4.0;
 /// Maximum number of attempts to add curvature. Still more curvature would make the matrix
 /// numerically singular.

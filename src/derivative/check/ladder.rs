@@ -42,8 +42,8 @@ pub struct Ladder {
     pub centre: f64,
     /// Assumed size of f, at least |f(x)|.
     pub size: f64,
-    /// Size of the terms from which f is computed, at least [`size`](Self::size). It determines the
-    /// rounding error of f.
+    /// Size of the terms in the formula of f, at least [`size`](Self::size). The rounding error of
+    /// f is relative to this size.
     pub rounding_size: f64,
     /// Samples, the largest step first.
     pub rungs: Vec<Rung>,
@@ -68,7 +68,7 @@ impl Ladder {
         };
         let mut ladders: Vec<Self> = f(at).into_iter().map(blank).collect();
         for k in steps {
-            // the distance between the rounded points `at` and `at + h`, which may differ from h
+            // the distance from `at` to the number nearest to `at + h`
             let step = (at + scale * 10.0_f64.powf(-0.5 * f64::from(k))) - at;
             if step <= 0.0 {
                 break;

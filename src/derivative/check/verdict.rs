@@ -42,8 +42,8 @@ pub const NEGLIGIBLE: f64 = 1e-2;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Demand {
     /// Smallest tolerance, relative to the derivative or to [`Ladder::negligible_size`], whichever
-    /// is larger. Jumps of higher derivatives, for example where the number of steps of a flight
-    /// changes, disturb differences by more than the error estimate.
+    /// is larger. Higher derivatives may jump, for example where the number of steps of a flight
+    /// changes; the error of a difference is then larger than its estimate.
     pub least_tolerance: f64,
     /// Largest tolerance with which a derivative can pass, relative to the derivative or to
     /// [`Ladder::negligible_size`], whichever is larger; `None` for no limit.

@@ -33,8 +33,8 @@ pub struct FrontPoint {
     /// Derivative of the first function by the second along the front; `None` where it is infinite,
     /// not unique or unknown.
     pub slope: Option<f64>,
-    /// Derivative dx/ds of each variable by the position s along the front, which goes from −1 to
-    /// 1; 0 where it is unknown.
+    /// Derivative dx/ds of each variable. s is the position along the front, from −1 to 1. The
+    /// derivative is 0 where it is unknown.
     pub rates: Vec<f64>,
     /// Active set.
     pub active_set: ActiveSet,
