@@ -11,8 +11,9 @@
 //! ([`impact`]), and the ball flies through air with drag, lift and spin decay ([`flight`]). Impact
 //! and flight are written once, generic over a [`Number`](number::Number): `f64` gives values, dual
 //! numbers give exact gradients and Hessians ([`derivative`]). The optimizer ([`optimize`]) and
-//! every study ([`study`]) use these derivatives. Without default features the library has the
-//! modules up to [`integration`]; the features `studies` and `reports` add the others.
+//! every study ([`study`]) use these derivatives. Without default features the library has
+//! [`integration`] and the modules below it in the table; the features `studies` and `reports` add
+//! the others.
 //!
 //! ```
 //! use longdrive::{Outcome, Setup, derivative};

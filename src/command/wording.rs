@@ -1,4 +1,5 @@
-//! Messages in the syntax of the command's `Host`, and advice on words that belong to no option.
+//! Messages in the syntax of the `Host` that runs the command, such as Python, and advice on words
+//! that belong to no option.
 
 use super::files::{ending, is_table};
 use super::mention::Mention;
@@ -116,7 +117,8 @@ fn joined(left_over: &str) -> Option<String> {
     })
 }
 
-/// Refuses a table given as a setup, and names the command's option for it.
+/// Refuses a table in place of a setup. The error names the option of the command that takes a
+/// table.
 pub fn refuse_table(file: &Path) -> Result<()> {
     if !is_table(file) {
         return Ok(());

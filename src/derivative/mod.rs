@@ -1,4 +1,5 @@
-//! Exact derivatives of outcomes by parameters, chosen by name at run time.
+//! Exact derivatives of outcomes by parameters. Outcomes and parameters are chosen by name at run
+//! time.
 
 mod chain;
 pub mod check;

@@ -107,7 +107,7 @@ impl EvaluationPoint<'_> {
     }
 }
 
-/// One pass: derivatives of the outcomes in the directions of all lanes.
+/// One pass: derivatives of the outcomes by the variables of all lanes.
 struct Pass<'a> {
     point: &'a EvaluationPoint<'a>,
     stage: Stage<'a>,

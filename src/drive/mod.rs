@@ -43,11 +43,11 @@ pub struct Drive<T> {
 }
 
 impl<T: Number> Drive<T> {
-    /// Computes the drive of a setup: values over `f64`, exact derivatives over dual numbers. Only
-    /// the step is checked here, because with an invalid step a flight might never end;
-    /// [`Setup::validate`] checks all parameters. The setup determines method and step of the
-    /// integration; [`StepChoice`](crate::integration::StepChoice) chooses them for an error
-    /// tolerance.
+    /// Computes the drive of a setup. With `f64` it gives values; with dual numbers it also gives
+    /// exact derivatives. Only the step is checked here, because with an invalid step a flight
+    /// might never end; [`Setup::validate`] checks all parameters. Method and step of the
+    /// integration are those of the setup; [`StepChoice`](crate::integration::StepChoice) chooses
+    /// them for an error tolerance.
     ///
     /// ```
     /// use longdrive::{Drive, Outcome, Setup};

@@ -160,7 +160,7 @@ impl Outcome {
             })
     }
 
-    /// The outcome of a drive, SI, over the number type of the drive.
+    /// The outcome of a drive, SI, in the number type of the drive.
     ///
     /// # Errors
     /// [`Error::NoFlight`] for an outcome of the flight if the ball does not land;

@@ -123,9 +123,8 @@ impl Drive<f64> {
     }
 }
 
-/// Validity limits that the drive of a setup exceeds, checked along its whole flight; see
-/// [`Drive::exceeded_limits`]. `None` if the ball does not land, or if the drive is interrupted
-/// because `stop` is true.
+/// Validity limits that the drive of a setup exceeds. [`Drive::exceeded_limits`] checks the whole
+/// flight. `None` if the ball does not land, or if the drive is interrupted because `stop` is true.
 #[cfg(feature = "studies")]
 pub(crate) fn exceeded_in_flight(
     setup: &Setup<f64>,
@@ -200,8 +199,8 @@ impl ExceededLimits<f64> {
         }
     }
 
-    /// A warning for each limit that at least 1 % of the drives exceed, checked along the whole
-    /// flight. `noun` names the drives: "the swings".
+    /// A warning for each limit that at least 1 % of the drives exceed. The drives were checked
+    /// along their whole flights. `noun` names the drives: "the swings".
     pub fn warnings(&self, law: &Law<f64>, noun: &str) -> Vec<Message> {
         let exceeded = self.exceeded_limits();
         let subject = |is_exceeded: bool, share: f64| {

@@ -26,7 +26,7 @@ pub(super) struct Extrapolated {
     change: Option<f64>,
 }
 
-/// Published range of the change of a driver's carry, m per 10 °F of air and ball: 1.3 to 2 yd
+/// Published changes of a driver's carry, m, if air and ball become 10 °F warmer: from 1.3 to 2 yd
 /// (docs/limitations.md).
 const PUBLISHED_PER_TEN_DEGREES: [f64; 2] = [1.3 * YARD, 2.0 * YARD];
 

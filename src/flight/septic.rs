@@ -89,8 +89,9 @@ impl<T: Numbers> Septic<T> {
         self.derivative_of_order::<2>(s)
     }
 
-    /// The s at which the coordinate falls to `level`, in `lanes`. The coordinate must be above
-    /// `level` at s = `from`, and at or below `level` at the end of the step.
+    /// The position s within the step at which the coordinate falls to `level`, in `lanes`. The
+    /// coordinate must be above `level` at s = `from`, and at or below `level` at the end of the
+    /// step.
     #[inline(always)]
     pub fn find_crossing(&self, level: T, from: T, lanes: T::Mask) -> T {
         falling_root(
@@ -100,8 +101,8 @@ impl<T: Numbers> Septic<T> {
         )
     }
 
-    /// The s of the maximum of the coordinate, in `lanes`. The coordinate must rise at the start of
-    /// the step, and not at the end.
+    /// The position s within the step at which the coordinate has its maximum, in `lanes`. The
+    /// coordinate must rise at the start of the step, and must not rise at the end.
     #[inline(always)]
     pub fn find_maximum(&self, lanes: T::Mask) -> T {
         falling_root(

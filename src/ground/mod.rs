@@ -55,9 +55,9 @@ pub(crate) struct LandingState<T> {
     pub force_per_mass: T,
 }
 
-/// Speed away from the ground, m/s, up to which the ball stays on the ground. From this speed to
-/// twice this speed, a smooth step reduces the hop (eq. 22). Penner ends the bounces at a height of
-/// 5 mm, which a ball reaches with 0.31 m/s.
+/// A ball that leaves the ground more slowly than this, m/s along the normal, stays on the ground.
+/// From this speed to twice this speed, a smooth step reduces the hop (eq. 22). Penner ends the
+/// bounces at a height of 5 mm, which a ball reaches with 0.31 m/s.
 const LEAST_HOP_SPEED: f64 = 0.2;
 /// The square of this speed, m/s, is added to the squared speed along the ground. The root of the
 /// sum has finite derivatives at rest.

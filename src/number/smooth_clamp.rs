@@ -1,8 +1,8 @@
 use super::{Numbers, inlined};
 
-/// Smooth (C²) upper clamp: x up to `end`, constant `end + over/2` from `end + over` on, and a
-/// polynomial of degree 4 between. It keeps the variable of a formula within the range in which the
-/// formula is valid.
+/// Smooth (C²) upper clamp: the value is x up to `end`, the constant `end + over/2` from
+/// `end + over` on, and a polynomial of degree 4 in between. It keeps the variable of a formula
+/// within the range in which the formula is valid.
 #[inline(always)]
 pub(crate) fn smooth_clamp_above<T: Numbers>(x: T, end: f64, over: f64) -> T {
     T::select_lazily(
@@ -19,15 +19,15 @@ pub(crate) fn smooth_clamp_above<T: Numbers>(x: T, end: f64, over: f64) -> T {
     )
 }
 
-/// Smooth (C²) lower clamp: x from `end` on, constant `end − over/2` up to `end − over`, and a
-/// polynomial of degree 4 between.
+/// Smooth (C²) lower clamp: the value is x from `end` on, the constant `end − over/2` up to
+/// `end − over`, and a polynomial of degree 4 in between.
 #[inline(always)]
 pub(crate) fn smooth_clamp_below<T: Numbers>(x: T, end: f64, over: f64) -> T {
     -smooth_clamp_above(-x, -end, over)
 }
 
-/// Smooth (C²) step: 0 up to `start`, 1 from `start + over` on, and a polynomial of degree 5
-/// between.
+/// Smooth (C²) step: the value is 0 up to `start`, 1 from `start + over` on, and a polynomial of
+/// degree 5 in between.
 #[inline(always)]
 pub(crate) fn smooth_step<T: Numbers>(x: T, start: f64, over: f64) -> T {
     let u = (x - start) * (1.0 / over);

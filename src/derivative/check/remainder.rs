@@ -1,7 +1,7 @@
 use super::ladder::rounding_of;
 use super::{Ladder, Rung};
 
-/// Smallest ratio of a usable remainder to the rounding of the function.
+/// A remainder is usable if it exceeds this many times the rounding error of the function.
 const ABOVE_ROUNDING: f64 = 100.0;
 
 /// Number of steps in a fit. The smallest usable steps are fitted; five steps span two decades.

@@ -112,7 +112,7 @@ pub struct Check {
     #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub exact: f64,
     /// The best numerical derivative, SI.
-    // `None` if there are too few values for any side
+    // `None` if no side has enough values
     #[serde(serialize_with = "crate::json::number")]
     #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub best_difference: Option<DerivativeEstimate>,

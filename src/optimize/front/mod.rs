@@ -22,10 +22,10 @@ use context::FrontContext;
 pub use result::{Front, FrontError, FrontEvent, FrontPoint};
 use std::cell::Cell;
 
-/// Pareto front of two functions: the problem's objective, and its last constraint function, whose
-/// limits are ignored. Both are minimized subject to the other constraints. `count` points,
-/// including the ends, are spread evenly along the front in the plane of the two functions; points
-/// at changes of the active set and at the knee are added.
+/// Pareto front of two functions of a problem: the objective and the last constraint function. Both
+/// are minimized subject to the other constraints; the limits of the last constraint are ignored.
+/// The front has `count` points, including the ends, spread evenly in the plane of the two
+/// functions. Points at changes of the active set and at the knee are added.
 ///
 /// `observers` receive every search, with its number, and can interrupt the work.
 ///

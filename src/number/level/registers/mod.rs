@@ -73,7 +73,7 @@ mod tests {
             let [none, all, undefined] =
                 [-1e9, 1e9, f64::NAN].map(|x| V::constant(x).exp().lane(0));
             assert!(none < 1e-300 && all > 1e300 && undefined.is_nan());
-            // ranges of x: `powers` from 1e-12 to 1e12, `wide` ±700, `narrow` ±4
+            // `powers` are from 1e-12 to 1e12, `wide` from −700 to 700, `narrow` from −4 to 4
             let powers = |i: f64| 10_f64.powf(i * 3e-4);
             let (wide, narrow) = (|i: f64| i * 0.0175 + 1e-7, |i: f64| i * 1e-4 + 3e-9);
             [
