@@ -32,8 +32,8 @@ const REFERENCE_INCIDENCE: f64 = 44.4 / 180.0 * PI;
 const TILT_CLAMP: [f64; 2] = [0.7, 0.6];
 /// Angle of the path to the ground, rad. A ball on a flatter path makes a crater with less tilt
 /// than in Penner's formula (factor S in eq. 19). Penner's tilt is largest for a ball that moves
-/// along the ground, but such a ball makes no crater. The angle is fitted to the runs of TrackMan's
-/// 60 drives (docs/sources.md).
+/// along the ground, but such a ball makes no crater. The angle is chosen: the runs of TrackMan's
+/// 60 drives are then 9 yd short (docs/sources.md).
 const FULL_TILT_ANGLE: f64 = 70.0 / 180.0 * PI;
 /// Coefficients, s/m and s²/m², of e/e_g = 1 + e₁ u + e₂ u² (eq. 20): Penner (2002), p. 933.
 const RESTITUTION: [f64; 2] = [-0.0375 / 0.51, 0.000903 / 0.51];
