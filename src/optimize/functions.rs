@@ -63,7 +63,7 @@ impl<F: Functions> Problem for Exact<F> {
     }
 }
 
-/// Functions with exact gradients. The search builds a quasi-Newton Hessian.
+/// Functions with exact gradients and without Hessians. The search builds a quasi-Newton Hessian.
 #[derive(Clone, Copy, Debug)]
 pub struct Gradients<F>(pub F);
 

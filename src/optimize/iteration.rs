@@ -20,8 +20,8 @@ pub struct Iteration {
     /// Reduction of the merit function (of f if there are no constraints) that the model predicted
     /// for the step; 0 at the start.
     pub predicted_reduction: f64,
-    /// Actual reduction of the merit function by the step: −∞ where the functions are undefined; 0
-    /// at the start.
+    /// Actual reduction of the merit function by the step; −∞ if the functions are undefined at the
+    /// trial point, 0 at the start.
     pub actual_reduction: f64,
     /// The model at the iterate; `None` unless the observer requests
     /// [`models`](super::Observer::models).

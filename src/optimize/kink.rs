@@ -17,8 +17,8 @@ pub struct Kink {
 }
 
 impl Kink {
-    /// The one-sided derivative, if the kink lies on a bound towards which the objective falls: > 0
-    /// at a lower bound, < 0 at an upper bound. Its size is the multiplier of the bound.
+    /// The one-sided derivative at a kink on a bound, if the objective falls towards this bound. It
+    /// is > 0 at a lower bound and < 0 at an upper bound; its size is the multiplier of the bound.
     pub(super) fn slope_from_bound(self) -> Option<f64> {
         match (self.slope_below, self.slope_above) {
             (None, Some(above)) if above > 0.0 => Some(above),
@@ -28,13 +28,14 @@ impl Kink {
     }
 }
 
-/// Half the distance between the two compared points, in units of the variables' scale.
+/// Distance from the tested point to each of the two compared points, in units of the variables'
+/// scale.
 const REACH: f64 = 1e-6;
 
 /// Looks for a kink at a point. A variable has a kink if the derivative by this variable changes,
 /// between two points 2·REACH apart, by much more than the curvature on either side explains.
-/// `evaluate` returns `None` where the functions are undefined; a variable with such a point is
-/// not tested.
+/// `evaluate` returns `None` where the functions are undefined. A variable is not tested if the
+/// functions are undefined at one of its two points.
 pub(super) fn find(
     scaling: &Scaling,
     at: &EvaluatedPoint,
@@ -90,8 +91,8 @@ fn is_kink(
     }
     let (distance, jump) = (above.x - below.x, above.slope - below.slope);
     let is_significant = jump.abs() * scaling.scale[i] > 1e-6 * scaling.size(at);
-    // on a bound, one of the two points lies on the rounded tip of the kink: its curvature could
-    // explain any change
+    // a bound leaves one of the two points on the rounded tip of the kink, where the curvature
+    // could explain any change: do not test this point
     let is_unexplained = |side: &KinkSide| {
         !side.is_inside || (side.hessian[i][i] * distance - jump).abs() > 0.5 * jump.abs()
     };
@@ -103,9 +104,8 @@ fn is_kink(
         && is_unexplained(above)
 }
 
-/// True if a converged point may be a smoothed kink: the second derivative by a variable is so
-/// large that a change of this variable by 1/1000 of its scale changes the scaled derivative by
-/// more than the objective's size.
+/// True if a converged point may be a smoothed kink: in scaled variables, a second derivative of
+/// the objective is more than 1000 times the objective's size.
 pub(super) fn is_suspected(scaling: &Scaling, at: &EvaluatedPoint) -> bool {
     let hessian = &at.f.objective.hessian;
     let curvature = |i: usize| hessian[i][i].abs() * scaling.scale[i] * scaling.scale[i];

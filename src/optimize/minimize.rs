@@ -64,7 +64,8 @@ pub fn minimize_observed(
         Some(kink) if found.status == Status::StalledAtKink => {
             let completed = found.iterations;
             let continued = move |iteration: &Iteration| {
-                // iteration 0 is the last iterate of the first run
+                // iteration 0 of the second run is the last iterate of the first run, which was
+                // shown already
                 if iteration.number > 0 {
                     (show.borrow_mut())(&Iteration {
                         number: completed + iteration.number,
@@ -72,7 +73,7 @@ pub fn minimize_observed(
                     });
                 }
             };
-            // do not save this second run: a resumed search repeats it after the end of the first
+            // the second run is not saved: a resumed search repeats it once the first run has ended
             let observer = Observer {
                 iteration: Box::new(continued),
                 interrupt,
@@ -260,7 +261,7 @@ impl Observe<SqpState> for IterationObserver {
         state: &SqpState,
         _: &KV,
     ) -> std::result::Result<(), argmin::core::Error> {
-        // an interrupted iteration has no result
+        // an interrupted iteration has no data to show
         if let Some(iteration) = state.get_residuals() {
             (self.0)(iteration);
         }

@@ -11,8 +11,8 @@ use super::trial_step::{NORMAL_PART, TrialStep};
 use crate::number::Taylor;
 use nalgebra::{DMatrix, DVector};
 
-/// Quadratic model ½ dᵀB d + ∇f·d with c + ∇c·d within its limits, x + d within its bounds and ‖d‖∞
-/// ≤ Δ, in scaled variables.
+/// Quadratic model in scaled variables: minimize ½ dᵀB d + ∇f·d over steps d. The limits hold for c
+/// + ∇c·d, the bounds for x + d, and ‖d‖∞ ≤ Δ.
 pub(super) struct LagrangianModel<'a> {
     pub scaling: &'a Scaling,
     pub kink_sides: &'a Bundle,
@@ -22,7 +22,8 @@ pub(super) struct LagrangianModel<'a> {
     pub hessian: &'a DMatrix<f64>,
     /// Trust-region radius Δ.
     pub radius: f64,
-    /// Factor applied to |λ| when a negative eigenvalue λ of the Hessian is reflected.
+    /// Factor of a reflection: a negative eigenvalue λ of the Hessian is replaced by this factor
+    /// times |λ|.
     pub reflection: f64,
 }
 
@@ -38,7 +39,7 @@ pub(super) struct Workspace {
 /// Weight of the term ½‖d‖² in the elastic program. The term makes the step of least violation
 /// unique and short.
 const STEP_WEIGHT: f64 = 1e-8;
-/// Slack added to the limits of relaxed inequality rows, to cover rounding.
+/// Distance by which the limits of relaxed inequality rows are widened further, to cover rounding.
 const ROUNDING: f64 = 1e-12;
 
 impl LagrangianModel<'_> {
@@ -115,8 +116,8 @@ impl LagrangianModel<'_> {
         trial
     }
 
-    /// The step of least violation with the multipliers of the previous iteration. Its own
-    /// multipliers belong to the elastic program, which does not contain f.
+    /// Gives a step of least violation the multipliers of the previous iteration. The multipliers
+    /// of `step` belong to the elastic program, which does not contain f.
     fn with_previous_multipliers(&self, step: QpStep) -> QpStep {
         let multipliers = self
             .multipliers
@@ -180,7 +181,7 @@ impl LagrangianModel<'_> {
         (limit(bounds.low[i]), limit(bounds.high[i]))
     }
 
-    /// Limits of row j, in units of γⱼ, for a constraint with this value at d = 0.
+    /// Limits of row j, in units of γⱼ, if constraint j has this value at d = 0.
     fn row_limits(&self, j: usize, value: f64) -> (f64, f64) {
         let (limits, gamma) = (&self.scaling.domain.constraints, self.scaling.gamma[j]);
         let low = (limits.low[j] - value) / gamma;
@@ -192,9 +193,10 @@ impl LagrangianModel<'_> {
         (low, high)
     }
 
-    /// Step of least squared violation within the fraction [`NORMAL_PART`] of the trust region. If
-    /// the second-order model of the violation rises along this step (across a narrow valley, for
-    /// example), adds the curvature of the constraints and computes the step again.
+    /// Computes the step with the least sum of squared violations of the linearized constraints,
+    /// within the fraction [`NORMAL_PART`] of the trust region. If the constraints' curvature makes
+    /// the violation rise along this step, for example across a narrow valley, computes the step
+    /// again with this curvature.
     fn least_violation(&self, program: &QuadraticProgram, solver: &mut QpSolver) -> QpStep {
         let (n, m) = (program.low.len(), program.rows.len());
         let mut elastic = elastic(program, NORMAL_PART * self.radius);
@@ -218,9 +220,9 @@ impl LagrangianModel<'_> {
         step
     }
 
-    /// Positive semidefinite part of Σ vⱼ ∇²cⱼ in scaled variables, with the violation vⱼ of
-    /// constraint j. This sum is the curvature term of the Hessian of ½‖v‖². `None` if the sum is
-    /// zero, or if a violated constraint has no Hessian.
+    /// Curvature term of the Hessian of ½‖v‖²: the positive semidefinite part of Σ vⱼ ∇²cⱼ in
+    /// scaled variables, with the violation vⱼ of constraint j. `None` if this sum is zero, or if a
+    /// violated constraint has no Hessian.
     fn violation_curvature(&self) -> Option<DMatrix<f64>> {
         let Self { scaling, point, .. } = *self;
         let n = point.x.len();
@@ -247,11 +249,10 @@ impl LagrangianModel<'_> {
         Some(&eigen.eigenvectors * raised * eigen.eigenvectors.transpose())
     }
 
-    /// Corrects the multipliers of active rows for the curvature that was added to the Hessian
-    /// along the active normals. This curvature adds a gradient along each active normal,
-    /// proportional to the step's component along the normal. The multipliers of the quadratic
-    /// program contain this gradient; the correction restores the multipliers of the original
-    /// model.
+    /// Corrects the multipliers of active rows for the curvature that convexification adds along
+    /// the active normals. The added curvature contributes to the multipliers of the quadratic
+    /// program, in proportion to the step's component along each normal. The correction removes
+    /// this contribution.
     fn correct_multipliers(
         &self,
         added_curvature: f64,
@@ -269,7 +270,7 @@ impl LagrangianModel<'_> {
                 continue;
             }
             let own = before + added_curvature * normal.dot(d) / (square * self.scaling.gamma[j]);
-            // a multiplier of an inequality keeps its sign
+            // the correction must not change the sign of an inequality's multiplier
             trial.multipliers[j] = if is_equation || own * before > 0.0 {
                 own
             } else {
@@ -388,11 +389,11 @@ fn elastic(program: &QuadraticProgram, radius: f64) -> QuadraticProgram {
     }
 }
 
-/// Relaxes the rows of a program by their violations after the step `d` of least violation.
+/// Moves the limits of the violated rows so that the step `d` meets them.
 fn relaxed(program: &QuadraticProgram, d: &DVector<f64>) -> QuadraticProgram {
     let mut relaxed = program.clone();
     for row in &mut relaxed.rows {
-        // > 0 below the lower limit, < 0 above the upper
+        // > 0 if the row is below its lower limit, < 0 if it is above its upper limit
         let remaining = -row.excess(d);
         if row.low == row.high {
             row.low -= remaining;
@@ -431,7 +432,7 @@ fn add_hessian(sum: &mut DMatrix<f64>, of: &Taylor, weight: f64) -> Option<()> {
     if weight == 0.0 {
         return Some(());
     }
-    // symmetric matrix: columns equal rows
+    // the Hessian is symmetric: add its rows to the columns of `sum`
     for (column, row) in sum
         .as_mut_slice()
         .chunks_exact_mut(of.hessian.len())

@@ -63,8 +63,8 @@ impl Observers {
 const SAME: f64 = 1e-6;
 
 /// Starts spread evenly over the bounds: the given start, then points of the scrambled Sobol
-/// sequence (Owen 1995; Burley 2020). Without a bound on one side of the start, a variable is
-/// spread over its scale on that side.
+/// sequence (Owen 1995; Burley 2020). On a side without a bound, the starts of a variable extend
+/// one scale length from the given start.
 ///
 /// # Errors
 /// [`Error::Optimizer`] if `count` or the number of variables exceeds the limit of the sequence, or
@@ -131,7 +131,7 @@ pub fn minimize_from(
     Ok(distinct_optima(domain, solutions))
 }
 
-/// Search `number`, resumed from the checkpoint if it was saved there.
+/// Runs search `number`. If the checkpoint contains this search, resumes it from there.
 fn search_from(
     problem: &dyn Problem,
     domain: &Domain,
@@ -227,7 +227,7 @@ fn distinct_optima(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimu
     };
     let value = |local: &LocalMinimum| local.solution.value.unwrap_or(f64::MAX);
     let units = constraint_units(domain, &locals);
-    // among infeasible points the smallest violation comes first
+    // sort infeasible points by their violation, smallest first
     let violation = |local: &LocalMinimum| match local.solution.status {
         Status::Infeasible => squared_violation(&local.solution, &units),
         _ => 0.0,
@@ -243,9 +243,9 @@ fn distinct_optima(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimu
     locals
 }
 
-/// Unit of each constraint's violation, common to all searches: the largest scaled derivative of
-/// the constraint at the results, or 1 if this derivative is 0 or unknown. The scale γ of a single
-/// search is no common unit, because it depends on the start.
+/// Unit for the violations of each constraint, the same for all searches: the largest scaled
+/// derivative of the constraint at the results, or 1 if this derivative is 0 or unknown. The scale
+/// γ of one search cannot be the unit, because it depends on the start.
 fn constraint_units(domain: &Domain, locals: &[LocalMinimum]) -> Vec<f64> {
     let mut largest = vec![0.0_f64; domain.constraints.dimension()];
     for LocalMinimum { solution, .. } in locals {

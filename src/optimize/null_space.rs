@@ -17,8 +17,8 @@ pub(super) fn null_space(rows: &DMatrix<f64>) -> DMatrix<f64> {
     gram.eigenvectors.select_columns(&kernel)
 }
 
-/// Orthonormal basis of the null space of `rows`, whose columns belong to the `free` variables. The
-/// basis is 0 in the other variables.
+/// Orthonormal basis of the null space of `rows`, in all `n` variables. The columns of `rows`
+/// belong to the `free` variables; the basis is 0 in the other variables.
 pub(super) fn tangent_basis(n: usize, free: &[usize], rows: &DMatrix<f64>) -> DMatrix<f64> {
     let basis = null_space(rows);
     let row = |i: usize| free.iter().position(|&f| f == i);

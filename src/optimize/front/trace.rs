@@ -8,17 +8,17 @@ use crate::optimize::continuation::{AdaptiveStep, TOO_FAR, locate_change};
 use crate::optimize::sensitivity::ActiveSet;
 use crate::optimize::solution::Solution;
 
-/// Tolerance on s of located events.
+/// Accuracy of the position s of an event along the front.
 const LOCATED: f64 = 1e-9;
 
 /// Reason for a front with a missing part.
 const NO_COMPROMISE: &str = "no compromise was found in a part of the front";
 
-/// Distance on s from the end of the front within which a trace has reached the end.
+/// Largest distance in s from the end of the front at which a trace has reached the end.
 const END_REACHED: f64 = 0.01;
 
-/// Smallest deviation of a front with a knee from the straight line between its ends, relative to
-/// the length of that line.
+/// A front has a knee only if its distance from the straight line between its ends is at least this
+/// fraction of the length of that line.
 const STRAIGHT: f64 = 0.01;
 
 /// A point is a kink of the front if the slopes on its two sides differ by more than this fraction.
@@ -103,7 +103,7 @@ fn trace_from_both_ends(
             && place.at >= 1.0 - END_REACHED
     });
     if reaches_second {
-        // replace the traced end by the result of the second function's minimization
+        // replace the last traced point with the minimum of the second function
         second.point.event = path
             .points
             .pop_if(|place| place.at >= 1.0)
@@ -152,8 +152,8 @@ fn join_branches(mut path: Vec<Compromise>, mut back: Vec<Compromise>) -> Vec<Co
     joined
 }
 
-/// True if a + b of a compromise is larger than a + b of a branch at the same s, by linear
-/// interpolation.
+/// True if a compromise is worse than a branch: its sum a + b is larger than the sum on the branch
+/// at the same s, which is interpolated linearly.
 fn is_worse_than_branch(place: &Compromise, branch: &[Compromise]) -> bool {
     branch
         .windows(2)
@@ -173,7 +173,7 @@ fn trace(plane: &FrontPlane<'_>, from: Compromise, end: f64) -> TracedPath {
         points,
         ended: Some(reason),
     };
-    // progress of the trace, which rises from −1 to 1: s, or −s in a backward trace
+    // s, or −s in a backward trace: it rises from −1 to 1 in both directions
     let travelled = |place: &Compromise| end * place.at;
     while let Some(here) = points.last().cloned()
         && travelled(&here) < 1.0
@@ -186,7 +186,8 @@ fn trace(plane: &FrontPlane<'_>, from: Compromise, end: f64) -> TracedPath {
             Err(error) => return ended_for(points, format!("{NO_COMPROMISE}: {error}")),
         };
         if distance > TOO_FAR {
-            // jump to another branch: the trace from the other end finds it
+            // the next point lies on another branch; the trace from the other end follows that
+            // branch
             return ended_for(points, NO_COMPROMISE.into());
         }
         step.adapt(distance);
@@ -202,9 +203,8 @@ fn trace(plane: &FrontPlane<'_>, from: Compromise, end: f64) -> TracedPath {
     }
 }
 
-/// Locates the change of the active set between two compromises. Returns the points to add to the
-/// path: the point of the change, with its event. In a backward trace this point comes twice, with
-/// the active set on either side.
+/// Locates the point between two compromises where the active set changes. Returns this point with
+/// its event. A backward trace has the point twice, once with each of the two active sets.
 fn locate_event(
     plane: &FrontPlane<'_>,
     here: &Compromise,
@@ -223,7 +223,7 @@ fn locate_event(
     );
     let slope_before = compromise_at(here, travelled(&place) - 4.0 * LOCATED)
         .and_then(|before| before.point.slope);
-    // at the end of the front there is no slope after the change, and no further event
+    // at the end of the front only the slope before the change exists, and the change is no event
     if travelled(&place) >= 1.0 {
         place.point.slope = slope_before;
         return vec![place];
@@ -241,15 +241,16 @@ fn locate_event(
         place.point.event = changed_from(here.point.active_set.clone());
         return vec![place];
     }
-    // backward trace: seen from the first end, the active set of `here` begins at this point
+    // an event describes the change as seen from the first end: in a backward trace, the active set
+    // of `here` begins at this point
     let mut seen_from_first_end = place.clone();
     seen_from_first_end.point.active_set = here.point.active_set.clone();
     seen_from_first_end.point.event = changed_from(place.point.active_set.clone());
     vec![seen_from_first_end, place]
 }
 
-/// Points at equal distances along a path in the plane of the two functions, with its ends and its
-/// events.
+/// Computes points at equal distances along a path in the plane of the two functions. Keeps the
+/// ends and the events of the path.
 fn spread_evenly(plane: &FrontPlane<'_>, path: &[Compromise], count: usize) -> Vec<Compromise> {
     let lengths = path_lengths(path);
     let last = path.len() - 1;
@@ -275,7 +276,8 @@ fn spread_evenly(plane: &FrontPlane<'_>, path: &[Compromise], count: usize) -> V
         };
         let part = (length - lengths[after - 1]) / (lengths[after] - lengths[after - 1]);
         let to = before.at + part * (behind.at - before.at);
-        // start the corrector at the nearer neighbour; across a jump, at both neighbours
+        // start the corrector at the nearer neighbour; between two branches start it at both, and
+        // keep the better result
         let starts = [(before, part <= 0.5), (behind, part > 0.5)];
         let found = starts
             .into_iter()
@@ -348,7 +350,7 @@ fn nondominated(
             .last_mut()
             .filter(|last| (last.at - place.at).abs() <= 2.0 * LOCATED);
         match duplicate {
-            // prefer the result of a single function's minimization at an end
+            // of two duplicates at an end of the front, keep the minimum of the function
             Some(last) if place.at >= 1.0 => *last = place,
             Some(last) if place.point.event.is_some() && last.at > -1.0 => *last = place,
             Some(_) => {}

@@ -12,23 +12,23 @@ use serde::Serialize;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Initial damping τ, relative to scaled Jacobian columns of length 1 (Madsen, Nielsen & Tingleff
-/// 2004, eq. 3.14: between 1e-6 for a good start and 1 for a poor start).
+/// Initial damping. The scaled Jacobian columns have length 1, so that this is τ of Madsen, Nielsen
+/// & Tingleff (2004), eq. 3.14: between 1e-6 for a good start and 1 for a poor start.
 const FIRST_DAMPING: f64 = 1e-3;
-/// Relative reduction of F that is within the rounding of the residuals.
+/// Rounding error of F, relative to F.
 const SUM_ROUNDING: f64 = 1e-15;
-/// Largest damping; with more damping, steps are within rounding of zero.
+/// Largest damping. A larger damping would make every step smaller than rounding.
 const MOST_DAMPING: f64 = 1e20;
 /// Smallest damping. JᵀJ of the scaled columns is accurate to about 1e-16; with less damping,
 /// rounding would drive steps along directions in which the residuals do not change.
 const LEAST_DAMPING: f64 = 1e-12;
-/// Largest undamped step of a fit that counts as converged although no step lowers the sum,
-/// relative to the size of the point (Moré 1978, MINPACK's `xtol`). The size of each variable is
+/// If no step lowers the sum, a fit has converged if its step without damping is at most this
+/// fraction of the size of the point (Moré 1978, MINPACK's `xtol`). The size of each variable is
 /// the larger of |x| and its distance from the start. Near a sum of 0 the gradient is no criterion,
 /// because the residuals are rounding errors.
 const SHORTEST: f64 = 1e-8;
 
-/// Name, in messages, of the convergence measure, which is 0 at a stationary point.
+/// Name of the convergence measure in messages. The measure is 0 at a stationary point.
 const COSINE: &str = "cosine between the residuals and their slopes";
 
 /// Outcome of a fit.
@@ -257,7 +257,7 @@ struct FitState {
     /// Convergence measure at the point ([`GaussNewtonPoint::cosine`]).
     cosine: f64,
     initial_point: Vec<f64>,
-    /// Largest length so far of each column of the Jacobian.
+    /// Length of each column of the Jacobian: the largest length so far.
     scale: Vec<f64>,
     solver: QpSolver,
     damping: f64,
@@ -406,8 +406,9 @@ impl FitState {
         })
     }
 
-    /// Verdict if the model predicts no reduction above rounding. The predicted reduction of an
-    /// undamped step distinguishes convergence from stalling.
+    /// Verdict if the predicted reduction of a step is within rounding. Either the fit has
+    /// converged, or the damping makes the step short; the predicted reduction of a step without
+    /// damping shows which.
     fn no_gain_verdict(&mut self, bounds: &Bounds) -> SearchVerdict<FitStatus> {
         let undamped = self
             .step(bounds, LEAST_DAMPING)
@@ -438,7 +439,8 @@ impl FitState {
         })
     }
 
-    /// Converged to rounding, if an undamped step would hardly move the point.
+    /// Verdict `Converged`, if a step without damping would hardly move the point (see
+    /// [`SHORTEST`]).
     fn rounding_verdict(&mut self, bounds: &Bounds) -> Option<SearchVerdict<FitStatus>> {
         let to = self.step(bounds, LEAST_DAMPING)?.to;
         let length = |of: &dyn Fn(usize) -> f64| -> f64 {
@@ -467,8 +469,8 @@ impl FitState {
     }
 }
 
-/// Result of a fit without residuals at the start. `undefined` is the reason; `None` if the first
-/// evaluation was interrupted.
+/// Result of a fit whose first evaluation failed. `undefined` is the reason why the residuals are
+/// undefined at the start; `None` if the evaluation was interrupted.
 fn without_residuals(x: Vec<f64>, undefined: Option<String>) -> Fit {
     let (status, message) = match &undefined {
         Some(why) => (

@@ -4,14 +4,14 @@ pub enum Loss {
     /// Squares: ½ r².
     #[default]
     Squares,
-    /// Huber (1964): ½ r² up to k, beyond it k |r| − ½ k². An outlier has no more influence than a
-    /// residual k.
+    /// Huber (1964): ½ r² for |r| ≤ k, and k |r| − ½ k² for |r| > k. An outlier has no more
+    /// influence than a residual of size k.
     Huber(f64),
 }
 
 impl Loss {
-    /// Huber's loss with k = 1.345: 95 % efficiency for normal noise (Huber 1964; Holland & Welsch
-    /// 1977).
+    /// Huber's loss with k = 1.345, which has an efficiency of 95 % for normal noise (Huber 1964;
+    /// Holland & Welsch 1977).
     pub const HUBER: Self = Self::Huber(1.345);
 
     /// Loss ρ(r).

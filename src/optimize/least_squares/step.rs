@@ -20,7 +20,7 @@ pub(super) struct GaussNewtonPoint {
 pub(super) struct ModelStep {
     /// Trial point.
     pub to: Vec<f64>,
-    /// Reduction predicted by the undamped model.
+    /// Reduction of F that the model without damping predicts.
     pub predicted_reduction: f64,
 }
 
@@ -76,8 +76,8 @@ impl GaussNewtonPoint {
         })
     }
 
-    /// Raises each entry of `scale` to the length of its Jacobian column (Moré 1978: scales never
-    /// shrink).
+    /// Raises each entry of `scale` to the length of its Jacobian column, if the column is longer
+    /// (Moré 1978: a scale never shrinks).
     pub fn raise_scale(&self, scale: &mut [f64]) {
         for (i, length) in scale.iter_mut().enumerate() {
             *length = length.max(self.curvature[(i, i)].sqrt());

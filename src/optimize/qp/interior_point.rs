@@ -25,7 +25,8 @@ pub(super) struct InteriorPoint {
 }
 
 impl Clone for InteriorPoint {
-    /// The clone is a new solver without data, so that results depend only on the next program.
+    /// Returns a new solver without data, so that the results of the clone do not depend on earlier
+    /// programs.
     fn clone(&self) -> Self {
         Self::default()
     }
@@ -44,21 +45,20 @@ const TOLERANCE: f64 = 1e-10;
 /// Constraint as a row a · x + s = limit of Clarabel's standard form, with s = 0 (equality) or s ≥
 /// 0.
 struct ConeRow {
-    /// Coefficients in the sparsity pattern, as (variable, value).
+    /// Coefficients, as (variable, value).
     coefficients: Vec<(usize, f64)>,
     limit: f64,
     constraint: ActiveConstraint,
-    /// Factor from Clarabel's multiplier to the program's multiplier.
+    /// The program's multiplier divided by Clarabel's multiplier.
     multiplier_unit: f64,
 }
 
-/// Program in Clarabel's standard form, scaled. The unit of steps is the largest bound. The unit of
-/// the objective is its change over a step of this length. Each row is divided by its largest
-/// coefficient. This scaling replaces Clarabel's equilibration, because Clarabel's tolerances are
-/// absolute.
+/// Program in Clarabel's standard form, scaled. Steps are divided by the largest bound, the
+/// objective by the size of its change over such a step, and each row by its largest coefficient.
+/// This scaling replaces Clarabel's equilibration, because Clarabel's tolerances are absolute.
 struct StandardForm {
-    /// Number of variables. With several terms this includes the epigraph variable t ≥ offsetₖ +
-    /// gradientₖ · d.
+    /// Number of variables. If there are several terms, this includes the epigraph variable t ≥
+    /// offsetₖ + gradientₖ · d.
     size: usize,
     hessian: CscMatrix<f64>,
     gradient: Vec<f64>,
@@ -94,8 +94,7 @@ impl InteriorPoint {
             solution.status,
             SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress
         );
-        // complementarity: the larger of multiplier z and slack s shows whether the constraint is
-        // active
+        // complementarity: a constraint is active if its multiplier z is larger than its slack s
         let first = form.equations.len();
         let mut active: Vec<(f64, ActiveConstraint)> = form
             .inequalities
@@ -159,8 +158,8 @@ impl StandardForm {
         let length_unit = program.largest_bound();
         let curvature = program.hessian.amax() * length_unit * length_unit;
         let slope = program.largest_gradient_component() * length_unit;
-        // if curvature dominates, use the geometric mean of slope and curvature as unit, so that
-        // neither becomes smaller than the tolerances
+        // if the curvature is larger than the slope, divide by the geometric mean of the two, so
+        // that neither becomes smaller than the tolerances
         let value_unit = if slope > 0.0 {
             (slope * slope.max(curvature)).sqrt()
         } else {
@@ -236,7 +235,7 @@ impl StandardForm {
         let cone_row = |sign: f64, limit: f64, side: Activity| {
             let coefficients = row.normal.iter().map(|a| sign * a / largest);
             ConeRow {
-                // 0 for the epigraph variable
+                // the coefficient of the epigraph variable is 0
                 coefficients: coefficients
                     .chain(std::iter::repeat(0.0))
                     .take(self.size)

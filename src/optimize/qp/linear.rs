@@ -11,7 +11,8 @@ const RANK: f64 = 1e-13;
 /// Equilibration ends when all factors of a pass are between 1/4 and 4. The largest entry of each
 /// row is then between 1/16 and 16.
 const ALIKE: f64 = 4.0;
-/// Largest residual of consistent dependent equations, relative to the largest right-hand side.
+/// Linearly dependent equations count as inconsistent if the residual of their solution is larger
+/// than this fraction of the largest right-hand side.
 const INCONSISTENT: f64 = 1e-9;
 
 /// A symmetric system of linear equations.

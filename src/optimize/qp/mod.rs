@@ -106,7 +106,7 @@ mod tests {
             (step.d[0] - 0.1).abs() < 1e-14 && (step.d[1] + 0.5).abs() < 1e-14,
             "{step:?}"
         );
-        // stationary: d₀ − α₀ + 2 α₁ = 0, α₀ + α₁ = 1
+        // stationarity, d₀ − α₀ + 2 α₁ = 0 with d₀ = 0.1, and α₀ + α₁ = 1 give α = (0.7, 0.3)
         assert!((step.weights[0] - 0.7).abs() < 1e-14 && (step.weights[1] - 0.3).abs() < 1e-14);
     }
 
@@ -226,8 +226,6 @@ mod tests {
         }
     }
 
-    /// A solver that has solved other programs gives the same bits as a new solver: an update of
-    /// the data leaves no state of earlier programs.
     #[test]
     fn same_bits_of_a_used_solver_and_of_a_new_one() {
         let mut used = QpSolver::default();

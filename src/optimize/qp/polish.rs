@@ -5,8 +5,8 @@ use super::program::{Activity, LinearConstraint, MaxTerm, QpStep, QuadraticProgr
 use super::working_set::{ActiveConstraint, WorkingSet};
 use nalgebra::{DMatrix, DVector};
 
-/// Unknowns of a working set's equations, in this order: inactive variables, multipliers of the
-/// active terms but the first, multipliers of the active rows.
+/// Unknowns of the equations of a working set, in this order: inactive variables, multipliers of
+/// the active terms except the first, multipliers of the active rows.
 struct Unknowns {
     free: Vec<usize>,
     first_term: usize,
@@ -62,15 +62,16 @@ impl SymmetricSystem {
 /// Largest distance between Clarabel's solution and the exact point of its active set, relative to
 /// the size of the step.
 const NEARBY: f64 = 1e-6;
-/// Rounding error of a row's value, relative to its terms.
+/// Rounding error of the value normal · d of a row, relative to 1 + max |normalᵢ| max |dᵢ|.
 const ROW_ROUNDING: f64 = 1e-11;
 /// Rounding error of a variable at a bound, relative to the largest component of the step.
 const BOUND_ROUNDING: f64 = 1e-14;
 
 impl QuadraticProgram {
-    /// Working set of the constraints `ranked`, which are sorted by falling multiplier. Constraints
-    /// at the end of `ranked` are dropped until the equations are consistent, because two limits
-    /// closer than Clarabel's tolerance both look active.
+    /// Working set of the constraints `ranked`, which are sorted by falling multiplier. Drops
+    /// constraints from the end of `ranked` until the equations are consistent. Clarabel reports
+    /// two limits as active if they are closer than its tolerance, and their equations contradict
+    /// each other.
     pub(super) fn consistent_working_set(&self, mut ranked: Vec<ActiveConstraint>) -> WorkingSet {
         loop {
             let active = WorkingSet::new(self, ranked.iter().copied());
@@ -81,7 +82,7 @@ impl QuadraticProgram {
     }
 
     /// Corrects a working set until its exact solution satisfies the KKT conditions. Returns the
-    /// set and the solution; `None` if the corrections cycle or a system has no solution.
+    /// set and the solution; `None` if a set comes up again, or if a set has no solution.
     pub(super) fn polished(&self, mut active: WorkingSet) -> Option<(WorkingSet, QpStep)> {
         let most = 2 * (self.dimension() + self.rows.len() + self.max_terms.len()) + 4;
         let mut seen = vec![];
@@ -96,10 +97,10 @@ impl QuadraticProgram {
         None
     }
 
-    /// Exact point of a working set with the multipliers of an approximate solution; `None` if the
-    /// point is not near this solution. If gradients of active constraints are linearly dependent,
-    /// the point is unique but its multipliers are not: the equations may give multipliers with the
-    /// wrong sign.
+    /// Exact point of a working set, with the multipliers of an approximate solution; `None` if the
+    /// two points are not close. The exact equations do not determine the multipliers if the
+    /// gradients of active constraints are linearly dependent; they may give a multiplier the wrong
+    /// sign.
     pub(super) fn with_multipliers_of(
         &self,
         active: &WorkingSet,
@@ -132,8 +133,8 @@ impl QuadraticProgram {
         self.checked_step(candidate)
     }
 
-    /// Projects a candidate on the bounds. `None` if it violates a row or raises the objective
-    /// because of rounding.
+    /// Projects a candidate on the bounds. `None` if the result, because of rounding, violates a
+    /// row or has a higher objective than the zero step.
     fn checked_step(&self, mut step: QpStep) -> Option<QpStep> {
         step.project_on_bounds(self);
         let meets_rows = self.violation(&step.d) <= 1e-9 * (1.0 + step.d.amax());
@@ -245,7 +246,7 @@ impl QuadraticProgram {
         system
     }
 
-    /// Corrects a working set from its candidate: a violated constraint becomes active, a
+    /// Corrects a working set. A constraint that `candidate` violates becomes active; an active
     /// constraint whose multiplier has the wrong sign becomes inactive.
     fn corrected(&self, active: &WorkingSet, candidate: &QpStep) -> WorkingSet {
         let gradient = self.lagrangian_gradient(candidate);

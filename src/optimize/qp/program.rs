@@ -61,8 +61,8 @@ pub struct QpStep {
     pub activities: Vec<Activity>,
     /// Multiplier αₖ of each term of the maximum: αₖ ≥ 0, Σ αₖ = 1.
     pub weights: Vec<f64>,
-    /// Multiplier μⱼ of each row: > 0 at its upper limit, < 0 at its lower, 0 between. B d + Σ αₖ
-    /// gradientₖ + Σ μⱼ normalⱼ = 0 for the variables that are not at a bound.
+    /// Multiplier μⱼ of each row: > 0 at its upper limit, < 0 at its lower limit, 0 between the
+    /// limits. B d + Σ αₖ gradientₖ + Σ μⱼ normalⱼ = 0 for the variables that are not at a bound.
     pub multipliers: Vec<f64>,
     /// Method that found the step.
     pub source: StepSource,

@@ -12,7 +12,8 @@ pub(in crate::optimize) struct QpSolver {
     interior_point: InteriorPoint,
 }
 
-/// Largest relative row violation with which Clarabel's own solution is accepted.
+/// Largest violation of a row by a solution of Clarabel that is accepted, relative to the size of
+/// the step.
 const MOST_VIOLATION: f64 = 1e-6;
 
 impl QpSolver {
