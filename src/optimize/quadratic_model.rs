@@ -23,9 +23,9 @@ pub struct QuadraticModel {
     pub high: Vec<f64>,
     /// Trial point x + d of the next iteration, before any second-order correction.
     pub trial: Vec<f64>,
-    /// True if the step uses H with its negative eigenvalues reflected, because H is not positive
-    /// definite on the tangents of the active constraints. The trial point then need not minimize
-    /// m.
+    /// True if the negative eigenvalues of H were reflected for this step, because H is not
+    /// positive definite on the tangents of the active constraints. The trial point then need not
+    /// minimize m.
     pub is_reflected: bool,
 }
 

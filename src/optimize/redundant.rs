@@ -1,7 +1,7 @@
-//! Bounds that a constraint makes redundant. If the gradient of a constraint is almost parallel to
-//! the normal of an active bound, the products of both with huge multipliers almost cancel. Their
-//! sum can balance a gradient of f along the constraint. The KKT residual then vanishes, although f
-//! still falls along the constraint.
+//! Bounds that a constraint makes redundant. Suppose that the gradient of a constraint is almost
+//! parallel to the normal of an active bound. With huge multipliers, the gradient and the normal
+//! add up to any small vector, and so can balance a gradient of f along the constraint. The KKT
+//! residual then vanishes, although f still falls along the constraint.
 
 use super::least_squares;
 use super::scaling::largest_scaled;
@@ -19,7 +19,7 @@ const FIRST_STEP: f64 = 0.25;
 /// Maximum number of steps along −∇f in one attempt.
 const STEP_LENGTHS: u32 = 8;
 
-/// An active bound and the constraint whose huge multiplier it balances.
+/// An active bound that a constraint makes redundant, and this constraint with its huge multiplier.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RedundantBound {
     pub variable: usize,

@@ -24,11 +24,11 @@ const ITERATIONS: u64 = 50;
 const TOLERANCE: f64 = 1e-4;
 /// Maximum number of restorations in a search.
 const MAX_RESTORATIONS: u32 = 3;
-/// Largest ratio of the new to the current violation with which the search continues from the new
-/// point.
+/// The search continues from the result of a restoration if the violation there is below this
+/// fraction of the violation at the iterate.
 const CONTINUE_BELOW: f64 = 0.99;
-/// Largest ratio of the new to the current violation with which an infeasible search moves to the
-/// new point before it ends. A smaller reduction is rounding.
+/// An infeasible search moves to a new point before it ends, if the violation there is below this
+/// fraction of the violation at the iterate. A smaller reduction is rounding.
 const MOVE_BELOW: f64 = 1.0 - 1e-6;
 
 impl SearchState {
@@ -67,8 +67,8 @@ impl SearchState {
         let first_point =
             |from: &[f64]| low_discrepancy_point(&self.scaling.domain.variables, from, 0);
         if violation > options.kkt_tolerance && first_point(&x) == first_point(&self.point.x) {
-            // the starting points depend on the bounds only, not on the iterate: another
-            // restoration would repeat this one
+            // the starting points did not change with the iterate: another restoration would repeat
+            // this one
             self.counters.restorations = MAX_RESTORATIONS;
         }
         let Some(point) = self.evaluate_at(x, evaluate)? else {
@@ -78,9 +78,9 @@ impl SearchState {
         Ok(true)
     }
 
-    /// Moves an infeasible search to the smallest violation near the current or the first iterate.
-    /// The merit function does not lead there, because it balances violation and objective. Returns
-    /// true if the search moved.
+    /// Minimizes the violation from the current iterate and from the first iterate, and moves an
+    /// infeasible search to the result. The merit function does not lead there, because it balances
+    /// violation and objective. Returns true if the search moved.
     pub fn move_to_least_violation(
         &mut self,
         initial_point: &[f64],

@@ -15,7 +15,7 @@ const CURVATURE_ROUNDING: f64 = 1e-8;
 /// Maximum number of attempts of a search to leave a saddle point.
 const MOST_SADDLES: u32 = 20;
 
-/// Function to be reduced along negative curvature.
+/// Function that a step along a direction of negative curvature must reduce.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ReducedFunction {
     /// The merit function, along the tangents of the active constraints.
@@ -40,7 +40,7 @@ impl SearchState {
         };
         self.counters.saddles += 1;
         let measure = |search: &Self, at: &EvaluatedPoint| match reduced {
-            // use the Lagrangian, which falls along the tangents; the merit function falls only
+            // compare the Lagrangian, which falls along the tangents: the merit function falls only
             // after a further step back onto the constraints
             ReducedFunction::Merit => search.lagrangian(at),
             ReducedFunction::Feasibility => 0.5 * norm(search.scaling.violations(&at.f)).powi(2),

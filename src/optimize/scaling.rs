@@ -70,8 +70,8 @@ impl KktResidual {
     }
 }
 
-/// The variable with the largest [rate](Outward::rate) of reduction of the Lagrangian. A large rate
-/// far from 0 shows that the variable diverges.
+/// The variable with the largest [rate](Outward::rate). If this variable is far from 0 and its rate
+/// is large, it diverges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Outward {
     /// Index of the variable.
@@ -80,8 +80,8 @@ pub(super) struct Outward {
     pub at: f64,
     /// Distance from 0, in units of the variable's scale.
     pub distance: f64,
-    /// First-order reduction of the Lagrangian, relative to φ, if the variable moves by its
-    /// distance from 0, or to its bound if the bound is nearer than this distance.
+    /// Reduction of the Lagrangian, to first order and relative to φ, if the variable moves by |x|,
+    /// or to its bound if the bound is nearer.
     pub rate: f64,
     /// True if the Lagrangian falls as the variable moves away from 0, and no bound lies ahead.
     pub is_open: bool,
@@ -145,8 +145,8 @@ impl Scaling {
         at.f.objective.value.abs().max(self.initial_size.min(1.0))
     }
 
-    /// Component i of the Lagrangian's gradient projected on the bounds: 0 if a bound blocks
-    /// descent.
+    /// The derivative `slope` of the Lagrangian by variable i, projected on the bounds: 0 if a
+    /// bound blocks descent.
     fn projected(&self, at: &EvaluatedPoint, slope: f64, i: usize) -> f64 {
         let bounds = &self.domain.variables;
         match slope {
@@ -210,7 +210,7 @@ impl Scaling {
             };
             match multiplier {
                 _ if *multiplier == 0.0 => 0.0,
-                // an infinite limit is never active: a multiplier other than 0 is an error
+                // an infinite limit is never active: a nonzero multiplier is an error
                 _ if limit.is_infinite() => f64::INFINITY,
                 // a violated constraint counts in `feasibility` only
                 _ => {
@@ -236,10 +236,11 @@ impl Scaling {
         }
     }
 
-    /// True if moving x farther from 0, along the ray from 0 through x, approaches a finite limit
-    /// of a constraint, to first order.
+    /// True if a constraint has a finite limit ahead, to first order, for a point that moves from x
+    /// away from 0, along the ray from 0 through x.
     pub fn has_limit_ahead(&self, at: &EvaluatedPoint) -> bool {
-        /// Relative rounding error of a constraint's change.
+        /// Rounding error of a constraint's change, relative to the sum of the absolute values of
+        /// its terms.
         const ROUNDING: f64 = 1e-9;
         let limits = &self.domain.constraints;
         at.f.constraints.iter().enumerate().any(|(j, constraint)| {
@@ -257,7 +258,7 @@ impl Scaling {
         })
     }
 
-    /// Sets φ₀ from a later point if value and gradient vanished at the start.
+    /// Sets φ₀ at a later point if the value and the gradient of f were 0 at the start.
     pub fn floor_size(&mut self, at: &EvaluatedPoint) {
         if self.initial_size <= f64::MIN_POSITIVE {
             let slope = largest_scaled(&at.f.objective.gradient, &self.scale);
@@ -265,7 +266,7 @@ impl Scaling {
         }
     }
 
-    /// Rounds a value of variable i to a bound that differs from it by rounding only.
+    /// Returns the bound of variable i if `x` differs from it by rounding only; otherwise `x`.
     pub fn on_bound(&self, i: usize, x: f64) -> f64 {
         let (low, high) = (self.domain.variables.low[i], self.domain.variables.high[i]);
         let rounding = 4.0 * f64::EPSILON * self.scale[i].min(high - low);
@@ -278,7 +279,8 @@ impl Scaling {
         }
     }
 
-    /// Signed violation of each constraint, in units of γⱼ; < 0 below the lower limit.
+    /// Signed violation of each constraint, in units of γⱼ: > 0 above the upper limit, < 0 below
+    /// the lower limit.
     pub fn violations<'a>(&'a self, f: &'a Evaluation) -> impl Iterator<Item = f64> + 'a {
         let limits = &self.domain.constraints;
         let excess =

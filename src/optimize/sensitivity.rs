@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 /// Derivatives of an optimum by a parameter p.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OptimumResponse {
-    /// df*/dp: by the envelope theorem, the partial derivative of the Lagrangian by p.
+    /// df*/dp. By the envelope theorem, this is the partial derivative of the Lagrangian by p.
     pub value: f64,
     /// d²f*/dp².
     pub curvature: f64,
@@ -24,9 +24,9 @@ pub struct OptimumResponse {
     pub multipliers: Vec<f64>,
     /// dc/dp of the constraint functions along the optimum.
     pub constraints: Vec<f64>,
-    /// Derivative by p of the Lagrangian's gradient along the optimum. The component of a variable
-    /// at its lower bound is the derivative of the bound's multiplier; at its upper bound, it is
-    /// minus the derivative of that bound's multiplier.
+    /// Derivative by p of the Lagrangian's gradient along the optimum. For a variable at its lower
+    /// bound, the component is the derivative of the bound's multiplier. For a variable at its
+    /// upper bound, it is minus the derivative of the bound's multiplier.
     pub slopes: Vec<f64>,
 }
 
@@ -103,8 +103,8 @@ fn size(solution: &Solution, scale: &[f64]) -> f64 {
     largest_scaled(&solution.gradient, scale).max(solution.value.unwrap_or_default().abs())
 }
 
-/// Hessian of the Lagrangian in scaled variables, with rounding errors set to 0: they would
-/// otherwise make the optimum look isolated along a variable without effect.
+/// Hessian of the Lagrangian in scaled variables. Rounding errors are set to 0, because they would
+/// make the optimum look isolated along a variable without effect.
 fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
     let least = ROUNDING * size(solution, scale);
     DMatrix::from_fn(scale.len(), scale.len(), |i, k| {
@@ -348,8 +348,8 @@ pub fn first_event(
         .min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// Distance to a change of the active set: the distance of a value from its limit, or of a
-/// multiplier from 0.
+/// A quantity that changes the active set when it falls to 0: the distance of a value from its
+/// limit, or the absolute value of a multiplier.
 struct Margin {
     distance: f64,
     /// Derivative of the distance by the parameter.
@@ -358,8 +358,8 @@ struct Margin {
 }
 
 impl Margin {
-    /// Fraction of a parameter change `delta` after which the distance is 0; `None` if it stays
-    /// positive.
+    /// Fraction of the parameter change `delta` after which `distance` is 0, to first order; `None`
+    /// if `distance` stays positive.
     fn used_up_after(&self, delta: f64) -> Option<f64> {
         let reduction = -self.rate * delta;
         let is_used_up = reduction > 0.0 && self.distance.is_finite() && self.distance <= reduction;
@@ -367,8 +367,8 @@ impl Margin {
     }
 }
 
-/// Margins of the variables: distances from the bounds and, for active bounds, distances of the
-/// multipliers from 0.
+/// Margins of the variables: the multiplier of an active bound; for any other variable, the
+/// distances from its two bounds.
 fn variable_margins(
     solution: &Solution,
     domain: &Domain,
@@ -398,8 +398,8 @@ fn variable_margins(
     margins
 }
 
-/// Margins of the constraints: distances from the limits and, for active limits, distances of the
-/// multipliers from 0.
+/// Margins of the constraints: the multiplier of an active constraint; for any other constraint,
+/// the distances from its two limits.
 fn constraint_margins(
     solution: &Solution,
     domain: &Domain,

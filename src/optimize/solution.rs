@@ -24,9 +24,11 @@ pub struct Solution {
     /// Hessian of the Lagrangian at the point (of f if there are no constraints); empty if the
     /// problem has no Hessians.
     pub hessian: Vec<Vec<f64>>,
-    /// Multipliers of the lower bounds, ≥ 0: reduction of f per unit by which a bound is lowered.
+    /// Multiplier of each lower bound, ≥ 0. If the bound falls by δ, f falls by the multiplier
+    /// times δ, to first order.
     pub lower_multipliers: Vec<f64>,
-    /// Multipliers of the upper bounds, ≥ 0: reduction of f per unit by which a bound is raised.
+    /// Multiplier of each upper bound, ≥ 0. If the bound rises by δ, f falls by the multiplier
+    /// times δ, to first order.
     pub upper_multipliers: Vec<f64>,
     /// The constraints, in order.
     pub constraints: Vec<ConstraintValue>,
@@ -52,10 +54,10 @@ pub struct Solution {
 pub struct ConstraintValue {
     /// Value cⱼ.
     pub value: f64,
-    /// Signed violation: > 0 above the upper limit, < 0 below the lower.
+    /// Signed violation: > 0 above the upper limit, < 0 below the lower limit.
     pub violation: f64,
-    /// Multiplier λⱼ in ∇f + Σ λⱼ ∇cⱼ + … = 0: > 0 at the upper limit, < 0 at the lower, 0 between.
-    /// It is the reduction of f per unit by which the limit is raised.
+    /// Multiplier λⱼ in ∇f + Σ λⱼ ∇cⱼ + … = 0: > 0 at the upper limit, < 0 at the lower limit, 0
+    /// between the limits. If the limit rises by δ, f falls by λⱼ δ, to first order.
     pub multiplier: f64,
 }
 

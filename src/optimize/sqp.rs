@@ -17,8 +17,9 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// argmin's state for this solver: the start, the objective, and the iteration for observers. The
-/// iteration has the point, because argmin would copy a point of the state.
+/// State that argmin keeps for this solver: the start, the objective, and the [`Iteration`] for
+/// observers. The current point is in the `Iteration` only, because argmin would copy a point of
+/// its state.
 pub type SqpState = IterState<Vec<f64>, (), (), (), Iteration, f64>;
 
 /// The SQP solver. [`minimize`](super::minimize()) builds and runs it.
@@ -38,7 +39,7 @@ pub struct Sqp {
 pub(super) struct SearchProgress {
     pub state: Option<SearchState>,
     pub verdict: Option<SearchVerdict>,
-    /// True if an interrupt ended the last iteration early. argmin counts this iteration; the
+    /// True if an interrupt ended the last iteration early. argmin counts this iteration, but the
     /// reported number of iterations does not include it.
     pub is_interrupted_within: bool,
     /// Reason why f is undefined at the start; `None` if f is defined there.
@@ -80,7 +81,7 @@ impl Sqp {
         // linearize the constraints, convexify the Hessian, solve the quadratic program: minimize
         // ½ dᵀB d + ∇f·d with c + ∇c·d within limits, x + d within bounds, ‖d‖∞ ≤ Δ
         let mut step = state.trial_step();
-        // ν ≥ ‖λ‖₂, and large enough for a predicted reduction of φ (eq. 18.36)
+        // choose ν ≥ ‖λ‖₂, and so large that the model predicts a reduction of φ (eq. 18.36)
         state.update_penalty(&step);
         state.limit_multipliers(&mut step);
 
@@ -97,8 +98,8 @@ impl Sqp {
             // Δ from the ratio of actual to predicted reduction
             state.update_radius(&trial.step, &trial.reduction);
         }
-        // λ ← multipliers of the quadratic program, also after a rejected step: the multipliers
-        // bring the curvature of newly active constraints into the next model
+        // take the multipliers of the quadratic program as λ, also after a rejected step: the next
+        // model then contains the curvature of newly active constraints
         state.multipliers.clone_from(&trial.step.multipliers);
         let reduction = trial.reduction;
         // x ← x + d
@@ -119,7 +120,7 @@ impl Sqp {
         })
     }
 
-    /// Iteration 0: the iterate in `state`, with the values of a search that has made no step.
+    /// Data of the iterate in `state`. The fields about a step have their values of iteration 0.
     fn iteration(&self, state: &SearchState) -> Iteration {
         Iteration {
             number: 0,

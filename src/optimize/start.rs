@@ -2,9 +2,9 @@ use super::domain::Bounds;
 use super::problem::Evaluation;
 use super::scaling::EvaluatedPoint;
 
-/// Number of other points that are compared if f is undefined at the start: the search begins at
-/// the point with the smallest f. If f is undefined at all of them, further points are tried until
-/// f is defined at one, or the limit of the options is reached.
+/// Number of other points that are compared if f is undefined at the start; the search begins at
+/// the point with the smallest f. If f is undefined at all of them, more points are tried until f
+/// is defined at one, or until the limit in the options is reached.
 const MIN_COMPARED_POINTS: u32 = 8;
 
 /// Finds the first iterate: the start, or another point of the box if f is undefined at the start.
@@ -47,10 +47,11 @@ pub(super) fn first_point(
     (best, Some(why))
 }
 
-/// Point `k` of a low-discrepancy sequence: multiples, modulo 1, of powers of the inverse
-/// generalized golden ratio (Roberts 2018). The sequence covers the part of the bounds that is at
-/// most one scale length from `start`; point 0 is the centre of this part. Unlike a Sobol sequence it needs no table
-/// of direction numbers, which would limit the number of variables of a search.
+/// Point `k` of a low-discrepancy sequence. Coordinate i, counted from 1, is 0.5 + k/gⁱ modulo 1,
+/// with the generalized golden ratio g (Roberts 2018). The sequence covers the part of the bounds
+/// that is at most one scale length from `start`; point 0 is the centre of this part. Unlike a
+/// Sobol sequence, it needs no table of direction numbers, which would limit the number of
+/// variables.
 pub(super) fn low_discrepancy_point(bounds: &Bounds, start: &[f64], k: u32) -> Vec<f64> {
     let n = start.len();
     let scale = bounds.scale(start);

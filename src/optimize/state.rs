@@ -20,15 +20,16 @@ const SHRINK: f64 = 0.25;
 /// Growth factor of the trust-region radius after a good step that ends on the boundary of the
 /// trust region (Conn, Gould & Toint 2000, §17.1).
 const GROW: f64 = 2.0;
-/// Smallest factor applied to |λ| when a negative eigenvalue λ is reflected.
+/// Smallest factor of a reflection (see [`SearchState::reflection`]).
 const MIN_REFLECTION: f64 = 1e-12;
 /// Threshold for predicted reductions, relative to the objective's size. Smaller reductions are
 /// negligible.
 const NEGLIGIBLE: f64 = 1e-13;
-/// Smallest predicted reduction of the merit function, as a fraction of ν times the predicted
-/// reduction of the violation (Nocedal & Wright 2006, eq. 18.36: ρ).
+/// The constant ρ of Nocedal & Wright (2006), eq. 18.36: the predicted reduction of the merit
+/// function is at least ρ ν times the predicted reduction of the violation.
 const PENALTY_RHO: f64 = 0.1;
-/// Safety factor on a raised penalty, so that the next step does not raise it again.
+/// Ratio of a raised penalty to the penalty that the step needs, so that the next step does not
+/// raise it again.
 const PENALTY_MARGIN: f64 = 1.5;
 
 /// Work counters of a search.
@@ -42,9 +43,8 @@ pub struct Effort {
     /// Number of quadratic programs solved by Clarabel, then polished to an exact KKT point of the
     /// active set.
     pub clarabel: u64,
-    /// Quadratic programs without an exact KKT point near Clarabel's solution: the step is the
-    /// exact point of Clarabel's active set with Clarabel's multipliers, or Clarabel's own
-    /// solution.
+    /// Number of quadratic programs for which polishing failed. The step is then the exact point of
+    /// Clarabel's active set with Clarabel's multipliers, or Clarabel's own solution.
     pub unpolished: u64,
     /// Quadratic programs with inconsistent linearized constraints, which were relaxed.
     pub relaxed: u64,
@@ -73,7 +73,8 @@ pub(super) struct SearchState {
     pub multipliers: Vec<f64>,
     /// Trust-region radius Δ, in units of the variables' scale.
     pub radius: f64,
-    /// Factor applied to |λ| when a negative eigenvalue λ of the Hessian is reflected.
+    /// Factor of a reflection: a negative eigenvalue λ of the Hessian is replaced by this factor
+    /// times |λ|.
     pub reflection: f64,
     /// Penalty ν of the merit function f + ν‖v‖₂.
     pub penalty: f64,
@@ -168,8 +169,8 @@ impl SearchState {
         }
     }
 
-    /// Step of the quadratic model; with `tried`, the second-order correction of the step to this
-    /// trial point.
+    /// Computes the step that minimizes the quadratic model. If `tried` is given, computes the
+    /// second-order correction of the step that ended at `tried`.
     fn solve_model(&mut self, tried: Option<&EvaluatedPoint>) -> TrialStep {
         let mut workspace = std::mem::take(&mut self.workspace);
         let mut hessian = std::mem::take(&mut workspace.hessian);
@@ -199,7 +200,7 @@ impl SearchState {
     /// Updates the penalty ν so that the step reduces the model of the merit function.
     pub fn update_penalty(&mut self, step: &TrialStep) {
         if !step.is_relaxed {
-            // the merit function is exact for ν ≥ ‖λ‖₂; a larger ν decays towards that value
+            // the merit function is exact for ν ≥ ‖λ‖₂: bring a larger ν halfway to this value
             let exact = self.multiplier_norm(&step.multipliers);
             self.penalty = exact.max(0.5 * (self.penalty + exact));
         }
@@ -240,7 +241,8 @@ impl SearchState {
         )
     }
 
-    /// Evaluates the functions at the end of a trial step, and the reduction of the merit function.
+    /// Evaluates the functions at the end of a trial step, and computes the reduction of the merit
+    /// function.
     pub fn evaluate_step(
         &mut self,
         mut step: TrialStep,
@@ -341,8 +343,8 @@ impl SearchState {
         } else if reduction.is_good() && step.is_limited_by(self.radius) {
             self.radius = (GROW * self.radius).min(MAX_RADIUS);
         }
-        // reflected curvature is not curvature of f, but limits the step like a trust region:
-        // reduce it as long as the model predicts the reduction exactly
+        // a reflected eigenvalue is not a curvature of f, but limits the step like a trust region:
+        // make it smaller while the model predicts the reduction of the merit function exactly
         let is_exact = step.is_reflected && reduction.is_exact();
         self.reflection = if is_exact {
             (SHRINK * self.reflection).max(MIN_REFLECTION)
@@ -377,7 +379,8 @@ impl SearchState {
         step.objective_reduction + self.penalty * (step.violation - step.linear_violation)
     }
 
-    /// Size of the merit function, the unit of its rounding error: size of f plus ν.
+    /// Size of the merit function: the size of f plus ν. Its rounding error is proportional to this
+    /// size.
     pub fn merit_size(&self) -> f64 {
         self.scaling.size(&self.point) + self.penalty
     }

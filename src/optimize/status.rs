@@ -28,7 +28,8 @@ use serde::{Deserialize, Serialize};
 pub enum Status {
     /// The KKT conditions hold, and the Lagrangian has no direction of negative curvature.
     Converged,
-    /// The objective has a kink here, and the model of its sides predicts no reduction.
+    /// The objective has a kink at this point, and the quadratic models of the kink's sides predict
+    /// no reduction.
     StalledAtKink,
     /// No step reduces the objective by more than rounding, though the KKT conditions do not hold.
     Stalled,
@@ -126,8 +127,8 @@ impl SearchVerdict {
         Self::new(Status::StalledAtKink, message)
     }
 
-    /// Verdict for a point at which the KKT conditions hold only because a huge multiplier balances
-    /// a redundant bound.
+    /// Verdict for a point where the KKT conditions hold only with a huge multiplier, because a
+    /// constraint makes an active bound redundant.
     pub fn degenerate(pair: &RedundantBound, residual: f64) -> Self {
         let RedundantBound {
             variable,
@@ -167,9 +168,8 @@ pub(super) fn gain_test(state: &mut SearchState) -> bool {
     state.predicted_reduction(&step) <= NOISE * state.merit_size()
 }
 
-/// Converged to rounding: a stalled search has converged if its KKT residual, relative to the
-/// initial size of the objective, is within the tolerance. `size_ratio` is the initial size divided
-/// by the current size.
+/// Verdict `Converged` of a stalled search, if the KKT residual relative to the initial size of the
+/// objective is within the tolerance. `size_ratio` is the initial size divided by the current size.
 pub(super) fn rounding_test(
     residual: KktResidual,
     size_ratio: f64,
@@ -194,13 +194,14 @@ pub(super) fn is_diverging(outward: Option<&Outward>, tolerance: f64) -> bool {
     outward.is_some_and(|outward| outward.distance >= FAR && outward.rate > tolerance)
 }
 
-/// Unbounded: the constraints are satisfied, no bound or constraint limits the variables in the
-/// direction in which the objective decreases, and one of these holds:
+/// Verdict `Unbounded`, if the constraints are satisfied, no bound or constraint lies in the
+/// direction in which the objective falls, and one of these holds:
 ///
-/// - A variable is 1e15 of its scales away from 0, and the objective would decrease by 1e-3 of its
-///   size if the variable doubled. A function with a lower bound does not decrease so much there.
-/// - The objective decreases, and is below −1e60 times its initial size. With constraints the
-///   factor is −1e200, because a curved constraint may still stop the decrease.
+/// - A variable is at least 1e15 times its scale away from 0, and the objective would fall by at
+///   least 1e-3 of its size if the variable doubled. A function with a lower bound does not fall so
+///   fast there.
+/// - The objective falls, and is below −1e60 times its initial size. With constraints the factor is
+///   −1e200, because a curved constraint may still stop the fall.
 pub(super) fn unbounded_test(
     outward: Option<&Outward>,
     state: &SearchState,
@@ -270,8 +271,8 @@ pub(super) fn radius_test(radius: f64, residual: f64) -> Option<SearchVerdict> {
     })
 }
 
-/// Stalled at a kink of f: several terms of the piecewise model are active, and it predicts no
-/// reduction.
+/// Verdict `StalledAtKink`, if several terms of the piecewise model are active, and the model
+/// predicts no reduction.
 pub(super) fn kink_test(
     active_terms: usize,
     predicted: f64,

@@ -53,7 +53,7 @@ impl Sqp {
         let is_suspected_kink = verdict.status == Status::StalledAtKink;
         let kink = self.find_kink(state, &verdict, evaluate)?;
         if is_suspected_kink && kink.is_none() {
-            // no kink was found, so curvature caused the extra terms of the model: drop them
+            // there is no kink, so the points in `kink_sides` differ by curvature only: drop them
             state.kink_sides = Bundle::default();
             return Ok(());
         }

@@ -59,7 +59,8 @@ pub(super) struct Reduction {
     pub size: f64,
 }
 
-/// Rounding error of the functions, relative to the objective's size and to γ.
+/// Rounding error of the functions: of f relative to the objective's size, of a constraint relative
+/// to its scale γ.
 pub(super) const NOISE: f64 = 1e-14;
 /// Threshold for reductions, relative to the size of the merit function. Smaller reductions are
 /// little more than rounding.
@@ -67,10 +68,11 @@ const NEARLY_NOISE: f64 = 1e-10;
 /// Smallest ratio of actual to predicted reduction of an accepted step (Conn, Gould & Toint 2000,
 /// §6.1: any small positive number).
 const ACCEPT: f64 = 1e-4;
-/// Ratio below which a step is poor: the trust region shrinks.
+/// A step is poor if the ratio of actual to predicted reduction is below this value: the trust
+/// region shrinks.
 const POOR: f64 = 0.25;
 const GOOD: f64 = 0.75;
-/// Largest relative error of the predicted reduction of a model that counts as exact.
+/// A model counts as exact if the relative error of its predicted reduction is at most this value.
 const EXACT: f64 = 1e-9;
 
 impl Reduction {
@@ -86,7 +88,6 @@ impl Reduction {
         self.actual > GOOD * self.predicted
     }
 
-    /// True if the model predicts the reduction almost to rounding.
     pub fn is_exact(&self) -> bool {
         (self.actual - self.predicted).abs() <= EXACT * self.predicted.abs()
     }
