@@ -15,8 +15,8 @@ pub(crate) const SEA_LEVEL_TEMPERATURE: f64 = 288.15;
 /// Temperature lapse rate of the standard atmosphere, K/m (ISO 2533:1975).
 pub(crate) const LAPSE_RATE: f64 = 0.0065;
 
-/// Two sets of parameters that describe the same quantity: if a parameter of `by` is set, the
-/// parameters of `replaced` follow from `by`.
+/// Two sets of parameters for the same quantity. If a parameter of `by` is set, the parameters of
+/// `replaced` follow from the parameters of `by`.
 #[derive(Debug, PartialEq)]
 pub struct Alternatives {
     /// Name of the described quantity: `air`, `wind`.
@@ -55,7 +55,8 @@ impl Alternatives {
             .any(|names| names.contains(&parameter.name))
     }
 
-    /// The parameters that a setup uses: the set parameters of `by`, else `replaced`.
+    /// The parameters that describe the quantity in a setup: the set parameters of `by`, or the
+    /// parameters of `replaced` if no parameter of `by` is set.
     pub(crate) fn given_in(&self, setup: &Setup<f64>) -> Vec<&'static Parameter> {
         let set = |names: &[&str]| -> Vec<&'static Parameter> {
             let rows = names.iter().filter_map(|name| setup.parameter(name).ok());
@@ -70,7 +71,7 @@ impl Alternatives {
     }
 }
 
-/// The quantities that the two setups describe by different parameters.
+/// The quantities, air or wind, that the two setups describe by different parameters.
 pub(crate) fn described_differently([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Alternatives> {
     ALTERNATIVES
         .iter()
@@ -79,7 +80,7 @@ pub(crate) fn described_differently([a, b]: &[Setup<f64>; 2]) -> Vec<&'static Al
 }
 
 /// True if the parameter describes the air or the wind (see [`Alternatives`]), and both setups
-/// describe that quantity by the same parameters with the same values.
+/// describe this quantity by the same parameters with the same values.
 pub(crate) fn is_given_alike([a, b]: [&Setup<f64>; 2], parameter: &Parameter) -> bool {
     let Some(alternatives) = ALTERNATIVES.iter().find(|one| one.concerns(parameter)) else {
         return false;
@@ -200,7 +201,7 @@ impl Setup<f64> {
     /// air causes no warning: cold air holds little vapour, and the density of dry air is known.
     pub(super) fn weather_warnings(&self) -> Vec<Message> {
         const PRESSURE: [f64; 2] = [60_000.0, 110_000.0];
-        // altitudes with about these pressures in the standard atmosphere, m
+        // altitudes, m, at which the standard atmosphere has about these pressures
         const ALTITUDE: [f64; 2] = [-700.0, 4200.0];
         const TEMPERATURE: [f64; 2] = [0.0, 273.15 + 40.0];
         let rows = [

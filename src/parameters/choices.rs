@@ -1,7 +1,7 @@
 //! Settings that select by name: the golfer, the point of the head, the method of integration.
 
-/// Handedness of the golfer. Swing, strike and club are in the golfer's own terms: the same numbers
-/// give mirror images for the two hands.
+/// Handedness of the golfer. Two golfers of different hands with the same values of swing, strike
+/// and club hit drives that are mirror images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Golfer {
     /// A right-handed golfer: out, open and the toe are to the right.
@@ -11,11 +11,11 @@ pub enum Golfer {
     Left,
 }
 
-/// Name of the setting: `golfer = "left"`.
+/// Name of the setting, as in `golfer = "left"`.
 pub const GOLFER: &str = "golfer";
 
 variant_names! {
-    /// Name in `golfer`.
+    /// The value of `golfer` that selects the hand.
     Golfer {
         Right = "right",
         Left = "left",
@@ -34,11 +34,11 @@ pub enum SpeedOf {
     FaceCentre,
 }
 
-/// Name of the setting: `swing.speed_of = "face-centre"`.
+/// Name of the setting, as in `swing.speed_of = "face-centre"`.
 pub const SPEED_OF: &str = "swing.speed_of";
 
 variant_names! {
-    /// Name in `swing.speed_of`.
+    /// The value of `swing.speed_of` that selects the point.
     SpeedOf {
         CentreOfMass = "centre-of-mass",
         FaceCentre = "face-centre",

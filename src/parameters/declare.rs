@@ -96,7 +96,7 @@ pub struct Parameter {
     pub doc: &'static str,
     /// Required, optional or a setting.
     pub kind: Kind,
-    /// SI value with the effect of an unset parameter (`or 0.0` in the table); `None` if the table
+    /// SI value that has the same effect as no value (`or 0.0` in the table); `None` if the table
     /// declares no such value.
     pub unset: Option<f64>,
     /// Aerodynamic law of a coefficient; `None` for other parameters.
@@ -109,7 +109,7 @@ impl Parameter {
         if self.default == UNSET {
             return None;
         }
-        // a test parses every default
+        // a test checks that every default can be parsed
         Some(self.quantity.read(self.default).unwrap_or(f64::NAN))
     }
 
@@ -127,7 +127,7 @@ impl Parameter {
     }
 }
 
-/// Rows are statics, compared by address.
+/// Parameters are equal if they are the same row, which is a static.
 impl PartialEq for Parameter {
     fn eq(&self, other: &Self) -> bool {
         std::ptr::eq(self, other)
@@ -304,7 +304,7 @@ macro_rules! parameter_struct {
         }
 
         impl<T: Copy> $Group<T> {
-            /// Converts the number type.
+            /// Converts the number type: `f` converts the value of each parameter.
             #[inline(always)]
             pub(super) fn map<U>(&self, f: &mut impl FnMut(&'static Parameter, T) -> U) -> $Group<U> {
                 let [$($field),+] = $Group::<f64>::rows();
@@ -363,7 +363,7 @@ macro_rules! parameter_groups {
         impl Default for Setup<f64> {
             /// The preset `modern-driver`.
             fn default() -> Self {
-                // parsed once: the texts with their units take longer to parse than a drive takes
+                // the texts are parsed once, because that takes longer than a drive
                 static DEFAULT: std::sync::LazyLock<Setup<f64>> = std::sync::LazyLock::new(|| {
                     let (law, method) = (Law::default(), Method::default());
                     let (golfer, speed_of) = (Golfer::default(), SpeedOf::default());
@@ -439,7 +439,7 @@ macro_rules! law_coefficients {
         pub enum Law<T> {
             $( $(#[doc = $doc])* $Law($Law<T>), )+
             /// Splines D and L through your own table (`aero.table`): C_D = cd_factor D and C_L =
-            /// cl_factor L. Beyond the edges of the table they are constant, and without spin there
+            /// cl_factor L. Beyond the edges of the table, D and L are constant. Without spin there
             /// is no lift.
             Table(Table<T>),
         }

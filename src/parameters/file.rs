@@ -20,7 +20,7 @@ use toml::de::{DeTable, DeValue};
 /// Key of the preset that a file starts from.
 const PRESET: &str = "preset";
 
-/// A value of the file with its dotted key; positions are byte offsets.
+/// A value of the file with its dotted key. `key_at`, `value_at` and `value_end` are byte offsets.
 struct Item<'a> {
     key: String,
     key_at: usize,
@@ -88,8 +88,8 @@ impl SetupFile {
     }
 
     /// Parses the text of a setup file. `file` is the file's name in messages; paths in the text
-    /// are relative to the folder of `file`. Parameters that the file does not give have the values
-    /// of its `preset`, by default [`DEFAULT_PRESET`].
+    /// are relative to the folder of `file`. A parameter that is not in the file has the value of
+    /// the file's preset, or of [`DEFAULT_PRESET`] if the file names no preset.
     ///
     /// ```
     /// use longdrive::parameters::SetupFile;
@@ -171,7 +171,8 @@ fn refuse_duplicate_keys(items: &[Item<'_>], text: &str, file: &str) -> Result<(
     Err(in_file(text, file, items[again].key_at, source))
 }
 
-/// Refuses a turf without effect, and parameters that other parameters of the file replace.
+/// Refuses a turf if the file gives all of its numbers too, and refuses parameters that other
+/// parameters of the file replace.
 fn refuse_conflicts(setup: &Setup<f64>, items: &[Item<'_>], text: &str, file: &str) -> Result<()> {
     if let Some(turf) = items.iter().find(|item| item.key == TURF) {
         refuse_idle_turf(|name| items.iter().any(|item| item.key == name))

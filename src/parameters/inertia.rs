@@ -40,7 +40,7 @@ impl Club<f64> {
     /// [`Error::Inertia`] if the tensor is not positive definite.
     pub(crate) fn check_inertia(&self) -> Result<()> {
         let [smallest, _, largest] = self.principal_moments();
-        // eigenvalues are accurate to the rounding of the largest eigenvalue
+        // the rounding error of every eigenvalue is proportional to the largest eigenvalue
         if smallest > 1e-14 * largest {
             Ok(())
         } else {

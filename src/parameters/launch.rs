@@ -21,8 +21,8 @@ impl super::Parameter {
         is_of_strike(self.name)
     }
 
-    /// True for a parameter that the golfer controls: of swing, strike or club, or a launch
-    /// condition.
+    /// True for a parameter of swing, strike or club, and for a launch condition: the golfer
+    /// controls these.
     pub(crate) fn is_controlled(&self) -> bool {
         let is_of_impact = self.name.starts_with("impact.");
         self.is_of_launch() || self.is_of_strike() && !is_of_impact

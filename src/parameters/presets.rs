@@ -342,7 +342,7 @@ impl Setup<f64> {
     /// # Errors
     /// [`Error::Unknown`], with the nearest name, if no preset has this name.
     pub fn preset(name: &str) -> Result<Self> {
-        // parsed once: the texts with their units take longer to parse than a drive takes
+        // the texts are parsed once, because that takes longer than a drive
         static SETUPS: Mutex<BTreeMap<&str, Setup<f64>>> = Mutex::new(BTreeMap::new());
         let preset = Preset::known(name)?;
         let mut setups = SETUPS.lock().unwrap_or_else(PoisonError::into_inner);

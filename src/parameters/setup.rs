@@ -18,7 +18,7 @@ pub(crate) const NO_CLUB: &str = "no club strikes the ball, since its launch is 
 
 const LISTING: &str = "`parameters()` lists them all";
 
-/// A setting as it was given: a parameter, or a choice such as the law, and the text of its value.
+/// The name of a parameter, or of a choice such as the law, and the text of its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SettingText<'a> {
     /// Dotted name.
@@ -129,8 +129,8 @@ impl Parameter {
         })
     }
 
-    /// The value in the display unit, which is the unit of the range, and in SI if that differs. A
-    /// temperature is shown in the display unit only.
+    /// The value in the display unit, in which the range is shown too, and also in SI if the SI
+    /// unit is another one. A temperature is shown in the display unit only.
     fn show_with_si(&self, value: f64) -> String {
         let si = self.quantity.show(value, self.quantity.si);
         if !value.is_finite() || self.unit == self.quantity.si {
@@ -144,7 +144,7 @@ impl Parameter {
         }
     }
 
-    /// The value in the display unit, and the user's text if it has another unit; `None` if the
+    /// The value in the display unit, and the user's text if its unit is another one; `None` if the
     /// text has no unit.
     fn show_with_text(&self, value: f64, text: &str) -> Option<String> {
         let (number, unit) = self.quantity.split(text).ok()?;
@@ -322,8 +322,7 @@ impl Setup<f64> {
         Ok(())
     }
 
-    /// Applies settings in order, but table, law and turf before the numbers, and resets (`none`)
-    /// after the numbers.
+    /// Applies table, law and turf first, then the numbers in order, and the resets (`none`) last.
     ///
     /// # Errors
     /// The errors of [`set`](Self::set).
@@ -529,7 +528,7 @@ impl Setup<f64> {
         self.club.check_inertia()
     }
 
-    /// Warnings about questionable values, which are accepted.
+    /// Warnings about values that are accepted but questionable.
     pub fn warnings(&self) -> Vec<Message> {
         let of_club = self
             .club

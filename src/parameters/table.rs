@@ -194,8 +194,8 @@ parameter_groups! {
         /// Coefficient of friction; unset: the ball never slips.
         friction: Option<T> = "impact.friction", "μ_f", NUMBER in "", Range::from_to(0.0, 100.0),
             "none", "a driver does not slip, docs/sources.md";
-        /// Scale of the gear effect: a factor on the velocity along the face that the turning head
-        /// causes; unset: 1, rigid bodies.
+        /// Scale of the gear effect: factor of the velocity along the face that the turning of the
+        /// head causes; unset: 1, as for rigid bodies.
         gear_scale: Option<T> = "impact.gear_scale", "g", NUMBER in "", Range::from_to(0.0, 2.0),
             "0.75",
             "measured drives: 0.75 ± 0.2 of the gear effect of rigid bodies, docs/sources.md";
@@ -228,7 +228,7 @@ parameter_groups! {
         spin: Option<T> = "launch.spin", "|ω_0|", ANGULAR_VELOCITY in "rpm",
             Range::from_to(0.0, 1e5),
             "none", "the club strikes the ball";
-        /// Tilt of the spin axis at launch, + right, in addition to the total spin; unset: 0.
+        /// Tilt of the spin axis at launch, + right, given with launch.spin; unset: 0.
         spin_axis: Option<T> or 0.0 = "launch.spin_axis", "atan2(ω_s, ω_b)", ANGLE in "deg",
             Range::within_degrees(180.0),
             "none", "a level axis";
@@ -320,8 +320,8 @@ parameter_groups! {
         /// Coefficient of friction between the ball and the turf.
         friction: T = "ground.friction", "μ_g", NUMBER in "", Range::above_to(0.0, 10.0),
             "0.4", "Penner (2002)";
-        /// Compliance of the turf: Penner's tilt of the crater that a ball digs at 18.6 m/s and
-        /// 44.4° from the vertical, with less tilt for flatter impacts.
+        /// Compliance of the turf: tilt of the crater of a ball that lands at 18.6 m/s, 44.4° from
+        /// the vertical, by Penner's formula; the model tilts the craters of flat impacts less.
         compliance: T = "ground.compliance", "θ_g", ANGLE in "deg",
             Range::from_to(0.0, 60.0_f64.to_radians()),
             "15.4 deg", "Penner (2002), from what Haake (1987) measured on greens";
@@ -437,10 +437,10 @@ law_coefficients! { $
         /// Drag coefficient without spin at Re = 1.5e5.
         cd0: T = "aero.cd0", "cd0", NUMBER in "", Range::from_to(0.0, 100.0),
             "0.14972", "longdrive: fit to 400 shots of TrackMan's flight model, docs/sources.md";
-        /// Drag coefficient, linear in the capped spin ratio.
+        /// Coefficient of the capped spin ratio in the drag coefficient.
         cd1: T = "aero.cd1", "cd1", NUMBER in "", Range::FINITE,
             "0.79237", "longdrive: fit, docs/sources.md";
-        /// Drag coefficient, quadratic in the capped spin ratio.
+        /// Coefficient of the squared capped spin ratio in the drag coefficient.
         cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE,
             "-0.18328", "longdrive: fit, docs/sources.md";
         /// Coefficient of Re/10⁵ in the drag coefficient.
@@ -464,13 +464,13 @@ law_coefficients! { $
         /// Drag coefficient without spin at 50 m/s.
         cd0: T = "aero.cd0", "cd0", NUMBER in "", Range::from_to(0.0, 100.0),
             "0.194599", "longdrive: fit to Winfield & Tan (1994), docs/validation.md";
-        /// Drag coefficient, linear in x.
+        /// Coefficient of x in the first factor of the drag coefficient.
         cd1: T = "aero.cd1", "cd1", NUMBER in "", Range::FINITE,
             "0.604802", "longdrive: fit, docs/validation.md";
-        /// Drag coefficient, quadratic in x.
+        /// Coefficient of x² in the first factor of the drag coefficient.
         cd2: T = "aero.cd2", "cd2", NUMBER in "", Range::FINITE,
             "-1.346167", "longdrive: fit, docs/validation.md";
-        /// Drag coefficient, cubic in x.
+        /// Coefficient of x³ in the first factor of the drag coefficient.
         cd3: T = "aero.cd3", "cd3", NUMBER in "", Range::FINITE,
             "7.96419", "longdrive: fit, docs/validation.md";
         /// Relative growth of the drag coefficient with speed, linear in u.
@@ -572,7 +572,7 @@ law_coefficients! { $
         /// Coefficient of Re/10⁵ in the drag coefficient below r = 0.875.
         cd_low1: T = "aero.cd_low1", "cd_low1", NUMBER in "", Range::FINITE,
             "-2.59", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
-        /// Drag coefficient below r = 0.875, quadratic in Re/10⁵.
+        /// Coefficient of (Re/10⁵)² in the drag coefficient below r = 0.875.
         cd_low2: T = "aero.cd_low2", "cd_low2", NUMBER in "", Range::FINITE,
             "1.29", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
         /// Drag coefficient above r = 0.875, the part that does not change with the Reynolds
@@ -582,7 +582,7 @@ law_coefficients! { $
         /// Coefficient of Re/10⁵ in the drag coefficient above r = 0.875.
         cd_high1: T = "aero.cd_high1", "cd_high1", NUMBER in "", Range::FINITE,
             "-0.540", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
-        /// Drag coefficient above r = 0.875, quadratic in Re/10⁵.
+        /// Coefficient of (Re/10⁵)² in the drag coefficient above r = 0.875.
         cd_high2: T = "aero.cd_high2", "cd_high2", NUMBER in "", Range::FINITE,
             "0.191", "Lyu, Kensrud, Smith & Tosaya (2018), docs/sources.md";
         /// Coefficient of the spin ratio in the lift coefficient.
@@ -673,7 +673,7 @@ impl<T> Law<T> {
 }
 
 impl Law<f64> {
-    /// True if both are the same law with the same table; their coefficients may differ.
+    /// True if both laws have the same name and the same table; their coefficients may differ.
     pub fn is_same(&self, other: &Self) -> bool {
         self.name() == other.name() && self.table() == other.table()
     }

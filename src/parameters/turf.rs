@@ -9,7 +9,7 @@ pub const TURF: &str = "ground.turf";
 
 /// Prefix of the names of the parameters of the ground.
 const GROUP: &str = "ground.";
-/// The parameter of the ground that the flight depends on.
+/// The only parameter of the ground that changes the flight.
 const HEIGHT: &str = "ground.height";
 
 const PENNER: &str = "Penner (2002)";

@@ -88,7 +88,7 @@ impl Vary {
         let low =
             low.map_err(|error| Error::unreadable(format!("the range {}", text.trim()), error))?;
         let end = |text: &str| parameter.read(text, false).map(Option::unwrap_or_default);
-        // the high end first: an error about a missing unit quotes the text as given
+        // read the high end first: an error about a missing unit then quotes the user's text
         let high = end(high)?;
         Self::new(parameter, end(&low)?, high)
     }
@@ -114,9 +114,9 @@ impl Vary {
         }
     }
 
-    /// Checks that the ends are numbers and in order, for a range that was not made by
-    /// [`new`](Self::new). The range may exceed the allowed values of the parameter; there is no
-    /// drive at a value that is not allowed.
+    /// Checks that the ends are numbers and in order. A range that [`new`](Self::new) did not check
+    /// may exceed the allowed values of the parameter; no drive is computed at a value that is not
+    /// allowed.
     ///
     /// # Errors
     /// [`Error::NotANumber`] if an end is NaN, and [`Error::SearchRange`] if the range is reversed.
@@ -134,7 +134,7 @@ impl Vary {
         if low <= high {
             return Ok(());
         }
-        // without the space, so that the value is a single word of a command line
+        // without a space between number and unit, the range is a single word of a command line
         let [low, high] = [low, high].map(|end| parameter.show(Some(end)).replacen(' ', "", 1));
         Err(self.refused(format!(
             "the range is reversed; did you mean {high}..{low}?"

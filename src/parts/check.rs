@@ -75,8 +75,8 @@ impl Checked {
         self.missing.is_empty() && self.faults.is_empty()
     }
 
-    /// Adds the parts in the order of their numbers. With `contents`, reads the rows too; parts
-    /// whose rows have changed become faults.
+    /// Adds the parts in the order of their numbers. If `contents` is true, reads the rows too; a
+    /// part whose rows have changed becomes a fault.
     fn add_parts(
         &mut self,
         folder: &Path,
@@ -258,7 +258,7 @@ fn definition_of_most(
     found: &[(String, Footer)],
     wanted: Option<&SweepDefinition>,
 ) -> Option<SweepDefinition> {
-    // `wanted` with the fields that it leaves to the files
+    // `wanted`, with the number of parts, the instruction set and the C library of a file
     let wanted_as = |of: &SweepDefinition| {
         wanted.map(|wanted| SweepDefinition {
             parts: of.parts,

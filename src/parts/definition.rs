@@ -60,7 +60,7 @@ impl SweepDefinition {
 
     /// JSON for the metadata of each file.
     pub(super) fn text(&self) -> String {
-        // strings and integers always serialize
+        // serialization cannot fail: the fields are strings and integers
         serde_json::to_string(self).unwrap_or_default()
     }
 
@@ -124,7 +124,7 @@ fn elementary_functions() -> u64 {
     ];
     let mut fingerprint = Fingerprint::new();
     for i in 1..=4096 {
-        // 0 to 12.7: two full turns, and common arguments of logarithms and exponentials
+        // x up to 12.7 covers two full turns, and common arguments of logarithms and exponentials
         let x = f64::from(i) * 3.1e-3;
         functions
             .iter()

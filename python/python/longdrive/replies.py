@@ -46,8 +46,8 @@ class CalibrateReply(Reply):
     correlation: dict[str, Any]
     """The correlations of the estimates, −1 to 1."""
     undetermined: list[dict[str, float | None]]
-    """Combinations of parameters that the data do not determine, each as the changes of its
-    parameters, SI."""
+    """Combinations of parameters that the data do not determine. Each combination consists of
+    changes of its parameters, SI."""
     chi_square: float | None
     """χ² of the fit."""
     degrees_of_freedom: int
@@ -57,9 +57,10 @@ class CalibrateReply(Reply):
     """The probability of a χ² at least this large, if the model is right; `None` unless the data
     state every uncertainty and leave degrees of freedom."""
     uncertainty_scale: float | None
-    """√(χ²/degrees of freedom), by which the standard uncertainties are multiplied. It is 1 if the
-    data state every uncertainty. If the residuals give no scale, it is 1 if the uncertainty of
-    every value is known, and `None` otherwise."""
+    """Factor by which the standard uncertainties are multiplied. It is 1 if the data state every
+    uncertainty. Otherwise it is √(χ²/degrees of freedom), if there are degrees of freedom and the
+    residuals exceed rounding. If not, it is 1 if the uncertainty of every value is known, and
+    `None` if one is unknown."""
     iterations: int
     """Iterations of the fit."""
     evaluations: int

@@ -5,8 +5,8 @@ use super::grid::{AxisVariable, CoefficientGrid, LawTableAxis};
 use super::read::{GridNode, GridNodes, LawTableFault};
 use super::surface::{Cell, Surface, intervals, stored_cells};
 
-/// Spin ratio below which the lift falls to 0, for a table that has no axis of spin or spin ratio.
-/// Usual drives have larger spin ratios: 0.08 at 72 m/s and 2500 rpm.
+/// Spin ratio below which the lift falls smoothly to 0, if the table has no axis of spin or spin
+/// ratio. Usual drives have larger spin ratios: 0.08 at 72 m/s and 2500 rpm.
 const FULL_LIFT: f64 = 0.02;
 
 /// Smallest allowed distance between two lines of the grid, relative to the largest value. Closer
@@ -17,8 +17,8 @@ const LEAST_DISTANCE: f64 = 1e-9;
 /// The splines are evaluated up to half this width beyond the last node.
 const CLAMP_WIDTH: f64 = 0.5;
 
-/// Upper bound of |u|ᵃ |w|ᵇ, a, b ≤ 3, in a cell and in the clamps beside it, where |u| and |w| are
-/// at most 1 + [`CLAMP_WIDTH`]/2 = 1.25: 1.25⁶ = 3.8.
+/// Upper bound of |u|ᵃ |w|ᵇ for exponents a, b ≤ 3 and the coordinates u, w of a cell or of the
+/// clamps beside it. |u| and |w| are at most 1 + [`CLAMP_WIDTH`]/2 = 1.25, and 1.25⁶ = 3.8.
 const LARGEST_POWER: f64 = 4.0;
 
 /// Checks the nodes, and makes the grid with its splines.
@@ -104,7 +104,7 @@ fn full_grid<'a>(
     speeds: &[f64],
     spins: &[f64],
 ) -> Result<Vec<&'a GridNode>, LawTableFault> {
-    // saturating: each axis may have as many lines as there are rows
+    // each axis can have as many lines as there are rows, so that the product can overflow 32 bits
     let size = speeds.len().saturating_mul(spins.len());
     let mut sorted: Vec<&GridNode> = nodes.rows.iter().collect();
     sorted.sort_by(|a, b| {
@@ -152,7 +152,7 @@ fn full_grid<'a>(
 
 fn axis(variable: AxisVariable, lines: &[f64]) -> LawTableAxis {
     let last = lines.len() - 1;
-    // a single line gives a constant surface: the width has no effect
+    // with a single line the surface is constant, and the width has no effect
     let over = if last == 0 {
         [1.0; 2]
     } else {
@@ -197,10 +197,10 @@ fn check_between_nodes(
     Ok(())
 }
 
-/// Coordinates of the samples along one direction of a cell: from 0 to 1, and one sample in the
-/// clamp beside the first and beside the last cell of the grid. `at` is the index of the cell's
-/// first line among `count` lines. `zero` is the coordinate of zero speed or spin; no sample is
-/// below `zero`.
+/// Coordinates along one direction of a cell at which the drag is sampled: from 0 to 1, and one
+/// coordinate in the clamp beside the cell if it is the first or the last cell of the grid. `at` is
+/// the index of the cell's first line among `count` lines. `zero` is the coordinate of zero speed
+/// or spin; no sample is below `zero`.
 fn samples(at: usize, count: usize, zero: f64) -> impl Iterator<Item = f64> {
     const INTERVALS: usize = 8;
     let below = if at == 0 && count > 1 {

@@ -55,14 +55,14 @@ pub struct LawTableAxis {
     pub over: [f64; 2],
 }
 
-/// A grid of C_D and C_L with its splines. Its columns are the speed or the Reynolds number, its
-/// rows the spin or the spin ratio.
+/// A grid of C_D and C_L with its splines. Its columns are speeds or Reynolds numbers, its rows
+/// spins or spin ratios.
 #[derive(Debug)]
 pub(crate) struct CoefficientGrid {
     pub speed: Option<LawTableAxis>,
     pub spin: Option<LawTableAxis>,
-    /// Below a limit of this variable (spin ratio or spin), the lift falls smoothly to 0. The
-    /// number is the reciprocal of the limit, SI. `None` if the grid begins at zero spin.
+    /// Variable (spin ratio or spin) with a limit below which the lift falls smoothly to 0, and the
+    /// reciprocal of this limit, SI. `None` if the grid begins at zero spin.
     pub lift_onset: Option<(AxisVariable, f64)>,
     pub surface: Surface,
 }

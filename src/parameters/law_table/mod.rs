@@ -32,8 +32,8 @@ pub struct LawTable {
     pub file: String,
     /// Description for messages.
     pub(crate) description: String,
-    /// The nodes in ascending order: coordinates on the axes of speed and spin (0 without such an
-    /// axis), C_D, C_L.
+    /// The nodes in ascending order, each as speed, spin, C_D and C_L. Speed and spin are the
+    /// coordinates on the two axes, SI; 0 if the table does not have the axis.
     pub nodes: Vec<[f64; 4]>,
     fingerprint: u64,
     pub(crate) grid: CoefficientGrid,
@@ -44,8 +44,8 @@ static TABLES: Mutex<Vec<&'static LawTable>> = Mutex::new(vec![]);
 
 impl LawTable {
     /// Reads the table of a CSV file. Its columns are `cd`, `cl`, one of `spin_ratio` (`s`) and
-    /// `spin [rpm]`, and one of `reynolds` (`re`) and `speed [m/s]`; one of the two axes may be left
-    /// out. Each row is a node of a full grid, in any order.
+    /// `spin [rpm]`, and one of `reynolds` (`re`) and `speed [m/s]`; one of the two axes may be
+    /// left out. The rows are the nodes of a full grid, in any order.
     ///
     /// # Errors
     /// [`Error::Table`], with line and advice, if the file cannot be read or is not such a table.
@@ -112,7 +112,7 @@ fn fingerprint<'a>(axes: impl Iterator<Item = &'a AxisVariable>, nodes: &[[f64; 
     fingerprint.0
 }
 
-/// Tables with equal axes and equal nodes are equal, also from different files.
+/// Tables with equal axes and equal nodes are equal, even if they come from different files.
 impl PartialEq for LawTable {
     fn eq(&self, other: &Self) -> bool {
         self.fingerprint == other.fingerprint && self.nodes == other.nodes

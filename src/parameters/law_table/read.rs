@@ -41,7 +41,7 @@ const MOST_NODES: usize = 200_000;
 /// A row of the table.
 pub(super) struct GridNode {
     pub line: u64,
-    /// Coordinates on the axes of speed and spin, SI; 0 without such an axis.
+    /// Coordinates on the axes of speed and spin, SI; 0 if the table does not have the axis.
     pub speed: f64,
     pub spin: f64,
     pub drag: f64,
@@ -66,7 +66,7 @@ struct LawColumn {
     /// Column head as written in the file.
     head: String,
     content: LawColumnContent,
-    /// Size of the column's unit, SI.
+    /// Factor that converts the column's numbers to SI.
     unit_size: f64,
 }
 
@@ -257,8 +257,8 @@ fn column(head: &str) -> Result<LawColumn, String> {
     })
 }
 
-/// Decimal marks of a table: points, or commas if a comma does not separate cells. A table that
-/// has both is refused, since one of them may separate thousands.
+/// Decimal marks of a table: points, or commas if a comma does not separate cells. A table with
+/// both marks is refused, because one of them may separate thousands.
 struct DecimalMarks {
     /// Cell separator.
     separator: u8,
@@ -286,7 +286,7 @@ impl DecimalMarks {
         }
     }
 
-    /// Refuses a cell with another mark than the first.
+    /// Refuses a cell whose decimal mark differs from the mark of the first cell.
     fn check(&mut self, cell: &str) -> Result<(), String> {
         let mark_of = |cell: &str| [',', '.'].into_iter().find(|mark| cell.contains(*mark));
         let Some(mark) = mark_of(cell) else {

@@ -1,8 +1,8 @@
 //! Natural bicubic splines through a grid of numbers. The surface is C² in both directions.
 
-/// A cell of the grid: its corner and reciprocal sizes (x, 1/width, y, 1/height), then 16
-/// coefficients for each of the two surfaces. Coefficient 4i + j multiplies uⁱ wʲ, where u and w
-/// are the coordinates in the cell along x and y, from 0 to 1.
+/// A cell of the grid: x, 1/width, y and 1/height, with the corner (x, y), then 16 coefficients for
+/// each of the two surfaces. Coefficient 4i + j multiplies uⁱ wʲ, where u and w are the coordinates
+/// in the cell along x and y, from 0 to 1.
 pub(crate) type Cell = [f64; 36];
 
 /// Two surfaces over one grid, such as drag and lift, with two numbers at each node. The numbers
@@ -11,7 +11,7 @@ pub(crate) type Cell = [f64; 36];
 pub(crate) struct Surface {
     x: Knots,
     y: Knots,
-    /// Row by row: for each interval of y, all intervals of x.
+    /// The cells, row by row: for each interval of y, the cells of all intervals of x.
     pub cells: &'static [Cell],
 }
 
@@ -98,7 +98,7 @@ impl Knots {
             let place = ((value - self.at[0]) * per_unit) as usize;
             return if place < self.last { place } else { self.last };
         }
-        // number of inner knots not above the value
+        // the number of inner knots at or below the value is the index of its interval
         if self.last <= MOST_LINEAR {
             return self.at[1..=self.last]
                 .iter()
@@ -141,7 +141,7 @@ fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells:
         for (place, cell) in cells.iter_mut().enumerate() {
             let (row, column) = (place / intervals(x.len()), place % intervals(x.len()));
             let ((corner, wide), (low, high)) = (interval(x, column), interval(y, row));
-            // a single grid line is the first and the last line of its cells
+            // the indices of a cell's two grid lines; both are 0 if there is a single line
             let ends = |first: usize, count: usize| [first, (first + 1).min(count - 1)];
             let scaled = |slope: f64, width: f64| {
                 if width.is_finite() {
@@ -150,7 +150,7 @@ fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells:
                     0.0
                 }
             };
-            // on both rows, cubics along x through the values and through their slopes by y
+            // the cubic along x on a row, through the values, or through their derivatives by y
             let along = |values: &[f64], slopes: &[f64], row: usize| {
                 let places = ends(column, columns).map(|column| row * columns + column);
                 cubic(
@@ -174,7 +174,7 @@ fn fill(x: &[f64], y: &[f64], tables: [&[f64]; 2], work: [&mut [f64]; 4], cells:
     }
 }
 
-/// Coefficients, by ascending powers, of the cubic with these values and slopes at 0 and 1.
+/// Coefficients, by ascending powers, of the cubic that has these values and slopes at 0 and 1.
 fn cubic([here, there]: [f64; 2], [slope, end]: [f64; 2]) -> [f64; 4] {
     let rise = there - here;
     [
@@ -243,7 +243,7 @@ mod tests {
             line.iter().all(|slope| (slope - 2.0).abs() < 1e-14),
             "{line:?}"
         );
-        // through (−1, 0), (0, 1), (1, 0): 1 − 3/2 x² ± x³/2, with slope 3/2, 0, −3/2
+        // the spline through (−1, 0), (0, 1) and (1, 0) is 1 − 3/2 x² + |x|³/2
         let hill = slopes(&[-1.0, 0.0, 1.0], &[0.0, 1.0, 0.0]);
         for (found, by_hand) in hill.iter().zip([1.5, 0.0, -1.5]) {
             assert!((found - by_hand).abs() < 1e-14, "{hill:?}");

@@ -36,8 +36,8 @@ pub struct CalibrationReport<'a> {
     pub covariance: Matrix,
     /// The correlations of the estimates, −1 to 1.
     pub correlation: Matrix,
-    /// Combinations of parameters that the data do not determine, each as the changes of its
-    /// parameters, SI.
+    /// Combinations of parameters that the data do not determine. Each combination consists of
+    /// changes of its parameters, SI.
     pub undetermined: Vec<ByName<JsonNumber>>,
     /// χ² of the fit.
     pub chi_square: JsonNumber,
@@ -47,9 +47,10 @@ pub struct CalibrationReport<'a> {
     /// The probability of a χ² at least this large, if the model is right; `null` unless the data
     /// state every uncertainty and leave degrees of freedom.
     pub probability: JsonNumber,
-    /// √(χ²/degrees of freedom), by which the standard uncertainties are multiplied. It is 1 if the
-    /// data state every uncertainty. If the residuals give no scale, it is 1 if the uncertainty of
-    /// every value is known, and `null` otherwise.
+    /// Factor by which the standard uncertainties are multiplied. It is 1 if the data state every
+    /// uncertainty. Otherwise it is √(χ²/degrees of freedom), if there are degrees of freedom and
+    /// the residuals exceed rounding. If not, it is 1 if the uncertainty of every value is known,
+    /// and `null` if one is unknown.
     pub uncertainty_scale: JsonNumber,
     /// Iterations of the fit.
     pub iterations: u64,
@@ -196,8 +197,8 @@ impl<'a> CalibrationReport<'a> {
     }
 
     /// The fitted setup as a setup file in TOML, with full precision. Each fitted parameter has a
-    /// comment with its standard error. `file` is the setup of the request, `data` the file of the
-    /// shots.
+    /// comment with its standard error. `file` is the setup before the fit, `data` the name of the
+    /// file with the shots.
     ///
     /// # Errors
     /// The errors of [`setup_toml`].
