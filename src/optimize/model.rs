@@ -132,8 +132,8 @@ impl LagrangianModel<'_> {
         }
     }
 
-    /// Writes the quadratic program in scaled variables: the model at the iterate, the models of
-    /// the other sides of nearby kinks, and the linearized constraints.
+    /// Writes the quadratic program in scaled variables: the model at the iterate, a term for each
+    /// other side of a nearby kink, and the linearized constraints.
     fn write_program(
         &self,
         value: impl Fn(usize) -> f64,

@@ -17,9 +17,9 @@ pub struct QuadraticModel {
     /// Hessian H of the Lagrangian (of f if there are no constraints); empty if the problem has no
     /// Hessians.
     pub hessian: Vec<Vec<f64>>,
-    /// Lower limits of x + d: the trust region within the bounds.
+    /// Lower limits of x + d, from the trust region and the bounds.
     pub low: Vec<f64>,
-    /// Upper limits of x + d: the trust region within the bounds.
+    /// Upper limits of x + d, from the trust region and the bounds.
     pub high: Vec<f64>,
     /// Trial point x + d of the next iteration, before any second-order correction.
     pub trial: Vec<f64>,

@@ -28,8 +28,8 @@ pub(super) struct RedundantBound {
 }
 
 impl SearchState {
-    /// Finds the bound of variable i and the constraint j with the largest scaled |λⱼ ∂cⱼ/∂xᵢ|.
-    /// `None` if no such product exceeds [`HUGE`] times the scaled gradient of f.
+    /// Finds the variable i on a bound and the constraint j with the largest scaled product |λⱼ
+    /// ∂cⱼ/∂xᵢ|. `None` if no product exceeds [`HUGE`] times the scaled gradient of f.
     pub fn redundant_bound(&self) -> Option<RedundantBound> {
         let slope = largest_scaled(&self.point.f.objective.gradient, &self.scaling.scale);
         let most = HUGE * slope.max(self.scaling.initial_size.min(1.0) * f64::EPSILON);
@@ -50,8 +50,9 @@ impl SearchState {
         })
     }
 
-    /// Steps along −∇f without moving the variable on the bound, then back onto the constraints. If
-    /// the objective at the new point is lower, restarts the search there and returns true.
+    /// Moves all variables but the variable on the bound along −∇f, then moves back onto the
+    /// constraints. If the objective is lower at the new point, restarts the search there and
+    /// returns true.
     pub fn step_across_bound(
         &mut self,
         pair: &RedundantBound,

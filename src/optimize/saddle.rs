@@ -8,8 +8,8 @@ use super::sensitivity::ZERO_MULTIPLIER;
 use super::state::{Evaluate, SearchState};
 use nalgebra::{DMatrix, DVector};
 
-/// Threshold for negative curvature, in units of the objective's size over the scale squared.
-/// Weaker negative curvature counts as rounding.
+/// Threshold for negative curvature in scaled variables, relative to the objective's size. Weaker
+/// negative curvature counts as rounding.
 const CURVATURE_ROUNDING: f64 = 1e-8;
 
 /// Maximum number of attempts of a search to leave a saddle point.

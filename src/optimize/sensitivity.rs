@@ -30,7 +30,7 @@ pub struct OptimumResponse {
     pub slopes: Vec<f64>,
 }
 
-/// Change of the active set along a moving optimum.
+/// Change of the active set as the optimum moves with the parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Event {
     /// Variable i reaches its lower bound (`true`) or its upper bound (`false`).

@@ -85,7 +85,7 @@ impl Sqp {
         state.update_penalty(&step);
         state.limit_multipliers(&mut step);
 
-        // f, c at x + d; actual and predicted reduction of φ
+        // evaluate f and c at x + d, and the actual and predicted reduction of φ
         let mut trial = state.evaluate_step(step, evaluate)?;
         if !trial.reduction.is_acceptable() {
             // a step can fail because of the constraints' curvature (Maratos effect)
@@ -95,7 +95,7 @@ impl Sqp {
         let is_reduced = trial.reduction.is_acceptable();
         let is_accepted = is_reduced || state.halves_the_residual(&trial);
         if is_reduced || !is_accepted {
-            // Δ from the ratio of actual to predicted reduction
+            // set Δ from the ratio of the actual to the predicted reduction
             state.update_radius(&trial.step, &trial.reduction);
         }
         // take the multipliers of the quadratic program as λ, also after a rejected step: the next

@@ -151,7 +151,7 @@ fn with_residual(residual: Option<f64>) -> String {
     })
 }
 
-/// Converged: the KKT residual is below the tolerance.
+/// Verdict `Converged`, if the KKT residual is within the tolerance.
 pub(super) fn gradient_test(residual: KktResidual, tolerance: f64) -> Option<SearchVerdict> {
     let largest = residual.largest();
     (largest <= tolerance).then(|| {
@@ -233,7 +233,7 @@ pub(super) fn unbounded_test(
     Some(SearchVerdict::new(Status::Unbounded, message))
 }
 
-/// Infeasible: no step reduces the violation of the linearized constraints.
+/// Verdict `Infeasible`, if no step reduces the violation of the linearized constraints.
 pub(super) fn infeasible_test(
     step: &TrialStep,
     radius: f64,
@@ -250,7 +250,7 @@ pub(super) fn infeasible_test(
     (is_relaxed && violation > tolerance && is_least).then(|| infeasible(violation))
 }
 
-/// Verdict of infeasibility, with the smallest violation found.
+/// Verdict `Infeasible`, with the smallest violation found.
 pub(super) fn infeasible(violation: f64) -> SearchVerdict {
     let message = format!(
         "no point was found that meets the constraints: the smallest violation found, from this \
@@ -259,7 +259,7 @@ pub(super) fn infeasible(violation: f64) -> SearchVerdict {
     SearchVerdict::new(Status::Infeasible, message)
 }
 
-/// Stalled: the trust region is so small that steps are within rounding of zero.
+/// Verdict `Stalled`, if the trust region is so small that every step is rounding.
 pub(super) fn radius_test(radius: f64, residual: f64) -> Option<SearchVerdict> {
     const LEAST: f64 = 1e-14;
     (radius <= LEAST).then(|| {
@@ -288,8 +288,8 @@ pub(super) fn kink_test(
     })
 }
 
-/// Stalled: over several iterations the predicted reduction was within the rounding of f, and the
-/// KKT residual did not fall.
+/// Verdict `Stalled`, if in several iterations the predicted reduction was within the rounding of
+/// f, and the KKT residual did not fall.
 pub(super) fn progress_test(
     iterations: u32,
     predicted: f64,

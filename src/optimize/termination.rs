@@ -102,8 +102,8 @@ impl Sqp {
         let stalled = radius_test(state.radius, largest)
             .or_else(|| progress_test(state.counters.stalled, predicted, largest));
         if let Some(stalled) = stalled {
-            // inconsistent constraints: the merit function balances objective and violation, and no
-            // step reduces it further
+            // the constraints are inconsistent: no step reduces the merit function further, which
+            // balances objective and violation
             if step.is_some_and(|step| step.is_relaxed) && residual.feasibility > tolerance {
                 return Some(infeasible(state.violation()));
             }

@@ -18,18 +18,18 @@ pub(super) struct TrialStep {
     pub linear_violation: f64,
     /// Multipliers λ of the constraints.
     pub multipliers: Vec<f64>,
-    /// Number of active terms of the piecewise model; 1 away from kinks.
+    /// Number of active terms of the piecewise model; 1 if no kink is near.
     pub active_terms: usize,
     /// True if the linearized constraints were inconsistent and were relaxed.
     pub is_relaxed: bool,
-    /// True if negative curvature of the model was reflected.
+    /// True if negative eigenvalues of the Hessian were reflected.
     pub is_reflected: bool,
     /// Method that solved the quadratic program.
     pub source: StepSource,
 }
 
-/// Fraction of the trust region available to the step of least violation when constraints are
-/// inconsistent. The rest remains for the objective (Omojokun 1989: 0.8).
+/// Fraction of the trust-region radius to which the step of least violation is limited if the
+/// constraints are inconsistent. The rest remains for the objective (Omojokun 1989: 0.8).
 pub(super) const NORMAL_PART: f64 = 0.8;
 
 impl TrialStep {
@@ -55,7 +55,7 @@ pub(super) struct Reduction {
     pub actual: f64,
     /// Reduction predicted by the quadratic model.
     pub predicted: f64,
-    /// Size of the merit function, the unit of its rounding error.
+    /// Size of the merit function, to which its rounding error is proportional.
     pub size: f64,
 }
 

@@ -5,10 +5,10 @@
 //!   minimize F(x) = Σ ρ(rᵢ(x))  subject to  low ≤ x ≤ high,   ρ(r) = ½ r², or Huber's
 //! ```
 //!
-//! by the Levenberg–Marquardt method: each step minimizes the damped Gauss–Newton model within the
-//! bounds, a convex quadratic program (`optimize::qp`) whose active bounds are exact. The
-//! damping follows the gain ratio. If the residuals are undefined at a trial point, the step is
-//! rejected and the damping grows.
+//! by the Levenberg–Marquardt method. Each step minimizes the damped Gauss–Newton model within the
+//! bounds; this is a convex quadratic program (`optimize::qp`), whose solution lies exactly on the
+//! active bounds. The gain ratio controls the damping. If the residuals are undefined at a trial
+//! point, the step is rejected and the damping grows.
 //!
 //! ```
 //! use longdrive::optimize::Domain;

@@ -16,8 +16,8 @@ pub(super) struct ClarabelResult {
     pub step: Option<QpStep>,
 }
 
-/// Clarabel solver for programs of one sparsity pattern. For the next program of this pattern only
-/// the solver's data are updated.
+/// Clarabel solver. If the next program has the same sparsity pattern, only the solver's data are
+/// updated.
 #[derive(Default)]
 pub(super) struct InteriorPoint {
     solver: Option<DefaultSolver<f64>>,

@@ -119,7 +119,7 @@ fn equilibration_factors(matrix: &DMatrix<f64>) -> DVector<f64> {
         for ((column, length), factor) in
             columns.zip(lengths.as_slice()).zip(factors.as_mut_slice())
         {
-            // cheaper than `f64::max`, which handles NaN: all entries are finite
+            // all entries are finite: this is cheaper than `f64::max`, which handles NaN
             let larger = |most: f64, a: f64| if a > most { a } else { most };
             let entries = column
                 .iter()

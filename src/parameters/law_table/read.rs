@@ -286,7 +286,7 @@ impl DecimalMarks {
         }
     }
 
-    /// Refuses a cell whose decimal mark differs from the mark of the first cell.
+    /// Refuses a cell whose decimal mark differs from the first mark in the table.
     fn check(&mut self, cell: &str) -> Result<(), String> {
         let mark_of = |cell: &str| [',', '.'].into_iter().find(|mark| cell.contains(*mark));
         let Some(mark) = mark_of(cell) else {
