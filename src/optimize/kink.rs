@@ -17,8 +17,9 @@ pub struct Kink {
 }
 
 impl Kink {
-    /// The one-sided derivative at a kink on a bound, if the objective falls towards this bound. It
-    /// is > 0 at a lower bound and < 0 at an upper bound; its size is the multiplier of the bound.
+    /// One-sided derivative at a kink that lies on a bound; `None` unless the objective falls
+    /// towards the bound. The derivative is > 0 at a lower bound and < 0 at an upper bound; its
+    /// size is the multiplier of the bound.
     pub(super) fn slope_from_bound(self) -> Option<f64> {
         match (self.slope_below, self.slope_above) {
             (None, Some(above)) if above > 0.0 => Some(above),

@@ -144,10 +144,10 @@ fn run(
     ))
 }
 
-/// If the kink lies on a bound towards which the objective falls, fixes the variable on this bound
-/// and minimizes over the other variables, with the remaining iterations. The one-sided derivative
-/// is the multiplier of the bound. Returns the point `found` if the kink does not lie on such a
-/// bound, or if the new search does not converge.
+/// Fixes a variable on its bound, if the kink lies on this bound and the objective falls towards
+/// it. Then minimizes over the other variables, with the remaining iterations. The one-sided
+/// derivative is the multiplier of the bound. Returns the point `found` if the kink does not lie on
+/// such a bound, or if the new search does not converge.
 fn fix_on_bound(
     problem: &dyn Problem,
     domain: &Domain,

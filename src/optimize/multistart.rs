@@ -58,8 +58,7 @@ impl Observers {
     }
 }
 
-/// Two optima count as equal if they differ by at most this in each variable, in units of the
-/// variable's scale.
+/// Two optima count as equal if each variable differs by at most this fraction of its scale.
 const SAME: f64 = 1e-6;
 
 /// Starts spread evenly over the bounds: the given start, then points of the scrambled Sobol

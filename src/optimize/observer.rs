@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-/// Receives the iterations of a search, can interrupt it, and can save and resume its state.
+/// Receives the iterations of a search; can interrupt, save and resume the search.
 pub struct Observer {
     /// Called at the start (iteration 0) and after every iteration.
     pub iteration: Box<dyn FnMut(&Iteration)>,

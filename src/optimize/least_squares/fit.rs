@@ -22,8 +22,8 @@ const MOST_DAMPING: f64 = 1e20;
 /// Smallest damping. JᵀJ of the scaled columns is accurate to about 1e-16; with less damping,
 /// rounding would drive steps along directions in which the residuals do not change.
 const LEAST_DAMPING: f64 = 1e-12;
-/// If no step lowers the sum, a fit has converged if its step without damping is at most this
-/// fraction of the size of the point (Moré 1978, MINPACK's `xtol`). The size of each variable is
+/// Convergence limit for a fit in which no step lowers the sum: the largest step without damping,
+/// relative to the size of the point (Moré 1978, MINPACK's `xtol`). The size of each variable is
 /// the larger of |x| and its distance from the start. Near a sum of 0 the gradient is no criterion,
 /// because the residuals are rounding errors.
 const SHORTEST: f64 = 1e-8;

@@ -163,8 +163,8 @@ impl QuadraticProgram {
     /// - offsetₖ + gradientₖ · d is equal for all active terms
     /// - normalⱼ · d is equal to the limit of each active row.
     ///
-    /// Subtracting the first active term from the other active terms eliminates its multiplier and
-    /// the equation Σ αₖ = 1. The solution may violate inactive constraints.
+    /// Subtracting the first active term from the other active terms eliminates the first term's
+    /// multiplier and the equation Σ αₖ = 1. The solution may violate inactive constraints.
     fn candidate(&self, active: &WorkingSet) -> Option<QpStep> {
         let unknowns = Unknowns::new(self, active)?;
         let mut d = DVector::from_fn(self.dimension(), |i, _| match active.bounds[i] {

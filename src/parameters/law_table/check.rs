@@ -165,8 +165,8 @@ fn axis(variable: AxisVariable, lines: &[f64]) -> LawTableAxis {
     }
 }
 
-/// Checks that the splines are finite, and that their drag is not negative between the nodes and in
-/// the clamps beyond them.
+/// Checks that the splines are finite, and that the drag is not negative between the nodes and in
+/// the clamps beyond the outermost nodes.
 fn check_between_nodes(
     cells: &[Cell],
     [columns, rows]: [usize; 2],
