@@ -50,8 +50,8 @@ pub struct ChartPointReport {
     pub active: Vec<String>,
     /// The active bound of each parameter that is at a bound.
     pub bounds: ByName<BoundSide>,
-    /// The change of the active bounds and constraints at this point, or a jump to another local
-    /// optimum; `null` without one.
+    /// A change of the active bounds and constraints at this point, or a jump to another local
+    /// optimum; `null` if there is neither.
     pub event: Option<String>,
 }
 
@@ -160,7 +160,8 @@ impl Report for ChartReport<'_> {
         let numbers = columns.len();
         let heads = columns.into_iter().map(|column| column.label);
         let is_active = |point: &ChartPoint| !point.active.is_empty() || point.event.is_some();
-        // without an active bound in the whole chart, the last column would be empty
+        // omit the last column if no point of the chart has an active bound, a constraint or an
+        // event
         let column_count = numbers + usize::from(chart.points.iter().any(is_active));
         let head = heads.chain(["active".into()]).take(column_count);
         let rows = chart.points.iter().map(|point| {
@@ -176,15 +177,15 @@ impl Report for ChartReport<'_> {
     }
 }
 
-/// The outcomes of the launch in the row of each optimum.
+/// The outcomes of the launch that each row contains.
 const LAUNCH: [Outcome; 3] = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin];
 
 fn launch(point: &ChartPoint) -> [Option<f64>; 3] {
     LAUNCH.map(|of| of.value(point.best.drive.as_ref()?))
 }
 
-/// The columns of numbers: the chart's parameter, the objective, the varied parameters and the
-/// launch. A chart without points has only the columns of the launch.
+/// The columns with numbers: the chart's parameter, the objective, the varied parameters and the
+/// outcomes of `LAUNCH`. A chart without points has only the outcomes of `LAUNCH`.
 fn columns(chart: &Chart) -> Vec<NamedQuantity> {
     let column = |name: &str, of: DisplayUnit| NamedQuantity {
         label: name.into(),

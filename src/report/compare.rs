@@ -55,9 +55,9 @@ pub struct DifferenceReport {
     pub difference: JsonNumber,
     /// The shares of the parameters that differ; `null` if the drives cannot be compared.
     pub by_parameter: Option<Shares>,
-    /// The shares of the launch conditions and the other inputs of the flight. `null` in three
-    /// cases: the drives cannot be compared; the outcome is one of the launch; or the setups state
-    /// the launches, so that `by_parameter` has these shares.
+    /// The shares of the launch conditions and of the other inputs of the flight. `null` if the
+    /// drives cannot be compared, or if `of` is an outcome of the launch. Also `null` if the setups
+    /// state the launch: then `by_parameter` has these shares.
     pub by_launch: Option<Shares>,
     /// The reason why the drives cannot be compared; `null` if they can.
     pub message: Option<String>,
@@ -135,8 +135,8 @@ impl Report for ComparisonReport<'_> {
         }
     }
 
-    /// The requested differences, the outcomes of the two drives, then each difference split into
-    /// its causes.
+    /// The requested differences, the outcomes of the two drives, then the shares of each
+    /// difference.
     fn document(&self, system: System) -> Document {
         let [a, b] = &self.titles;
         let mut document = Document::default();
@@ -265,8 +265,8 @@ fn add_shares(
     document.add(table);
 }
 
-/// Remarks on the causes `without` a share of a difference, and on those `with` a share that
-/// changed in one step.
+/// Remarks on the causes `without` a share of a difference, and on the discrete causes among
+/// `with`, which change in one step.
 fn share_remarks(without: &[&Share], with: &[&Share]) -> Vec<String> {
     let mut remarks = vec![];
     if !without.is_empty() {
@@ -284,12 +284,12 @@ fn share_remarks(without: &[&Share], with: &[&Share]) -> Vec<String> {
     remarks
 }
 
-/// The part of a difference that belongs to no share, with the reason. `None` if this part is
-/// displayed as 0 or is a rounding error.
+/// The text about the remainder: the part of a difference that belongs to no share. `None` if the
+/// remainder is displayed as 0 or is a rounding error.
 fn remainder_text(difference: &Difference, split: &Shares, system: System) -> Option<String> {
     let of = difference.of;
     let remainder = shown::change(of, split.remainder, system);
-    // a remainder that is displayed as 0 has no sign
+    // `shown::change` writes no sign if it displays 0
     let is_shown = remainder.starts_with(['+', '-']);
     if !is_shown || shown::is_rounding(of, difference.values[0], split.remainder) {
         return None;
@@ -307,8 +307,8 @@ fn names(causes: impl Iterator<Item = Cause>) -> String {
     causes.map(Cause::name).collect::<Vec<_>>().join(", ")
 }
 
-/// The value of a cause in one of the two setups. Alternatives have a line for each stated
-/// parameter.
+/// The value of a cause in one of the two setups. [`Cause::Alternatives`] has a line for each
+/// parameter that the setup states.
 fn cell(cause: Cause, setup: &Setup<f64>, system: System) -> String {
     match cause {
         Cause::Continuous(parameter) | Cause::Discrete(parameter) => {

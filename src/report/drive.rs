@@ -14,7 +14,7 @@ use crate::units::{Digits, Message, Quantity, System, YARD, fixed};
 use serde::Serialize;
 use std::sync::atomic::AtomicBool;
 
-/// Minimum uncertainty of the total, m. It covers the differences between grounds
+/// Minimum uncertainty of the total (carry and run), m. No one has calibrated a ground
 /// (docs/limitations.md).
 const TOTAL_UNCERTAINTY: f64 = 10.0 * YARD;
 
@@ -37,8 +37,8 @@ pub struct DriveReport<'a> {
     /// The outcomes of the flight; `null` if the ball does not land.
     #[cfg_attr(test, schemars(schema_with = "flight_schema"))]
     pub flight: Option<ByName<JsonNumber>>,
-    /// The range of the law's fit and the range of the flight, for each quantity of the fit; `null`
-    /// if there is no air or no flight.
+    /// The fitted ranges of the law, each with the range that the flight covers; `null` if there is
+    /// no air or no flight.
     pub law_range: Option<LawRanges>,
 }
 
@@ -66,8 +66,8 @@ pub struct ClubReport {
     pub angular_velocity: [JsonNumber; 3],
 }
 
-/// For each quantity on which a law may depend: the range of the law's fit, and the range in the
-/// flight. `null` for a quantity over which the law was not fitted.
+/// The fitted range and the flown range of each quantity on which a law may depend. `null` for a
+/// quantity over which the law was not fitted.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LawRanges {
@@ -107,7 +107,7 @@ impl Report for DriveReport<'_> {
     #[cfg(test)]
     const STATUSES: &'static [&'static str] = &["landed", "no-flight", "aloft"];
 
-    /// The message is the reason why the ball does not land; `None` if it lands.
+    /// The message is the reason why the ball does not land; `None` if the ball lands.
     fn ending(&self) -> Ending {
         match &self.drive.flight {
             Flight::Landed(_) => Ending {
@@ -121,8 +121,8 @@ impl Report for DriveReport<'_> {
         }
     }
 
-    /// The numbers of a launch monitor, then the flight. Each value is in the units of `system`,
-    /// and in parentheses in the units of the other system.
+    /// The outcomes of the launch, then those of the flight. Each value is in the units of `system`
+    /// and, in parentheses, in the units of the other system.
     fn document(&self, system: System) -> Document {
         let Self {
             drive_setup, drive, ..
@@ -220,7 +220,7 @@ fn of_group(drive: &Drive<f64>, group: OutcomeGroup) -> ByName<JsonNumber> {
         .collect()
 }
 
-/// A group of outcomes of a drive: name, value, and value in the other system of units.
+/// The table of a group of outcomes: name, value, and value in the other system of units.
 fn outcomes(title: &str, group: OutcomeGroup, drive: &Drive<f64>, system: System) -> DocumentTable {
     let texts: Vec<_> = Outcome::in_group(group)
         .map(|outcome| {
@@ -262,8 +262,8 @@ fn bodies(drive: &Drive<f64>, system: System) -> Vec<Line> {
     lines
 }
 
-/// A text such as "1.3 yd of the carry is extrapolated, by the law of drag and lift"; `None` if
-/// extrapolation changes the carry by at most 0.3 yd.
+/// The text about the extrapolated part of the carry: "1.3 yd of the carry is extrapolated, by the
+/// law of drag and lift". `None` if this part is at most 0.3 yd.
 pub(super) fn extrapolated(
     setup: &Setup<f64>,
     drive: &Drive<f64>,

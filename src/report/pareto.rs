@@ -90,8 +90,8 @@ pub struct ParetoPointReport {
     pub active: Vec<String>,
     /// The active bound of each parameter that is at a bound.
     pub bounds: ByName<BoundSide>,
-    /// The change of the active bounds and constraints at this point, or a jump to another branch;
-    /// `null` without one.
+    /// A change of the active bounds and constraints at this point, or a jump to another branch;
+    /// `null` if there is neither.
     pub event: Option<String>,
 }
 

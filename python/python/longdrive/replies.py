@@ -393,9 +393,9 @@ class VerifyReply(Reply):
     not_examined: list[dict[str, Any]]
     """Omitted checks, with the reasons."""
     while_loop: list[dict[str, Any]]
-    """For comparison: finite differences of the carry of the MAE 494 report's while-loop, which
-    does not interpolate the landing. A row for each parameter with a certified derivative of
-    carry."""
+    """For comparison: finite differences of the carry that the while-loop of the MAE 494 report
+    computes. The while-loop does not interpolate the landing. Each parameter with a certified
+    derivative of carry has a row."""
     missing: list[dict[str, Any]]
     """Outcomes without derivatives at this drive, with the reasons."""
     left_out: list[str]

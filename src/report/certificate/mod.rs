@@ -43,9 +43,9 @@ pub struct CertificateReport<'a> {
     pub step_errors: &'a [StepError],
     /// Omitted checks, with the reasons.
     pub not_examined: &'a [NotExamined],
-    /// For comparison: finite differences of the carry of the MAE 494 report's while-loop, which
-    /// does not interpolate the landing. A row for each parameter with a certified derivative of
-    /// carry.
+    /// For comparison: finite differences of the carry that the while-loop of the MAE 494 report
+    /// computes. The while-loop does not interpolate the landing. Each parameter with a certified
+    /// derivative of carry has a row.
     pub while_loop: &'a [LoopRow],
     /// Outcomes without derivatives at this drive, with the reasons.
     pub missing: &'a [Missing],
@@ -99,8 +99,8 @@ pub struct NegativeControl {
 }
 
 impl<'a> CertificateReport<'a> {
-    /// The report of a certificate. `loops` has, for comparison, the finite differences of the
-    /// carry that the MAE 494 report's while-loop computes.
+    /// The report of a certificate. `loops` has finite differences of the carry that the while-loop
+    /// of the MAE 494 report computes.
     pub fn new(certificate: &'a Certificate, loops: &'a [LoopRow]) -> Self {
         Self {
             certificate,
@@ -154,8 +154,8 @@ impl Report for CertificateReport<'_> {
         }
     }
 
-    /// The verdict on each derivative, the largest error first, then the other checks, and the
-    /// while-loop for comparison.
+    /// The table of derivatives and verdicts, the largest error first. Below it, a list describes
+    /// the other checks and the while-loop.
     fn document(&self, system: System) -> Document {
         let mut document = Document::default();
         document.add(rows_table(&self.certificate.rows));

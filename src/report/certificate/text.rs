@@ -76,8 +76,8 @@ pub(super) fn ending(certificate: &Certificate) -> String {
     }
 }
 
-/// The jumps of an outcome, its gradient and its Hessian where the number of time steps changes, as
-/// text.
+/// The text about a parameter value where the number of time steps changes. It states by how much
+/// an outcome, its gradient and its Hessian jump there.
 fn continuity(found: &Continuity, system: System) -> String {
     let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
     let unit = system.unit(found.parameter.unit);
@@ -141,8 +141,8 @@ fn corner(row: &DerivativeRow) -> String {
     format!("{of} has a corner in {parameter}: {slopes}")
 }
 
-/// The text about a second derivative that fails, if the first derivative passes; otherwise `None`.
-/// The table shows only the first derivative.
+/// The text about a second derivative that fails. The table shows only the first derivative. `None`
+/// if the second derivative does not fail, or if the first derivative does not pass.
 fn failure_of_second(row: &DerivativeRow) -> Option<String> {
     let second = row
         .second
@@ -159,8 +159,7 @@ fn failure_of_second(row: &DerivativeRow) -> Option<String> {
     ))
 }
 
-/// The text about a first derivative whose values from jets and from num-dual disagree; `None` if
-/// they agree.
+/// The text about a first derivative for which jets and num-dual disagree; `None` if they agree.
 fn disagreement(row: &DerivativeRow) -> Option<String> {
     let found = &row.num_dual;
     if found.verdict == Verdict::Pass {
@@ -178,8 +177,8 @@ fn disagreement(row: &DerivativeRow) -> Option<String> {
     ))
 }
 
-/// The number of first derivatives that agree with num-dual, and the largest difference relative to
-/// its tolerance, as text. `None` without derivatives.
+/// The number of first derivatives that agree with num-dual, and the worst difference, as text. The
+/// worst difference is the largest multiple of its tolerance. `None` without derivatives.
 fn agreement(rows: &[DerivativeRow]) -> Option<String> {
     let part = |row: &&DerivativeRow| {
         row.num_dual.difference / row.num_dual.tolerance.max(f64::MIN_POSITIVE)
@@ -254,9 +253,9 @@ pub(in crate::report) fn exact_for_display(row: &DerivativeRow) -> f64 {
     shown::zero_if_rounding(row.first.exact, row.ladder.size, row.of, &[row.parameter])
 }
 
-/// A sentence that compares the derivatives at the landing with finite differences of the state at
-/// a fixed time. The differences are moved to the ground along the velocity. `None` if there is no
-/// derivative to compare.
+/// A sentence that compares the derivatives at the landing with finite differences. The differences
+/// are taken at a fixed time and extrapolated to the ground. `None` if there is no derivative to
+/// compare.
 fn landing(certificate: &Certificate) -> Option<String> {
     let landing = &certificate.landing;
     let worst = landing
@@ -295,8 +294,8 @@ fn landing(certificate: &Certificate) -> Option<String> {
     ))
 }
 
-/// The number of finite differences of the while-loop's carry that would pass, and the largest
-/// error, as text. `None` if no difference can be compared.
+/// The text about the finite differences that the while-loop computes for the carry: how many would
+/// pass, and the largest error. `None` if no difference can be compared.
 fn while_loop(loops: &[LoopRow]) -> Option<String> {
     let relative_error = |row: &&LoopRow| {
         row.difference.map_or(0.0, |it| {
@@ -355,8 +354,8 @@ fn convergence(found: &Convergence) -> String {
     )
 }
 
-/// The outcome and the derivative with the largest errors due to the time step, as text; `None`
-/// without such errors.
+/// The text about the outcome and the derivative with the largest errors due to the time step;
+/// `None` if `errors` is empty.
 fn step_error(errors: &[StepError]) -> Option<String> {
     let value = errors
         .iter()

@@ -62,8 +62,8 @@ pub struct OptimumReport {
     /// The flight of the optimal drive; `null` for swings.
     #[cfg_attr(test, schemars(schema_with = "super::super::drive::flight_schema"))]
     pub flight: Option<ByName<JsonNumber>>,
-    /// The range of the law's fit and the range of the optimal flight, for each quantity of the
-    /// fit; `null` if there is no air or no flight, and for swings.
+    /// The fitted ranges of the law, each with the range that the optimal flight covers; `null` if
+    /// there is no air or no flight, and for swings.
     pub law_range: Option<LawRanges>,
     /// For each varied parameter: the range in which it can vary alone and lose at most
     /// `window_loss`; `null` for swings, and without an optimum.
