@@ -9,14 +9,14 @@ use crate::units::System;
 pub struct ChartFigures {
     /// A plot of the optimal value, and a plot of each varied parameter that changes.
     pub drawn: Vec<Figure>,
-    /// The parameters that are at the same bound in every optimum, each with a sentence instead of
-    /// a plot.
+    /// The parameters that are at the same bound in every optimum. Each has a sentence instead of a
+    /// plot.
     pub at_bound: Vec<(Vary, String)>,
 }
 
 /// The optimum along a parameter: a plot of the optimal value, and a plot of each varied parameter
-/// that changes, with the bounds of its range. The plots mark `own`, the optimum for the setup.
-/// Texts are in the units of `system`.
+/// that changes, with the bounds of its range. The plots mark `own`, the optimum at the setup's
+/// value of the parameter. Texts are in the units of `system`.
 pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> ChartFigures {
     let mut found = ChartFigures {
         drawn: vec![],
@@ -47,8 +47,8 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
 /// A chart with the data that all its plots share.
 struct ChartDrawing<'a> {
     chart: &'a Chart,
-    /// The value of the chart's parameter in the setup, with the optimum at this value. `None` if
-    /// the chart does not contain the value, or if there is no optimum.
+    /// The setup's value of the chart's parameter, with the optimum at this value. `None` if the
+    /// chart does not contain the value, or if there is no optimum.
     own: Option<(f64, &'a Optimum)>,
     system: System,
     along: NamedQuantity,
@@ -113,9 +113,9 @@ impl<'a> ChartDrawing<'a> {
         }
     }
 
-    /// Adds the optima to a plot of `value`: a line, a labelled mark of the optimum for the setup,
-    /// and numbered marks where a bound or constraint becomes active or inactive. The note explains
-    /// the numbers.
+    /// Adds the optima to a plot of `value` as a line, with a labelled mark of the optimum for the
+    /// setup. Numbered marks show where a bound or constraint becomes active or inactive; the note
+    /// explains the numbers.
     fn with_optima(
         &self,
         figure: Figure,

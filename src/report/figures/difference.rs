@@ -3,8 +3,8 @@ use crate::report::shown::{self, capital, words};
 use crate::study::{Difference, Share, Shares};
 use crate::units::{System, counted};
 
-/// Maximum number of bars for each of the two splits of the difference: by parameter, and by launch
-/// and air. The note counts the omitted smaller bars.
+/// Maximum number of bars of one colour. The bars by parameter and the bars by launch and air have
+/// different colours. The note counts the omitted smaller bars.
 const MOST: usize = 12;
 
 /// The difference of an outcome between two drives as bars, one for each share, the largest on top.

@@ -54,7 +54,8 @@ fn origin(face: &Face) -> &'static str {
     }
 }
 
-/// The name of the strike to which tilts and slopes refer.
+/// The name of the reference point on the face. Tilts are relative to a strike at this point;
+/// slopes are the derivatives at this point.
 pub(super) fn reference(face: &Face) -> &'static str {
     if face.sweet_spot.is_some() {
         "the sweet spot"
@@ -75,9 +76,9 @@ pub(super) fn marks(face: &Face, hue: Hue) -> impl Iterator<Item = Layer> {
         .chain((!face.is_struck_sweetly()).then(|| mark("strike", hue, face.strike)))
 }
 
-/// Arrows for the tilts of the spin axis relative to the strike that [`reference()`] names. A tilt
-/// of size `largest` has the length `LONGEST_ARROW`. In the view from the front, right of the
-/// target line is on the left.
+/// Arrows for the tilts of the spin axis, relative to a strike at the point that [`reference()`]
+/// names. A tilt of size `largest` has the length `LONGEST_ARROW`. The face is seen from the front,
+/// so a tilt to the right points to the left.
 pub(super) fn tilt_arrows(face: &Face, name: String, largest: f64) -> Layer {
     let arrow = |(at, tilt): &([f64; 2], f64)| {
         let [x, y] = seen(face, *at);

@@ -8,12 +8,12 @@ use crate::study::Landing;
 use crate::study::uncertainty::LandingEllipse;
 use crate::units::{DisplayUnit, Quantity, System, significant, with_unit};
 
-/// Limits of the aspect ratio (height over width) of the view of the landings.
+/// Limits of the aspect ratio (height over width) of the first view, which shows only the landings.
 const SHAPE: [f64; 2] = [0.8, 1.25];
 /// Limits of the aspect ratio (height over width) of the view from the tee.
 const FROM_TEE: [f64; 2] = [0.8, 1.1];
 
-/// Width of the fairway, m: 30 yards. The fairway only shows the scale.
+/// Width of the drawn fairway, m: 30 yards. The fairway is for scale only.
 const FAIRWAY: f64 = 27.432;
 
 /// Number of segments of an ellipse.
@@ -27,7 +27,7 @@ const ARCS: f64 = 6.0;
 /// The colour of the edges of the fairway.
 const EDGES: Hue = Hue::Series(2);
 
-/// Position of an arc's label, relative to the half-width of the picture.
+/// Distance of an arc's label from the target line, relative to the half-width of the picture.
 const LABELLED: f64 = 0.85;
 
 /// The landings of drives from above at true scale, with the target at the top, the edges of a
@@ -85,8 +85,8 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     figure.noted(notes.join(" "))
 }
 
-/// Ranges of the coordinates of `layers`, with margins. The first range, right of the target line,
-/// is symmetric and at least as wide as the fairway. The second range is downrange.
+/// Ranges of the coordinates of `layers`, with margins: right of the target line, and downrange.
+/// The first range is symmetric and at least as wide as the fairway.
 fn extents(layers: &[Layer]) -> [[f64; 2]; 2] {
     let points = || layers.iter().flat_map(Layer::points);
     let widest = points().map(|[x, _]| x.abs()).fold(0.5 * FAIRWAY, f64::max);
@@ -104,7 +104,7 @@ fn extents(layers: &[Layer]) -> [[f64; 2]; 2] {
     ]
 }
 
-/// A figure at true scale without layers, whose axes contain these ranges.
+/// A figure at true scale whose axes contain these ranges. It has no layers.
 fn view(name: &str, title: &str, ranges: [[f64; 2]; 2], shape: [f64; 2], y_grows: Grows) -> Figure {
     let length = |label: &str| Axis::linear(NamedQuantity::new(label, Quantity::LENGTH, "yd"));
     let figure = Figure::new(
@@ -198,7 +198,7 @@ fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
         });
     }
     if let Some(rest) = landing.rest {
-        // the legend shows "run" once: it omits "run (…)" (see `legend::base_name`)
+        // `legend::base_name` shortens "run (…)" to "run", so that the legend shows "run" once
         layers.push(Layer::Line {
             name: if i == 0 {
                 "run".into()
@@ -206,7 +206,7 @@ fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
                 format!("run ({})", landing.name)
             },
             hue,
-            // dashed, so that another roll-out on the same line stays visible
+            // with dashes, another roll-out on the same line stays visible
             is_dashed,
             points: vec![landing.at, rest],
         });
@@ -259,8 +259,8 @@ fn beside_target(lateral: f64, system: System) -> String {
     })
 }
 
-/// The note about the ellipses. `None` if no drive has ellipses and the scatter of a drive is too
-/// wide for them: [`too_wide`] then explains it.
+/// The note about the ellipses. `None` if no drive has ellipses because the scatter of a drive is
+/// too wide: [`too_wide`] is the note then.
 fn ellipses_note(landings: &[Landing], system: System) -> Option<String> {
     let Some(landing) = landings.iter().find(|landing| !landing.ellipses.is_empty()) else {
         let is_known = landings.iter().all(|landing| !landing.is_too_wide);

@@ -5,8 +5,8 @@ use crate::report::shown::{self, capital};
 use crate::study::{Launches, NamedLaunch, Vary};
 use crate::units::System;
 
-/// A map of carry over launch angle and backspin at a constant ball speed, as in club fitting, with
-/// the launches of the drives and the best launch for each spin.
+/// A map of the carry as a function of launch angle and backspin at a constant ball speed, as in
+/// club fitting. It shows the launches of the drives, and the best launch angle for each backspin.
 pub fn launches_figure(map: &Launches, system: System) -> Figure {
     let axis = |vary: &Vary, label: &str| {
         let quantity = NamedQuantity {
@@ -71,7 +71,8 @@ fn note(map: &Launches, system: System) -> String {
     notes.join(" ")
 }
 
-/// The launch and the carry of a drive, and its ball speed if it is not the ball speed of the map.
+/// The launch and the carry of a drive. The ball speed is added if it differs from the ball speed
+/// of the map.
 fn note_of(one: &NamedLaunch, map: &Launches, system: System) -> String {
     let text = |of: Outcome, value: f64| shown::outcome(of, value, system);
     let carry = one.carry.map_or("no flight".into(), |carry| {

@@ -5,7 +5,8 @@ use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, NamedQuantity};
 use crate::units::significant;
 use std::f64::consts::PI;
 
-/// Horizontal axis of a plot of laws. The other variable is constant.
+/// The variable on the horizontal axis of a plot of laws. Spin ratio and Reynolds number are the
+/// two variables; a plot keeps one of them constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "commands", derive(clap::ValueEnum))]
 pub enum Over {
@@ -27,20 +28,20 @@ pub enum Coefficient {
     Lift,
 }
 
-/// Range of the spin ratio in a plot, about twice the range of a drive.
+/// Range of the spin ratio in a plot. It is about twice as wide as the range in a drive.
 const SPIN_RATIOS: [f64; 2] = [0.0, 0.4];
-/// Range of the Reynolds number in a plot, about twice the range of a drive.
+/// Range of the Reynolds number in a plot. It is about twice as wide as the range in a drive.
 const REYNOLDS: [f64; 2] = [4e4, 2.4e5];
 
 /// Number of segments of a curve.
 const STEPS: usize = 240;
 
-/// Relative tolerance for measured points. A point is drawn if its value of the constant variable
-/// is this close to the constant, or is not stated.
+/// Maximum relative difference between a measured point and the plot in the variable that the plot
+/// keeps constant. A point whose value of this variable is unknown is also drawn.
 const CONSTANT_TOLERANCE: f64 = 0.1;
 
-/// A measured point. Spin ratio or Reynolds number is `None` if the source does not state it, for
-/// instance because it averages over this quantity.
+/// A measured point. `spin_ratio` or `reynolds` is `None` if the source does not state it, for
+/// instance because the coefficients are means over this quantity.
 struct MeasuredCoefficients {
     spin_ratio: Option<f64>,
     reynolds: Option<f64>,
@@ -48,15 +49,15 @@ struct MeasuredCoefficients {
     values: [Option<f64>; 2],
 }
 
-/// Smallest range of the vertical axis. The values of the law in use widen it. Values of other laws
-/// outside of the widened range are not drawn.
+/// Minimum range of the vertical axis. The values of the setup's law extend the range. Values of
+/// other laws outside of the extended range are not drawn.
 const COEFFICIENTS: [f64; 2] = [0.0, 0.5];
 
 /// Laws of drag and lift as curves with measured points. The law of the setup has a colour; the
-/// others are grey. A curve is solid in the fitted range. It is dashed elsewhere, and if the range
-/// is unknown. A law that also depends on the speed or the spin is drawn for the ball and the air
-/// of `setup`. `constant` is the value of the variable that is not on the axis: the Reynolds number
-/// or the spin ratio.
+/// others are grey. A curve is solid in the fitted range of the law and dashed elsewhere. It is
+/// dashed everywhere if the range is unknown. A law that also depends on the speed or the spin is
+/// drawn for the ball and the air of `setup`. `constant` is the Reynolds number if `over` is the
+/// spin ratio, and the spin ratio otherwise.
 pub fn laws_figure(
     laws: &[Law<f64>],
     setup: &Setup<f64>,
@@ -87,7 +88,7 @@ pub fn laws_figure(
     figure.noted(note)
 }
 
-/// The finite coefficients of lines and points.
+/// The finite coefficients in the points of `layers`.
 fn values(layers: &[Layer]) -> impl Iterator<Item = f64> {
     let points = layers.iter().flat_map(Layer::points);
     points
@@ -187,7 +188,7 @@ impl LawPlot {
         )
     }
 
-    /// The flow of air past the ball at a value of the horizontal axis.
+    /// The flow of air past the ball; `at` is a value on the horizontal axis.
     fn stream(&self, at: f64) -> Stream<f64> {
         let (spin_ratio, reynolds) = match self.over {
             Over::SpinRatio => (at, self.constant),
@@ -212,8 +213,8 @@ impl LawPlot {
         layers
     }
 
-    /// The measured points of a law at about the spin ratio or Reynolds number that the plot holds
-    /// constant (see [`CONSTANT_TOLERANCE`]).
+    /// The measured points of a law near the value that the plot keeps constant (see
+    /// [`CONSTANT_TOLERANCE`]).
     fn measured_points(&self, law: &Law<f64>) -> Vec<[f64; 2]> {
         let [low, high] = self.range;
         let which = self.of as usize;
@@ -233,15 +234,15 @@ impl LawPlot {
             .collect()
     }
 
-    /// The solid line of a law within its fitted range, and the dashed line outside of it, or
-    /// everywhere if the range is unknown. A line without points is omitted.
+    /// The curve of a law: a solid line in the fitted range, and a dashed line elsewhere. The whole
+    /// curve is dashed if the range is unknown. A line without points is omitted.
     fn curve(&self, law: &Law<f64>, hue: Hue) -> Vec<Layer> {
         let fitted = law.properties().fitted;
         let points = self.points(law, &fitted);
         let (within, beyond) = (pieces(&points, true), pieces(&points, false));
         let [first, last] = self.range.map(|at| self.stream(at).variables());
         let range = std::array::from_fn(|variable| [first[variable], last[variable]]);
-        // without a solid line, the dashed line has the plain name of the law
+        // without a solid line, the name of the dashed line has no remark
         let suffix = if within.is_empty() {
             String::new()
         } else {
@@ -278,12 +279,13 @@ impl LawPlot {
     }
 }
 
-/// The segments of a curve, separated by NaN: those inside the law's range if `within`, otherwise
-/// those outside. Segments of the two kinds meet at the ends of the range.
+/// The parts of a curve within the law's range if `within`, otherwise the parts outside of it. NaN
+/// points separate the parts.
 fn pieces(curve: &[([f64; 2], bool)], within: bool) -> Vec<[f64; 2]> {
     let mut points: Vec<[f64; 2]> = vec![];
     for (k, (at, is_in)) in curve.iter().enumerate() {
-        // a segment outside of the range extends to the first point within the range
+        // a part outside of the range includes the adjacent points of the range, so that the parts
+        // meet
         let is_next_to = |k: Option<usize>| {
             k.and_then(|k| curve.get(k))
                 .is_some_and(|(_, is_in)| !is_in)
@@ -327,8 +329,8 @@ fn measured(
                 values: [Some(drag), Some(lift)],
             })
             .collect(),
-        // this source has lift by spin ratio (mean of several balls) without a Reynolds number, and
-        // drag by Reynolds number (one ball) without a spin ratio
+        // lift is the mean of several balls at each spin ratio, without a Reynolds number; drag is
+        // that of one ball at each Reynolds number, without a spin ratio
         Law::Lyu(_) => cells(include_str!("../../../tests/data/lyu_2018.csv"))
             .map(|[reynolds, spin_ratio, drag, lift]| MeasuredCoefficients {
                 spin_ratio,
@@ -363,7 +365,7 @@ fn tabulated(table: &LawTable, per_speed: f64, radius: f64) -> Vec<MeasuredCoeff
         } else {
             has(AxisVariable::Speed).then_some(per_speed * speed)
         };
-        // a spin determines a spin ratio only if the speed is known
+        // the spin ratio follows from the spin if the speed is known
         let at_speed = reynolds.map(|reynolds| reynolds / per_speed);
         let by_spin = at_speed
             .filter(|_| has(AxisVariable::Spin))
@@ -382,8 +384,8 @@ fn tabulated(table: &LawTable, per_speed: f64, radius: f64) -> Vec<MeasuredCoeff
     table.nodes.iter().map(node).collect()
 }
 
-/// The rows of a table of numbers without its head. Cells after the fourth are ignored; rows with
-/// an empty cell before are left out.
+/// The rows of a table of numbers, without its head. Only the first four cells of a row are read. A
+/// row is omitted if one of these cells is empty.
 fn rows(table: &str) -> impl Iterator<Item = [f64; 4]> + '_ {
     cells(table).filter_map(|[a, b, c, d]| Some([a?, b?, c?, d?]))
 }
