@@ -18,7 +18,7 @@ pub(super) fn parameters(setup: &Setup<f64>, names: &[&str], system: System) -> 
     names.iter().filter_map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// The density of the air, as stated or computed from the weather.
+/// The density of the air. The text says if the density is computed from the weather.
 pub(super) fn air(setup: &Setup<f64>, system: System) -> String {
     let density = AirState::of(&setup.air).density;
     if density == 0.0 {
@@ -35,7 +35,8 @@ pub(super) fn air(setup: &Setup<f64>, system: System) -> String {
         .in_units(system)
 }
 
-/// The wind, without components that are 0 or that another parameter replaces; `None` without wind.
+/// The wind as text; `None` without wind. Omits a component that is 0, and a component that another
+/// parameter replaces.
 pub(super) fn wind(setup: &Setup<f64>, system: System) -> Option<String> {
     const WIND: [&str; 5] = [
         "wind.downrange",
@@ -49,7 +50,7 @@ pub(super) fn wind(setup: &Setup<f64>, system: System) -> Option<String> {
         let row = setup.parameter(name);
         row.is_ok_and(|row| setup.why_replaced(row).is_none() && value(row))
     };
-    // 0° is a valid direction, so the speed decides whether the text names the direction
+    // name the direction if the speed is not 0: a direction of 0° is valid
     let is_given = |name: &&str| {
         blows(if *name == "wind.from" {
             "wind.speed"
@@ -73,8 +74,9 @@ pub(super) fn wind(setup: &Setup<f64>, system: System) -> Option<String> {
     }
 }
 
-/// A wind by its components against the ball and from the right, m/s: "7.1 mph head wind, 7.1 mph
-/// from the left". A component that is zero as shown is omitted.
+/// The wind as head or tail wind and side wind: "7.1 mph head wind, 7.1 mph from the left".
+/// `components` are the speeds against the ball and from the right, m/s. A component that is
+/// displayed as 0 is omitted.
 fn sides_of_wind(setup: &Setup<f64>, components: [f64; 2], system: System) -> String {
     let names = [
         ["head wind", "tail wind"],

@@ -13,8 +13,8 @@ use crate::study::Optimum;
 use crate::study::design::{ConstraintState, Design, DesignConstraint, Enforcement, Improvement};
 use crate::units::{System, signed};
 
-/// Threshold of rounding errors, as a fraction of `DesignConstraint::reported_change`. A smaller
-/// value is displayed as 0.
+/// A value is displayed as 0 if it is smaller than this fraction of
+/// `DesignConstraint::reported_change`: it is a rounding error.
 const ROUNDING: f64 = 1e-6;
 
 /// A design with its limits and its changes.
@@ -33,7 +33,7 @@ pub struct Designed<'a> {
 }
 
 impl Designed<'_> {
-    /// The reply of the command `design`: the reply of the search, with the rules and limits.
+    /// The reply of the command `design`: the reply `search`, with the rules and limits added.
     pub fn reply(&self, search: Reply<OptimumReport>) -> Reply<OptimumReport> {
         let before = self
             .best
@@ -150,8 +150,8 @@ impl Designed<'_> {
             .collect()
     }
 
-    /// The value of a parameter in the setup. If the parameter is unset: the number with the same
-    /// effect, or `None` if no number has it.
+    /// The value of a parameter in the setup. An unset parameter has the value
+    /// [`Parameter::unset`], which may be `None`.
     fn own(&self, parameter: &Parameter) -> Option<f64> {
         self.setup.value(parameter).or(parameter.unset)
     }

@@ -22,7 +22,8 @@ pub(super) const STATED: &str = "given";
 pub struct EffectsReport<'a> {
     #[serde(skip)]
     found: &'a [Effects],
-    /// The optimized outcome, whose optimal value has derivatives.
+    /// The outcome that the search optimizes; `None` for the drive as set up. The table of this
+    /// outcome also has the derivatives of its optimal value.
     #[serde(skip)]
     optimized: Option<Outcome>,
     /// Each outcome, in the order requested.
@@ -74,9 +75,9 @@ pub struct EffectReport {
 }
 
 impl<'a> EffectsReport<'a> {
-    /// The report of the effects `found`: on the drive as set up, or on the drive of the optimum
-    /// `best`. `totals` has, for each parameter, the sensitivity of the optimal value, or the error
-    /// of its computation; it is empty without an optimum.
+    /// The report of the effects `found` on the drive as set up or, if there is an optimum `best`,
+    /// on the optimal drive. For each parameter, `totals` has the sensitivity of the optimal value,
+    /// or the error if the sensitivity cannot be computed. `totals` is empty without an optimum.
     pub fn new(
         found: &'a [Effects],
         best: Option<&Optimum>,
@@ -207,7 +208,8 @@ fn uncertainties(effects: &Effects, bars: &[SigmaEffect], system: System) -> Doc
     table
 }
 
-/// The derivatives of an outcome, and those of its optimal value if `of_optimum` has them.
+/// The derivatives of an outcome. `of_optimum` has the derivatives of its optimal value; `None` if
+/// the outcome is not optimized.
 fn slopes(effects: &Effects, of_optimum: Option<&[EffectReport]>, system: System) -> DocumentTable {
     let of = effects.of;
     let rate = |slope: f64, parameter: &Parameter| {
@@ -239,8 +241,8 @@ fn slopes(effects: &Effects, of_optimum: Option<&[EffectReport]>, system: System
     table
 }
 
-/// True if an uncertain parameter has no effect on an outcome: derivatives and changes of the
-/// computed drives are only rounding errors.
+/// True if an uncertain parameter p has no effect on an outcome. Then the derivatives by p, and the
+/// changes of the outcome at p − σ and p + σ, are only rounding errors.
 fn is_without(effects: &Effects, effect: &Effect) -> bool {
     let Some(SigmaEffect {
         sigma,

@@ -1,4 +1,4 @@
-//! The address of the explorer, whose part after `#` is a setup.
+//! The explorer's address for a setup: its part after `#` contains the setup.
 
 use super::setup_file::exact;
 use crate::error::{Error, Result};
@@ -11,7 +11,7 @@ use crate::units::System;
 const VERSION: &str = "1";
 
 /// The state of the explorer for a setup: the text after `#` in the address of the explorer. The
-/// text has the preset and each value that differs from the preset, written as after `--set`.
+/// text has the preset and each value that differs from the preset, in the syntax of `--set`.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::Preset, report::explorer_state, units::System};
@@ -76,7 +76,7 @@ fn changed_numbers(
     system: System,
 ) -> Result<impl Iterator<Item = (&'static str, String)>> {
     let states_step = setup.states_step && !base.states_step;
-    // if the law differs from the preset's, compare with the published coefficients of the law
+    // compare coefficients with the published ones if the preset has another law
     base.set_law(setup.law.name())?;
     // the program refuses parameters of the strike if the launch is stated
     let is_used = |row: &Parameter| {

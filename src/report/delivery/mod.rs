@@ -106,7 +106,8 @@ impl Report for DeliveryReport<'_> {
         }
     }
 
-    /// The delivery of a single shot, or the deliveries of a table with their means and deviations.
+    /// The delivery of a single shot. For a table, the deliveries with their means and standard
+    /// deviations.
     fn document(&self, system: System) -> Document {
         match self.deliveries {
             [ShotDelivery { found: Ok(one), .. }, ..] if !self.is_table => of_one(one, system),
@@ -195,7 +196,7 @@ pub fn bound_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
 /// so the launch or its units may be wrong. Parameters at a bound have a warning of their own
 /// ([`bound_warnings`]).
 pub fn unusual_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
-    /// Least distance from the prior, in prior standard deviations.
+    /// A value farther than this from its prior is unusual, in prior standard deviations.
     const FAR: f64 = 3.0;
     let found: Vec<_> = all
         .iter()
@@ -232,7 +233,8 @@ pub fn unusual_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
 const UNIDENTIFIED: f64 = 0.005;
 
 /// A setup file with the most probable delivery of a shot, or with the mean of several deliveries.
-/// `file` is the setup of the request. Comments are in the units of `system`.
+/// `file` is the setup file or preset that the request names. Comments are in the units of
+/// `system`.
 ///
 /// # Errors
 /// The errors of [`setup_toml`].

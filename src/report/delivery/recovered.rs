@@ -9,8 +9,8 @@ use crate::study::delivery::{
 };
 use crate::units::{DisplayUnit, Message, System, TableUnits, counted, significant, typed};
 
-/// If a shot removes less than this fraction of a parameter's prior variance, the distribution of
-/// the parameter depends mainly on the prior.
+/// If a shot removes less than this fraction of a parameter's prior variance, the comment says that
+/// the rest is assumed.
 const MOSTLY_PRIOR: f64 = 0.5;
 
 /// The most probable swing behind each shot with a delivery, as CSV: a column for each
@@ -35,8 +35,8 @@ pub fn recovered_csv(all: &[ShotDelivery], units: TableUnits) -> Result<String> 
     )
 }
 
-/// The distribution of the swings behind shots as a file of swings in TOML. Comments state the
-/// fraction of each parameter's prior variance that a shot removes.
+/// A TOML file with the distribution of the swings behind shots. The comment on each parameter
+/// states the fraction of its prior variance that a shot removes.
 pub fn recovered_toml(population: &Population, from: &str, system: System) -> String {
     let shots = population.shots;
     let mut text = format!(
@@ -87,9 +87,11 @@ pub fn recovered_toml(population: &Population, from: &str, system: System) -> St
     text
 }
 
-/// Warnings about a distribution of swings: if its iterations did not converge; if its deviation is
-/// smaller than the prior's in directions that the shots do not identify; or if it does not
-/// reproduce the measured launches.
+/// Warnings about a distribution of swings:
+///
+/// - The iterations did not converge.
+/// - The deviation is below the prior deviation in directions that the shots do not identify.
+/// - The distribution does not reproduce the measured launches.
 pub fn population_warnings(population: &Population, system: System) -> Vec<Message> {
     let mut all = vec![];
     if !population.is_converged {

@@ -42,7 +42,7 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
     document
 }
 
-/// The given values of launch and club beside those of the delivery.
+/// A table of the given values of launch and club. A column has the values of the delivery.
 fn differences(delivered: &Delivered, system: System) -> DocumentTable {
     let of_launch = delivered.explained.iter().map(|explained| {
         let of = explained.measured.outcome;
@@ -68,7 +68,7 @@ fn differences(delivered: &Delivered, system: System) -> DocumentTable {
     DocumentTable::new(head, of_launch.chain(of_club)).right([1, 2, 3, 4])
 }
 
-/// The assumed uncertainty of each measured or stated club value.
+/// The assumed errors of the given club values; `None` if no error is assumed.
 fn measured_club(delivered: &Delivered, system: System) -> Option<Line> {
     let unknowns = delivered.posteriors.iter().map(|known| &known.unknown);
     let measured: Vec<_> = unknowns
@@ -105,8 +105,8 @@ fn known_row(known: &Posterior, system: System) -> Vec<String> {
     ]
 }
 
-/// A change of the delivery that the launch does not determine, with the fraction of the prior
-/// variance that the launch removes.
+/// The text about a change of the delivery that the launch does not determine. It includes the
+/// fraction of the prior variance that the launch removes.
 fn unidentified(unidentified: &Unidentified, system: System) -> String {
     let one = |(parameter, change): &(&'static Parameter, f64)| {
         let change = shown::component(parameter, *change, system);
@@ -120,8 +120,8 @@ fn unidentified(unidentified: &Unidentified, system: System) -> String {
     )
 }
 
-/// The document for the shots of a table: their deliveries with mean and spread, and the
-/// distribution `population` of the swings.
+/// The document for a table of shots. It has the deliveries with their means and standard
+/// deviations, and the distribution `population` of the swings.
 pub(super) fn of_table(
     all: &[ShotDelivery],
     population: Option<&Population>,

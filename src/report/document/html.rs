@@ -4,11 +4,10 @@ use crate::report::frame::{Pair, TextFile, chosen, page, picture_files, pictures
 use crate::units::System;
 use maud::{Markup, html};
 
-/// A document as a self-contained HTML page, with the pictures and data of its figures as separate
-/// files. Returns all files, `index.html` first. `documents` is the document in each system of
-/// [`System::ALL`]. The reader can switch between the systems; the page opens in the units of
-/// `system`. Numbers in data files are in SI; values within names of layers are in the units of
-/// `system`.
+/// A document as an HTML page, with separate files for the pictures and the data of its figures.
+/// Returns all files, `index.html` first. `documents` has the document in the units of each of
+/// [`System::ALL`]; the page has a switch, and opens in the units of `system`. Data files are in
+/// SI, but values in names of layers are in the units of `system`.
 ///
 /// # Errors
 /// The errors of [`figure_svg`](crate::report::plot::figure_svg) and
@@ -48,8 +47,8 @@ pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<T
     Ok(files)
 }
 
-/// Converts the blocks of a page in order. The heading or short text before a table becomes the
-/// label of the table; the first label is the title.
+/// Converts the blocks of a page in order. `about` is the label of the next table: the title of the
+/// page, or the last heading, caption or short paragraph.
 struct Parts<'a> {
     /// The figures that are not converted yet.
     pairs: &'a [Pair],

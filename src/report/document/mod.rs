@@ -22,14 +22,15 @@ pub struct Document {
     parts: Vec<DetailedBlock>,
 }
 
-/// A block, and the plain texts that contain it. Pages show all blocks.
+/// A block of a document. A page contains every block; `detail` determines which plain texts
+/// contain this block.
 #[derive(Clone, Debug)]
 struct DetailedBlock {
     block: DocumentBlock,
     detail: Detail,
 }
 
-/// The plain texts that contain a block.
+/// Determines which plain texts contain a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Detail {
     /// Every text.

@@ -76,7 +76,7 @@ impl DocumentTable {
     }
 }
 
-/// True if most cells of a column are numbers, with an optional unit of up to three letters
+/// True if more than half of the cells are numbers. A number may have a unit of up to three letters
 /// ("rpm"). Empty cells and dashes do not count.
 fn is_of_numbers<'a>(cells: impl Iterator<Item = &'a str>) -> bool {
     let cells: Vec<&str> = cells.filter(|cell| !["", NONE].contains(cell)).collect();

@@ -22,7 +22,7 @@ impl DocumentTable {
             self.first_rows
         };
         let rows = &self.rows[..self.rows.len().min(first)];
-        // rows with notes are not wrapped: below, each must be a single line
+        // do not wrap rows with notes: the code below adds one note to each line
         let most = if self.row_notes.is_empty() {
             width
         } else {
@@ -30,7 +30,7 @@ impl DocumentTable {
         };
         let mut text = self.columns(rows, most);
         if !self.row_notes.is_empty() {
-            // the first line has the column heads, without a note
+            // the line with the column heads has no note
             let details = self.row_notes.iter();
             let details = details.map(|details| Indent::Note.lines(details, width));
             let details = std::iter::once(String::new()).chain(details);
@@ -58,8 +58,8 @@ impl DocumentTable {
     }
 
     /// The heads and cells in lines of at most `most` characters, without ruled lines. If the table
-    /// is too wide, a last column of text is wrapped. If it is still too wide, the remaining
-    /// columns follow below, with the first column repeated.
+    /// is too wide, a last column of text is wrapped. If that does not suffice, the remaining
+    /// columns follow below, and the first column is repeated.
     fn columns(&self, rows: &[Vec<String>], most: usize) -> String {
         let all: Vec<usize> = (0..self.head.len()).collect();
         let widths: Vec<usize> = all.iter().map(|&column| self.width(rows, column)).collect();

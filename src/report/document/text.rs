@@ -4,10 +4,10 @@ use super::{Detail, Document, DocumentBlock};
 /// The width and the detail of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TextOptions {
-    /// The maximum width of the text, columns. A single word may be wider, and so may a table that
-    /// cannot be narrower.
+    /// The maximum width of a line, in characters. A single word may be wider, and so may a table
+    /// that cannot be narrower.
     pub width: usize,
-    /// True to include tables and rows for which a screen has no space.
+    /// True to include tables and rows that do not fit on a screen.
     pub all: bool,
     /// True to include details of the computation: residuals, and parameters that were left out.
     pub verbose: bool,
@@ -24,7 +24,7 @@ impl Default for TextOptions {
     }
 }
 
-/// The line in place of the blocks that only texts with the option `all` contain.
+/// Replaces the blocks of [`Detail::WithAll`] in a text without the option `all`.
 const REST: &str = "the rest: `all`";
 
 impl Document {
@@ -69,7 +69,8 @@ impl Document {
             .join("\n")
     }
 
-    /// True if the section of this heading has only figures, which plain text omits.
+    /// True if the section below `heading` has only figures. Plain text omits such a heading.
+    /// `heading` is the index of its block.
     fn is_of_figures(&self, heading: usize) -> bool {
         let mut section = self.parts[heading + 1..]
             .iter()
