@@ -66,8 +66,8 @@ impl Report for GradientReport<'_> {
         Ending::of_each(self.found.iter().map(|(_, taylor)| taylor.as_ref().err()))
     }
 
-    /// The gradients of the outcomes in the units of `system`, and in SI with 12 digits. The
-    /// Hessians, if requested, in SI with 10 digits.
+    /// The gradients of the outcomes in the units of `system`, and in SI with 12 digits. Requested
+    /// Hessians are in SI with 10 digits.
     fn document(&self, system: System) -> Document {
         let mut document = Document::default();
         for (of, taylor) in self.found {

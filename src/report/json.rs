@@ -15,7 +15,7 @@ pub(super) fn components(vector: Vector<f64>) -> [JsonNumber; 3] {
     vector.to_array().map(JsonNumber::from)
 }
 
-/// Values by name: a JSON object whose members have this order.
+/// Values by name. JSON has an object with members in this order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ByName<V>(pub Vec<(Cow<'static, str>, V)>);
 
@@ -130,8 +130,9 @@ fn choices() -> serde_json::Value {
     })
 }
 
-/// Every parameter and choice of a setup. If the setup states weather or a wind direction, the
-/// density, viscosity and wind components are those computed from it.
+/// Every parameter and choice of a setup. If the setup states weather, density and viscosity are
+/// computed from the weather. If it states a wind direction, the wind components are computed from
+/// the direction.
 pub(super) fn settings(setup: &Setup<f64>) -> Settings {
     let setup = &in_effect(setup);
     let choice = |name: &str| Setting::Choice(name.to_owned());

@@ -19,12 +19,12 @@ pub(super) struct Objective {
 /// A constraint at the end of a search.
 pub(super) struct ConstraintAtEnd<'a> {
     pub constraint: &'a Constraint,
-    /// The value of the limited goal, with the multiplier.
+    /// The value of the limited goal, and the multiplier of the constraint.
     pub at: ConstraintValue,
     /// The gradient of the limited goal by the varied parameters; empty if it is unknown.
     pub slopes: &'a [f64],
-    /// The gain of the objective for each SI unit by which the limit is relaxed; for an equation,
-    /// for each SI unit by which its right side is raised.
+    /// The gain of the objective for each SI unit by which the limit is relaxed. An equation has
+    /// the gain for each SI unit by which its right side is raised.
     pub gain: f64,
 }
 
@@ -37,8 +37,8 @@ impl<'a> ConstraintAtEnd<'a> {
                 constraint,
                 at,
                 slopes: slopes.map_or(&[], Vec::as_slice),
-                // the multiplier is the gain for each unit by which the limit is raised, < 0 at a
-                // lower limit
+                // a multiplier is the gain for each unit by which the limit is raised; it is
+                // negative at a lower limit
                 gain: if constraint.is_equation() {
                     at.multiplier
                 } else {
@@ -59,8 +59,8 @@ impl<'a> ConstraintAtEnd<'a> {
     }
 }
 
-/// The change of an objective, with its sign, if it improves by `gain`: a minimized objective
-/// decreases.
+/// The signed change of an objective that improves by `gain`. It is negative for a minimized
+/// objective.
 pub(super) fn change_of(sense: Sense, gain: f64) -> f64 {
     -sense.sign() * gain
 }
@@ -77,8 +77,9 @@ impl Objective {
     }
 
     /// The price of a limit: the change of the objective for each unit by which the limit is
-    /// relaxed, such as "+2.11 yd for each degree". A minimized objective that improves has a
-    /// negative price. `gain` is the improvement for each SI unit, `by` the limited quantity.
+    /// relaxed, such as "+2.11 yd for each degree". The price of a minimized objective is negative
+    /// if the objective improves. `gain` is the improvement for each SI unit; `by` has the unit of
+    /// the limit.
     pub fn price(self, gain: f64, by: impl Into<DisplayUnit>, system: System) -> String {
         let by = by.into();
         let one = by.size();
@@ -88,13 +89,13 @@ impl Objective {
     }
 
     /// The state of a constraint in words, such as "active: +0.52 yd for each degree that the limit
-    /// is relaxed". If the search did not converge, the text has no price: it is the deviation of
-    /// an equation, or empty.
+    /// is relaxed". If the search did not converge, there is no price: the text is the deviation of
+    /// an equation, and empty for other constraints.
     pub fn limit(self, limit: &ConstraintAtEnd<'_>, system: System) -> String {
         let Constraint { goal, low, .. } = limit.constraint;
         if limit.constraint.is_equation() {
             let off = shown::goal_difference(goal, limit.at.value - low, system);
-            // an equation is active even if its multiplier is 0
+            // an equation may have a multiplier of 0 although varied parameters change its value
             let price = match limit.slopes.iter().any(|slope| *slope != 0.0) {
                 _ if !self.is_converged => String::new(),
                 true => {
@@ -114,8 +115,8 @@ impl Objective {
     }
 
     /// The price of the active limit of a constraint, such as "+0.52 yd for each degree that the
-    /// limit is relaxed". If the constraint has two limits, the text names the active one. `None`
-    /// for an equation, or if no limit is active.
+    /// limit is relaxed". If the constraint has two limits, the text says which of them is active.
+    /// `None` for an equation, or if no limit is active.
     pub fn active_limit(self, limit: &ConstraintAtEnd<'_>, system: System) -> Option<String> {
         let ConstraintAtEnd { constraint, at, .. } = limit;
         if at.multiplier == 0.0 || constraint.is_equation() {
@@ -130,10 +131,10 @@ impl Objective {
     }
 }
 
-/// The active bound of a parameter in words, such as "at its upper bound: +2.11 yd for each degree
-/// that it is raised", or "free". `lower` and `upper` are the multipliers of the bounds; a positive
-/// multiplier means that the bound is active. `prices` are the gains from relaxing the lower and
-/// the upper bound; `shown` formats a gain.
+/// The state of a parameter's bounds in words: "free", or for example "at its upper bound: +2.11 yd
+/// for each degree that it is raised". `lower` and `upper` are the multipliers; a bound with a
+/// positive multiplier is active. `prices` are the gains if the lower or the upper bound is
+/// relaxed, and `shown` formats a gain.
 pub(super) fn bound(
     [lower, upper]: [f64; 2],
     prices: [f64; 2],

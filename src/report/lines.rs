@@ -5,8 +5,8 @@ use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
 /// Spaces before a line of a list.
 pub(super) const INDENT: usize = 2;
 
-/// Reasons for omissions. Names with the same reason share a text: "gravity, air.density: the
-/// reason". The texts are in the order in which the reasons first occur.
+/// Each reason once, after the names that it concerns: "gravity, air.density: the reason". The
+/// reasons are in the order in which they first occur.
 pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Vec<String> {
     let mut all: Vec<(String, String)> = vec![];
     for (name, reason) in reasons {
@@ -20,8 +20,8 @@ pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Ve
         .collect()
 }
 
-/// A remark or warning for standard error, wrapped to `width` columns with a hanging indent. The
-/// result does not end with a line break.
+/// A remark or warning for standard error, wrapped to `width` columns. The second and later lines
+/// are indented. The result does not end with a line break.
 pub fn remark(text: &str, width: usize) -> String {
     let lines: Vec<_> = text
         .lines()
@@ -40,9 +40,9 @@ pub fn remark(text: &str, width: usize) -> String {
         .join("\n")
 }
 
-/// Wraps each line of a text to `most` columns. `first` is the indent of its first line in the
-/// result, `by` that of the following lines. A word that is too wide stays whole, because it may be
-/// a file name. The result ends with a line break.
+/// Wraps each line of a text to `most` columns. In the result, `first` is the indent of the first
+/// line, and `by` is the indent of the following lines. A word that is too wide stays whole,
+/// because it may be a file name. The result ends with a line break.
 pub fn wrapped(text: &str, [first, by]: [usize; 2], most: usize) -> String {
     let [first, by] = [first, by].map(|columns| " ".repeat(columns));
     let options = Options::new(most)

@@ -5,10 +5,12 @@ use super::shown;
 use crate::parameters::{Parameter, Setup};
 use crate::units::System;
 
-/// The setup that an answer is about: the first lines of its text, and `from` of its JSON.
+/// The setup that an answer is about. The text of an answer begins with it; the JSON has it as
+/// `from`.
 #[derive(Clone, Debug, Default)]
 pub struct SetupOrigin {
-    /// Preset or file with the settings of the request: "tour-average, swing.speed=95mph".
+    /// The preset or file, followed by the settings of the request: "tour-average,
+    /// swing.speed=95mph".
     pub title: String,
     /// False if the request does not name the setup, as with a setup from standard input.
     pub has_name: bool,
@@ -20,7 +22,7 @@ pub struct SetupOrigin {
 }
 
 impl SetupOrigin {
-    /// Sets the field `held` to the parameters `held`, with their values in the setup.
+    /// Sets `self.held` to the parameters `held` with their values in the setup.
     #[must_use]
     pub fn with_held(self, held: &[&'static Parameter], setup: &Setup<f64>) -> Self {
         let held = held

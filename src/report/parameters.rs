@@ -25,7 +25,7 @@ pub struct ParametersReport {
     /// True if the setup states `flight.method` or `flight.step`. Otherwise a command that flies
     /// many drives chooses both.
     pub states_step: bool,
-    /// The word by which names are selected; `None` if all parameters are listed.
+    /// Only parameters and choices whose names contain this word are listed; `None` lists all.
     #[serde(skip)]
     word: Option<String>,
 }
@@ -66,7 +66,7 @@ pub struct ParameterReport {
 pub struct ChoiceReport {
     /// The dotted name.
     pub choice: &'static str,
-    /// The name in the setup; `null` if the numbers of the ground are not those of a named turf.
+    /// The name in the setup; `null` if the ground of the setup differs from every named turf.
     pub value: Option<&'static str>,
     /// The name by default.
     pub default: Option<&'static str>,
@@ -101,8 +101,8 @@ impl ParametersReport {
     /// Selects the parameters and choices whose names contain a word.
     ///
     /// # Errors
-    /// [`Error::Unknown`] if no name contains the word, with the most similar name, group or
-    /// preset.
+    /// [`Error::Unknown`] if no name contains the word. The error suggests the most similar name,
+    /// group or preset.
     pub fn with_word(mut self, word: &str) -> Result<Self> {
         let mut choices = self.choices.iter().map(|one| one.choice).chain([LAW]);
         let is_choice = choices.any(|name| has_word(name, word));
@@ -124,8 +124,8 @@ impl ParametersReport {
         Ok(self)
     }
 
-    /// The parameters and choices whose names contain the word: parameters of the setup, then
-    /// coefficients of the laws that the setup does not use.
+    /// The parameters and choices whose names contain the word. The coefficients of laws that the
+    /// setup does not use are last.
     fn selection(&self, word: &str, system: System) -> Document {
         let mut document = Document::default();
         if !self.parameters.is_empty() {
@@ -173,8 +173,9 @@ impl ParameterReport {
 impl Report for ParametersReport {
     const COMMAND: &'static str = "parameters";
 
-    /// The values by group. Then a row for each parameter with value, default and range, and with
-    /// symbol and meaning below; the choices; and the coefficients of the other laws.
+    /// The values by group. With the option `all`, a listing follows: a row for each parameter with
+    /// its value, default, range, symbol and meaning, then the choices and the coefficients of the
+    /// other laws.
     fn document(&self, system: System) -> Document {
         if let Some(word) = &self.word {
             return self.selection(word, system);
@@ -187,7 +188,8 @@ impl Report for ParametersReport {
 }
 
 impl ParametersReport {
-    /// The parameters of the setup with their values, a row for each group.
+    /// A table with a row for each group of parameters of the setup. A row has all values of the
+    /// group.
     fn values(&self, system: System) -> DocumentTable {
         let mut groups: Vec<(&str, Vec<String>)> = vec![];
         let own = self.parameters.iter();
@@ -260,7 +262,7 @@ impl ChoiceReport {
     }
 }
 
-/// The settings whose values are names, each with all names.
+/// The settings whose values are names. Each has a list of all possible names.
 fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
     let usual = Setup::default();
     let methods = Method::ALL
@@ -296,7 +298,7 @@ fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
     ]
 }
 
-/// The choice `ground.turf`. A turf sets four numbers of the ground.
+/// The choice `ground.turf`. The name of a turf sets four parameters of the ground.
 fn turf_choice(setup: &Setup<f64>, usual: &Setup<f64>) -> ChoiceReport {
     let turfs = TURFS
         .iter()
@@ -315,7 +317,7 @@ fn turf_choice(setup: &Setup<f64>, usual: &Setup<f64>) -> ChoiceReport {
     }
 }
 
-/// Parameters with value, default and range; symbol and meaning below each.
+/// A table of parameters with value, default and range. Symbol and meaning are below each row.
 fn listing(title: &str, all: &[&ParameterReport], system: System) -> DocumentTable {
     let cells = |one: &&ParameterReport| {
         let (row, quantity) = (one.row, one.row.quantity);

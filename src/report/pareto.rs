@@ -20,13 +20,13 @@ pub(super) fn role(found: &Pareto, place: usize) -> Option<String> {
         _ if found.knee == Some(place) => Some("knee".into()),
         _ if found.points.len() == 1 => Some(format!("{first}, {second}")),
         0 => Some(first),
-        // the last point of an interrupted front is not an end of the front
+        // an interrupted front has no second end
         _ if place + 1 == found.points.len() && !found.interrupted => Some(second),
         _ => None,
     }
 }
 
-/// The ends of a front in words: "largest carry" and "smallest abs(lateral)".
+/// The two ends of a front in words, for example "largest carry" and "smallest abs(lateral)".
 fn bests(found: &Pareto) -> [String; 2] {
     let goals = found.search.goals.each_ref();
     goals.map(|(goal, sense)| sense.best_of(goal))
@@ -55,7 +55,7 @@ pub struct ParetoReport<'a> {
     pub swings: Option<ScenariosReport>,
     /// The file that was written; `null` without one.
     pub file: Option<String>,
-    /// True if a requested file was not written; the answer is partial then.
+    /// True if a requested file was not written, so that the answer is partial.
     #[serde(skip)]
     pub lacks_file: bool,
 }
@@ -205,7 +205,7 @@ fn front(found: &Pareto, system: System) -> DocumentTable {
     DocumentTable::new(head, rows).right(0..remarks)
 }
 
-/// The notes of a front: swings, slope, knee, goals before the search, omissions.
+/// The notes of a front: number of swings, slope, knee, goals before the search, omitted points.
 fn notes(found: &Pareto, system: System) -> Vec<String> {
     let [first, second] = found.search.goals.each_ref().map(|(goal, _)| goal);
     let mut notes = vec![];
@@ -301,7 +301,7 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
 }
 
 /// The setup of one point of a front as a setup file in TOML, with full precision. `file` is the
-/// setup of the request. Comments are in the units of `system`.
+/// setup file or preset that the request names. Comments are in the units of `system`.
 ///
 /// # Errors
 /// The errors of [`setup_toml`].

@@ -38,15 +38,15 @@ pub(super) enum ColumnType {
     SomeText,
 }
 
-/// The cells of a column in a row group. A column with a value in every row has no `None`.
+/// The cells of a column in a row group. `None` is null, which only optional columns contain.
 pub(super) enum Cells {
     Numbers(Vec<Option<f64>>),
     Texts(Vec<Option<ByteArray>>),
 }
 
-/// A table. Each row group is created as a separate file in memory. A file with many row groups
-/// consists of `PARQUET_MAGIC`, the bytes of the groups, and a [`footer`](Self::footer) made from
-/// the metadata of the groups. An interrupted file can therefore continue after any of its groups.
+/// A table. Each row group is first written as a file of its own in memory. The whole file consists
+/// of `PARQUET_MAGIC`, the bytes of all groups, and a [`footer`](Self::footer) made from the
+/// metadata of the groups. Interrupted writing can therefore continue after any group.
 pub(super) struct ParquetTable {
     schema: TypePtr,
     properties: WriterPropertiesPtr,
@@ -58,7 +58,7 @@ pub(super) struct ParquetTable {
 pub struct ParquetGroup {
     /// The bytes of the columns.
     pub bytes: Vec<u8>,
-    /// The footer of a file with this row group only.
+    /// The footer of a file that contains only this row group.
     pub metadata: Vec<u8>,
 }
 
@@ -67,8 +67,8 @@ pub struct ParquetGroup {
 pub struct PlacedGroup(RowGroupMetaData);
 
 impl PlacedGroup {
-    /// The row group of this metadata at a place in a file: byte offset `at`, and index `ordinal`
-    /// among the row groups, from 0.
+    /// The row group that `metadata` describes, at a place in a file: byte offset `at`, and index
+    /// `ordinal` among the row groups, from 0.
     ///
     /// # Errors
     /// [`Error::Output`] if `metadata` is not the metadata of a row group.
@@ -101,7 +101,7 @@ impl PlacedGroup {
     }
 }
 
-/// The error for columns or values that Parquet does not allow.
+/// The error if Parquet does not allow the columns or the values of a table.
 fn refused(error: ParquetError) -> Error {
     let reason = format!(
         "Parquet does not allow the table: {}",
@@ -110,7 +110,7 @@ fn refused(error: ParquetError) -> Error {
     Error::Output(std::io::Error::other(reason))
 }
 
-/// Metadata key of the definition of a sweep.
+/// Key under which the metadata of a file has the definition of its sweep.
 pub(crate) const DEFINITION_KEY: &str = "longdrive";
 
 impl ParquetTable {
@@ -120,7 +120,7 @@ impl ParquetTable {
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `columns`.
     pub fn new(name: &str, columns: &[(String, ColumnType)], definition: &str) -> Result<Self> {
-        // no page index: `PlacedGroup::new` would have to change the position of each page in it
+        // write no page index: `PlacedGroup::new` would have to change each position in it
         let mut properties = WriterProperties::builder()
             .set_created_by(concat!("longdrive ", env!("CARGO_PKG_VERSION")).into())
             .set_statistics_enabled(EnabledStatistics::Chunk)
@@ -210,8 +210,8 @@ impl ParquetTable {
         file.into_inner()
     }
 
-    /// The footer of a file with these row groups. `metadata` has further entries of its key-value
-    /// metadata.
+    /// The footer of a file with these row groups. `metadata` is added to the key-value metadata of
+    /// the table.
     ///
     /// # Errors
     /// [`Error::Output`] if Parquet does not allow `groups` or `metadata`.
@@ -242,15 +242,15 @@ impl ParquetTable {
     }
 }
 
-/// The values that are present, and the definition level of each row (1 if it has a value). A
-/// column with a value in every row ignores the levels.
+/// The values that are not null, and the definition level of each row: 1 for a value, 0 for null.
+/// The writer ignores the levels of a required column.
 fn present<T>(cells: Vec<Option<T>>) -> (Vec<T>, Vec<i16>) {
     let levels = cells.iter().map(|cell| i16::from(cell.is_some())).collect();
     (cells.into_iter().flatten().collect(), levels)
 }
 
-/// The metadata at the end of a file. Its length is the little-endian number in the first four of
-/// the last eight bytes.
+/// The metadata of a file. Eight bytes follow it at the end of the file; the first four are the
+/// length of the metadata, little-endian.
 fn metadata_of(file: &[u8]) -> Vec<u8> {
     let end = file.len() - TAIL;
     let length = file[end..end + 4]

@@ -35,9 +35,9 @@ impl SourcedValue {
     }
 }
 
-/// Inserts the choices of a setup next to the numbers that they concern: the golfer first, the
-/// point of the club speed after the club speed, the method before the step, and law and table
-/// before the coefficients.
+/// Inserts the choices of a setup next to the related numbers: the golfer first, the point of the
+/// club speed after the club speed, the method before the step, and law and table before the
+/// coefficients.
 fn insert_choices(rows: &mut Vec<SourcedValue>, choices: impl IntoIterator<Item = SourcedValue>) {
     for choice in choices {
         let place = match choice.name {
@@ -95,9 +95,9 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> 
 ///
 /// The source of a value is the first of these:
 ///
-/// 1. the comment on the value in `file`, if the setup still has the value of the file
-/// 2. the preset's source, if the setup has the preset's value
-/// 3. "as given", with the preset's value
+/// 1. the comment on the value in `file`, if the setup still has the value of `file`
+/// 2. the source in the preset, if the setup still has the value of the preset
+/// 3. "as given, instead of" the value of the preset
 pub(super) fn sources(
     setup: &Setup<f64>,
     file: &SetupFile,
@@ -122,7 +122,7 @@ pub(super) fn sources(
     };
     let number = |row: &'static Parameter| {
         let value = setup.value(row);
-        // a coefficient of a law that the preset does not use has its own default and source
+        // a coefficient of a law other than the preset's has its own default and source
         let source = match base.parameter(row.name) {
             Ok(known) => source(row.name, base.value(known) == value),
             Err(_) if value == row.default_value() => row.source.into(),
@@ -142,7 +142,7 @@ pub(super) fn sources(
     let mut rows: Vec<_> = setup
         .parameters()
         .into_iter()
-        // a parameter that other parameters determine has no value of its own
+        // omit a parameter that other parameters determine
         .filter(|row| setup.why_replaced(row).is_none())
         .map(number)
         .collect();
@@ -216,7 +216,7 @@ fn changed_number(
     row: &'static Parameter,
     system: System,
 ) -> Option<ChangedSetting> {
-    // compare a coefficient of another law with its own default
+    // compare a coefficient that the preset's law lacks with its default
     let from = base
         .parameter(row.name)
         .map_or_else(|_| row.default_value(), |known| base.value(known));

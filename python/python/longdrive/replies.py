@@ -236,8 +236,8 @@ class ReproduceReply(Reply):
     study: str
     """`mae494`."""
     slipped_optimum: dict[str, Any]
-    """The optimum of the report's regression, which evaluates its fitted polynomial with wrong
-    powers."""
+    """The optimum of the report's regression if the fitted polynomial is evaluated with the wrong
+    powers, as the report does."""
     optimum: dict[str, Any]
     """The optimum of the report's model."""
     table1: list[dict[str, Any]]

@@ -93,7 +93,8 @@ pub(super) fn rejected_points(document: &mut Document, found: &Calibration) {
     }
 }
 
-/// Adds the estimates to a document, with χ² and the directions that the data do not determine.
+/// Adds the estimates to a document, with χ² and the combinations of parameters that the data do
+/// not determine.
 pub(super) fn estimates(
     document: &mut Document,
     table: &ShotTable,
@@ -146,8 +147,8 @@ pub(super) fn held_out(document: &mut Document, held_out: &[(String, HeldOut)], 
     document.add(DocumentTable::new(head, rows));
 }
 
-/// A value in a unit, rounded to the second significant digit of its standard error, or to seven
-/// significant digits without an error.
+/// A value in a unit, rounded at the second significant digit of its standard error. Without a
+/// standard error, the value has seven significant digits.
 pub(super) fn to_its_error(
     quantity: Quantity,
     unit: &str,
@@ -161,7 +162,7 @@ pub(super) fn to_its_error(
         .map(|error| 1.0 - (error / size).log10().floor());
     match decimals {
         Some(decimals @ 0.0..=9.0) => fixed(number, decimals as usize),
-        // fewer than 0 or more than 9 decimals: round to significant digits instead
+        // the number of decimals is below 0 or above 9: round to significant digits
         Some(decimals) if value != 0.0 => {
             let digits = number.abs().log10().floor() + decimals + 1.0;
             significant(number, digits.clamp(4.0, 17.0) as usize)
@@ -239,8 +240,8 @@ fn chi_square(statistics: &FitStatistics, stated: SigmaOrigin) -> String {
     format!("χ² = {chi} with {freedom}{exact}.{probability} {errors}.")
 }
 
-/// A change of parameters that the data do not determine, in words. The components are in the units
-/// of the parameters, with 1 for the first.
+/// A combination of parameters that the data do not determine, in words. Its components are changes
+/// of the parameters in their units; the first component is a change by 1.
 fn direction(found: &Calibration, undetermined: &Undetermined) -> String {
     let parameter = |at: usize| found.estimates[at].parameter;
     let size = |at: usize| DisplayUnit::from(parameter(at)).size();
@@ -347,10 +348,10 @@ pub(super) struct OutcomeError {
     of: DisplayUnit,
 }
 
-/// The root mean square of the prediction errors on held-out data: of each outcome, and of each
-/// parameter whose optimum a row states.
+/// The root mean square of the prediction errors on held-out data, for each outcome. A row may
+/// state that the optimum in a parameter is known: each such parameter has its own entry.
 pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
-    // until `mean` is applied, `rms` is the sum of squares
+    // `rms` is the sum of squares until `mean` is applied
     let mut all: Vec<(OutcomeError, usize)> = vec![];
     for residual in &held.residuals {
         let of = residual.outcome;

@@ -21,8 +21,9 @@ pub struct OnMap<'a> {
     pub region: Option<&'a Region>,
 }
 
-/// A map with its gradients, the constraints as lines with their forbidden side hatched, the drive
-/// as set up, and the optimum with the region of little loss. Texts are in the units of `system`.
+/// A map of an outcome with its gradients, the drive as set up, and the optimum with the region of
+/// little loss. Constraints are lines whose forbidden side is hatched. Texts are in the units of
+/// `system`.
 pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     let (across, up) = (&map.plane.across, &map.plane.up);
     let [x, y] = [across, up].map(|vary| {
@@ -146,8 +147,8 @@ fn note(map: &Map, on: &OnMap<'_>, layers: &[Layer], system: System) -> String {
     notes.join(" ")
 }
 
-/// True if the setup and the optimum differ in a varied parameter that is not an axis. The map is
-/// drawn at the optimum, so the drive as set up is then not on the map.
+/// True if the setup and the optimum differ in a varied parameter that is not an axis. Then the
+/// drive as set up is not on the map, because the map is drawn at the optimum.
 fn is_elsewhere(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> bool {
     let axes = [map.plane.across.parameter, map.plane.up.parameter];
     best.is_some_and(|best| {
@@ -159,8 +160,8 @@ fn is_elsewhere(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> bool {
     })
 }
 
-/// The constant parameters of a map: the speed, and the varied parameters that are not axes, with
-/// their optimal values.
+/// The text about the constant parameters of a map: the speed, and the optimal values of the varied
+/// parameters that are not axes.
 fn constant_parameters(
     setup: &Setup<f64>,
     best: Option<&Optimum>,
@@ -229,8 +230,7 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
             layers.push(hatched(field.above(constraint.high)));
         }
         layers.retain(|layer| !matches!(layer, Layer::Region { rings, .. } if rings.is_empty()));
-        // the picture names the line of the constraint; only the data file has the name of the
-        // region
+        // the legend omits hatched regions, because the name of a constraint is on its line
     }
     let mut ends: Vec<f64> = [constraint.low, constraint.high]
         .into_iter()
@@ -245,8 +245,8 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
     layers
 }
 
-/// The region of drives that lose little. With an equality constraint, the region is a part of the
-/// line on which the constraint holds.
+/// The region of drives that lose little. An equality constraint restricts the region to a part of
+/// the line on which the constraint holds.
 fn region_layers(region: &Region, name: &str) -> Vec<Layer> {
     let of = |values: Vec<Option<f64>>| Field {
         quantity: NamedQuantity::plain("missed"),
@@ -290,9 +290,9 @@ fn region_layers(region: &Region, name: &str) -> Vec<Layer> {
     }]
 }
 
-/// Gradients as arrows. Each parameter is scaled by its range, so that the arrows show the steepest
-/// ascent on the page. Their length grows with the square root of the slope: proportional arrows
-/// would be too short near the maximum to show their direction.
+/// Gradients as arrows. Each parameter is scaled by its range, so that an arrow has the direction
+/// of steepest ascent on the page. The length of an arrow grows with the square root of the slope:
+/// near the maximum, a length proportional to the slope would be too short.
 fn arrows(across: &Vary, up: &Vary, slopes: &[Slope]) -> Layer {
     let width = [across, up].map(|vary| vary.high - vary.low);
     let scaled = |gradient: [f64; 2]| [gradient[0] * width[0], gradient[1] * width[1]];

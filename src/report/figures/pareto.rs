@@ -6,11 +6,12 @@ use crate::study::NamedDrive;
 use crate::study::swings::{Pareto, ParetoPoint};
 use crate::units::System;
 
-/// Horizontal distance from the knee to each end of the tangent, divided by the width of the front.
+/// Half the width of the tangent at the knee, divided by the width of the front.
 const HALF_WIDTH: f64 = 0.2;
 
-/// The Pareto front of two goals: the first goal against the second, with the ends, the knee, the
-/// slope at the knee, and the design before the search. Texts are in the units of `system`.
+/// The Pareto front of two goals: the first goal on the vertical axis, the second on the horizontal
+/// axis. The plot shows the ends of the front, the knee, the slope at the knee, and the design
+/// before the search. Texts are in the units of `system`.
 pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
     let [y, x] = found
         .search
@@ -92,8 +93,8 @@ fn tangent(found: &Pareto, system: System) -> Option<Layer> {
     })
 }
 
-/// The slopes next to the ends and at the knee, then the reasons if there is no knee or if the
-/// front is not complete.
+/// The note about the slopes next to the ends and at the knee. It also has the reason if there is
+/// no knee, and the reason if the front is not complete.
 fn note(found: &Pareto, system: System) -> String {
     let [first, second] = found
         .search

@@ -2,12 +2,12 @@
 
 use crate::report::plot::{Axis, Figure};
 
-/// The direction in which a range grows to fit the aspect ratio of a picture.
+/// The ends at which a range is extended to fit the aspect ratio of a picture.
 #[derive(Clone, Copy)]
 pub(super) enum Grows {
-    /// To both sides.
+    /// Both ends, by equal lengths.
     Evenly,
-    /// At the high end of the range.
+    /// The high end.
     Up,
 }
 

@@ -7,8 +7,8 @@ use crate::statistics::largest_magnitude;
 use crate::study::Face;
 use crate::units::{Quantity, System};
 
-/// Every fifth node of the computed grid is drawn. Few nodes are enough, because the contours are
-/// interpolated with the gradients.
+/// Only every fifth node of the computed grid is drawn. Few nodes suffice, because the
+/// interpolation of the contours uses the gradients.
 const THINNED: usize = 5;
 
 /// Carry, lateral, ball speed and spin axis as functions of the impact point on the face, seen from
@@ -68,7 +68,8 @@ fn view(face: &Face, of: Outcome, field: Field) -> Figure {
     figure
 }
 
-/// The values of an outcome over the face, seen from the front, at every `THINNED`th node.
+/// The values of an outcome at every `THINNED`th node of the face. The columns run from left to
+/// right in the view from the front.
 fn over_face(face: &Face, of: usize, outcome: Outcome) -> Field {
     let whole = field(&face.plane, of, outcome);
     let is_turned = seen(face, [1.0, 0.0])[0] < 0.0;
@@ -93,8 +94,8 @@ fn over_face(face: &Face, of: usize, outcome: Outcome) -> Field {
 }
 
 fn note(designs: &[(&str, &Face)], system: System) -> String {
-    /// Distance of a strike from the reference strike, m. The note states the effect of this
-    /// distance.
+    /// Distance of a strike from the reference point, m. The note states the effect of such a
+    /// strike.
     const STEP: f64 = 1e-3;
     let text = |(name, face): &(&str, &Face)| {
         let slopes = Face::OUTCOMES.into_iter().zip(face.by_toe?);

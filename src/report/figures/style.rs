@@ -1,5 +1,5 @@
-//! Common style of the plots of drives, and conversion of grids to fields. A drive has one colour
-//! and one dash pattern in all plots, and the titles of all plots use the same words.
+//! The style of the plots of drives, and the conversion of grids to fields. A drive has the same
+//! colour and dash pattern in all plots.
 
 use crate::drive::Outcome;
 use crate::report::plot::{Field, Hue, Layer, NamedQuantity};
@@ -16,7 +16,8 @@ pub(super) fn style(name: &str, place: usize) -> (Hue, bool) {
     }
 }
 
-/// Clears the names of layers in a further view, because the legend of the first view has them.
+/// Clears the names of lines, dots and marks in a second view, because the legend of the first view
+/// already has the names.
 pub(super) fn clear_names(layers: &mut [Layer]) {
     for layer in layers {
         if let Layer::Line { name, .. } | Layer::Dots { name, .. } | Layer::Mark { name, .. } =
@@ -27,8 +28,8 @@ pub(super) fn clear_names(layers: &mut [Layer]) {
     }
 }
 
-/// The outcome `outcome`, with index `of` in `plane`, as a field of a plot with gradients. A
-/// `plane` without this outcome gives a field without values.
+/// The field of an outcome for a plot: values and gradients. `of` is the index of the outcome in
+/// `plane`. If the plane lacks this outcome, the field has no values.
 pub(super) fn field(plane: &Plane, of: usize, outcome: Outcome) -> Field {
     Field {
         quantity: NamedQuantity::outcome(outcome),

@@ -23,10 +23,10 @@ pub enum Causes {
 }
 
 impl Causes {
-    /// The causes in a report. Each has its own plot, because the scales differ.
+    /// The causes that a report draws. Each has its own plot, because the scales differ.
     pub const APART: [Self; 2] = [Self::Control, Self::Model];
 
-    /// True if a parameter is one of these causes.
+    /// True if the causes contain this parameter.
     pub fn has(self, parameter: &Parameter) -> bool {
         match self {
             Self::Control => parameter.is_controlled(),
@@ -36,8 +36,8 @@ impl Causes {
     }
 }
 
-/// The changes of the outcome if the parameter is p − σ and if it is p + σ. If one of these drives
-/// does not fly, the first-order effect replaces its change.
+/// The changes of the outcome at p − σ and at p + σ of the parameter p. If one of these drives does
+/// not fly, the first-order effect replaces the change.
 fn ends(effect: &study::SigmaEffect) -> [f64; 2] {
     let [lower, higher] = effect.flown;
     [
@@ -52,9 +52,9 @@ fn size(effect: &study::SigmaEffect) -> f64 {
 }
 
 /// The effects of standard uncertainties on an outcome of the drive as set up, as bars, the largest
-/// on top. The bar of a parameter p comes from drives computed at p − σ and p + σ; the other
-/// parameters are unchanged. The uncertainties and the note are in the units of `system`. `None` if
-/// none of these causes has an effect.
+/// on top. The bar of a parameter p shows drives computed at p − σ and p + σ; the other parameters
+/// are unchanged. The uncertainties and the note are in the units of `system`. `None` if none of
+/// `causes` has an effect.
 pub fn tornado_figure(effects: &Effects, causes: Causes, system: System) -> Option<Figure> {
     let is_cause = |effect: &&Effect| causes.has(effect.parameter);
     let mut ranked: Vec<study::SigmaEffect> = effects

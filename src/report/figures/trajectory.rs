@@ -168,7 +168,8 @@ fn lines(flown: &[NamedDrive], paths: &[Vec<[f64; 2]>], runs: &[Vec<[f64; 2]>]) 
     let line = |i: usize, points: &Vec<[f64; 2]>, is_run: bool| {
         let drive = flown[i].name.as_str();
         let (hue, is_dashed) = style(drive, i);
-        // a single drive has no name; of several drives, the legend shows each name once
+        // a single drive has no name; with several drives, the legend shortens "NAME (run)" to
+        // "NAME" and shows each name once
         let is_single = drive.is_empty();
         let name = match is_run {
             false if is_single => "flight".into(),

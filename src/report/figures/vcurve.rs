@@ -8,9 +8,10 @@ use crate::units::counted;
 /// V-curves: the error of plain central differences against the step. The exact derivative is the
 /// reference. Truncation dominates on the right, rounding on the left.
 ///
-/// Steps are divided by the size of the parameter. Errors are divided by the exact derivative; if
-/// it is 0, by the size of the outcome over the size of the parameter. For comparison, the plot
-/// also has the curves of a while-loop that overshoots the ground.
+/// Steps are divided by the size of the parameter. Errors are divided by the exact derivative. If
+/// this derivative is 0, errors are divided by the size of the outcome over the size of the
+/// parameter. For comparison, `loops` has the curves of a while-loop that stops at the first step
+/// below the ground.
 pub fn vcurve_figure<'a>(
     rows: impl IntoIterator<Item = &'a DerivativeRow>,
     loops: &[LoopRow],
@@ -53,7 +54,7 @@ pub fn vcurve_figure<'a>(
     figure.noted(note(has_loops, exact))
 }
 
-/// The relative step and error of each point, scaled for `row` as in [`vcurve_figure`].
+/// The relative steps and errors of `points`, with the divisors that [`vcurve_figure`] states.
 fn curve(row: &DerivativeRow, points: &[CurvePoint]) -> Vec<[f64; 2]> {
     let unit = if row.first.exact == 0.0 {
         row.ladder.size / row.ladder.scale

@@ -18,8 +18,8 @@ pub struct TextFile {
     pub text: String,
 }
 
-/// Widths of pictures, pixels, by CSS class: narrow for a phone or a printed column, and broad for
-/// a screen. In the narrow picture, text keeps its normal size on a phone and in print.
+/// The CSS classes of pictures with their widths, pixels: narrow for a phone or a printed column,
+/// and broad for a screen. A narrow picture is not shrunk, so that its text keeps its normal size.
 const WIDTHS: [(&str, u32); 2] = [("narrow", 340), ("broad", 560)];
 
 /// The file name of a plot's picture.
@@ -32,8 +32,8 @@ pub(in crate::report) fn csv_name(figure: &Figure) -> String {
     format!("{}.csv", figure.name)
 }
 
-/// The files of plots: a picture in each system of units, and the data in SI. Values within names
-/// of layers are in the units of `data_of`.
+/// The files of plots: a picture in each system of units, and the data in SI. The name of a layer
+/// may contain a value; in the data it is in the units of `data_of`.
 ///
 /// # Errors
 /// The errors of [`figure_svg`] and [`figure_csv`].
@@ -91,8 +91,8 @@ pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>)
     })
 }
 
-/// The pictures of a plot as pairs of CSS classes and SVG. If the pictures of both systems are
-/// equal, there is one for both.
+/// The pictures of a plot as pairs of CSS classes and SVG. If the metric and the US picture are
+/// equal, only one of them is returned.
 fn drawings(pair: &Pair) -> Result<Vec<(String, String)>> {
     let mut drawings = vec![];
     for (place, width) in WIDTHS {

@@ -3,14 +3,15 @@
 use crate::units::{System, typeset};
 use maud::{Markup, html};
 
-/// True if a part of a page differs between the systems.
+/// True if a part of a page has a text that differs between the systems of units.
 pub(super) fn has_both(part: &Markup) -> bool {
     [r#"<span class="us""#, r#" us">"#]
         .iter()
         .any(|class| part.0.contains(class))
 }
 
-/// A text in both systems of units; only once if both are equal.
+/// The text that `write` returns for each system of units. If both texts are equal, the page has
+/// the text once.
 pub(in crate::report) fn both(write: impl Fn(System) -> String) -> Markup {
     let [us, metric] = [System::Us, System::Metric].map(|system| typeset(&write(system)));
     html! {
@@ -18,7 +19,7 @@ pub(in crate::report) fn both(write: impl Fn(System) -> String) -> Markup {
     }
 }
 
-/// A text given in each system of units; only once if both are equal.
+/// A text in metric and in US units. If both are equal, the page has the text once.
 pub(in crate::report) fn chosen(metric: &str, us: &str) -> Markup {
     both(|system| if system == System::Us { us } else { metric }.to_owned())
 }

@@ -28,8 +28,8 @@ pub struct Mae494Report<'a> {
     /// `mae494`.
     #[cfg_attr(test, schemars(extend("const" = STUDY)))]
     pub study: &'static str,
-    /// The optimum of the report's regression, which evaluates its fitted polynomial with wrong
-    /// powers.
+    /// The optimum of the report's regression if the fitted polynomial is evaluated with the wrong
+    /// powers, as the report does.
     pub slipped_optimum: DeliveryCarry,
     /// The optimum of the report's model.
     pub optimum: OptimumRow,
@@ -84,7 +84,7 @@ pub struct TableRow {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PrintedReport {
-    /// The printed optimum at the attack angle of the regression: the last row of Table 1.
+    /// The optimum in the last row of Table 1, at the attack angle of the regression's optimum.
     pub slipped_optimum: Option<DeliveryCarry>,
     /// The optimum.
     pub optimum: DeliveryCarry,
@@ -129,8 +129,8 @@ impl<'a> Mae494Report<'a> {
 impl Report for Mae494Report<'_> {
     const COMMAND: &'static str = "reproduce";
 
-    /// Computed numbers in the units of `system`. Printed numbers are in the units of the report,
-    /// with the units of `system` in parentheses.
+    /// Computed numbers are in the units of `system`. Printed numbers are in the units of the
+    /// report and, in parentheses, in the units of `system`.
     fn document(&self, system: System) -> Document {
         let found = self.found;
         let shown = PaperUnits {

@@ -77,7 +77,7 @@ fn add_slopes(document: &mut Document, noise: &Noise, shown: PaperUnits) {
     ));
 }
 
-/// Adds a table of finite differences with larger increments of the loft.
+/// Adds a table of finite differences with larger steps in the loft.
 fn add_longer_differences(document: &mut Document, noise: &Noise, shown: PaperUnits) {
     let rows = noise.longer_differences.iter().map(|slopes| {
         vec![

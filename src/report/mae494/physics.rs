@@ -1,4 +1,4 @@
-//! Checks of the report's claims with its own model.
+//! Checks of the report's claims with the report's own model.
 
 use crate::report::document::{Document, DocumentTable};
 use crate::report::published::{LENGTH, PaperUnits, SPEED};
@@ -90,7 +90,8 @@ fn optima_of_subsystems(found: &Mae494, shown: PaperUnits) -> String {
     )
 }
 
-/// Adds a table of the slopes of carry through each part of the launch.
+/// Adds a table that splits the slopes of the carry into the parts due to ball speed, launch angle
+/// and backspin.
 fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: PaperUnits) {
     let parts = &found.subsystems;
     let through = |parts: ByLaunch| {

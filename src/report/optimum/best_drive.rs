@@ -11,8 +11,8 @@ use crate::units::System;
 /// A line such as "carry 286.0 yd → 300.4 yd: +14.4 yd".
 ///
 /// If [`Optimum::compares_totals`], the line also has the change of the total (or of the carry, if
-/// the total is the objective). Further lines state the extrapolated part of the carry, and advise
-/// to maximize the total if the search for carry shortens it.
+/// the total is the objective). A further line states the extrapolated part of the carry. If the
+/// carry grows and the total falls, a further line advises to maximize the total.
 pub(in crate::report) fn gain_lines(
     optimum: &Optimum,
     drive: &Drive<f64>,
@@ -108,7 +108,8 @@ pub(in crate::report) fn drive_lines(
             &shown::goal(&optimum.search.of, value, system),
         )),
     };
-    // for an objective of the roll-out, show total and run, except the objective itself
+    // if the objective depends on the roll-out, also show total and run; the objective itself is
+    // already shown
     let run = [Outcome::Total, Outcome::Run]
         .into_iter()
         .filter(|other| of.is_some_and(|of| of.needs_run() && *other != of))

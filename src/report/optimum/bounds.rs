@@ -6,8 +6,8 @@ use crate::parameters::Vary;
 use crate::study::Optimum;
 use crate::units::System;
 
-/// The state of a bound in words, such as "at its upper bound: +2.11 yd for each degree that it is
-/// raised". The gain is omitted if the search did not converge.
+/// The state of the bounds of varied parameter `i` in words, such as "at its upper bound: +2.11 yd
+/// for each degree that it is raised". The gain is omitted if the search did not converge.
 pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: System) -> String {
     let vary = optimum.search.vary[i];
     let lower = optimum.solution.lower_multipliers[i];
@@ -18,7 +18,7 @@ pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: Sys
     if vary.low == vary.high {
         "fixed".into()
     } else if !objective.is_converged {
-        // multipliers have a meaning only at an optimum
+        // only an optimum has meaningful multipliers
         reached_bound(vary, optimum.solution.x[i]).into()
     } else if is_corner && upper + lower > 0.0 {
         let (bound, side) = if lower > 0.0 {

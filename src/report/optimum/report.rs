@@ -93,10 +93,10 @@ pub struct ConstraintReport {
     pub value: f64,
     /// The distance of the value from the limits, SI; 0 within them.
     pub violation: f64,
-    /// The gain of the objective for each SI unit by which the limit is relaxed, ≥ 0; for an
-    /// equation, for each SI unit by which its right side is raised. For `robust`, the gain is the
-    /// decrease of the greatest loss. It is negative if relaxing the limit improves the best design
-    /// of a model more than the robust design.
+    /// The gain of the objective for each SI unit by which the limit is relaxed, ≥ 0. An equation
+    /// has the gain for each SI unit by which its right side is raised. For `robust`, the gain is
+    /// the decrease of the greatest loss. This decrease is negative if relaxing the limit helps the
+    /// best design of a model more than the robust design.
     pub multiplier: f64,
 }
 
@@ -126,7 +126,7 @@ pub struct LocalReport {
 }
 
 impl LocalReport {
-    /// The local optima. Interrupted searches are omitted.
+    /// The local optima. The results of interrupted searches are omitted.
     pub(super) fn all(optima: &Optima) -> Vec<Self> {
         let vary = &optima.best.search.vary;
         let one = |local: &LocalOptimum| Self {
@@ -179,8 +179,8 @@ impl StartReport {
 }
 
 impl OptimumReport {
-    /// The answer of `optimize`. `around` has the flatness of the optimum, and the gain of the club
-    /// alone.
+    /// The answer of `optimize`. `around` contains the windows of the optimum, and the gain of the
+    /// club alone.
     pub fn reply(
         optima: &Optima,
         over: &OverSwings,
@@ -278,8 +278,8 @@ pub struct LimitReport {
     pub expression: String,
     /// The source of the rule; `null` for a limit of the user.
     pub source: Option<&'static str>,
-    /// How the search enforces the limit: `bound` of a varied parameter, or `limit` as a
-    /// constraint. `value`: no varied parameter changes the limited expression. `unknown`: the
+    /// How the search enforces the limit: as `bound` of a varied parameter, or as `limit` in a
+    /// constraint. `value` if no varied parameter changes the limited expression; `unknown` if the
     /// value of the expression is unknown.
     #[cfg_attr(test, schemars(extend("enum" = ["bound", "limit", "value", "unknown"])))]
     pub by: &'static str,

@@ -10,8 +10,8 @@ use crate::study::swings::Swings;
 use crate::units::{System, counted};
 
 /// The setup at an optimum as a setup file in TOML, with full precision. `interrupted` is the
-/// message about interrupted searches, if there are any. `file` is the setup of the request.
-/// Comments are in the units of `system`.
+/// message about interrupted searches, if there are any. `file` is the setup file or preset that
+/// the request names. Comments are in the units of `system`.
 ///
 /// # Errors
 /// The errors of [`setup_toml`].

@@ -1,15 +1,16 @@
-//! The flatness of an optimum of a single drive, and the gain of the club alone.
+//! The windows of an optimum of a single drive, and the gain of the club alone.
 
 use super::super::shown;
 use crate::study::{ClubAlone, Optimum, Vary, Window, WindowLimit};
 use crate::units::{System, signed};
 
-/// The surroundings of an optimum of a single drive.
+/// The windows of an optimum of a single drive, and the optimum of the club alone.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings<'a> {
     /// The allowed loss, SI.
     pub loss: f64,
-    /// For each varied parameter: the range in which it alone can vary within the allowed loss.
+    /// For each varied parameter: the range in which it loses at most `loss` while the other
+    /// parameters stay at the optimum.
     pub windows: &'a [Window],
     /// The best value that club and ball achieve with the swing as set up; `None` if the search
     /// does not vary both club and swing, or if this value is unknown.
@@ -17,7 +18,8 @@ pub struct Surroundings<'a> {
 }
 
 impl Surroundings<'_> {
-    /// The windows of the varied parameters in a line, then the gain of the club alone.
+    /// A line with the windows of all varied parameters, then a line with the gain of the club
+    /// alone.
     pub(super) fn lines(&self, optimum: &Optimum, system: System) -> Vec<String> {
         let loss = shown::difference(optimum.search.outcome(), self.loss, system);
         let vary = optimum.search.vary.iter().zip(self.windows);
@@ -44,8 +46,8 @@ fn window_text(vary: &Vary, window: &Window, system: System) -> String {
     )
 }
 
-/// An end of a window, such as "5.36°". If something other than the loss limits the end, the text
-/// has the reason: "5.00° (bound)".
+/// An end of a window, such as "5.36°". If the end is not due to the loss, the text has the reason:
+/// "5.00° (bound)".
 pub(in crate::report) fn window_end(
     vary: &Vary,
     value: f64,

@@ -13,15 +13,15 @@ use crate::study::{Optima, Optimum, Sample, Search};
 use crate::units::{DisplayUnit, System, counted, counted_of, fixed, with_unit};
 
 /// The optimum for readers: the varied parameters with the gains of their bounds, the constraints,
-/// the drive or the goals over the swings, and for several starts the results of all searches.
+/// and the drive or the goals over the swings. After several starts, the results of all searches
+/// follow.
 pub fn optimize_document(
     optima: &Optima,
     over: &OverSwings,
     around: Option<&Surroundings<'_>>,
     system: System,
 ) -> Document {
-    // a single search needs no list of optima: the text of its optimum already says if the search
-    // was interrupted, or improved from the sample
+    // with one start, `optimum_document` already reports an interruption
     let several = optima.has_several_starts();
     let mut document = Document::default();
     if let Some(stopped) = optima.interrupted().filter(|_| several) {
@@ -36,7 +36,7 @@ pub fn optimize_document(
 }
 
 /// One optimum for readers: the result first, the convergence last. If the search did not converge,
-/// its status is first. If a drive does not fly, the document has only this status.
+/// its status is first. If the objective has no value, the document has only the status.
 pub fn optimum_document(
     optimum: &Optimum,
     over: &OverSwings,
@@ -90,7 +90,8 @@ pub(in crate::report) fn add_place(
     add_constraints(document, optimum, system);
 }
 
-/// The varied parameters as a table. For swings, a column has the best design for the mean swing.
+/// The varied parameters as a table. For swings, a column has the design that is best for the mean
+/// swing.
 pub(in crate::report) fn place(
     optimum: &Optimum,
     nominal: Option<&Nominal>,
@@ -131,8 +132,8 @@ pub(in crate::report) fn place(
     }
 }
 
-/// Adds a table of the constraints with their values and gains, if there are constraints. For
-/// swings, the table has only the gains: the values are in the table of the goals.
+/// Adds a table of the constraints with their values and prices, if there are constraints. For
+/// swings, the values are in the table of the goals instead.
 fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
     let is_one_drive = optimum.search.scenarios.is_one_drive();
     let objective = Objective::at(optimum);
@@ -150,7 +151,7 @@ fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
             vec![constraint.expression.clone(), price]
         }
     });
-    // for swings, leave out constraints without a gain
+    // for swings, omit constraints without a price
     let rows: Vec<_> = rows
         .filter(|row| is_one_drive || !row[1].is_empty())
         .collect();
@@ -163,7 +164,7 @@ fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
     });
 }
 
-/// Adds the comparison with the sample and the convergence of an optimum.
+/// Adds the comparison of an optimum with the sample, and the convergence of the search.
 pub(in crate::report) fn add_convergence(
     document: &mut Document,
     optimum: &Optimum,
@@ -207,8 +208,8 @@ fn effort(optimum: &Optimum) -> String {
     )
 }
 
-/// The comparison of the optimum with the sample of the ranges. `None` without a sample, and if the
-/// message of the search already contains the comparison.
+/// The comparison of the optimum with the sample of the ranges. `None` without a sample, or if the
+/// message of the search already has this comparison.
 fn sample_line(optimum: &Optimum) -> Option<Line> {
     let is_told = optimum.solution.status == Status::Infeasible;
     let Sample {

@@ -140,8 +140,8 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     }
     let unit = system.unit(parameter.unit);
     let is_corner = best.solution.kink.is_some_and(|kink| kink.variable == i);
-    // a corner needs the longer text; a parameter without a unit too, since 1 is a large change of
-    // it
+    // use the longer text for a corner, and for a parameter without a unit: a change by 1 is too
+    // large
     if is_corner || unit.is_empty() {
         return Some(bound_in_words(best, i, system));
     }
@@ -161,7 +161,7 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
     Some(format!("your limit: {each} {does} {amount}"))
 }
 
-/// The sources of the uncertainty that the summary states after ±.
+/// The sentence about the uncertainty after ±. It names the parameters that cause the uncertainty.
 fn what_is_known(findings: &Findings) -> Markup {
     let of = findings
         .effects_of(findings.of)

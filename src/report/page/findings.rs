@@ -10,8 +10,8 @@ use crate::study::{
 };
 use crate::units::{Message, System};
 
-/// The setup file of a report. It has the optimal drive, or the drive as set up if there is no
-/// optimum.
+/// The setup file of a report. It contains the optimal drive or, without an optimum, the drive as
+/// set up.
 pub const SETUP_FILE: &str = "setup.toml";
 
 /// Name of the explorer's file in the folder of a report.
@@ -21,7 +21,7 @@ pub const EXPLORER_FILE: &str = "explorer.html";
 pub struct Findings {
     /// The name of the setup.
     pub name: String,
-    /// The setup of the request.
+    /// The setup as the request states it.
     pub stated: Setup<f64>,
     /// The setup of the computed drives, with the chosen method and step.
     pub setup: Setup<f64>,
@@ -33,7 +33,7 @@ pub struct Findings {
     pub flown: Vec<NamedDrive>,
     /// The landings of the drives that fly.
     pub landings: Vec<Landing>,
-    /// The map of carry over launch conditions, with the launches of the drives.
+    /// The carry as a function of launch angle and backspin, with the launches of the drives.
     pub launches: Option<Launches>,
     /// The carry by impact point on the face, for the club as set up.
     pub face: Option<Face>,
@@ -49,13 +49,13 @@ pub struct Findings {
     pub club_alone: Option<ClubAlone>,
     /// Carry and total over attack angle and loft.
     pub lofts: Option<Plane>,
-    /// The map through the optimum; without an optimum, through the drive as set up.
+    /// A map of the outcome that contains the optimum or, without an optimum, the drive as set up.
     pub map: Option<Map>,
     /// The constraints, each with the map of its outcome.
     pub limits: Vec<(Constraint, Map)>,
     /// The region of the map in which drives lose little compared with the optimum.
     pub region: Option<Region>,
-    /// The optimum along a parameter.
+    /// The optima for several values of a parameter.
     pub chart: Option<Chart>,
     /// The effects of uncertainties, stated or default, on outcomes of the drive as set up.
     pub effects: Vec<Effects>,
@@ -65,8 +65,8 @@ pub struct Findings {
     pub rows: Vec<DerivativeRow>,
     /// Finite differences of the MAE 494 report's while-loop.
     pub loops: Vec<LoopRow>,
-    /// The state of the drive as set up for [`EXPLORER_FILE`]; `None` without this file, or for a
-    /// setup that the explorer cannot represent.
+    /// The text after `#` in the address of the explorer, for the drive as set up. `None` without
+    /// [`EXPLORER_FILE`], or if the explorer cannot represent the setup.
     pub explorer: Option<String>,
     /// The units shown when the page opens.
     pub system: System,

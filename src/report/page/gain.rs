@@ -17,9 +17,9 @@ struct DriveColumn<'a> {
     drive: Option<&'a Drive<f64>>,
 }
 
-/// A table of outcomes and varied parameters, with a column for each drive: as set up, the best
-/// club with the swing as set up (if it is known), and the optimum. The outcomes are that of the
-/// report, with the total beside the carry and the carry beside the total.
+/// A table of outcomes and varied parameters. Its columns are the drive as set up, the best club
+/// with the same swing (if it is known), and the optimum. The first outcome is that of the report;
+/// carry and total are always shown together.
 pub(super) fn steps(findings: &Findings, best: &Optimum) -> Markup {
     let columns = columns(findings, best);
     let outcomes = match findings.of {

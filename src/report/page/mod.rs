@@ -95,19 +95,19 @@ fn plots(findings: &Findings) -> Plots {
             .flat_map(causes)
             .flat_map(|(effects, causes)| pairs(|system| tornado_figure(effects, causes, system)))
             .collect(),
-        // omit the plot if its logarithmic axis can show no error: each error is 0, as for a
-        // derivative of 0
+        // omit the plot if every error is 0 (as for a derivative of 0): a logarithmic axis cannot
+        // show 0
         curves: Some(vcurve_figure(&findings.rows, &findings.loops))
             .filter(|figure| figure_svg(figure, &Look::default()).is_ok())
-            // the texts of these curves have no units
+            // the texts of these curves have no units, so both systems of units have the same plot
             .map(|figure| System::ALL.map(|_| figure.clone()))
             .into_iter()
             .collect(),
     }
 }
 
-/// The plot of outcomes over the face, for the drive as set up and the optimum; empty without a
-/// computed face.
+/// The plot of outcomes as functions of the impact point, for the drive as set up and for the
+/// optimum. Empty if no face was computed.
 fn strikes(findings: &Findings) -> Vec<Pair> {
     let faces = [
         (NamedDrive::AS_SET_UP, &findings.face),
@@ -120,14 +120,14 @@ fn strikes(findings: &Findings) -> Vec<Pair> {
     pairs(|system| strikes_figure(&designs, system))
 }
 
-/// The plots that `draw` makes in each system of units, as a pair for each plot.
+/// Calls `draw` for both systems of units, and pairs the metric and the US version of each plot.
 fn pairs<F: IntoIterator<Item = Figure>>(draw: impl Fn(System) -> F) -> Vec<Pair> {
     let [metric, us] = System::ALL.map(draw);
     metric.into_iter().zip(us).map(Pair::from).collect()
 }
 
-/// The views of the drives that fly, from the side and from above; and for each missing view the
-/// reason, in metric and in US units.
+/// The views of the drives that fly, from the side and from above. The second list has the reason
+/// for each missing view, in metric and in US units.
 fn trajectories(flown: &[NamedDrive]) -> (Vec<Pair>, Vec<[String; 2]>) {
     let flying: Vec<NamedDrive> = flown
         .iter()
@@ -203,7 +203,7 @@ fn page(findings: &Findings, plots: &Plots) -> Result<String> {
 
 fn main(findings: &Findings, plots: &Plots) -> Result<Markup> {
     let of = shown::words(findings.of.name());
-    // omit the remark that the summary already shows
+    // omit this remark: the summary already has it
     let why = findings.why_not_flown();
     let is_told = |remark: &&Message| {
         why.as_ref()

@@ -10,7 +10,7 @@ pub(super) fn outcome(of: Outcome, found: Option<f64>) -> Markup {
     both(|system| shown::outcome_or_dash(of, found, system))
 }
 
-/// A change whose unit appears once: "9.5 → 6.70 deg".
+/// A change with its unit at the end only: "9.5 → 6.70 deg".
 pub(super) fn from_to(from: &str, to: &str) -> String {
     let number = |text: &str| {
         text.rfind(|c: char| c.is_ascii_digit())

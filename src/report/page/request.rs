@@ -12,8 +12,8 @@ use crate::study::Search;
 use crate::units::{System, counted};
 use maud::{Markup, html};
 
-/// Maximum number of changes in the title. If there are more, the title names `NAMED − 1` changes
-/// and counts the others.
+/// Maximum number of changes that the title names. If there are more, the title names `NAMED − 1`
+/// and counts the rest.
 const NAMED: usize = 3;
 
 /// The title of the page: the setup or the stated launch, and the first changes of the setup.
@@ -69,8 +69,9 @@ pub(super) fn subtitle(findings: &Findings) -> Result<String> {
     })
 }
 
-/// The differences from the preset, except in the launch, which has its own line. If the setup
-/// states a launch, golfer, swing, club, strike and impact are omitted too: they have no effect.
+/// The differences from the preset. Stated launch conditions are omitted, because they have a line
+/// of their own. If the launch is stated, golfer, swing, club, strike and impact are omitted too,
+/// because they have no effect.
 fn changed(findings: &Findings, system: System) -> Result<Vec<ChangedSetting>> {
     let is_launched = findings.stated.launch.is_given();
     let is_of_launch = |name: &str| {

@@ -25,7 +25,7 @@ pub(super) fn panel(findings: &Findings) -> Markup {
         Outcome::LaunchAngle,
         Outcome::Backspin,
         Outcome::SpinAxis,
-        // launch monitors call this outcome carry
+        // launch monitors call `CarryDistance` carry
         Outcome::CarryDistance,
         Outcome::Lateral,
         Outcome::ApexHeight,
@@ -71,7 +71,7 @@ pub(super) fn outcomes(flown: &[NamedDrive]) -> Markup {
     }
 }
 
-/// The optimum: a table of the varied parameters with their bounds and windows, then a table of the
+/// The optimum as two tables: the varied parameters with their bounds and windows, and the
 /// constraints.
 pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     let (search, solution) = (&best.search, &best.solution);
@@ -103,18 +103,18 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
     }
 }
 
-/// The head of a column, which a narrow page shows in each cell of the column.
+/// The head of a column, for one cell. A narrow page shows it in each cell of the column.
 fn label(head: impl Render) -> Markup {
     html! { span.label { (head) } }
 }
 
-/// The head of the column of windows, with the allowed loss.
+/// The head of the column that has the windows. It states the allowed loss.
 fn window_head(of: Outcome, flatness: &Flatness) -> Markup {
     let loss = both(|system| shown::difference(of, flatness.loss, system));
     html! { "alone, for a loss of " (loss) }
 }
 
-/// The window of a parameter, with the reason for each end that is not due to the loss.
+/// The window of a parameter. An end that is not due to the loss has its reason in parentheses.
 fn window(vary: &Vary, window: &Window) -> Markup {
     let end =
         |value: f64, limit: &WindowLimit| both(|system| window_end(vary, value, limit, system));
@@ -148,7 +148,7 @@ fn limits(best: &Optimum) -> Markup {
     }
 }
 
-/// The standard uncertainties behind the tornado plots, with their sources.
+/// A table of the standard uncertainties in the tornado plots, with their sources.
 pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     let Some(first) = effects.first() else {
         return html! {};
@@ -231,8 +231,8 @@ pub(super) fn setup(findings: &Findings) -> Result<Markup> {
     })
 }
 
-/// The source of a value. A method or step that the program chose, and a spin value that the launch
-/// does not state, have a remark instead.
+/// The source of a value. A remark replaces it if the program chose the value (method or step), or
+/// if the launch states its spin by other parameters.
 fn source_of(findings: &Findings, row: &SourcedValue) -> String {
     let (flown, stated) = (&findings.setup, &findings.stated);
     let is_chosen = match row.name {
@@ -243,7 +243,7 @@ fn source_of(findings: &Findings, row: &SourcedValue) -> String {
     if is_chosen {
         return "chosen by the program for the accuracy of the flight".into();
     }
-    // a launch states its spin as total and axis, or as backspin and sidespin
+    // a stated launch has its total spin and spin axis, or its backspin and sidespin
     let is_total = |name: &str| ["launch.spin", "launch.spin_axis"].contains(&name);
     let is_in_parts = |name: &str| ["launch.backspin", "launch.sidespin"].contains(&name);
     let given = stated.given_launch_conditions();
