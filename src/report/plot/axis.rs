@@ -3,7 +3,7 @@ use crate::parameters::Parameter;
 use crate::report::shown::words;
 use crate::units::{DisplayUnit, Quantity, System, TableUnits};
 
-/// A quantity along an axis, or of a colour scale.
+/// A quantity with its name, for an axis or a colour scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedQuantity {
     /// The name: "carry".
@@ -13,8 +13,8 @@ pub struct NamedQuantity {
 }
 
 impl NamedQuantity {
-    /// A quantity of this name. `unit` is the display unit customary in golf; a plot in the other
-    /// system converts it.
+    /// A quantity with this name. `unit` is the customary unit in golf; a plot in another system of
+    /// units converts it.
     pub fn new(label: impl Into<String>, quantity: Quantity, unit: &'static str) -> Self {
         Self {
             label: label.into(),
@@ -69,13 +69,13 @@ impl NamedQuantity {
 pub enum AxisScale {
     /// Linear.
     Linear,
-    /// Linear, for distances to the right (+) or left (−) of a line seen from above. The line runs
-    /// along the horizontal axis, so right is at the bottom. Labels have R or L in place of a sign:
-    /// `20 R` and `20 L`.
+    /// Linear, for lateral distances in a view from above in which the ball flies to the right.
+    /// Distances to the right of the target line are positive and at the bottom. Labels have R or L
+    /// in place of a sign: `20 R` and `20 L`.
     LeftRight,
     /// Logarithmic. Values that are not positive have no position.
     Log,
-    /// Names at whole numbers from 0, the first name on top, as in a tornado plot.
+    /// Names from top to bottom, as in a tornado plot. Name `i`, counted from 0, is at the value i.
     Names(Vec<String>),
 }
 

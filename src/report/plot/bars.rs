@@ -1,6 +1,6 @@
-//! Bars on an axis that shows names instead of numbers. All rows have the same height. Their names
-//! are on the left; in a narrow picture, long names are above the bars. The values are at the ends
-//! of the bars.
+//! Bars on an axis that shows names instead of numbers. All rows have the same height. The names
+//! are on the left, or above the bars if long names do not fit in a narrow picture. The values are
+//! at the ends of the bars.
 
 use super::axis::{Axis, AxisScale};
 use super::canvas::{Anchor, Canvas, Font, SMALL_TEXT, Stroke};
@@ -24,7 +24,8 @@ const MOST_LINES: usize = 2;
 
 /// Height of a row, pixels.
 const ROW: f64 = 34.0;
-/// Half the height of a bar, pixels: in a row with one strip, and in a row with two (see `strip`).
+/// Half the height of a bar, pixels: in a row with one strip, and in a row with two strips (see
+/// [`strip`]).
 const HALF: [f64; 2] = [8.0, 6.0];
 
 /// Distance between the middle of a row and the middle of each of its two strips, pixels.
@@ -155,7 +156,7 @@ impl BarRows {
     }
 }
 
-/// A name wrapped into lines. The text from "±" on is not broken.
+/// A name wrapped into lines, without a break after "±".
 fn in_lines(name: &str, room: f64) -> Vec<String> {
     match name.split_once(" ± ") {
         Some((words, amount)) if text_width(name, SMALL_TEXT, false) > room => {
@@ -175,7 +176,7 @@ fn in_lines(name: &str, room: f64) -> Vec<String> {
     }
 }
 
-/// The bars of other layers in a row, each with the index of its layer.
+/// The bars that the other layers have in a row, each with the index of its layer.
 fn others(figure: &Figure, layer: usize, row: usize) -> Vec<(usize, HorizontalBar)> {
     let mut others = vec![];
     for (i, other) in figure
@@ -195,8 +196,8 @@ fn others(figure: &Figure, layer: usize, row: usize) -> Vec<(usize, HorizontalBa
     others
 }
 
-/// The horizontal strip of a bar within its row, from 0, and the number of strips: two if bars
-/// would overlap, otherwise one.
+/// The strip of a bar, and the number of strips in its row. If bars would overlap, the row has two
+/// strips: 0 above 1. Otherwise it has one strip.
 fn strip(figure: &Figure, layer: usize, bar: &HorizontalBar) -> (usize, usize) {
     let ends = |bar: &HorizontalBar| [bar.to.min(0.0), bar.to.max(0.0)];
     let [low, high] = ends(bar);
@@ -213,15 +214,15 @@ fn strip(figure: &Figure, layer: usize, bar: &HorizontalBar) -> (usize, usize) {
     }
 }
 
-/// True if the value is to the left of its bar: the bar points left, or the bar has no length and
-/// the other bar of the row points right.
+/// True if the value of a bar is on the left. Then the bar points left, or it has no length and the
+/// other bar of the row points right.
 fn is_left(figure: &Figure, layer: usize, bar: &HorizontalBar) -> bool {
     let mut others = others(figure, layer, bar.row).into_iter();
     bar.to < 0.0 || (bar.to <= 0.0 && others.any(|(_, other)| other.to > 0.0))
 }
 
-/// The value at the end of a bar, in the unit of the axis: "+3.9". It has more digits if all values
-/// of the row would be displayed as 0.
+/// The value at the end of a bar, in the unit of the axis: "+3.9". The value has more digits if all
+/// values of the row would be displayed as 0.
 fn value(figure: &Figure, layer: usize, bar: &HorizontalBar, system: System) -> String {
     let DisplayUnit { quantity, unit } = figure.x.quantity.of;
     let unit = system.unit(unit);
@@ -243,8 +244,8 @@ fn value(figure: &Figure, layer: usize, bar: &HorizontalBar, system: System) -> 
     signed(amount, leading_number(&text).to_owned())
 }
 
-/// The horizontal axis with a margin for the values, in a frame of this width, pixels; `None` if
-/// the frame is too narrow for the values.
+/// The horizontal axis for a frame of this width, pixels. The range of the axis leaves space for
+/// the values at the bars. `None` if the frame is too narrow for the values.
 pub(super) fn with_room(figure: &Figure, system: System, width: f64) -> Option<Axis> {
     let (mut low, mut high) = (0.0_f64, 0.0_f64);
     let mut beside = [0.0_f64; 2];

@@ -16,7 +16,7 @@ pub(super) const SIGN: f64 = 24.0;
 /// The height of a line of text, pixels.
 pub(super) const LINE: f64 = 19.0;
 
-/// The point of a text that lies at the given position: its left end, middle or right end.
+/// The part of a text that is at a given position: its left end, middle or right end.
 #[derive(Clone, Copy)]
 pub(super) enum Anchor {
     Left,
@@ -79,7 +79,7 @@ impl Canvas {
         self.svg.push('\n');
     }
 
-    /// Draws typeset text with its vertical middle at a position.
+    /// Draws a text whose vertical middle is at `y`.
     pub fn text(&mut self, text: &str, [x, y]: [f64; 2], anchor: Anchor, font: Font) {
         let anchor = match anchor {
             Anchor::Left => "start",
@@ -161,7 +161,7 @@ pub(super) struct Labels<'a> {
 }
 
 impl Labels<'_> {
-    /// The rectangle of a text around a point, large enough for bold text.
+    /// The rectangle that a text needs around its middle. It is large enough for bold text.
     pub fn extent(text: &str, middle: [f64; 2]) -> [[f64; 2]; 2] {
         let half = [
             0.5 * text_width(&typeset(text), SMALL_TEXT, true) + 3.0,

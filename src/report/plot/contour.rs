@@ -1,5 +1,5 @@
-//! Contour lines. The `contour` crate computes them with marching squares on the interpolated
-//! field. Contour lines are smooth at any size and in print; coloured cells are not.
+//! Contour lines of an interpolated field, from the marching squares of the `contour` crate. Lines
+//! are smooth at any size and in print, which coloured cells are not.
 
 use super::figure::Field;
 use super::interpolation::Refined;
@@ -11,25 +11,26 @@ use contour::ContourBuilder;
 pub(super) struct ContourRegion {
     /// The level, in the displayed unit.
     pub level: f64,
-    /// The rank of the level as a fraction: 0 for the lowest region, 1 for the highest level.
+    /// The position of the level among all levels, in equal steps: 0 for the lowest region, 1 for
+    /// the highest level.
     pub rank: f64,
-    /// The outlines in the coordinates of the axes, SI. Each outline includes the holes of its
-    /// area, joined to it by lines without width.
+    /// The outlines in the coordinates of the axes, SI. If an area has holes, its outline also
+    /// contains their rings, joined by straight lines.
     pub outlines: Vec<Vec<[f64; 2]>>,
     /// The contour lines: the outlines without their parts along the edge of the map.
     pub lines: Vec<Vec<[f64; 2]>>,
 }
 
 impl Field {
-    /// The contour line of a value, SI. NaN points separate its pieces.
+    /// The contour line of a value, SI. NaN points separate the pieces of the line.
     pub fn line_at(&self, level: f64) -> Vec<[f64; 2]> {
         let region = Refined::new(self).and_then(|fine| outlined(self, &fine, &[level]).pop());
         let pieces = region.map(|region| region.lines).unwrap_or_default();
         pieces.join(&[f64::NAN; 2])
     }
 
-    /// Outlines of the region at or above a value, SI. Each outline includes the holes of its area,
-    /// joined to it by lines without width.
+    /// Outlines of the region at or above a value, SI. If an area has holes, its outline also
+    /// contains their rings, joined by straight lines.
     pub fn above(&self, level: f64) -> Vec<Vec<[f64; 2]>> {
         self.beyond(level, 1.0)
     }
@@ -95,7 +96,8 @@ fn outlined(field: &Field, refined: &Refined, levels: &[f64]) -> Vec<ContourRegi
         .enumerate()
         .map(|(i, (contour, level))| {
             let polygons = contour.geometry().0.iter();
-            // the crate puts the first node at ½, and closes rings half a cell outside of the grid
+            // in the coordinates of the crate, the first node is at ½; a ring at the edge lies half
+            // a cell outside of the grid and is clamped to it
             let node = |at: f64, count: usize| (at - 0.5).clamp(0.0, (count - 1) as f64);
             let node = |x: f64, y: f64| [node(x, columns), node(y, rows)];
             let rank = (i + 1) as f64 / levels.len() as f64;
@@ -143,10 +145,10 @@ fn outlined(field: &Field, refined: &Refined, levels: &[f64]) -> Vec<ContourRegi
     above.collect()
 }
 
-/// Contour levels at round numbers: multiples of a step of 1, 2, 2.5 or 5 times a power of ten over
-/// the whole range. A stretch of the range that covers much of the map gets a finer step, perhaps
-/// repeatedly: with a single step, the flat top of a map with steep sides would have no line.
-/// Within a stretch the step is constant, so that the distance of lines shows the slope.
+/// Contour levels at round numbers. Their distance is 1, 2, 2.5 or 5 times a power of ten. A part
+/// of the range that covers much of the map gets a smaller distance, perhaps repeatedly: otherwise
+/// the flat top of a map with steep sides would have no line. The distance is constant within a
+/// part, so that the spacing of the lines shows the slope.
 fn levels(sorted: &[f64]) -> Vec<f64> {
     let (low, high) = (sorted[0], sorted[sorted.len() - 1]);
     let Some(mut step) = round_step((high - low) / FIRST_LINES, &STEPS) else {
@@ -198,18 +200,19 @@ fn levels(sorted: &[f64]) -> Vec<f64> {
 /// The range between two adjacent levels.
 struct LevelInterval {
     ends: [f64; 2],
-    /// The fraction of the map whose values are between the two levels.
+    /// Fraction of the map with values between the two levels.
     share: f64,
     /// True for the first and the last interval.
     is_outermost: bool,
 }
 
-/// The range of levels to refine. It begins as the interval with the largest share of the map. It
-/// grows by one neighbour at a time, the larger one first, while `fits` accepts the new ends. The
-/// first neighbour may have any share; a later one is outermost or has a share above `LARGE`.
+/// The range that gets finer levels. It begins as the interval with the largest share of the map.
+/// As long as `fits` accepts the new ends, the neighbouring interval with the larger share is
+/// added. From the second neighbour on, an added interval is outermost or has a share above
+/// `LARGE`.
 ///
-/// `None` in three cases: the largest share is below `dense`; `fits` rejects the first interval; or
-/// the first interval cannot grow and is not outermost.
+/// `None` in three cases: no share reaches `dense`; `fits` rejects the first interval; or the first
+/// interval is not outermost and no neighbour can be added.
 fn dense_stretch(
     intervals: &[LevelInterval],
     dense: f64,
@@ -244,10 +247,10 @@ fn dense_stretch(
 const STEPS: [f64; 5] = [1.0, 2.0, 2.5, 5.0, 10.0];
 /// Maximum number of lines before refinement, approximately.
 const FIRST_LINES: f64 = 8.0;
-/// Share of the map above which a neighbouring interval gets finer levels too. It is also a minimum
-/// share of the first interval.
+/// An interval next to the refined range also gets finer levels if its share of the map is above
+/// this value. The first refined interval has at least this share.
 const LARGE: f64 = 0.12;
-/// The first interval to refine covers at least this multiple of the average share of all
+/// Minimum share of the first refined interval, as a multiple of the average share of all
 /// intervals.
 const DENSE: f64 = 1.5;
 /// Maximum number of lines after refinement.
@@ -263,8 +266,8 @@ fn multiples(step: f64, low: f64, high: f64) -> Vec<f64> {
     (from..=to).map(|i| i as f64 * step).collect()
 }
 
-/// A finer step that divides `step`: 0.5 for 1, 1 for 2, 0.5 for 2.5 and 1 for 5, times the
-/// same power of ten.
+/// A finer step that divides `step`: 0.5 instead of 1, 1 instead of 2, 0.5 instead of 2.5, and 1
+/// instead of 5, times a power of ten.
 fn finer(step: f64) -> f64 {
     let power = 10.0_f64.powf((step * (1.0 + 1e-9)).log10().floor());
     match (step / power * 10.0).round() as i64 {
@@ -297,7 +300,7 @@ fn inner(ring: &[[f64; 2]], columns: usize, rows: usize) -> Vec<Vec<[f64; 2]>> {
             piece.push(pair[1]);
         }
     }
-    // join the first and the last piece of a ring that begins inside the map
+    // a ring that begins inside the map cuts a piece in two: join its first and last piece
     if let (Some(first), Some(last)) = (pieces.first(), pieces.last())
         && pieces.len() > 1
         && first.first() == last.last()
@@ -367,13 +370,12 @@ mod tests {
         );
     }
 
-    /// Two adjacent levels are multiples of half the largest power of ten that is at most their
-    /// distance.
+    /// Adjacent levels at the distance d are multiples of ½ · 10^⌊log₁₀ d⌋.
     #[test]
     fn levels_are_round_numbers_and_a_flat_top_has_some() {
         let carry = |x: f64, y: f64| 279.2 - 130.0 * (x - 1.5).powi(2) - 20.0 * (y - 1.7).powi(2);
         for scale in [1.0, 0.9144, 0.013, 4200.0] {
-            // a coarser grid would not resolve the fraction of the map between two levels
+            // the grid is fine enough to resolve the fraction of the map between two levels
             let mut values: Vec<f64> = (0..41 * 41)
                 .map(|i| {
                     scale
@@ -397,7 +399,7 @@ mod tests {
                     "{levels:?}"
                 );
             }
-            // the distance of two levels decreases up to one pair of levels, and increases after it
+            // the distances between adjacent levels first decrease and then increase
             let apart: Vec<f64> = levels.windows(2).map(|pair| pair[1] - pair[0]).collect();
             let rises = apart
                 .windows(2)

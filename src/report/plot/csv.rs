@@ -7,17 +7,19 @@ use crate::units::TableUnits;
 struct CsvRow<'a> {
     kind: &'static str,
     name: String,
-    /// x and y of a point, then x and y of the other end of a bar or an arrow. For a band: x, low
-    /// y, nothing, high y.
+    /// For a point: x and y. For a bar or an arrow: x and y of both ends. For a band: x, low y, no
+    /// number, high y.
     numbers: [Option<f64>; 4],
-    /// The value at a node of a field. The field determines the column.
+    /// The value at a node of a field. The quantity of the field determines the column of the
+    /// value.
     value: Option<(&'a Field, f64)>,
 }
 
-/// The data of a plot as CSV in these units: a row for each point, bar, arrow or node, with the
-/// kind and the name of its layer. Each quantity shown as contours has its own column. Empty
-/// columns are omitted; a missing value is an empty cell. Views with contours have separate rows
-/// with the name of the view.
+/// The data of a plot as CSV in these units. Each point, bar, arrow and node has a row with the
+/// kind and the name of its layer; a bar has the name of its row instead. Each quantity shown as
+/// contours has its own column. Empty columns are omitted; a missing value is an empty cell. If
+/// further views have contours, they have rows too, and the subtitle of the view is added to the
+/// names.
 ///
 /// # Errors
 /// [`Error::Output`](crate::Error::Output) if a row and the head differ in length, which no figure
@@ -53,7 +55,7 @@ pub fn figure_csv(figure: &Figure, units: TableUnits) -> Result<String> {
     csv_text(heads.collect(), cells)
 }
 
-/// The filled columns of [`CsvRow::numbers`], with their heads.
+/// The columns of [`CsvRow::numbers`] that contain numbers, with their heads.
 fn number_columns(figure: &Figure, rows: &[CsvRow<'_>], units: TableUnits) -> Vec<(usize, String)> {
     let head = |axis: &Axis, letter: &str| {
         let head = axis.quantity.head(units);
@@ -65,7 +67,7 @@ fn number_columns(figure: &Figure, rows: &[CsvRow<'_>], units: TableUnits) -> Ve
     (0..).zip(heads).filter(|(i, _)| is_filled(*i)).collect()
 }
 
-/// The rows of a figure and of its further views with contours.
+/// The rows of a figure and of those `panels` that have contours.
 fn rows(figure: &Figure) -> Vec<CsvRow<'_>> {
     let is_contours = |layer: &Layer| matches!(layer, Layer::Contours(_));
     let panels = figure.panels.iter();
@@ -84,7 +86,7 @@ fn rows(figure: &Figure) -> Vec<CsvRow<'_>> {
     rows
 }
 
-/// The rows of a layer. If the figure has several views, `of_view` is appended to the names.
+/// The rows of a layer. `of_view` is added to each name: it names the view if there are several.
 fn layer_rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<CsvRow<'a>> {
     let point = |[x, y]: [f64; 2]| [Some(x), Some(y), None, None];
     let row = |kind: &'static str, numbers: [Option<f64>; 4]| -> CsvRow<'a> {

@@ -15,15 +15,15 @@ const NAME_GAP: f64 = 3.0;
 /// Length of the connector between the plot and a name, pixels.
 const CONNECTOR: f64 = 16.0;
 
-/// Maximum distance from a side of the plot at which a line counts as ending at this side, pixels.
+/// A line ends at a side of the plot if its end is at most this far from the side, pixels.
 const END_TOLERANCE: f64 = 3.0;
-/// Height of the highest connector above the plot, pixels.
+/// Maximum height of a connector above the plot, pixels.
 const CONNECTOR_HEIGHT: f64 = 10.0;
 
 /// Maximum width of the names relative to the picture; wider names are wrapped.
 const WIDEST: f64 = 0.42;
 
-/// Minimum width that the names leave for the axes and the connectors, pixels.
+/// Minimum width for the axes and the connectors, pixels. The names have the rest.
 const FRAME: f64 = 160.0;
 
 /// The names of a figure's lines.
@@ -84,8 +84,8 @@ impl<'a> EndNames<'a> {
         // a line that leaves the plot at the top ends before the right side
         let leaves = |at: [f64; 2]| at[1] < top + END_TOLERANCE && at[0] < right - END_TOLERANCE;
         let (mut leaving, mut placed): (Vec<_>, Vec<_>) = placed.partition(|(_, at)| leaves(*at));
-        // the connectors of these lines run above the plot: the line that leaves the plot at
-        // the smallest x has the highest connector
+        // the connectors of these lines are above the plot; the line that leaves at the smallest x
+        // has the highest connector
         leaving.sort_by(|(_, a), (_, b)| a[0].total_cmp(&b[0]));
         placed.sort_by(|(_, a), (_, b)| a[1].total_cmp(&b[1]));
         let above = leaving.len();
@@ -118,7 +118,7 @@ impl<'a> EndNames<'a> {
     }
 }
 
-/// True for the names of series. The names of background lines are less important.
+/// True if the name of a line is bold: a series is more important than a background line.
 fn is_bold(hue: Hue) -> bool {
     matches!(hue, Hue::Series(_))
 }
@@ -128,7 +128,7 @@ impl Name<'_> {
         LINE_SPACING * self.lines.len() as f64 + NAME_GAP
     }
 
-    /// The right end of the line inside the axes, pixels; `None` if the line is outside of them.
+    /// The rightmost point of the line inside the axes, pixels; `None` if no point is inside.
     fn end(&self, area: &PlotArea, figure: &Figure) -> Option<[f64; 2]> {
         let points = figure.layers.iter().filter_map(|layer| match layer {
             Layer::Line { name, points, .. } if base_name(figure, name) == self.base => {
@@ -140,9 +140,10 @@ impl Name<'_> {
     }
 }
 
-/// The middles of boxes with these heights, stacked in this order from `top` to `bottom` without
-/// overlap. They minimize the sum of squared distances from the wanted middles: isotonic regression
-/// of `wanted − offset`. The offset of a box is its middle in a stack without gaps.
+/// The middles of boxes with these heights. The boxes are stacked in this order between `top` and
+/// `bottom` without overlap, with the minimum sum of squared distances from the `wanted` middles.
+/// This is the isotonic regression of wanted − offset, where the offset of a box is its middle in a
+/// stack without gaps.
 fn stacked_middles(wanted: &[f64], heights: &[f64], [top, bottom]: [f64; 2]) -> Vec<f64> {
     let mut above = 0.0;
     let offsets: Vec<f64> = heights
@@ -152,7 +153,7 @@ fn stacked_middles(wanted: &[f64], heights: &[f64], [top, bottom]: [f64; 2]) -> 
             above - 0.5 * height
         })
         .collect();
-    // for each block of touching boxes: their number, and the sum of wanted − offset
+    // for each block of touching boxes: the number of boxes, and the sum of wanted − offset
     let mut blocks: Vec<(usize, f64)> = vec![];
     for (wanted, offset) in wanted.iter().zip(&offsets) {
         let mut block = (1, wanted - offset);
@@ -184,9 +185,9 @@ mod tests {
         let heights = [10.0; 4];
         let ends = [0.0, 100.0];
         for (wanted, middles) in [
-            // wanted middles far apart: each box has its wanted middle
+            // the wanted middles are far apart, so each box has its wanted middle
             ([10.0, 30.0, 50.0, 90.0], [10.0, 30.0, 50.0, 90.0]),
-            // two boxes that are wanted at one place move by equal distances
+            // two boxes with the same wanted middle move by equal distances
             ([10.0, 50.0, 50.0, 90.0], [10.0, 45.0, 55.0, 90.0]),
             // boxes that are wanted at the limits stay between the limits
             ([0.0, 0.0, 50.0, 100.0], [5.0, 15.0, 50.0, 95.0]),

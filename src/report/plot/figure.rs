@@ -15,15 +15,15 @@ pub struct Figure {
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
-    /// Height over width of the frame of the axes. An axis that shows names has a fixed height for
-    /// each row instead.
+    /// Height over width of the frame of the axes. If an axis shows names, each row has a fixed
+    /// height instead.
     pub aspect: f64,
     /// The layers, from the lowest to the highest.
     pub layers: Vec<Layer>,
     /// The position of the names of lines.
     pub line_names: LineNames,
-    /// More views, drawn after this view. Of these, the data file contains only views with
-    /// contours: other views repeat the data of this view.
+    /// Further views, drawn after this view. The data file contains only those with contours,
+    /// because the others repeat the data of this view.
     pub panels: Vec<Figure>,
     /// Number of views side by side, if the picture is wide enough.
     pub columns: usize,
@@ -84,8 +84,8 @@ pub enum Hue {
     Ink,
     /// Background elements.
     Faint,
-    /// A series, by number. The colours repeat after [`Hue::SERIES`] series; each repetition has
-    /// one more cross bar on lines and points.
+    /// A series, by number. The colours repeat after [`Hue::SERIES`] series. Each repetition adds
+    /// one cross bar to lines and points.
     Series(usize),
 }
 
@@ -109,7 +109,7 @@ impl Hue {
     }
 }
 
-/// A layer of a plot. The legend and the table of the data show names that are not empty.
+/// A layer of a plot. The picture does not show an empty name.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Layer {
     /// A line through points; it breaks where a coordinate is not finite.
@@ -170,8 +170,8 @@ pub enum Layer {
         /// The coordinates of the label's middle.
         at: [f64; 2],
     },
-    /// Arrows. With a name, they are a field of arrows: an arrow that a label would cover is
-    /// omitted. Without a name, every arrow is drawn.
+    /// Arrows. With a name, arrows that a label would cover are omitted. Without a name, every
+    /// arrow is drawn.
     Arrows {
         /// The name of the field; may be empty.
         name: String,
@@ -188,7 +188,8 @@ pub enum Layer {
         hue: Hue,
         /// True for a forbidden region, which is hatched; other regions are tinted and outlined.
         is_hatched: bool,
-        /// The outlines. Each includes the holes of its area, joined to it by lines without width.
+        /// The outlines. If an area has holes, its outline also contains their rings, joined by
+        /// straight lines.
         rings: Vec<Vec<[f64; 2]>>,
     },
 }
@@ -213,7 +214,7 @@ impl Layer {
         }
     }
 
-    /// The points of the layer; for contours, two opposite corners of the field.
+    /// The points of the layer. Contours have two opposite corners of the field instead.
     pub(in crate::report) fn points(&self) -> Vec<[f64; 2]> {
         match self {
             Self::Line { points, .. } | Self::Dots { points, .. } => points.clone(),
@@ -270,11 +271,12 @@ pub struct Field {
     pub columns: usize,
     /// The values by rows, the lowest row first; `None` for a missing value.
     pub values: Vec<Option<f64>>,
-    /// The derivatives by x and y at each node, SI; empty if they are unknown. Contours follow the
-    /// cubic through values and derivatives. Without derivatives, a field is linear between nodes.
+    /// The derivatives by x and y at each node, SI; empty if they are unknown. With derivatives,
+    /// contours follow a cubic interpolation of the field. Without derivatives, a field is linear
+    /// between nodes.
     pub gradients: Vec<Option<[f64; 2]>>,
-    /// The values of all fields with the same levels and colours as this field, SI; empty if this
-    /// field has its own levels.
+    /// The values of this field and of all fields that share its levels and colours, SI. Empty if
+    /// this field has levels and colours of its own.
     pub common_values: Vec<f64>,
 }
 
@@ -284,7 +286,8 @@ impl Field {
         self.values.len().checked_div(self.columns).unwrap_or(0)
     }
 
-    /// The coordinates of a column and a row, counted from 0. Fractions lie between the nodes.
+    /// The coordinates of a column and a row, counted from 0. A fractional column or row lies
+    /// between nodes.
     pub fn coordinates(&self, column: f64, row: f64) -> [f64; 2] {
         let along = |[low, high]: [f64; 2], part: f64, count: usize| {
             low + (high - low) * part / (count.max(2) - 1) as f64

@@ -2,8 +2,9 @@
 
 use crate::statistics::extent;
 
-/// Hatching lines x + y = c inside some rings (even-odd rule), at a distance `apart`. The values of
-/// c do not depend on the rings, so that the hatchings of all regions in a picture are aligned.
+/// Hatches the area inside some rings (even-odd rule) with segments of lines x + y = c, at a
+/// distance `apart`. All regions of a picture have lines with the same values of c, so that their
+/// hatchings are aligned.
 pub(super) fn hatching(rings: &[Vec<[f64; 2]>], apart: f64) -> Vec<[[f64; 2]; 2]> {
     let [low, high] = extent(rings.iter().flatten().map(|[x, y]| x + y));
     // two lines x + y = c have the distance |Δc|/√2
@@ -41,7 +42,8 @@ fn within(rings: &[Vec<[f64; 2]>], sum: f64) -> Vec<[[f64; 2]; 2]> {
 mod tests {
     use super::hatching;
 
-    /// The area of a shape is the total length of its hatching times the distance of the lines.
+    /// The area of a shape is the total length of its hatching lines times the distance between
+    /// them.
     #[test]
     fn hatching_fills_a_ring_and_leaves_its_hole() {
         let square = |from: f64, to: f64| vec![[from, from], [to, from], [to, to], [from, to]];

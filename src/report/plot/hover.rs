@@ -8,8 +8,8 @@ use super::layers::PlotArea;
 use super::simplify::simplified;
 use crate::units::{Quantity, System, significant, typed};
 
-/// A line with at most this many points has a tooltip at each point. A longer line has one tooltip
-/// along each piece.
+/// A line with more points than this has one tooltip for each piece. Other lines have a tooltip at
+/// each point.
 const FEW: usize = 40;
 
 /// Writes the tooltips of points, marks, bars, lines and contour lines. `regions` are the contour
@@ -47,7 +47,8 @@ fn title(figure: &Figure, name: &str, [x, y]: [f64; 2], system: System) -> Strin
         .join(", ")
 }
 
-/// The points of a layer that have one tooltip each, with the name of the layer.
+/// The points of a layer that have a tooltip of their own, with the name of the layer. The points
+/// of a long line have none.
 fn points(layer: &Layer) -> Vec<(&str, [f64; 2])> {
     let name = layer.named().0;
     match layer {
@@ -64,7 +65,7 @@ fn points(layer: &Layer) -> Vec<(&str, [f64; 2])> {
     }
 }
 
-/// The pieces of a line that has too many points for one tooltip each, with the name of the line.
+/// The pieces of a line with more than `FEW` points, with the name of the line.
 fn long_lines(layer: &Layer) -> Vec<(String, &[[f64; 2]])> {
     match layer {
         Layer::Line { name, points, .. } if points.len() > FEW => points

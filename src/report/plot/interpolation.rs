@@ -1,14 +1,14 @@
-//! Values between the nodes of a field. Contours on the nodes alone would have corners where the
-//! nodes are far apart.
+//! Interpolation between the nodes of a field. Without interpolation, contours would have corners
+//! if the nodes are far apart.
 
 use super::figure::Field;
 
 /// Minimum number of intervals along the longer side of a refined grid.
 const INTERVALS: usize = 120;
 
-/// A field on a grid so fine that contours through it are smooth.
+/// A field on a fine grid, so that its contours are smooth.
 pub(super) struct Refined {
-    /// Number of refined intervals between two adjacent nodes of the field.
+    /// Number of fine intervals between two adjacent nodes of the field.
     pub times: usize,
     pub columns: usize,
     pub rows: usize,
@@ -19,8 +19,8 @@ pub(super) struct Refined {
 }
 
 impl Refined {
-    /// The refined field by cubic Hermite interpolation. Without gradients, it has the nodes of the
-    /// field only. `None` for a field with fewer than 2 columns or 2 rows, or without values.
+    /// The field on a fine grid, by cubic Hermite interpolation. A field without gradients keeps
+    /// its own grid. `None` for a field with fewer than 2 columns or 2 rows, or without values.
     pub fn new(field: &Field) -> Option<Self> {
         let (columns, rows) = (field.columns, field.rows());
         if columns < 2 || rows < 2 || field.values.iter().all(Option::is_none) {
@@ -38,8 +38,8 @@ impl Refined {
         }
         let times = INTERVALS.div_ceil(columns.max(rows) - 1);
         let [across, up] = slopes(field, &values);
-        // first interpolate the values and the derivatives in y along the rows, then the values
-        // along the columns, with these derivatives
+        // first interpolate along the rows: the values, and the derivatives by y; then interpolate
+        // the values along the columns
         let by_row = |nodes: &[f64], slopes: &[f64]| -> Vec<f64> {
             let rows = nodes.chunks(columns).zip(slopes.chunks(columns));
             rows.flat_map(|(nodes, slopes)| hermite(nodes, slopes, times))
@@ -76,8 +76,8 @@ impl Refined {
     }
 }
 
-/// The derivatives across and up at each node, times the distance between nodes. At a node without
-/// a gradient, the central difference replaces the derivative.
+/// The derivatives by x and y at each node, times the distance between nodes. A node without a
+/// gradient has the central difference instead.
 fn slopes(field: &Field, values: &[f64]) -> [Vec<f64>; 2] {
     let (columns, rows) = (field.columns, field.rows());
     [(0, field.x, columns, 1), (1, field.y, rows, columns)].map(
@@ -96,8 +96,9 @@ fn slopes(field: &Field, values: &[f64]) -> [Vec<f64>; 2] {
     )
 }
 
-/// The central difference at each node along an axis, one-sided at the ends. `step` is the
-/// difference of the indices of neighbours: 1 along a row, `columns` along a column.
+/// The central difference along an axis at each node; the first and the last node have one-sided
+/// differences. `step` is the difference between the indices of neighbours: 1 along a row,
+/// `columns` along a column.
 fn differences(values: &[f64], columns: usize, step: usize) -> Vec<f64> {
     let count = if step == 1 {
         columns
@@ -113,7 +114,7 @@ fn differences(values: &[f64], columns: usize, step: usize) -> Vec<f64> {
     (0..values.len()).map(of).collect()
 }
 
-/// The cubic through values and slopes of equidistant nodes, at `times` points for each interval.
+/// The cubic Hermite interpolation of equidistant nodes, with `times` points for each interval.
 fn hermite(nodes: &[f64], slopes: &[f64], times: usize) -> Vec<f64> {
     let interval = |i: usize| {
         let rise = nodes[i + 1] - nodes[i];
@@ -139,7 +140,7 @@ fn continued(field: &Field) -> Vec<f64> {
         let before = values.clone();
         for i in (0..values.len()).filter(|i| before[*i].is_none()) {
             let (column, row) = (i % columns, i / columns);
-            // extrapolate linearly from the two nearest nodes on each side
+            // the mean of linear extrapolations from the two nearest nodes on each side
             let reach = [column, columns - 1 - column, row, rows - 1 - row];
             let node = |side: usize, n: usize| {
                 [
@@ -170,7 +171,7 @@ mod tests {
     use super::super::axis::NamedQuantity;
     use super::{Field, INTERVALS, Refined};
 
-    /// A field over 0 to 1 in both directions, with the gradients of its function.
+    /// The field of the function `f` on the unit square. `f` returns the value and the gradient.
     fn field(nodes: usize, f: impl Fn(f64, f64) -> [f64; 3]) -> Field {
         let part = |i: usize| i as f64 / (nodes - 1) as f64;
         let at: Vec<[f64; 3]> = (0..nodes * nodes)
@@ -208,8 +209,8 @@ mod tests {
         assert!(Refined::new(&field(4, cubic)).unwrap().columns > INTERVALS);
     }
 
-    /// Halving the distance of the nodes divides the error by 16; the one-sided differences at the
-    /// edges lower this factor to 8.
+    /// If the distance between nodes is halved, the error decreases by a factor of 16 inside. At
+    /// the edges, where differences are one-sided, the factor is 8.
     #[test]
     fn order_of_the_interpolation_is_three_or_more() {
         let wave = |x: f64, y: f64| {
@@ -232,7 +233,7 @@ mod tests {
             let y = (i / fine.columns) as f64 / (fine.rows - 1) as f64;
             assert!((value - plane(x, y)[0]).abs() < 1e-13, "{x} {y}: {value}");
         }
-        // only the points nearest to the missing corner are unknown
+        // only points whose nearest node is the missing corner are unknown
         let unknown = fine.is_known.iter().filter(|is_known| !**is_known).count();
         let reach = fine.times.div_ceil(2);
         assert!(

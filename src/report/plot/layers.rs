@@ -9,8 +9,8 @@ use super::simplify::simplified;
 use super::ticks::DrawnAxis;
 use crate::units::{System, significant, with_unit};
 
-/// Distance of a series' first cross bar from the start of its line, pixels: the middle of the
-/// legend's symbol.
+/// Distance between the start of a line and its first cross bar, pixels. In the legend, this bar is
+/// in the middle of the symbol.
 const FIRST_BARS: f64 = 0.5 * SIGN;
 /// Distance between cross bars, pixels.
 const BARS_APART: f64 = 32.0;
@@ -26,7 +26,7 @@ const DOT: f64 = 3.0;
 /// Distance between hatching lines, pixels.
 const HATCHES_APART: f64 = 11.0;
 
-/// The axes, and their rectangle in the picture.
+/// The axes of a plot, and the rectangle of the plot in the picture.
 pub(super) struct PlotArea {
     pub x: DrawnAxis,
     pub y: DrawnAxis,
@@ -76,7 +76,8 @@ pub(super) fn is_area(layer: &Layer) -> bool {
     )
 }
 
-/// Draws one layer. `regions` are its contour regions. Contour lines and labels are drawn later.
+/// Draws one layer. `regions` are the contour regions of this layer. Contour lines and labels are
+/// drawn later.
 pub(super) fn draw_layer(
     canvas: &mut Canvas,
     area: &PlotArea,
@@ -105,8 +106,7 @@ pub(super) fn draw_layer(
             canvas.polygon(&outline, color, BAND_OPACITY);
         }
         Layer::Contours(field) => fill_contours(canvas, area, field, regions),
-        // other functions draw bars with the names of their rows, marks with their labels, and
-        // texts
+        // drawn by `BarRows::bars`, `write_marks` and `write_texts`
         Layer::Bars { .. } | Layer::Mark { .. } | Layer::Text { .. } => {}
         // the arrows of a field are drawn after the labels, which have precedence
         Layer::Arrows { name, .. } if !name.is_empty() => {}
@@ -178,9 +178,9 @@ pub(super) fn write_levels(
     }
 }
 
-/// A free position for a label on a line, as near as possible to the middle of the line, because
-/// the ends of several lines are often close together. Other labels are at least `apart` pixels to
-/// its left and right.
+/// A free position for a label on a line, with at least `apart` pixels of free space on its left
+/// and right. The position is as near as possible to the middle of the line, because the ends of
+/// several lines are often close together.
 pub(super) fn place_on(
     labels: &Labels<'_>,
     area: &PlotArea,
@@ -202,8 +202,8 @@ pub(super) fn place_on(
         .copied()
 }
 
-/// True if a label centred on a point is inside the frame and covers nothing, even with a margin of
-/// `apart` pixels on its left and right.
+/// True if a label with this middle is inside the frame and covers nothing. `apart` is the width,
+/// pixels, that must also be free on its left and right.
 pub(super) fn has_room(
     labels: &Labels<'_>,
     area: &PlotArea,
@@ -244,7 +244,7 @@ pub(super) fn contour_lines(canvas: &mut Canvas, area: &PlotArea, regions: &[Con
 fn fill_contours(canvas: &mut Canvas, area: &PlotArea, field: &Field, regions: &[ContourRegion]) {
     let palette = canvas.palette;
     let shade = |i: usize| {
-        // the shade of the position midway between this level and the next
+        // the colour midway between the ranks of this level and the next
         let next = regions.get(i + 1).map_or(1.0, |next| next.rank);
         palette.height(0.5 * (regions[i].rank + next))
     };
@@ -254,8 +254,8 @@ fn fill_contours(canvas: &mut Canvas, area: &PlotArea, field: &Field, regions: &
         }
     }
     let (columns, rows) = (field.columns, field.rows());
-    // cover missing values by one rectangle for each run in a row; the rectangles overlap a little,
-    // so that no seams are visible
+    // cover missing values with one rectangle for each run of missing nodes in a row; the
+    // rectangles overlap a little, so that no seams are visible
     let corner = |column: f64, row: f64| {
         let end = |at: f64, count: usize| at.clamp(0.0, (count - 1) as f64);
         area.pixel(field.coordinates(end(column, columns), end(row, rows)))

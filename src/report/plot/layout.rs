@@ -88,8 +88,8 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// The axes with the largest number of vertical ticks whose texts do not overlap, in a frame with
-/// its top at 0. If an axis can show none of the values, the error names this axis.
+/// The axes, in a frame whose top is at 0. The vertical axis has as many ticks as possible without
+/// overlapping texts. The error is the name of an axis that can show none of the values.
 fn axes(
     figure: &Figure,
     system: System,
@@ -124,8 +124,8 @@ fn axes(
     found
 }
 
-/// The horizontal axis with the largest number of ticks whose texts do not overlap, and the left
-/// and right end of the frame. The frame leaves the width `beside` free.
+/// The horizontal axis and the left and right end of the frame. The axis has as many ticks as
+/// possible without overlapping texts. The frame leaves the width `beside` free on its right.
 fn across(
     figure: &Figure,
     system: System,
@@ -142,8 +142,7 @@ fn across(
     let most = ((width - left - beside) / TICK_SPACING).max(4.0) as usize;
     for count in (1..=most).rev() {
         let x = DrawnAxis::new(&figure.x, xs(), system, count)?;
-        // the text of a tick is centred below it, and needs half its width on each side at the ends
-        // of the axis too
+        // half of the text at the first and at the last tick lies beyond the end of the axis
         let half = 0.5 * x.widest(SMALL_TEXT) + 4.0;
         let (left, right) = (left.max(half), width - half.max(16.0).max(beside));
         let widened: Option<Axis> = if has_bars {

@@ -10,7 +10,7 @@ use crate::units::typeset;
 /// Distance between a symbol and its name, and between a name and the next symbol, pixels.
 const GAPS: [f64; 2] = [6.0, 14.0];
 
-/// A legend with more names than this has columns if it does not fit in one line.
+/// A legend with more names than this is arranged in columns if it does not fit in one line.
 const FEW: usize = 4;
 
 /// A layer in a legend.
@@ -68,8 +68,8 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<LegendEntry<'_>>, f6
     (entries, at[1] + LINE * (tallest as f64 - 0.5) + 3.0)
 }
 
-/// True if the legend names a layer. Marks and texts have labels instead. [`LineNames`] may put the
-/// names of lines elsewhere.
+/// True if the legend names a layer. Marks and texts have labels instead. Names of lines are in the
+/// legend only with [`LineNames::Legend`].
 fn is_named(figure: &Figure, layer: &Layer) -> bool {
     let (name, hue) = layer.named();
     let is_named_where_it_is = matches!(layer, Layer::Mark { .. } | Layer::Text { .. })
@@ -96,8 +96,8 @@ pub(super) fn has(figure: &Figure, name: &str) -> bool {
         .any(|layer| layer.named().0 == name && is_named(figure, layer))
 }
 
-/// A name without its remark in parentheses: "ferguson" of "ferguson (extrapolated)". If no layer
-/// has the shorter name, the name is unchanged.
+/// A name without its remark in parentheses: "ferguson" for "ferguson (extrapolated)". The name is
+/// unchanged if no layer has the shorter name.
 pub(super) fn base_name<'a>(figure: &Figure, name: &'a str) -> &'a str {
     let is_layer = |base: &str| {
         let layers = figure.layers.iter();

@@ -11,32 +11,33 @@ const SIZE: f64 = 6.5;
 /// Distance between a mark and a label beside it, pixels.
 const LABEL_GAP: f64 = 9.0;
 
-/// Vertical distance of a label's middle from its mark, pixels. At this distance a horizontal line
-/// through the mark does not cross the label.
+/// Vertical distance between a mark and the middle of its label, pixels. The label is then entirely
+/// above or below a horizontal line through the mark.
 const HALF_LINE: f64 = 0.65 * LINE;
 
-/// Larger distances of a label from its mark, pixels, if nearer positions are occupied or cover
-/// lines.
+/// Larger distances between a label and its mark, pixels. They are used if nearer positions are
+/// occupied or cover lines.
 const FAR_GAPS: [f64; 2] = [36.0, 64.0];
-/// Additional cost of a label at each of `FAR_GAPS`. Each point of a line under a label costs 2.
+/// Additional cost of a label at each of the distances `FAR_GAPS`. In comparison, a label costs 2
+/// for each point of a line that it covers.
 const FAR_COSTS: [usize; 2] = [5, 6];
 
-/// Cost of a label above or below its mark instead of beside it. Each point of a line under a label
-/// costs 2.
+/// Cost of a label above or below its mark instead of beside it. In comparison, a label costs 2 for
+/// each point of a line that it covers.
 const OVER_COST: usize = 6;
 
 /// Maximum distance of marks that are drawn as one mark, pixels.
 const MERGE_DISTANCE: f64 = 4.0;
 
-/// Every other mark is farther from a label than the label's own mark, by more than this distance,
-/// pixels. A label with a line to its mark is exempt.
+/// A label must be nearer to its own mark than to any other mark, by this distance, pixels. A label
+/// with a line to its mark is exempt.
 const CLEAR: f64 = 2.0;
 
 /// Distance of a label from its mark above which a line connects the two, pixels.
 const CONNECT_DISTANCE: f64 = 1.5 * LINE;
 
-/// Draws the marks, then their labels. Marks whose label is also in the legend are drawn only if
-/// all of them have space for their labels.
+/// Draws the marks, then their labels. If the labels of some marks are also in the legend, these
+/// marks are drawn only if all their labels have space.
 pub(super) fn write_marks(labels: &mut Labels<'_>, area: &PlotArea, figure: &Figure) {
     let marks = figure.layers.iter().filter_map(|layer| match layer {
         Layer::Mark { name, hue, at } => Some(Mark {
@@ -154,7 +155,7 @@ fn merged(marks: Vec<Mark>) -> Vec<Mark> {
     apart
 }
 
-/// Writes the labels that have no symbol, moved sideways into the frame. Omits a label that would
+/// Writes the labels of [`Layer::Text`], moved sideways into the frame. Omits a label that would
 /// cover another label.
 pub(super) fn write_texts(labels: &mut Labels<'_>, area: &PlotArea, figure: &Figure) {
     for layer in &figure.layers {
@@ -202,7 +203,7 @@ fn lines(area: &PlotArea, figure: &Figure) -> Vec<[f64; 2]> {
     });
     let mut places = vec![];
     for piece in lines.flatten() {
-        // the length of the line since the last point of `places`
+        // the length of the line after the last point in `places`
         let mut gone = STEP;
         for ends in piece.windows(2) {
             let [dx, dy] = [0, 1].map(|axis| ends[1][axis] - ends[0][axis]);
@@ -222,8 +223,8 @@ fn lines(area: &PlotArea, figure: &Figure) -> Vec<[f64; 2]> {
 }
 
 /// The middle of a label at the free position with the lowest cost: beside, above or below its
-/// mark. The points of lines under the label and the distance from the mark add to the cost. `None`
-/// if no free position clearly belongs to this mark.
+/// mark. The cost grows with the covered points of lines, and with the distance from the mark.
+/// `None` if a label at any free position could belong to another mark.
 fn beside(
     labels: &Labels<'_>,
     area: &PlotArea,
@@ -240,8 +241,8 @@ fn beside(
     };
     let inside = at[0].min(right - wide).max(left + wide);
     let over = |gap: f64| [-1.0, 1.0].map(|side| [inside, at[1] + side * (tall + gap)]);
-    // positions away from the mark cost more, because the reader sees less well which mark they
-    // name
+    // a position above, below or far from the mark costs more, because the label belongs less
+    // clearly to the mark
     let all = beside(LABEL_GAP).map(|middle| (middle, 0));
     let all = all.chain(over(LABEL_GAP).map(|middle| (middle, OVER_COST)));
     let far = FAR_GAPS.into_iter().zip(FAR_COSTS);
@@ -258,13 +259,13 @@ fn beside(
     let is_clear = |middle: &[f64; 2]| {
         let extent = Labels::extent(name, *middle);
         let own = distance(*at, extent);
-        // a label farther away than `CONNECT_DISTANCE` has a line to its mark, so that other marks
-        // may be nearer
+        // a label farther away than `CONNECT_DISTANCE` has a line to its mark: other marks may be
+        // nearer
         let least = CLEAR + if own > CONNECT_DISTANCE { SIZE } else { own };
         let mut others = others.iter();
         others.all(|other| distance(other.at, extent) > least)
     };
-    // the first position with the lowest cost, among those with room and clear of other marks
+    // the position with the lowest cost that is free and clear of other marks
     all.filter(|(middle, _)| has_room(labels, area, name, *middle, 0.0) && is_clear(middle))
         .min_by_key(|(middle, cost)| 2 * hidden(middle) + cost)
         .map(|(middle, _)| middle)
@@ -297,12 +298,12 @@ fn nearest(labels: &Labels<'_>, area: &PlotArea, name: &str, at: [f64; 2]) -> [f
         ])
 }
 
-/// Minimum distance between a name and a label beside it, pixels. If they were nearer, they would
+/// Minimum distance between the name of a line and a label beside it, pixels. Nearer texts would
 /// look like one label.
 const NAME_GAP: f64 = 8.0;
 
-/// Writes the names of lines on the lines, if the figure asks for this place. A name without space
-/// on its line is written next to the line.
+/// Writes the names of lines on the lines if the figure has [`LineNames::OnLines`]. A name without
+/// space on its line is written next to the line.
 pub(super) fn write_line_names(labels: &mut Labels<'_>, area: &PlotArea, figure: &Figure) {
     let is_on_lines = figure.line_names == LineNames::OnLines;
     for layer in figure.layers.iter().filter(|_| is_on_lines) {
@@ -318,7 +319,8 @@ pub(super) fn write_line_names(labels: &mut Labels<'_>, area: &PlotArea, figure:
         }
         match place_on(labels, area, &places, name, NAME_GAP) {
             Some(middle) => labels.write(name, middle, color, true),
-            // write the name beside the line: without it, the line could not be identified
+            // no space on the line: write the name beside it, because the legend does not have the
+            // name
             None => {
                 if let Some(at) = places.get(places.len() / 2) {
                     write_near(labels, area, name, *at, color, LINE);

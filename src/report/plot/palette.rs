@@ -16,9 +16,9 @@ impl fmt::Display for Color {
     }
 }
 
-/// The colours of a picture. The hues of series remain distinguishable with colour blindness (after
-/// Okabe & Ito, 2008, darkened or lightened to a contrast of 3 : 1 with the background and with the
-/// fills of maps and bands). Cross bars distinguish series with the same colour.
+/// The colours of a picture. The hues of series remain distinguishable with colour blindness (Okabe
+/// & Ito, 2008). They are darkened or lightened to a contrast of 3 : 1 with the background and with
+/// the fills of maps and bands. Cross bars distinguish series with the same colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Palette {
     /// The background of the picture.
@@ -76,7 +76,7 @@ pub const DARK: Palette = Palette {
     heights: [Color(26, 33, 42), Color(28, 62, 70), Color(30, 90, 92)],
 };
 
-/// The share of a series' colour in the tint of its region; the rest is the background.
+/// The share of a series' colour in the fill of a tinted region; the rest is the background.
 const TINTED: f64 = 0.28;
 
 /// Number of colour steps of a field.
@@ -91,7 +91,7 @@ impl Palette {
         }
     }
 
-    /// The colour of a field's region at a fraction of the range, 0 to 1.
+    /// The colour of a region of a field. `part` is the rank of the region, 0 to 1.
     pub(super) fn height(&self, part: f64) -> Color {
         let part = (part.clamp(0.0, 1.0) * STEPS as f64).round() / STEPS as f64 * 2.0;
         let (low, high) = if part < 1.0 { (0, 1) } else { (1, 2) };

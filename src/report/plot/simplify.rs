@@ -1,6 +1,6 @@
 //! Curves with as few points as a drawing needs.
 
-/// Maximum distance of the left-out points from the simplified curve, pixels. It is below the
+/// Maximum distance between an omitted point and the simplified curve, pixels. It is below the
 /// resolution of the eye, and equal to the resolution of the coordinates in the picture.
 const WITHIN: f64 = 0.1;
 

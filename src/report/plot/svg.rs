@@ -1,4 +1,4 @@
-//! The picture of a figure and the views of its `panels`, in rows of `columns` views.
+//! The picture of a figure with its `panels`. A row of the picture has `columns` views.
 
 use super::canvas::{Anchor, Canvas, Font, LINE, Labels, SMALL_TEXT, Stroke, TEXT};
 use super::contour::contour_regions;
@@ -214,7 +214,8 @@ fn draw_axes(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
     }
 }
 
-/// CSS rules that give dark colours to the light pictures inside elements of the selector `inside`.
+/// CSS rules that replace the light colours of pictures by dark colours. They apply inside the
+/// elements that match the selector `inside`.
 pub fn dark_rules(inside: &str) -> String {
     let mut rules = String::new();
     for (light, dark) in LIGHT.all().into_iter().zip(DARK.all()) {

@@ -1,4 +1,4 @@
-//! Widths of texts. A picture does not know the reader's font. These are the widths of DejaVu Sans,
+//! Estimated widths of texts. The reader's font is unknown, so the widths are those of DejaVu Sans,
 //! the widest common font; a text in another font is narrower.
 
 /// The widths of the characters from space to tilde, in thousandths of the text size.
@@ -19,7 +19,7 @@ const BOLD: [u16; 95] = [
     343, 1042, 712, 687, 716, 716, 493, 595, 478, 712, 652, 924, 645, 652, 582, 712, 365, 712, 838,
 ];
 
-/// The widths assumed for other characters, regular and bold: the widths of "−" and "±". Degree
+/// The widths of all other characters, regular and bold. They are the widths of "−" and "±"; degree
 /// signs and exponents are narrower.
 const OTHER: [u16; 2] = [838, 870];
 
@@ -52,8 +52,8 @@ pub(super) fn widest(
     widths.fold(0.0, f64::max)
 }
 
-/// A text wrapped into lines of at most `room` pixels. A word that is too wide is broken, after a
-/// punctuation mark if it has one.
+/// A text wrapped into lines of at most `room` pixels. A word that is too wide is broken, if
+/// possible after a punctuation mark.
 pub(super) fn wrapped(text: &str, room: f64, size: f64, is_bold: bool) -> Vec<String> {
     let fits = |text: &str| text_width(text, size, is_bold) <= room;
     let mut lines: Vec<String> = vec![];
@@ -75,7 +75,7 @@ fn broken(word: &str, fits: &dyn Fn(&str) -> bool) -> Vec<String> {
     let mut rest = word;
     while !fits(rest) {
         let ends = rest.char_indices().map(|(at, c)| at + c.len_utf8());
-        // at least one character, even if it is too wide
+        // a piece has at least one character, even if this character is too wide
         let longest = ends
             .enumerate()
             .take_while(|(i, end)| *i == 0 || fits(&rest[..*end]))

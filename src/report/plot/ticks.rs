@@ -4,15 +4,16 @@ use super::axis::{Axis, AxisScale, NamedQuantity};
 use super::text_width::widest;
 use crate::units::{System, printed, significant};
 
-/// An axis with its ends and ticks, in the unit of a system. A logarithmic axis has the logarithms
-/// of ends and ticks.
+/// An axis with its ends and ticks, in the units of `system`. On a logarithmic axis, `low`, `high`
+/// and `ticks` are decimal logarithms.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct DrawnAxis {
     axis: Axis,
     system: System,
     /// The size of the unit, SI.
     unit: f64,
-    /// The number in this unit that corresponds to 0 in SI.
+    /// The number in the unit of the axis for 0 in SI; only temperatures have a number other than
+    /// 0.
     zero: f64,
     pub low: f64,
     pub high: f64,
@@ -42,7 +43,7 @@ impl DrawnAxis {
             decimals: 0,
         };
         if let AxisScale::Names(names) = &axis.scale {
-            // the first name is on top; the code for bars draws the names
+            // the first name is on top; `BarRows` draws the names
             (drawn.low, drawn.high) = (names.len() as f64 - 0.5, -0.5);
             return (!names.is_empty()).then_some(drawn);
         }
@@ -80,7 +81,7 @@ impl DrawnAxis {
         let step = nice_step((self.high - self.low) / count as f64);
         self.decimals = (-step.log10().floor()).max(0.0) as usize;
         if self.axis.range.is_none() {
-            // extend to the next tick, unless the data end at a tick within rounding
+            // extend each end to the next tick, unless it is at a tick within rounding
             let slack = 1e-9;
             self.low = (self.low / step + slack).floor() * step;
             self.high = (self.high / step - slack).ceil() * step;
