@@ -177,7 +177,7 @@ impl Report for ChartReport<'_> {
     }
 }
 
-/// The outcomes of the launch that each row contains.
+/// The outcomes of the launch in each row of a chart.
 const LAUNCH: [Outcome; 3] = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Backspin];
 
 fn launch(point: &ChartPoint) -> [Option<f64>; 3] {

@@ -15,7 +15,7 @@ pub(super) fn components(vector: Vector<f64>) -> [JsonNumber; 3] {
     vector.to_array().map(JsonNumber::from)
 }
 
-/// Values by name. JSON has an object with members in this order.
+/// Values by name. In JSON they are an object with the members in this order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ByName<V>(pub Vec<(Cow<'static, str>, V)>);
 

@@ -249,8 +249,8 @@ fn present<T>(cells: Vec<Option<T>>) -> (Vec<T>, Vec<i16>) {
     (cells.into_iter().flatten().collect(), levels)
 }
 
-/// The metadata of a file. Eight bytes follow it at the end of the file; the first four are the
-/// length of the metadata, little-endian.
+/// The metadata of a file. Eight bytes follow the metadata; the first four of them are the length
+/// of the metadata, little-endian.
 fn metadata_of(file: &[u8]) -> Vec<u8> {
     let end = file.len() - TAIL;
     let length = file[end..end + 4]

@@ -348,8 +348,8 @@ pub(super) struct OutcomeError {
     of: DisplayUnit,
 }
 
-/// The root mean square of the prediction errors on held-out data, for each outcome. A parameter in
-/// which a row states that the carry is maximal (`stationary`) has its own entry.
+/// The root mean square of the prediction errors on held-out data. Each outcome has an entry, and
+/// so has each parameter for which a row states that the carry is maximal.
 pub(super) fn by_outcome(held: &HeldOut) -> Vec<OutcomeError> {
     // `rms` is the sum of squares until `mean` is applied
     let mut all: Vec<(OutcomeError, usize)> = vec![];

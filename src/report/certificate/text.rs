@@ -177,8 +177,8 @@ fn disagreement(row: &DerivativeRow) -> Option<String> {
     ))
 }
 
-/// The number of first derivatives that agree with num-dual, and the worst difference, as text. The
-/// worst difference is the largest multiple of its tolerance. `None` without derivatives.
+/// The number of first derivatives that agree with num-dual, as text, with the difference that is
+/// largest relative to its tolerance. `None` without derivatives.
 fn agreement(rows: &[DerivativeRow]) -> Option<String> {
     let part = |row: &&DerivativeRow| {
         row.num_dual.difference / row.num_dual.tolerance.max(f64::MIN_POSITIVE)

@@ -196,7 +196,8 @@ pub fn bound_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
 /// so the launch or its units may be wrong. Parameters at a bound have a warning of their own
 /// ([`bound_warnings`]).
 pub fn unusual_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
-    /// A value farther than this from its prior is unusual, in prior standard deviations.
+    /// A value is unusual if it is more than this number of prior standard deviations from its
+    /// prior.
     const FAR: f64 = 3.0;
     let found: Vec<_> = all
         .iter()

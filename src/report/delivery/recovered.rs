@@ -9,8 +9,8 @@ use crate::study::delivery::{
 };
 use crate::units::{DisplayUnit, Message, System, TableUnits, counted, significant, typed};
 
-/// If a shot removes less than this fraction of a parameter's prior variance, the comment says that
-/// the rest is assumed.
+/// If a shot removes less than this fraction of a parameter's prior variance, the comment on the
+/// parameter says that the rest is assumed.
 const MOSTLY_PRIOR: f64 = 0.5;
 
 /// The most probable swing behind each shot with a delivery, as CSV: a column for each

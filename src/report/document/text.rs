@@ -69,8 +69,8 @@ impl Document {
             .join("\n")
     }
 
-    /// True if the section below `heading` has only figures. Plain text omits such a heading.
-    /// `heading` is the index of its block.
+    /// True if the section of the heading at index `heading` has only figures. Plain text omits
+    /// such a heading.
     fn is_of_figures(&self, heading: usize) -> bool {
         let mut section = self.parts[heading + 1..]
             .iter()

@@ -36,8 +36,8 @@ const REYNOLDS: [f64; 2] = [4e4, 2.4e5];
 /// Number of segments of a curve.
 const STEPS: usize = 240;
 
-/// Maximum relative difference between a measured point and the plot in the variable that the plot
-/// keeps constant. A point whose value of this variable is unknown is also drawn.
+/// A plot keeps a variable constant. A measured point is drawn if its value of this variable is
+/// unknown, or differs from the constant by at most this fraction.
 const CONSTANT_TOLERANCE: f64 = 0.1;
 
 /// A measured point. `spin_ratio` or `reynolds` is `None` if the source does not state it, for
@@ -242,7 +242,7 @@ impl LawPlot {
         let (within, beyond) = (pieces(&points, true), pieces(&points, false));
         let [first, last] = self.range.map(|at| self.stream(at).variables());
         let range = std::array::from_fn(|variable| [first[variable], last[variable]]);
-        // without a solid line, the name of the dashed line has no remark
+        // without a solid line, the dashed line has the name of the law
         let suffix = if within.is_empty() {
             String::new()
         } else {

@@ -9,7 +9,7 @@ use crate::units::{System, signed};
 pub struct Surroundings<'a> {
     /// The allowed loss, SI.
     pub loss: f64,
-    /// For each varied parameter: the range in which it loses at most `loss` while the other
+    /// For each varied parameter: the range in which the drive loses at most `loss` while the other
     /// parameters stay at the optimum.
     pub windows: &'a [Window],
     /// The best value that club and ball achieve with the swing as set up; `None` if the search

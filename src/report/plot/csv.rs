@@ -86,7 +86,7 @@ fn rows(figure: &Figure) -> Vec<CsvRow<'_>> {
     rows
 }
 
-/// The rows of a layer. `of_view` is added to each name: it names the view if there are several.
+/// The rows of a layer. `of_view` names the view if there are several; it is added to the names.
 fn layer_rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<CsvRow<'a>> {
     let point = |[x, y]: [f64; 2]| [Some(x), Some(y), None, None];
     let row = |kind: &'static str, numbers: [Option<f64>; 4]| -> CsvRow<'a> {
