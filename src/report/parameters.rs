@@ -22,8 +22,8 @@ pub struct ParametersReport {
     pub parameters: Vec<ParameterReport>,
     /// The settings whose values are names, except the law.
     pub choices: Vec<ChoiceReport>,
-    /// True if the setup states `flight.method` or `flight.step`. Otherwise a command that flies
-    /// many drives chooses both.
+    /// True if the setup states `flight.method` or `flight.step`. Otherwise a command that computes
+    /// many drives chooses method and step.
     pub states_step: bool,
     /// Only parameters and choices whose names contain this word are listed; `None` lists all.
     #[serde(skip)]

@@ -299,8 +299,8 @@ pub struct PresetReport {
     pub about: &'static str,
     /// Every parameter by its dotted name, SI and radians.
     pub setup: Settings,
-    /// True if the preset states `flight.method` or `flight.step`. Otherwise a command that flies
-    /// many drives chooses both.
+    /// True if the preset states `flight.method` or `flight.step`. Otherwise a command that
+    /// computes many drives chooses method and step.
     pub states_step: bool,
     /// The source of each parameter.
     pub sources: ByName<Cow<'static, str>>,

@@ -253,9 +253,9 @@ class ReproduceReply(Reply):
     subsystems: dict[str, Any]
     """Optima of impact and flight, separately."""
     parametric: dict[str, Any]
-    """The sensitivity of the optimum to the constants."""
+    """The sensitivity of the optimum to the constants of the report's model."""
     noise: dict[str, Any]
-    """The noise of the while-loop."""
+    """The noise of the carry that the while-loop computes."""
     printed: dict[str, Any]
     """The numbers that the report prints."""
     shot: dict[str, Any]

@@ -69,7 +69,7 @@ pub struct CertificateRow<'a> {
     pub error: JsonNumber,
     /// The largest allowed `error`, SI.
     pub tolerance: JsonNumber,
-    /// The derivative from `num_dual::Dual64`.
+    /// The comparison with the derivative from `num_dual::Dual64`.
     pub num_dual: Agreement,
     /// The one-sided derivatives below and above a corner, SI: `null` without a corner, and on a
     /// side outside of the parameter's range.

@@ -45,9 +45,9 @@ pub struct Mae494Report<'a> {
     pub energy: &'a Energy,
     /// Optima of impact and flight, separately.
     pub subsystems: &'a Subsystems,
-    /// The sensitivity of the optimum to the constants.
+    /// The sensitivity of the optimum to the constants of the report's model.
     pub parametric: &'a Parametric,
-    /// The noise of the while-loop.
+    /// The noise of the carry that the while-loop computes.
     pub noise: &'a Noise,
     /// The numbers that the report prints.
     pub printed: PrintedReport,
@@ -62,8 +62,8 @@ pub struct OptimumRow {
     pub at: DeliveryCarry,
     /// The multipliers of the bounds, by parameter.
     pub multipliers: ByName<Multipliers>,
-    /// The active bounds and constraints by name: `lower` or `upper` for a bound, `null` for a
-    /// constraint.
+    /// The names of the active bounds and constraints, with `lower` or `upper` for a bound and
+    /// `null` for a constraint.
     pub active: ByName<Option<crate::study::BoundSide>>,
 }
 

@@ -65,8 +65,8 @@ pub struct OptimumReport {
     /// The fitted ranges of the law, each with the range that the optimal flight covers; `null` if
     /// there is no air or no flight, and for swings.
     pub law_range: Option<LawRanges>,
-    /// For each varied parameter: the range in which it can vary alone and lose at most
-    /// `window_loss`; `null` for swings, and without an optimum.
+    /// For each varied parameter: the range in which the drive loses at most `window_loss` if only
+    /// this parameter varies; `null` for swings, and without an optimum.
     pub window: Option<ByName<Window>>,
     /// The loss allowed in each window, SI; `null` without windows.
     pub window_loss: JsonNumber,
@@ -115,7 +115,7 @@ impl ConstraintReport {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct LocalReport {
-    /// The status of the searches that ended here.
+    /// The status of the searches that reached this optimum.
     pub status: &'static str,
     /// The objective, SI; `null` if no drive flies.
     pub value: JsonNumber,

@@ -53,7 +53,8 @@ fn launch(findings: &Findings) -> Vec<&'static str> {
         .collect()
 }
 
-/// The line below the title. The description of a preset applies only to the preset's drive.
+/// The line below the title. The description of the preset is used only for the drive of the
+/// preset.
 pub(super) fn subtitle(findings: &Findings) -> Result<String> {
     let preset = findings.file.preset.name;
     let changes = changed(findings, System::default())?.len() as u64;
