@@ -11,7 +11,8 @@ use crate::units::System;
 const VERSION: &str = "1";
 
 /// The state of the explorer for a setup: the text after `#` in the address of the explorer. The
-/// text has the preset and each value that differs from the preset, in the syntax of `--set`.
+/// text has the preset and each value that differs from the preset, in the syntax of `--set`. For
+/// metric units it also has `units=metric`.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::Preset, report::explorer_state, units::System};
