@@ -1,5 +1,5 @@
-//! Numbers of a published study. Computed numbers are in the requested units; printed numbers are
-//! also in the units of the paper.
+//! Formats the numbers of a published study. Computed numbers are in the requested units. Numbers
+//! from the paper are in the units of the paper, followed by the requested units in parentheses.
 
 use super::plot::{Axis, NamedQuantity};
 use crate::units::{DisplayUnit, Quantity, System, fixed, signed, typed};
@@ -54,13 +54,13 @@ impl PaperUnits {
         format!("{}°", fixed(radians.to_degrees(), self.angle_decimals))
     }
 
-    /// A computed number with two decimals, as in the papers; zero has no sign.
+    /// A computed number with two decimals, like the numbers in the papers. A zero has no sign.
     pub fn computed(self, of: DisplayUnit, value: f64) -> String {
         let number = value / of.size_in(self.system);
         typed(&fixed(number, 2), self.system.unit(of.unit))
     }
 
-    /// A computed number minus the printed number, with its sign.
+    /// A difference (computed − printed) with its sign.
     pub fn difference(self, of: DisplayUnit, difference: f64) -> String {
         signed(difference, self.computed(of, difference))
     }
@@ -90,7 +90,7 @@ impl PaperUnits {
     }
 }
 
-/// An axis of angles, deg.
+/// An axis for angles in degrees.
 pub(super) fn angles(label: &str) -> Axis {
     Axis::linear(NamedQuantity::new(label, Quantity::ANGLE, "deg"))
 }
@@ -106,7 +106,7 @@ mod tests {
             angle_decimals: 4,
             system,
         });
-        // the longest distance of the report; a yard is 0.9144 m
+        // 248.48 m is the longest distance of the report; 1 yd is 0.9144 m
         assert_eq!(alone.printed(LENGTH, 248.48), "248.48 m");
         assert_eq!(beside.printed(LENGTH, 248.48), "248.48 m (271.74 yd)");
         assert_eq!(

@@ -17,8 +17,8 @@ pub struct Reply<T> {
     pub message: Option<String>,
     /// Warnings about the request.
     pub warnings: Vec<Message>,
-    /// The setup that the answer is about: preset or file, with the settings of the request.
-    /// Omitted if it has no name in the request.
+    /// The setup of the answer: the preset or file, and the settings of the request. Omitted if the
+    /// request does not name a setup, for example for a setup from standard input.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub from: Option<String>,
     /// Parameters that the request states, so that the search does not vary them; omitted if there
@@ -133,7 +133,7 @@ impl<T> Reply<T> {
         }
     }
 
-    /// Sets `from` and `held`: the name of the setup, and its held parameters.
+    /// Sets `from` to the name of the setup and `held` to the names of the held parameters.
     #[must_use]
     pub fn about(self, origin: &SetupOrigin) -> Self {
         let held = origin.held.iter();

@@ -15,10 +15,10 @@ use crate::units::{System, counted, is_zero, leading_number};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// Column head for the multipliers in words.
 const CHANGE: &str = "change of the greatest loss";
 
-/// A model's loss determines the robust design if the multiplier of the loss exceeds this number.
+/// If the multiplier of a model's loss is above this number, the text says that this loss decides
+/// the robust design.
 const LEAST_SHARE: f64 = 1e-6;
 
 /// A robust design for several models, SI and radians.
@@ -36,9 +36,9 @@ pub struct RobustReport<'a> {
     pub sense: &'static str,
     /// The varied parameters of the robust design, SI.
     pub optimum: ByName<JsonNumber>,
-    /// The multipliers of the bounds: the decrease of the greatest loss for each SI unit by which a
-    /// bound is relaxed. It is negative if relaxing the bound improves the best design of a model
-    /// more than the robust design.
+    /// For each varied parameter, the multipliers of its two bounds: the decrease of the greatest
+    /// loss for each SI unit by which a bound is relaxed. A multiplier is negative if relaxing the
+    /// bound improves the best design of a model more than it improves the robust design.
     pub multipliers: BTreeMap<&'static str, Multipliers>,
     /// The greatest loss of any model, SI.
     pub greatest_loss: JsonNumber,
@@ -60,7 +60,7 @@ pub struct RobustReport<'a> {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ModelReport {
-    /// The model, by its changes of the setup.
+    /// The changes of the setup that define the model.
     pub model: String,
     /// The reason to include the model; `null` for a model of the user.
     pub reason: Option<&'static str>,
@@ -72,8 +72,9 @@ pub struct ModelReport {
     pub loss: JsonNumber,
     /// The multiplier of the model's loss, 0 to 1.
     pub share: JsonNumber,
-    /// The model's losses with the best designs of all models, in the order of the models, SI;
-    /// `null` if a constraint is violated, or if the ball does not fly in one of the swings.
+    /// The losses of this model with the best design of each model, in the order of the models, SI;
+    /// `null` if that design violates a constraint, or if the ball does not fly in one of the
+    /// swings.
     pub losses: Vec<JsonNumber>,
     /// The model's loss with the setup before the search, SI; `null` as in `losses`.
     pub loss_as_set_up: JsonNumber,
@@ -149,8 +150,7 @@ impl Report for RobustReport<'_> {
         }
     }
 
-    /// The robust design, and the loss of each model with the robust design, with the setup before
-    /// the search, and with the best design of each model.
+    /// The robust design, the models, and the loss of each model with each design.
     fn document(&self, system: System) -> Document {
         let found = self.found;
         let mut document = Document::default();
@@ -275,8 +275,8 @@ fn losses(found: &Robust, system: System) -> DocumentTable {
     table
 }
 
-/// Adds the robust design to a document, with the changes of the greatest loss if a bound or
-/// constraint is relaxed.
+/// Adds the varied parameters and the constraints at the robust design to a document. Each row has
+/// the change of the greatest loss if the bound or limit is relaxed.
 fn add_design(document: &mut Document, found: &Robust, system: System) {
     let rows = found.search.vary.iter().enumerate().map(|(i, vary)| {
         vec![
@@ -355,8 +355,8 @@ fn add_constraints(document: &mut Document, found: &Robust, system: System) {
     }
 }
 
-/// The text `price` if the bound or constraint is active only at the optimum of a single model: its
-/// `multipliers` for the robust design are 0, but its price is not. Otherwise `None`.
+/// Returns the text `price` of a bound or constraint that is active at the best design of a model,
+/// but not at the robust design: its `multipliers` are 0, and its price is not 0.
 fn price_of_single_models(multipliers: [f64; 2], price: String) -> Option<String> {
     let is_nonzero = !is_zero(leading_number(&price));
     (multipliers == [0.0; 2] && is_nonzero).then_some(price)

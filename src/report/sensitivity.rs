@@ -18,7 +18,7 @@ use serde::Serialize;
 /// The analysis of an optimum.
 #[derive(Debug)]
 pub struct Analysis {
-    /// For each parameter: the sensitivity of the optimum, or the error of its computation.
+    /// The sensitivity of the optimum to each parameter, or the reason why it does not exist.
     pub sensitivities: Vec<(&'static Parameter, Result<Sensitivity>)>,
     /// The flatness of the objective around the optimum.
     pub flatness: Flatness,
@@ -36,10 +36,11 @@ pub struct SensitivityReport {
     pub optimum: OptimumReport,
     /// The derivatives of the optimum by each parameter.
     pub sensitivity: Option<ByName<SensitivityOf>>,
-    /// The directions of the free parameters, the flattest first.
+    /// Directions in the space of the free parameters, in ascending order of the curvature of the
+    /// objective.
     pub directions: Option<Vec<Direction>>,
-    /// The ellipses of pairs of free parameters, from the quadratic model without bounds; empty if
-    /// a constraint is active.
+    /// An ellipse for each pair of free parameters, on which the quadratic model of the objective
+    /// has the allowed loss. The model ignores bounds. Empty if a constraint is active.
     pub ellipses: Option<Vec<Ellipse>>,
     /// The effects of stated changes: predicted, and from a new search.
     pub changes: Option<Vec<StatedChangeReport>>,
@@ -137,7 +138,7 @@ impl SensitivityReport {
         };
         let reply = Reply::done("optimum-sensitivity", optimum.warnings, body);
         match (analysis, why) {
-            // the body has the reason for each parameter
+            // the `message` of each sensitivity has the reason
             (Some(analysis), _) if !analysis.is_answered() => reply.ended(
                 "no-answer",
                 Some("this optimum has none of the requested sensitivities".into()),
@@ -300,7 +301,8 @@ fn sensitivity_row(
     cells
 }
 
-/// Lines for the directions of finite reach, then for the ellipses.
+/// Lines for the directions and for the ellipses. A direction of infinite reach is omitted, because
+/// the quadratic model never has the stated loss along this direction.
 fn flatness_lines(best: &Optimum, flatness: &Flatness, system: System) -> Vec<Line> {
     let loss = shown::difference(best.search.outcome(), flatness.loss, system);
     let directions = flatness
@@ -372,7 +374,7 @@ fn direction_line(best: &Optimum, direction: &Direction, loss: &str, system: Sys
 fn change(best: &Optimum, changed: &Changed, system: System) -> DocumentTable {
     let (of, parameter) = (best.search.outcome(), changed.change.parameter);
     let row = |words: &str, value: Option<f64>, x: &[f64]| {
-        // one more decimal, so that two close values can be compared
+        // show one decimal more than usual, so that two close values can be compared
         let unit = system.unit(of.unit());
         let value = value.map_or(shown::NONE.into(), |value| {
             of.quantity().read_off_finely(value, unit)

@@ -9,15 +9,15 @@ use crate::parameters::{
 use crate::study::Constraint;
 use crate::units::{significant, typed};
 
-/// A setup as a setup file in TOML: the lines `about` as comments, the preset, then every parameter
-/// with its source in a comment. A remark in `remarks` replaces the source of its parameter.
+/// Writes a setup as a setup file in TOML: the lines `about` as comments, the preset, then every
+/// parameter with its source as a comment. A remark in `remarks` replaces the source of its
+/// parameter.
 ///
-/// - `file` is the file or preset that the setup comes from. A value that is unchanged since then
-///   keeps its comment.
-/// - Method and step are written only if the setup states them. Otherwise a command that reads the
-///   written file may choose them.
-/// - Values of air and wind that equal the preset's are written as comments, so that a command can
-///   state other weather together with the written file.
+/// - `file` is the file or preset from which the setup comes. An unchanged value keeps its comment.
+/// - Method and step are written only if the setup states them. Otherwise the command that reads
+///   the written file may choose them.
+/// - Values of air and wind that equal those of the preset are written as comments. A command can
+///   then read the written file and state other weather.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::SetupFile, report::setup_toml};
@@ -48,7 +48,7 @@ pub fn setup_toml(
     Ok(toml(setup, file.preset, about, &rows, is_of_preset))
 }
 
-/// The line of a constraint at the head of a setup file.
+/// The line about a constraint for the head of a setup file.
 pub(super) fn about_constraint(constraint: &Constraint) -> String {
     format!("subject to {}", constraint.expression)
 }
@@ -71,12 +71,13 @@ pub(super) fn remarks_on_varied(
     vary.iter().zip(values).map(remark).collect()
 }
 
-/// Beginnings of the lines of method and step in a setup file that this program wrote.
+/// In a setup file that this program wrote, the lines of the integration method and of the step
+/// begin with these texts.
 #[cfg(feature = "commands")]
 const STEP_LINES: [&str; 2] = ["method = ", "step = "];
 
-/// Replaces the lines of method and step in the setup file `toml` by those of the setup file
-/// `other`. This program wrote both files.
+/// Replaces the lines of the integration method and of the step in the setup file `toml` with these
+/// lines of the setup file `other`. This program wrote both files.
 #[cfg(feature = "commands")]
 pub(crate) fn with_step_of(other: &str, toml: &str) -> String {
     let taken = |line| {
@@ -89,7 +90,7 @@ pub(crate) fn with_step_of(other: &str, toml: &str) -> String {
     toml.split_inclusive('\n').map(taken).collect()
 }
 
-/// Every parameter and choice, with its value and its source or remark.
+/// Every parameter and choice, with its value and its source. A remark replaces the source.
 fn rows(
     setup: &Setup<f64>,
     file: &SetupFile,
@@ -131,8 +132,8 @@ pub fn preset_toml(name: &str) -> Result<String> {
     Ok(toml(&setup, preset, &about, &rows, |_| false))
 }
 
-/// The shortest text in this unit that is parsed to exactly this value. If rounding prevents such a
-/// text, the value is written in SI.
+/// The shortest text in `unit` that parses to exactly this value. If rounding makes this impossible
+/// in `unit`, the text is in SI.
 pub(super) fn exact(parameter: &Parameter, value: Option<f64>, unit: &str) -> String {
     let Some(value) = value else {
         return UNSET.into();
@@ -148,9 +149,9 @@ pub(super) fn exact(parameter: &Parameter, value: Option<f64>, unit: &str) -> St
     shown.unwrap_or_else(|| typed(&format!("{value:?}"), parameter.quantity.si))
 }
 
-/// A setup file: the lines `about` as comments, the preset, then the values by TOML table, without
-/// method and step unless the setup states them. A value for which `is_comment` is true is written
-/// as a comment.
+/// Writes a setup file: the lines `about` as comments, the preset, then the values by TOML table.
+/// Method and step are omitted unless the setup states them. A value for which `is_comment` is true
+/// becomes a comment.
 fn toml(
     setup: &Setup<f64>,
     preset: &Preset,

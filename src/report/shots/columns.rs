@@ -1,4 +1,5 @@
-//! Shots with the columns of a launch monitor, for any kind of source.
+//! Shots in a table with the columns of a launch monitor. The shots may come from an export or from
+//! JSON.
 
 use super::csv::PredictionColumns;
 use crate::drive::Outcome;
@@ -13,7 +14,7 @@ pub(super) const LAUNCH: [(&str, Outcome); 5] = [
     ("Spin Axis", Outcome::SpinAxis),
 ];
 
-/// Club columns. The outcome only determines the unit.
+/// Columns of the club, each with an outcome that has the unit of the column.
 const CLUB: [(&str, Outcome); 4] = [
     ("Club Speed", Outcome::BallSpeed),
     ("Attack Angle", Outcome::LaunchAngle),
@@ -33,7 +34,8 @@ pub(super) const MEASURED: [(&str, Outcome); 8] = [
     ("Total Side", Outcome::LateralTotal),
 ];
 
-/// Columns of text: the origin of the spin, and the conditions for which the values hold.
+/// Columns of text: the origin of the spin (measured or estimated), and the conditions for which
+/// the export states its values.
 const TEXTS: [&str; 2] = ["Spin Rate Type", "Condition"];
 
 /// The line of column heads.
@@ -56,8 +58,8 @@ pub(super) fn head(added: &PredictionColumns) -> Vec<u8> {
 }
 
 /// The launch of a shot in the order of `LAUNCH`, SI: the input of the flight, or the stated values
-/// if the shot is not flown. Assumed values are omitted: a later run of `fly` would read them as
-/// measured zeros.
+/// of a shot that is not flown. Assumed values are omitted, because a later run of `fly` would read
+/// their 0 as measured.
 pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
     match shot.launch() {
         Some(&[speed, angle, direction, back, side]) => {

@@ -1,4 +1,4 @@
-//! Predictions of shots, in columns after the columns of the export.
+//! Rows of an export with added columns for the predictions.
 
 use crate::drive::Outcome;
 use crate::report::sweep::push_number;
@@ -103,9 +103,8 @@ impl ExportRows {
         }
     }
 
-    /// The cells of a line, one for each column head, without the cells that an earlier run of
-    /// `fly` added. A cell that is missing at the end of the line, for instance of a row of units,
-    /// is empty.
+    /// The cells of a line, one for each column head, but without the cells that an earlier run of
+    /// `fly` added. A missing cell at the end of the line is empty.
     fn own<'a, S: AsRef<str>>(&self, cells: &'a [S]) -> impl Iterator<Item = &'a str> {
         let (count, added) = (self.columns.heads.len(), self.columns.added.clone());
         let cells = (0..count).map(|at| cells.get(at).map_or("", AsRef::as_ref));
@@ -157,7 +156,7 @@ impl ExportRows {
             .refusal()
             .is_some_and(|refusal| refusal.is_unreadable())
         {
-            // write the row as one cell, so that no value is below a wrong column head
+            // write the row as one cell: its values may not belong to the column heads above them
             bytes.extend_from_slice(format!("\"{}\"", shot.text.replace('"', "\"\"")).as_bytes());
             bytes.extend(std::iter::repeat_n(
                 separator,
