@@ -16,7 +16,8 @@ pub(super) const NONE: &str = "–";
 pub(super) const GEAR_EFFECT: &str =
     "the gear effect of strikes off the centre is known to about 30 %";
 
-/// [`GEAR_EFFECT`] for a strike towards the toe or the heel, with its consequence for a drive.
+/// The remark on the gear effect for a strike towards the toe or the heel, with the consequence for
+/// the curve. `None` for any other strike, and for a stated launch.
 pub(super) fn gear_effect(setup: &Setup<f64>) -> Option<String> {
     let is_off_centre = !setup.launch.is_given() && setup.strike.toe != 0.0;
     is_off_centre.then(|| format!("{GEAR_EFFECT}, so the curve may be to the other side"))
@@ -25,7 +26,7 @@ pub(super) fn gear_effect(setup: &Setup<f64>) -> Option<String> {
 /// Parameters that have another name on launch monitors.
 const NAMES: [(&str, &str); 2] = [("swing.speed", "club speed"), ("swing.path", "club path")];
 
-/// Groups whose name is omitted before their parameters.
+/// Groups of parameters whose name [`words`] omits.
 const IMPLIED: [&str; 3] = ["swing", "launch", "aero"];
 
 /// The name of an outcome or parameter in words, as on launch monitors: "ball speed", "attack
@@ -52,8 +53,8 @@ pub(super) fn capital(text: &str) -> String {
     })
 }
 
-/// A sentence with the names of parameters in words. Command-line input (`swing.speed=95mph`) is
-/// unchanged.
+/// Replaces the names of parameters in a sentence by words: `swing.speed` becomes "club speed".
+/// Command-line input (`swing.speed=95mph`) stays unchanged.
 pub(super) fn spoken(sentence: &str) -> String {
     let setup = Setup::default();
     let speak = |word: &str| {
@@ -163,7 +164,7 @@ pub(super) fn change_as_displayed(of: Outcome, from: f64, to: f64, system: Syste
     signed(change, of.quantity().read_off(change, unit))
 }
 
-/// The change of a parameter along a direction, always with a sign: "+1.20 deg".
+/// The change of one parameter in a step along a direction, always with a sign: "+1.20 deg".
 pub(super) fn component(parameter: &Parameter, amount: f64, system: System) -> String {
     let sign = if amount < 0.0 { "-" } else { "+" };
     format!("{sign}{}", difference(parameter, amount.abs(), system))
@@ -188,12 +189,12 @@ fn computed(parameter: &Parameter, value: f64) -> Message {
     Message::default().quantity(parameter.quantity, parameter.unit, value, digits)
 }
 
-/// A value counts as the end of a range if its distance from the end is at most this fraction of
-/// the range: the QP solver ends a little inside the range.
+/// The QP solver may stop slightly inside a bound. A value is therefore at an end of its range if
+/// the distance from the end is at most this fraction of the range.
 pub(super) const END_TOLERANCE: f64 = 1e-6;
 
-/// A value of a varied parameter. It gets more digits if rounding would show it as an end of the
-/// range.
+/// A value of a varied parameter, with enough digits to distinguish the value from the ends of the
+/// range. A value within [`END_TOLERANCE`] of an end may look like the end.
 pub(super) fn within(vary: &Vary, value: f64, system: System) -> String {
     let (parameter, ends) = (vary.parameter, ends(vary, system));
     let number = |text: &str| leading_number(text).parse::<f64>().ok();
@@ -339,9 +340,11 @@ pub(super) fn active(
 /// Relative size below which a change counts as a rounding error.
 const ROUNDING: f64 = 1e-12;
 
-/// A derivative for display: 0 if it is only the rounding error of its computation. `slope` is the
-/// derivative by the parameters `by`: one for a first derivative, two for a second, none for a
-/// change. `value` is the differentiated quantity `of`, SI.
+/// Returns `slope`, or 0 if `slope` is only the rounding error of its computation.
+///
+/// - `value` is the value of the quantity `of`, SI.
+/// - `slope` is the first or second derivative of this quantity by the one or two parameters `by`,
+///   SI. If `by` is empty, `slope` is a change of the quantity.
 ///
 /// The derivative is a rounding error if |`slope`| times the [typical sizes](typical_size) of the
 /// parameters is less than 1e-12 · max(|`value`|, one unit of `of`). A flight has about a thousand
@@ -363,8 +366,7 @@ pub(super) fn zero_if_rounding(
     }
 }
 
-/// The typical size of a parameter, SI: its default, or one unit if the default is 0 or does not
-/// exist.
+/// The typical size of a parameter, SI: |default|, or one unit if the default is 0 or missing.
 pub(super) fn typical_size(parameter: &Parameter) -> f64 {
     let default = parameter.default_value().map(f64::abs);
     default
@@ -372,20 +374,20 @@ pub(super) fn typical_size(parameter: &Parameter) -> f64 {
         .unwrap_or_else(|| DisplayUnit::from(parameter).size())
 }
 
-/// True if `change` of an outcome with this value is a rounding error.
+/// True if a `change` of an outcome is only a rounding error of the outcome's `value`.
 pub(super) fn is_rounding(of: Outcome, value: f64, change: f64) -> bool {
     zero_if_rounding(change, value, of, &[]) == 0.0
 }
 
-/// True if an outcome with this value depends on the parameter: its first or second derivative is
-/// more than a rounding error.
+/// True if an outcome depends on the parameter `by`: the first or the second derivative is more
+/// than a rounding error of the outcome's `value`.
 pub(super) fn depends(of: Outcome, value: f64, by: &Parameter, slope: f64, curvature: f64) -> bool {
     zero_if_rounding(slope, value, of, &[by]) != 0.0
         || zero_if_rounding(curvature, value, of, &[by, by]) != 0.0
 }
 
 /// The derivative `slope` of an outcome by a parameter, in the units of a system: "2.11 yd per
-/// deg". It is 0 if it is only a rounding error of the outcome's `value`.
+/// deg". A `slope` that is only a rounding error of the outcome's `value` counts as 0.
 pub(super) fn slope(
     of: Outcome,
     value: f64,
@@ -589,8 +591,8 @@ mod tests {
             slope(of, value, setup.parameter(by).unwrap(), d, system, 4)
         };
         for system in System::ALL {
-            // derivatives that are 0 but for rounding: of ball speed by radius, of backspin at an
-            // attack angle of 0, of carry at its maximum, and of the lateral of a straight drive
+            // each derivative is 0 except for rounding: ball speed by radius, backspin at an attack
+            // angle of 0, carry at its maximum, lateral of a straight drive
             for (of, value, by, d) in [
                 (Outcome::BallSpeed, 70.0, "ball.radius", 6e-16),
                 (Outcome::Backspin, 250.0, "swing.attack_angle", 2.8e-14),
@@ -604,8 +606,8 @@ mod tests {
                 );
             }
         }
-        // 1 nm of carry per metre of ground height, and 0.1 nm per g cm² of inertia, are not
-        // rounding errors
+        // small derivatives that are not rounding errors: 1 nm of carry per metre of ground height,
+        // 0.1 nm per g cm² of inertia
         assert_eq!(
             shown(Outcome::Carry, 250.0, "ground.height", 1e-9, System::Metric),
             "1e-9 m per m"

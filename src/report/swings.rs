@@ -1,5 +1,5 @@
-//! Results over swings in addition to the optimum: the goals of other designs, and the uncertainty
-//! of the answer.
+//! Reports on a search over swings: the goals with the best design and with other designs, and the
+//! uncertainty of the optimum.
 
 use super::document::{DocumentTable, Line};
 use super::json::{ByName, JsonNumber};
@@ -13,10 +13,10 @@ use crate::study::swings::{
 use crate::units::{System, counted, significant};
 use serde::Serialize;
 
-/// Additional results over swings; empty for a single drive.
+/// Results of a search over swings in addition to the optimum; empty for a single drive.
 #[derive(Clone, Debug, Default)]
 pub struct OverSwings {
-    /// The best design for the mean swing, and the errors of the goals.
+    /// The best design for the mean swing, and the estimated errors of the goals.
     pub analysis: Option<SwingsAnalysis>,
     /// The optima of resamples of recorded swings.
     pub resampled: Option<BootstrapOptimum>,
@@ -69,8 +69,8 @@ pub struct StudiesReport {
     pub nominal: Option<NominalReport>,
     /// Sentences about results that could not be computed.
     pub unknown: Vec<String>,
-    /// The error of the objective by Gauss's rules, SI: twice the change of the objective if the
-    /// number of nodes grows by half; `null` for other rules.
+    /// The estimated error of the objective, SI: twice the change of the objective if Gauss's rules
+    /// have 1.5 times as many nodes; `null` for other rules.
     pub quadrature_error: Option<f64>,
     /// The 99 % interval of the objective over all swings, from independent sequences of swings;
     /// `null` without these sequences.
@@ -154,7 +154,7 @@ fn unknown(analysis: Option<&SwingsAnalysis>) -> Vec<String> {
     nominal.into_iter().chain(error).collect()
 }
 
-/// The text after the value of a goal that violates its limits.
+/// Marks the value of a goal that violates its limits.
 const BROKEN: &str = "(broken)";
 
 /// The goals over the swings as a table with a column for each design.
@@ -283,7 +283,7 @@ fn smoothed_limits(best: &Optimum, system: System) -> Vec<String> {
         .collect()
 }
 
-/// The meaning of each measure that is a mean over a share of the swings.
+/// Explains the measures that are means over a share of the swings.
 fn measures_of_shares(best: &Optimum) -> Vec<String> {
     let terms = best.search.goals().flat_map(|goal| &goal.terms);
     let mut notes: Vec<String> = vec![];
@@ -339,7 +339,7 @@ fn sampling(best: &Optimum, analysis: Option<&SwingsAnalysis>, system: System) -
     }
 }
 
-/// The intervals of the best design from resamples of recorded swings.
+/// Notes on the designs and gains that resamples of the recorded swings give, with 95 % intervals.
 fn resampled(best: &Optimum, found: &BootstrapOptimum, system: System) -> Vec<String> {
     let goal = &best.search.of;
     let design = found.design.iter();

@@ -254,7 +254,7 @@ const FIRST_SHARES: usize = 4;
 /// Number of ellipses in a plain text without the option `all`. The first two are from the sample.
 const FIRST_ELLIPSES: usize = 2;
 
-/// The uncertain parameters with the largest contributions to the variance of an outcome, and the
+/// Lines on an outcome: the largest shares of its variance, by uncertain parameter, and the
 /// parameter to measure first.
 fn shares_lines(outcome: &OutcomeUncertainty, system: System) -> Vec<Line> {
     let largest = by_share(outcome).into_iter().take(FIRST_SHARES);
@@ -291,7 +291,7 @@ fn percent(share: f64) -> String {
 }
 
 /// The contributions of the uncertain parameters to the variance of an outcome, the largest first.
-/// `left_out` is the number of sample points without this outcome, which the shares leave out.
+/// The shares ignore `left_out` sample points, because their drives do not have this outcome.
 fn shares(outcome: &OutcomeUncertainty, left_out: usize, found: &Uncertainty) -> DocumentTable {
     let share = |share: Option<Interval>| {
         share.map_or(shown::NONE.into(), |i| {
@@ -364,7 +364,7 @@ fn ellipses(found: &Uncertainty, system: System) -> DocumentTable {
         let [long, short] = sampled.ellipse.half_axes;
         let lengths =
             [long, short].map(|axis| shown::difference(Carry, axis[0].hypot(axis[1]), system));
-        // of the two directions of the axis, choose the direction within 90° of downrange
+        // an axis has two directions: choose the direction within 90° of downrange
         let turned = (long[0] * long[1].signum()).atan2(long[1].abs());
         vec![
             format!(

@@ -23,9 +23,9 @@ const LAUNCH: [&str; 5] = [
 #[derive(Clone, Debug)]
 pub(super) struct Keys {
     of: Vec<Outcome>,
-    /// The parameters besides the launch, each with a value in every row.
+    /// Parameters that are not part of the launch; every row has a value of each.
     other_parameters: Vec<&'static str>,
-    /// The columns of the export, with the key of each column; `None` for shots that came as
+    /// The columns of the export, with the JSON key of each; `None` for shots that came as JSON
     /// messages.
     cells: Option<(Arc<ShotColumns>, Vec<String>)>,
 }
@@ -43,7 +43,7 @@ pub struct FlyRow {
     flight: String,
     /// The reason why the row has no predicted outcomes; `null` if it has them.
     reason: Option<String>,
-    /// Notes on values that are assumed, or not compared.
+    /// Notes on assumed values, and on measured values that are not compared with predictions.
     notes: Vec<String>,
     /// True if the export states that its values are normalized; `null` if it states nothing.
     #[schemars(extend("enum" = [true, null]))]
@@ -182,7 +182,7 @@ impl Keys {
         bytes.push(b'}');
     }
 
-    /// Appends the measured values of a shot: `,"normalized":` to `"origins":{…}`.
+    /// Appends the members from `normalized` to `origins`: the values that the row states.
     fn measured(&self, shot: &Shot, bytes: &mut Vec<u8>) {
         let normalized: &[u8] = match shot.is_normalized {
             Some(true) => b",\"normalized\":true,\"launch\":",
@@ -225,7 +225,8 @@ impl Keys {
     fn own(&self, row: &str, is_unreadable: bool, bytes: &mut Vec<u8>) {
         match &self.cells {
             _ if is_unreadable => push(bytes, row),
-            // a line break in a JSON message is white space: within a string it would be escaped
+            // put the message on one line: a JSON string cannot contain a line break, so that each
+            // line break is white space
             None => bytes.extend(row.bytes().map(|byte| {
                 if matches!(byte, b'\n' | b'\r') {
                     b' '

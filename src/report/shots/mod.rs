@@ -42,8 +42,8 @@ enum ShotFormat {
 }
 
 impl ShotWriter {
-    /// The rows of the export, unchanged, with added columns for the predictions in the units of a
-    /// system. Shots that came as messages have the columns of
+    /// The rows of the export, unchanged, with added columns for the predictions in the units of
+    /// `system`. Shots that came as JSON messages have the columns of
     /// [`launch_monitor`](Self::launch_monitor).
     pub fn csv(shots: &Shots, of: &[Outcome], system: System) -> Self {
         match &shots.columns {
@@ -54,8 +54,8 @@ impl ShotWriter {
         }
     }
 
-    /// The columns of a launch monitor for any kind of source, with added columns for the
-    /// predictions, in the units of a system.
+    /// The columns of a launch monitor, with added columns for the predictions, in the units of
+    /// `system`. The shots may come from an export or from JSON.
     pub fn launch_monitor(of: &[Outcome], system: System) -> Self {
         Self {
             table: ShotFormat::Columns(PredictionColumns {
@@ -101,8 +101,8 @@ impl ShotWriter {
         }
     }
 
-    /// A line for each row. If a section of the table begins, CSV has the section's column heads
-    /// first.
+    /// A line for each row. In CSV, every later section of the table begins with its own column
+    /// heads.
     pub fn rows(&self, flown: &Flown) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(flown.shots.len() * 400);
         let format = self.of_section(flown.section.as_ref());

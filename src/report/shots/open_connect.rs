@@ -131,8 +131,8 @@ impl<'a> OpenConnectFlight<'a> {
     }
 }
 
-/// Appends the message of a row. For a row that cannot be flown, the message states that it has no
-/// ball data, so that no simulator plays it.
+/// Appends the message of a row. If the row cannot be flown, the message states that it has no ball
+/// data, so that no simulator plays the shot.
 pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
     let shot = &flown.shots[row];
     let club = club(shot);
@@ -156,8 +156,8 @@ pub(super) fn row(flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
 }
 
 /// The answer to a message, ending with a line break. A shot gets code 200 and its predictions in
-/// SI. A message without a shot gets code 201 and the player: this golfer with a driver. Any other
-/// message gets code 501 and the reason.
+/// SI. A message without a shot gets code 201 and the player: the handedness of `golfer`, and a
+/// driver. Any other message gets code 501 and the reason.
 pub fn open_connect_answer(flown: &Flown, golfer: Golfer) -> Vec<u8> {
     let is_no_shot = flown
         .shots

@@ -38,7 +38,7 @@ pub struct ShotParquet {
     columns: Vec<ColumnSource>,
     /// Number of parameters that have a column.
     parameters: usize,
-    /// Parameters of later sections, which have no column.
+    /// Parameters that only later sections of the table state; they have no column.
     without_column: Vec<&'static str>,
     waiting: Vec<Flown>,
     placed: Vec<PlacedGroup>,
@@ -121,7 +121,7 @@ impl ShotParquet {
         })
     }
 
-    /// Adds shots. Returns the bytes of a row group once it is full, otherwise no bytes.
+    /// Adds shots. If a row group is full, returns the bytes of this group, otherwise no bytes.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow a value of the shots.
@@ -161,7 +161,7 @@ impl ShotParquet {
         Ok(bytes)
     }
 
-    /// A remark on parameters without a column, complete after the last shot.
+    /// A remark that names the parameters without a column. It is complete after the last shot.
     pub fn remark(&self) -> Option<Message> {
         let what = "parameters of later sections, which have no column in the Parquet file (JSON \
                     lines have them)";

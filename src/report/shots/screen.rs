@@ -12,8 +12,8 @@ const LINE: usize = 5;
 /// Width of each other column, in characters.
 const WIDTH: usize = 15;
 
-/// The launch of each shot, and the first requested outcome: the predicted value, and the predicted
-/// minus the measured value.
+/// Table of the launch of each shot, the predicted value of the first requested outcome, and the
+/// residual (predicted − measured).
 #[derive(Clone, Debug)]
 pub(super) struct Screen {
     pub of: Option<Outcome>,

@@ -181,7 +181,8 @@ impl ShotsReport {
         }
     }
 
-    /// Lines with the number of rows flown, not flown (by kind of reason), and with remarks.
+    /// Lines with the numbers of flown rows, of refused rows by kind of reason, and of rows with
+    /// remarks.
     fn counts(&self) -> Vec<Line> {
         let from = self
             .source

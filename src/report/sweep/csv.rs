@@ -14,9 +14,9 @@ pub struct SweepCsv {
 
 #[derive(Clone, Copy, Debug)]
 enum ColumnUnit {
-    /// A unit, with the zero of its scale.
+    /// Unit of a parameter or an outcome; the zero of its scale may differ from SI (°F).
     Value(Unit),
-    /// SI size of the unit of a derivative.
+    /// Size of the unit of a derivative, SI.
     Ratio(f64),
 }
 
@@ -64,7 +64,7 @@ impl SweepCsv {
         }
     }
 
-    /// The first line: names of the columns with their units. They need no quotes.
+    /// The first line: the names of the columns with their units. No name needs quotes.
     pub fn head(&self) -> Vec<u8> {
         (self.names.join(",") + "\n").into_bytes()
     }
@@ -89,7 +89,7 @@ impl SweepCsv {
             for (at, value) in point.iter().enumerate() {
                 match *value {
                     value if value.is_finite() => write(&mut bytes, value, at),
-                    // a missing value in the table of points
+                    // the table of points has no value here
                     value if value.is_nan() => {}
                     // the radius of a flat face
                     _ => bytes.extend_from_slice(b"inf"),

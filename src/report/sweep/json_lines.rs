@@ -53,7 +53,7 @@ impl SweepJsonLines {
                 bytes.extend_from_slice(key.as_bytes());
                 match *value {
                     value if value.is_finite() => push_number(&mut bytes, value),
-                    // a missing value in the table of points
+                    // the table of points has no value here
                     value if value.is_nan() => bytes.extend_from_slice(b"null"),
                     // the radius of a flat face: JSON has no infinity
                     _ => bytes.extend_from_slice(b"\"inf\""),

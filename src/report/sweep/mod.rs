@@ -27,7 +27,7 @@ fn column_counts(batch: &Batch) -> [usize; 3] {
     [batch.parameters().len(), outcomes, outcomes * wrt]
 }
 
-/// Checks that a block of rows has these numbers of columns.
+/// Checks that a block has as many parameters, outcomes and derivatives as the table.
 ///
 /// # Panics
 /// If the block differs in the number of parameters, outcomes or derivatives.

@@ -8,7 +8,7 @@ use parquet::data_type::ByteArray;
 const MOST_ROWS: usize = 128 * CHUNK;
 /// Minimum number of rows in a row group. It takes precedence over `MOST_BYTES`.
 const LEAST_ROWS: usize = 16 * CHUNK;
-/// Maximum number of bytes of the numbers in a row group.
+/// Maximum size of the numbers in a row group, bytes.
 const MOST_BYTES: usize = 16 << 20;
 
 /// A batch as Parquet: optional `DOUBLE` columns, and the status as a required string.
@@ -49,14 +49,14 @@ impl SweepParquet {
         })
     }
 
-    /// Number of blocks of [`CHUNK`] rows in a row group: fewer for wide tables. A group must fit
-    /// in memory, and an interruption must not lose much work.
+    /// Number of blocks of [`CHUNK`] rows in a row group. A row group must fit in memory, and an
+    /// interruption must not lose much work; a wide table therefore has fewer blocks in a group.
     pub fn blocks_of_group(&self) -> usize {
         let width = 9 * self.columns.iter().sum::<usize>() + 1;
         (MOST_BYTES / width).clamp(LEAST_ROWS, MOST_ROWS) / CHUNK
     }
 
-    /// The row group of some blocks.
+    /// The row group that contains `blocks`.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow a value of `blocks`.
@@ -73,7 +73,7 @@ impl SweepParquet {
             number if number < parameters => {
                 let value = |block: &Block, row| {
                     let value = block.point(row)[number];
-                    // NaN is a missing value in the table of points
+                    // NaN: the table of points has no value here
                     Some(value).filter(|value| !value.is_nan())
                 };
                 let values = blocks
@@ -97,8 +97,8 @@ impl SweepParquet {
         })
     }
 
-    /// The last bytes of a file with these row groups. `metadata` has further entries of its
-    /// key-value metadata.
+    /// The end of a file with the row groups `groups`. The file also stores the key-value pairs
+    /// `metadata`.
     ///
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow `groups` or `metadata`.

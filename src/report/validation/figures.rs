@@ -8,14 +8,14 @@ use crate::statistics::extent;
 use crate::study::validation::{Case, Compared, LawScores, SetScores};
 use crate::units::Quantity;
 
-/// The independent law for comparison with the default law.
+/// An independent law. The report compares the default law with it.
 pub(super) const ALTERNATIVE: &str = "ferguson";
 
-/// The set of optima to plot. Its club is chosen so that the impact gives the chart's ratio of
-/// launch angle to spin.
+/// The set of optima to plot. In this set the club is chosen so that its impact gives the ratio of
+/// launch angle to spin on TrackMan's chart.
 const OPTIMA: &str = "chart-optima-impact";
 
-/// Name of the band for the difference between two launch monitors.
+/// Name of the band that shows the difference between two launch monitors.
 const INSTRUMENTS: &str = "two launch monitors";
 const BAND: &str = "The band is one standard deviation of the difference between two launch \
                     monitors on the same drive (Bliss & Langdown 2026): 6.7 yd of carry, 12.3 ft \
@@ -23,7 +23,7 @@ const BAND: &str = "The band is one standard deviation of the difference between
 const OPTIMUM: &str =
     "Computed spin at the loft of the longest carry, minus the spin on TrackMan's chart.";
 
-/// Plots of the predicted against the measured carry, and of the residuals of carry, apex, descent
+/// The figures: the predicted against the measured carry, and the residuals of carry, apex, descent
 /// and spin.
 pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
     let measured: Vec<&SetScores> = found.iter().filter(|set| set.set.is_measured).collect();
@@ -50,7 +50,8 @@ fn drawn(sets: &[&SetScores]) -> Vec<&'static str> {
     laws
 }
 
-/// Plot of the predicted against the measured carry with the default law, a series for each set.
+/// Figure of the predicted against the measured carry. Each set is a series, computed with the
+/// default law.
 fn carry(sets: &[&SetScores]) -> Figure {
     let default = Law::default().name();
     let carry = |words: &str| NamedQuantity::new(format!("{words} carry"), Quantity::LENGTH, "yd");
@@ -80,8 +81,8 @@ fn carry(sets: &[&SetScores]) -> Figure {
     figure.noted(BAND)
 }
 
-/// Plot of the residuals of a quantity, a series for each law. The horizontal axis is the club
-/// speed for the spin, and the ball speed for other quantities.
+/// Figure of the residuals of a quantity. Each law is a series. The horizontal axis is the club
+/// speed if the quantity is the spin, otherwise the ball speed.
 fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure {
     let is_spin = of == Compared::Spin;
     let (speed, drives) = match is_spin {
@@ -126,9 +127,8 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure
     })
 }
 
-/// The line of predictions without error, through the points `ends`, within a band of one standard
-/// deviation of the difference between two launch monitors. `name` is the name of the line in the
-/// legend.
+/// The line of predictions without error through the points `ends`, with `name` in the legend. The
+/// band around the line is ± one standard deviation of the difference between two launch monitors.
 fn without_error(of: Compared, name: &str, ends: [[f64; 2]; 2]) -> Vec<Layer> {
     let outcome = match of {
         Compared::Carry => Some(Outcome::CarryDistance),
@@ -165,7 +165,8 @@ fn ends(of: impl Iterator<Item = f64>) -> [f64; 2] {
         .unwrap_or_default()
 }
 
-/// The smallest mean absolute error of a set's first quantity, SI, with the law that has it.
+/// The smallest mean absolute error of the first quantity of a set, SI, and the law with this
+/// error.
 pub(super) fn best(set: &SetScores) -> Option<(f64, &'static str)> {
     let of = |law: &LawScores| law.scores.first()?.mean_absolute_error;
     set.laws

@@ -5,7 +5,7 @@ use crate::report::shown::NONE;
 use crate::study::validation::{Case, Compared, LawScores, OTHER_TEMPERATURES, Score, SetScores};
 use crate::units::{System, counted, fixed, signed};
 
-/// The first quantity of most sets. The table names the quantity only for the other sets.
+/// The first quantity of most sets is the carry. If it is another quantity, the table names it.
 const CARRY: &str = "carry";
 
 /// The mean absolute error of the first quantity of every set, for the best law, the default law,
@@ -119,7 +119,8 @@ fn errors_of(law: &LawScores, system: System) -> Vec<String> {
     errors.map(|text| text.unwrap_or(NONE.into())).collect()
 }
 
-/// The name of a law, with the number of its drives if it cannot fly all of a set.
+/// The name of a law. If the law cannot compute every drive of the set, the numbers of drives
+/// follow: "NAME (3 of 5 drives)".
 fn law_with_count(set: &SetScores, law: &LawScores) -> String {
     let computed = law.scores.first().map_or(0, |score| score.residuals.len());
     let is_published = |case: &&Case| case.published(first(set)).is_some();
@@ -135,7 +136,7 @@ fn first(set: &SetScores) -> Compared {
     set.set.computation.compared()[0]
 }
 
-/// A number without its unit, with the digits of the data.
+/// A number without its unit, with as many decimals as the published data.
 fn shown(of: Compared, value: f64, system: System) -> String {
     let number = value / of.unit().size_in(system);
     fixed(number, if of == Compared::Spin { 0 } else { 1 })

@@ -9,21 +9,21 @@ use crate::report::shown::{NONE, stated};
 use crate::reproduce::{FittedNumber, WinfieldTan};
 use crate::units::{DisplayUnit, Quantity, System, significant, typed};
 
-/// Speeds of the displayed values, m/s, within the speeds of the paper's flights.
+/// Speeds in the table of coefficients, m/s. They lie within [`FLOWN`].
 const METRES_PER_SECOND: [f64; 4] = [30.0, 40.0, 50.0, 65.0];
-/// Speeds of the displayed values, mph. They agree with `METRES_PER_SECOND` within 5 %.
+/// Speeds in the table of coefficients, mph. They agree with `METRES_PER_SECOND` within 5 %.
 const MILES_PER_HOUR: [f64; 4] = [70.0, 90.0, 110.0, 145.0];
 
 /// The lowest and the highest ball speed in the paper's flights, m/s.
 const FLOWN: [f64; 2] = [25.0, 68.0];
 
-/// Spin ratios of the displayed values.
+/// Spin ratios in the table of coefficients.
 const SPIN_RATIOS: [f64; 6] = [0.03, 0.06, 0.10, 0.15, 0.20, 0.30];
 
-/// Uncertainty of a printed distance in the calibration, m: 0.05 yd.
+/// Standard uncertainty of a printed distance in the calibration, m: 0.05 yd.
 const CARRY_SIGMA: f64 = 0.04572;
 
-/// Largest spin in the paper's flights, rad/s: for loft 17.14° at 110 mph.
+/// Largest spin of the paper's flights, rad/s. It belongs to loft 17.14° and club speed 110 mph.
 const MOST_SPIN: f64 = 450.0;
 
 /// Adds the law to a document: its formula and coefficients, its values, and plots.

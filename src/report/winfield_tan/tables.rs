@@ -1,4 +1,4 @@
-//! The numbers of the paper, compared with the computed numbers.
+//! Tables that compare the numbers of the paper with computed numbers.
 
 use crate::report::document::{Document, DocumentTable};
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
