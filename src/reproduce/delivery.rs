@@ -45,7 +45,7 @@ impl DeliveryCarry {
         }
     }
 
-    /// The delivery of a loft, rad, and an attack angle, rad, with the carry of the model.
+    /// The delivery with this loft and attack angle, rad, and the carry that the model computes.
     pub(super) fn flown(setup: &Setup<f64>, loft: f64, attack_angle: f64) -> Result<Self> {
         Ok(Self {
             loft,

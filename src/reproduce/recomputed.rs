@@ -16,8 +16,8 @@ pub struct RecomputedOptimum {
 }
 
 impl RecomputedOptimum {
-    /// The exact optimum over the parameters `names` within these ranges, by searches from this
-    /// number of starts. A loft or attack angle that is not in `names` has its printed value.
+    /// Searches from `starts` starting points for the optimum over the parameters `names` within
+    /// `ranges`. A loft or attack angle that is not in `names` has its printed value.
     pub(super) fn new(
         setup: &Setup<f64>,
         printed: DeliveryCarry,

@@ -40,7 +40,7 @@ impl Launched {
     }
 }
 
-/// Energy argument against the report's distances: maximum ball speed, and maximum carry at that
+/// Checks the report's distances by energy: the maximum ball speed, and the maximum carry at this
 /// speed.
 ///
 /// e is the coefficient of restitution, m the mass of the ball, M the mass of the club head, V the
@@ -83,12 +83,13 @@ pub struct Subsystems {
     /// Derivatives of carry by each launch condition at the optimum: m per m/s, per rad, per rad/s.
     #[serde(rename = "carry_by")]
     pub slopes: ByLaunch,
-    /// Derivative of carry by loft through each launch condition, m/rad. The sum is 0 at the
-    /// optimum.
+    /// For each launch condition: the derivative of carry by this condition, times the derivative
+    /// of the condition by loft, m/rad. The sum is 0 at the optimum.
     #[serde(rename = "carry_by_loft_through")]
     pub by_loft: ByLaunch,
-    /// Derivative of carry by attack angle through each launch condition, m/rad. The sum is the
-    /// multiplier of the bound on the attack angle.
+    /// For each launch condition: the derivative of carry by this condition, times the derivative
+    /// of the condition by attack angle, m/rad. The sum is the multiplier of the bound on the
+    /// attack angle.
     #[serde(rename = "carry_by_attack_angle_through")]
     pub by_attack_angle: ByLaunch,
 }
@@ -124,7 +125,7 @@ const MOST_SPIN: f64 = 1000.0;
 const ANGLES: [f64; 2] = [0.01, FRAC_PI_2 - 0.01];
 
 impl Energy {
-    /// The energy argument for the club of `setup` and the report's longest carry `distance`, m.
+    /// The check for the club of `setup` and the report's longest carry `distance`, m.
     pub(super) fn new(setup: &Setup<f64>, distance: f64) -> Result<Self> {
         let (head, ball) = (setup.club.mass, setup.ball.mass);
         let fastest = (1.0 + setup.impact.restitution) / (1.0 + ball / head) * setup.swing.speed;

@@ -52,7 +52,7 @@ fn flown<T>(found: Result<T, crate::Error>, without: T) -> Result<T, crate::Erro
 /// The problem in the unbounded variables u.
 struct Unbounded<'a, 'b> {
     objective: &'a CarryObjective<'b>,
-    /// The smallest value so far, with its x.
+    /// The smallest value so far, and the point x with this value.
     best: &'a RefCell<(f64, Vec<f64>)>,
 }
 

@@ -41,17 +41,18 @@ pub struct Mae494 {
     pub table2: Vec<RecomputedOptimum>,
     /// The report's regression.
     pub regression: Regression,
-    /// Optimum of the regression with the wrong powers, and the carry of this optimum in the model.
+    /// Optimum of the regression polynomial that is evaluated with wrong powers of loft, and the
+    /// carry that the model computes at this optimum.
     pub with_wrong_powers: DeliveryCarry,
-    /// Energy argument against the printed distances.
+    /// Check of the printed distances by energy.
     pub energy: Energy,
-    /// Optima of the subsystems.
+    /// Optima of the flight alone and of the impact alone.
     pub subsystems: Subsystems,
     /// Third study: mean over attack angles.
     pub average: Average,
     /// Parametric study.
     pub parametric: Parametric,
-    /// Discontinuities of the flight loop, and searches on its discontinuous carry.
+    /// Jumps of the carry that the report's flight loop computes, and searches on this carry.
     pub noise: Noise,
 }
 

@@ -55,9 +55,10 @@ pub struct LongerDifference {
     /// The forward difference of the report's loop, m/rad.
     #[serde(rename = "loop")]
     pub overshot: f64,
-    /// The forward difference of the loop's interpolated landing, m/rad.
+    /// The forward difference of the carry that is interpolated between the last two steps of the
+    /// report's loop, m/rad.
     pub interpolated: f64,
-    /// The forward difference of the smooth landing, m/rad.
+    /// The forward difference of the carry of this library's flight, m/rad.
     pub smooth: f64,
 }
 
@@ -105,7 +106,8 @@ pub struct Slopes {
     /// Forward difference of the report's loop.
     #[serde(rename = "loop")]
     pub overshot: f64,
-    /// Forward difference of the loop's interpolated landing.
+    /// Forward difference of the carry that is interpolated between the last two steps of the
+    /// report's loop.
     pub interpolated: f64,
     /// True if the forward difference of the report's loop has the wrong sign.
     pub sign_is_wrong: bool,
@@ -197,7 +199,8 @@ impl Slopes {
     }
 }
 
-/// Forward differences of the report's loop and of its interpolated landing, m/rad.
+/// Forward differences of two carries of the report's loop, m/rad: at its last step, and
+/// interpolated between its last two steps.
 fn loop_slopes(setup: &Setup<f64>, loft: f64, by: f64, step: f64) -> Result<[f64; 2]> {
     let here = fly_past_the_ground(&with_delivery(setup, loft, 0.0), step)?;
     let there = fly_past_the_ground(&with_delivery(setup, loft + by, 0.0), step)?;
@@ -208,9 +211,8 @@ fn loop_slopes(setup: &Setup<f64>, loft: f64, by: f64, step: f64) -> Result<[f64
 }
 
 impl Sawtooth {
-    /// Finds the jumps. A jump lies between two neighbouring points if the change of the loop's
-    /// carry and the change of the smooth carry differ by more than three times the change of the
-    /// smooth carry.
+    /// Finds the jumps: pairs of neighbouring points at which the change of the loop's carry and
+    /// the change of the smooth carry satisfy |Δloop − Δsmooth| > 3 |Δsmooth|.
     fn of(zoom: &[Landings]) -> Self {
         let jump = |pair: &[Landings]| {
             let smooth = pair[1].smooth - pair[0].smooth;
@@ -233,8 +235,8 @@ impl Sawtooth {
     }
 }
 
-/// The derivative of carry by the loft λ, d carry/dλ, and the derivative at fixed time, ∂z/∂λ = d
-/// carry/dλ − ż dt/dλ, with the flight time t and the downrange position z, both at landing.
+/// Two derivatives by the loft λ: of the carry, and of the downrange position z at the fixed
+/// landing time t, ∂z/∂λ = d carry/dλ − ż dt/dλ.
 fn exact_slopes(setup: &Setup<f64>) -> Result<(f64, f64)> {
     let of = [
         Outcome::Carry,

@@ -52,7 +52,7 @@ pub(super) fn domain() -> Result<Domain> {
     Domain::new(ends(0), ends(1))
 }
 
-/// −carry as a function of loft and attack angle, with a count of the flights.
+/// The objective −carry as a function of loft and attack angle. It counts the flights.
 pub(super) struct CarryObjective<'a> {
     pub setup: &'a Setup<f64>,
     landing: LandingDefinition,

@@ -12,7 +12,7 @@ use serde::Serialize;
 #[cfg_attr(test, schemars(rename = "ParametricReport"))]
 pub struct Parametric {
     /// Each constant.
-    // in descending order of relative influence
+    // sorted by the change of carry for a change of 1 %, the largest first
     #[serde(rename = "sensitivity")]
     pub sensitivities: Vec<Constant>,
     /// The optima after changes of a constant.
@@ -43,7 +43,7 @@ pub struct ChangedOptimum {
     #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub value: Option<f64>,
     /// The varied parameters, rad.
-    // the best attack angle stays at its bound
+    // only the loft: the best attack angle stays at its bound
     #[serde(serialize_with = "by_name")]
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, f64>"))]
     pub optimum: [(&'static str, f64); 1],

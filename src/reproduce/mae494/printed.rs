@@ -33,8 +33,8 @@ pub const TABLE_2: [[f64; 3]; 9] = [
     [15.0, 7.2053, 243.43],
 ];
 
-/// Recommended optimum: the loft of Table 1, deg, a swing elevation of Table 2, deg, and the
-/// longest distance of Table 1, m.
+/// The recommended optimum: loft, deg, from Table 1; swing elevation, deg, from Table 2; distance,
+/// m, the longest of Table 1.
 pub const OPTIMUM: [f64; 3] = [17.68, 7.3, 248.48];
 
 /// Search ranges of loft and swing elevation, deg. Table 1 has this range of swing elevation.

@@ -13,10 +13,11 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Regression {
-    /// Maximum with the wrong powers, as in the listing.
+    /// Maximum of the polynomial with the fitted coefficients, but with the powers 1, λ, λ², λ³,
+    /// λ⁴, as in the listing.
     #[serde(rename = "slipped")]
     pub with_wrong_powers: Peak,
-    /// Maximum with the fitted powers.
+    /// Maximum of the polynomial with the fitted coefficients and the fitted powers.
     pub as_fitted: Peak,
     /// Maximum of the polynomial with the powers 1, λ, λ², λ³, λ⁴ through the same points.
     pub ordinary: Peak,

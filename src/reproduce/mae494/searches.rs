@@ -45,7 +45,8 @@ const KINDS: [(LandingDefinition, SearchMethod); 7] = [
     (LandingDefinition::Smooth, SearchMethod::Exact),
 ];
 
-/// The searches of all combinations, from the same starts. The ball flies at every start.
+/// Runs the searches of each kind in `KINDS`, all from the same starts. The ball flies at every
+/// start.
 pub(super) fn searches(setup: &Setup<f64>) -> Result<Vec<Searches>> {
     let domain = domain()?;
     let mut begun = vec![];

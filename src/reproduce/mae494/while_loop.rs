@@ -23,9 +23,9 @@ pub struct LoopLanding {
     pub interpolated: f64,
 }
 
-/// Integrates the flight in steps of `step` s until the height is negative, as in the listing. The
-/// velocity advances by explicit Euler steps, because the listing's `ode45` integrates a constant
-/// acceleration within a step. The position moves with the new velocity.
+/// Integrates the flight in steps of `step`, s, until the height is negative, as the listing does.
+/// The listing's `ode45` integrates a constant acceleration within a step, which is an explicit
+/// Euler step of the velocity. The position moves with the new velocity.
 ///
 /// # Errors
 /// The errors of [`strike`], and [`Error::NoFlight`] if the ball is still airborne at the time
@@ -81,9 +81,9 @@ pub struct LoopRow {
     pub check: Check,
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// The finite difference with the step nearest to 1e-8 of the parameter's characteristic size,
-    /// SI.
-    // optimizers use such steps
+    /// The finite difference, SI, whose step is nearest to 1e-8 times the characteristic size of
+    /// the parameter.
+    // optimizers use steps of this size
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub difference: Option<f64>,
@@ -95,8 +95,8 @@ pub struct LoopRow {
 }
 
 impl LoopRow {
-    /// The row of a check whose steps are multiples of `scale`, the characteristic size of the
-    /// parameter.
+    /// The row of a check. `scale` is the characteristic size of the parameter; the steps of the
+    /// check are multiples of it.
     fn new(parameter: &'static Parameter, scale: f64, check: Check) -> Self {
         let distance = |step: f64| (step / scale / 1e-8).ln().abs();
         let nearest = check
@@ -166,10 +166,10 @@ pub fn loop_landing(setup: &Setup<f64>, step: f64) -> Result<LoopLanding> {
     fly_past_the_ground(setup, step)
 }
 
-/// Finite differences of the report's loop for the derivatives of carry in a certificate, except
-/// derivatives by wind and by the height of the ground: the loop models neither. Empty if the setup
-/// has something that the loop does not model: a stated launch, wind, spin damping, or a ground
-/// that is not level with the tee.
+/// Compares finite differences of the report's loop with the derivatives of carry in `rows`.
+/// Derivatives by wind and by the height of the ground are omitted, because the loop models
+/// neither. Empty if the loop does not model the setup: a stated launch, wind, spin damping, or a
+/// ground that is not level with the tee.
 pub fn while_loop(setup: &Setup<f64>, rows: &[DerivativeRow]) -> Vec<LoopRow> {
     if !is_modelled(setup) {
         return vec![];

@@ -16,7 +16,7 @@ pub struct InterpolatedAverage {
     pub by_polynomial: LoftCarry,
     /// Points of the polynomial between the first and last loft.
     pub polynomial: Vec<LoftCarry>,
-    /// Exact optimum of the mean.
+    /// Exact optimum of the mean carry.
     pub best: LoftCarry,
     /// Printed optimum.
     pub printed: LoftCarry,
@@ -77,8 +77,8 @@ impl InterpolatingPolynomial {
         })
     }
 
-    /// Carry, m, and its first and second derivative by x, m/° and m/°², at a loft, rad, by
-    /// Horner's scheme.
+    /// Horner's scheme at a loft, rad: carry, m, and its first and second derivative by x, m/° and
+    /// m/°².
     fn at(&self, loft: f64) -> [f64; 3] {
         let x = (loft - self.middle).to_degrees();
         let further = |[v, d, dd]: [f64; 3], c: &f64| [v * x + c, d * x + v, dd * x + 2.0 * d];

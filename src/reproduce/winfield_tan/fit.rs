@@ -22,10 +22,10 @@ const DECAY: &str = "aero.spin_decay";
 pub struct RefittedLaw {
     /// The law, fitted with the spin decay rate fixed at its value in the preset.
     pub law: Calibration,
-    /// Decay rate, 1/s, fitted together with the law. Its standard uncertainty is multiplied by
-    /// √(χ²/degrees of freedom).
+    /// Spin decay rate, 1/s, fitted together with the law. The factor √(χ²/degrees of freedom) is
+    /// applied to its standard uncertainty.
     pub decay: FittedNumber,
-    /// Sum of squares of the best fit at each decay rate of `PROFILE`.
+    /// Smallest sum of squares at each decay rate of `PROFILE`.
     pub profile: Vec<Decay>,
 }
 

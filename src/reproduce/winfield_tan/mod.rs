@@ -44,7 +44,7 @@ pub struct WinfieldTan {
     pub fitted: RefittedLaw,
 }
 
-/// Search ranges far beyond the printed values.
+/// Search ranges. They are far wider than the printed values.
 const RANGES: Ranges = Ranges {
     loft: [-10.0, 40.0],
     attack_angle: [-20.0, 50.0],

@@ -40,7 +40,7 @@ pub const TABLE_2: [[f64; 3]; 13] = [
 ];
 /// The loft with the best mean carry over attack angles of 0–10°, deg, and this mean carry, yd.
 pub const AVERAGE: [f64; 2] = [10.68, 228.01];
-/// Lofts with a computed mean carry, deg.
+/// Lofts for which the paper computes a mean carry, deg.
 pub const AVERAGED_LOFTS: [f64; 6] = [7.0, 8.0, 9.0, 10.0, 11.0, 12.0];
 /// Robot "Iron Byron" with the delivery of the single shot: mean and standard deviation of twenty
 /// distances, yd.
