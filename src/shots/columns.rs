@@ -38,9 +38,9 @@ pub struct ShotColumns {
     pub(super) read: Vec<MeasuredColumn>,
     /// Columns of the club: speed, attack angle, path, face angle.
     pub(super) club: [Option<(usize, Column)>; 4],
-    /// The parameters besides the launch.
+    /// Parameters that are not part of the launch.
     pub(super) other_parameters: Vec<RowParameter>,
-    /// Column with the origin of the spin.
+    /// Column that states whether the spin is measured or estimated.
     pub(super) spin_type: Option<usize>,
     /// Column that states the conditions for which the values hold, such as normalized weather.
     pub(super) condition: Option<usize>,
@@ -57,8 +57,8 @@ pub struct ShotColumns {
 }
 
 impl ShotColumns {
-    /// Interprets the column heads of a table of shots. If `is_air_given` is true, the columns in
-    /// which the export states the air are ignored.
+    /// Interprets the column heads of a table of shots. If `is_air_given` is true, columns that
+    /// state the air are ignored.
     ///
     /// # Errors
     /// [`Error::Table`] if a launch column is missing, or if a unit has the wrong dimension.
@@ -154,11 +154,11 @@ impl ShotColumns {
         self.condition = plain.iter().position(|head| is_condition_head(head));
     }
 
-    /// Puts the parameters `first` of the first section before the parameters that only this
-    /// section has.
+    /// Sorts the parameters of this section that are not part of the launch: first the parameters
+    /// `first` of the table's first section, then the parameters that only this section has.
     ///
     /// # Errors
-    /// The name of a parameter that has no column in this section.
+    /// The name of a parameter in `first` that has no column in this section.
     pub(super) fn order_parameters_like(
         &mut self,
         first: &[&'static Parameter],
@@ -194,7 +194,7 @@ impl ShotColumns {
                     column: column.clone(),
                 });
             }
-            // a flight from a launch does not depend on the club: read parameters of the club as
+            // a flight from a launch does not depend on the club: read a parameter of the club as
             // club data
             Content::Note | Content::Input(_) => {
                 let below = read_units(self.units.as_deref(), at);
@@ -305,7 +305,7 @@ impl ShotColumns {
         columns_remark("columns given twice; only the first is used", &twice)
     }
 
-    /// The parameters that each row states, without those of the launch.
+    /// The parameters that each row states in addition to the launch.
     pub(crate) fn other_parameters(&self) -> Vec<&'static Parameter> {
         self.other_parameters
             .iter()
@@ -320,7 +320,6 @@ impl ShotColumns {
     }
 }
 
-/// The air of the rows.
 impl ShotColumns {
     /// The air column; `None` if the export states no air.
     pub(super) fn stated_air(&self) -> Option<&RowParameter> {
@@ -342,8 +341,9 @@ impl ShotColumns {
     }
 }
 
-/// Interprets the columns of rest positions. [`TableHead`] does not know their heads, because
-/// `calibrate` must ignore these columns: the ground is unknown.
+/// Interprets the columns of the ball's rest position (total, lateral total). [`TableHead`] does
+/// not know their heads, because `calibrate` must ignore these columns: it does not know the ground
+/// of the shots.
 fn add_totals(setup: &Setup<f64>, head: &mut TableHead) -> Result<()> {
     if !head.format.is_export {
         return Ok(());
@@ -365,7 +365,8 @@ fn add_totals(setup: &Setup<f64>, head: &mut TableHead) -> Result<()> {
     Ok(())
 }
 
-/// Columns that `fly` added: four with text, then outcomes; empty without such columns.
+/// Indices of the columns that an earlier run of `fly` added: line, flight status, reason, notes,
+/// then outcomes. Empty without such columns.
 fn added(columns: &[Column]) -> Range<usize> {
     let heads: Vec<&str> = columns.iter().map(|column| column.head.as_str()).collect();
     let Some(from) = heads

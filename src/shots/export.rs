@@ -38,13 +38,12 @@ impl ShotColumns {
         shot
     }
 
-    /// The refusal that an earlier run of `fly` wrote into the row. It replaces `now`, the refusal
-    /// of this run, if `now` reports a missing value or if all cells but the first are empty.
-    /// `None` without an earlier refusal, or if the row still has the faulty value that `now`
-    /// reports.
+    /// The refusal that an earlier run of `fly` wrote into the row, if it says more than `now`, the
+    /// refusal of this run: `now` only reports a missing value, or all cells but the first are
+    /// empty. Otherwise `None`.
     fn refused_before(&self, row: &[Cow<'_, str>], now: &Refusal) -> Option<Refusal> {
         let [_, flight, reason, _] = row.get(self.added.clone())?.first_chunk()?;
-        // for a row without valid cells, `fly` writes the whole row into the first cell
+        // `fly` writes a row without valid cells as one text into the first cell
         let own = row[..self.added.start].iter().chain(&row[self.added.end..]);
         let is_lacking = now.kind == Refusal::MISSING || own.skip(1).all(|cell| cell.is_empty());
         (flight == REFUSED && is_lacking).then(|| Refusal::new(Refusal::BEFORE, reason.as_ref()))
@@ -158,7 +157,7 @@ impl ShotColumns {
     }
 }
 
-/// The launch parameters that follow from stated conditions, SI, in the order of
+/// Computes the launch parameters from the stated launch conditions, SI, in the order of
 /// [`LAUNCH`](super::shot::LAUNCH). `name` returns the column head of a condition for messages;
 /// `has` is true for a condition that has a column.
 pub(super) fn launch(

@@ -12,7 +12,7 @@ pub struct Flown {
     pub of: Vec<Outcome>,
     /// The shots.
     pub shots: Vec<Shot>,
-    /// For each shot, its row in the block; `None` for a refused shot.
+    /// Row of each shot in `block`; `None` for a refused shot.
     pub(super) flights: Vec<Option<usize>>,
     pub(super) block: Block,
     /// True if the predicted and measured roll-outs are compared.

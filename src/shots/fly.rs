@@ -21,9 +21,9 @@ pub struct Flying {
     pub compares_roll_out: bool,
 }
 
-/// Range of launches for which the integration method and step are chosen. It does not depend on
-/// the table, so that the prediction for a row does not depend on other rows. A drive outside the
-/// range is computed with a smaller step if necessary.
+/// Usual launches. The integration method and step are chosen for these ranges. The ranges do not
+/// depend on the table, so that the prediction for a row does not depend on other rows. A drive
+/// outside the ranges has a smaller step if necessary.
 const USUAL: [&str; 5] = [
     "launch.ball_speed=60mph..200mph",
     "launch.launch_angle=2deg..35deg",
@@ -33,8 +33,9 @@ const USUAL: [&str; 5] = [
 ];
 
 impl Flying {
-    /// Prepares to compute these outcomes of shots with the setup's ball, air and law.
-    /// `other_parameters` are those of the [`Shots`]; messages of GSPro Open Connect have none.
+    /// Prepares to compute the outcomes `of` of shots with the ball, air and law of the setup.
+    /// `other_parameters` are [`Shots::other_parameters`]; they are empty for messages of GSPro
+    /// Open Connect.
     ///
     /// # Errors
     /// The errors of [`Batch::new`], [`Error::Nothing`] if there is no outcome, and
@@ -139,7 +140,7 @@ impl Flying {
         Ok(statistics)
     }
 
-    /// A copy for rows that state `other_parameters` besides the launch.
+    /// A copy for rows that state `other_parameters` in addition to the launch.
     fn of_rows(&self, other_parameters: &[&'static Parameter]) -> Result<Self> {
         let launch = &self.batch.parameters()[..LAUNCH.len()];
         let batch = self

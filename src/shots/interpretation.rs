@@ -7,7 +7,7 @@ use crate::table::{
     Column, Content, TableHead, assume_unit, density_in, is_condition_head, split_unit, words,
 };
 
-/// Makers, each with column heads (in lower case) that occur together only in this maker's exports.
+/// Each maker, with column heads (in lower case) that occur together only in exports of this maker.
 /// Sources: docs/sources.md.
 const SIGNATURES: [(&str, &[&str]); 16] = [
     ("TrackMan", &["carry flat length"]),
@@ -48,8 +48,8 @@ pub(crate) struct Interpretation {
 
 impl Interpretation {
     /// Interprets the columns of an export: changes contents, units and signs of the columns in
-    /// `head`. A table that is not an export stays unchanged. With a `setup`, a column of weather
-    /// is read as the air of each row.
+    /// `head`. A table that is not an export stays unchanged. With a `setup`, a column that states
+    /// the weather determines the air of each row.
     pub fn of(setup: Option<&Setup<f64>>, head: &mut TableHead) -> Self {
         if !head.format.is_export {
             return Self::default();
@@ -88,8 +88,8 @@ impl Interpretation {
     }
 }
 
-/// TrackMan: `Condition` states altitude and temperature. They determine the air of each row,
-/// unless a column states the density or the setup gives the weather.
+/// TrackMan's column `Condition` states altitude and temperature, which determine the air of each
+/// row. A column of the density, or weather in the setup, replaces this air.
 fn weather_of_rows(
     setup: &Setup<f64>,
     plain: &[String],

@@ -73,7 +73,7 @@ impl Objects {
     pub fn finish(&mut self) {
         match self.state {
             ScannerState::Between => {}
-            // its record was made at the length limit
+            // the record of the object was made when the object became too long
             ScannerState::TooLong => self.state = ScannerState::Between,
             _ => self.end(false),
         }

@@ -26,8 +26,8 @@ const BALL: [(&str, Outcome); 8] = [
     ("CarryDistance", Outcome::CarryDistance),
 ];
 
-/// Units of the speeds and of the lengths of a message, as its `Units` states them; mph and yd
-/// without `Units`.
+/// Units of speeds and lengths in a message, from its member `Units`; mph and yd without this
+/// member.
 fn units(message: &Map<String, Json>) -> Result<(&'static str, &'static str), Refusal> {
     match message.get("Units") {
         None | Some(Json::Null) => Ok(("mph", "yd")),
@@ -61,7 +61,7 @@ fn number(of: &Map<String, Json>, group: &str, key: &str) -> Result<Option<f64>,
 }
 
 /// Origin of a value in a message that `fly` wrote. Total spin, spin axis, backspin and sidespin
-/// share one origin.
+/// have a common origin.
 fn origin(message: &Map<String, Json>, of: Outcome) -> Option<Origin> {
     let origins = message.get("Flight")?.get("Origins")?;
     let spins: &[Outcome] = if OF_SPIN.contains(&of) { &OF_SPIN } else { &[] };
@@ -74,7 +74,7 @@ fn origin(message: &Map<String, Json>, of: Outcome) -> Option<Origin> {
 
 /// True for a value that `fly` assumed because it was missing.
 fn is_assumed(message: &Map<String, Json>, of: Outcome) -> bool {
-    // an assumed spin axis implies an assumed sidespin of 0
+    // an assumed spin axis of 0 means that the sidespin of 0 is assumed too
     let of = if of == Outcome::Sidespin {
         Outcome::SpinAxis
     } else {
@@ -100,9 +100,8 @@ fn suggestion(ball: &Map<String, Json>, key: &str) -> String {
         .unwrap_or_default()
 }
 
-/// Reads the shot of a message. A message without ball data, such as a heartbeat, is refused. A
-/// message can also be a line that `fly` wrote; its `parameters` must then be exactly those in
-/// `other_parameters`.
+/// Reads the shot of a message. A message without ball data, such as a heartbeat, is refused. If
+/// `fly` wrote the message, its `parameters` must be exactly those in `other_parameters`.
 pub(super) fn shot(record: Record, other_parameters: &[&'static Parameter]) -> Shot {
     let Record {
         line,
@@ -294,8 +293,8 @@ fn club_data(club: &Map<String, Json>, speed_unit: &str, notes: &mut Vec<String>
     Club::measured(stated, heads, notes)
 }
 
-/// Removes spin values of 0 if another form of the spin is not 0: such a 0 means that the value was
-/// not sent.
+/// Removes a spin value of 0 that was not sent. A value of 0 was not sent if another form of the
+/// spin is not 0.
 fn remove_unsent(values: &mut Vec<StatedValue>) {
     let has = |of| {
         values
@@ -311,7 +310,7 @@ fn remove_unsent(values: &mut Vec<StatedValue>) {
     values.retain(|value| match value.of {
         Outcome::Spin => has_total || !has_back,
         Outcome::Backspin => has_back || !has_total,
-        // total spin without an axis: the sidespin determines the axis
+        // keep a sidespin of 0 beside a total spin without an axis: it determines the axis
         Outcome::Sidespin => has_side || has_back || has_total && !has_axis,
         Outcome::SpinAxis => has_total || value.value != 0.0 || !has_side,
         _ => true,

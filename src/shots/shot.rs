@@ -72,10 +72,10 @@ impl Club {
         "swing.face_angle",
     ];
 
-    /// Club data from stated values and their column heads, in the order of [`NAMES`](Self::NAMES).
-    /// An unreadable or implausible value counts as not measured, and `notes` receives the reason.
-    /// A club speed of 0 counts as not measured. If the other stated values are 0 too, no value
-    /// counts as measured.
+    /// Club data from stated values, in the order of [`NAMES`](Self::NAMES); `heads` are the column
+    /// heads. An unreadable or implausible value counts as not measured, and `notes` receives the
+    /// reason. A club speed of 0 counts as not measured. If all other stated values are 0 too, the
+    /// club was not measured.
     pub(super) fn measured(
         stated: [Result<Option<f64>, String>; 4],
         heads: [&str; 4],
@@ -143,8 +143,8 @@ pub struct Shot {
     pub club: Club,
     /// Name of the club, if a column has it.
     pub club_name: Option<String>,
-    /// Conditions for which the values hold, such as normalized weather, as the row states them;
-    /// `None` if it states none.
+    /// Conditions that the row states for its values, such as normalized weather; `None` if the row
+    /// states none.
     pub condition: Option<String>,
     /// `Some(true)` if the row states that its values are normalized; otherwise `None`.
     pub is_normalized: Option<bool>,
@@ -180,8 +180,9 @@ impl Shot {
         self.point.as_ref().ok().map(|point| &point[..LAUNCH.len()])
     }
 
-    /// Values of the other parameters, in the order of `other_parameters` of
-    /// [`Shots`](crate::shots::Shots), SI. Empty if the shot cannot be flown.
+    /// Values of the parameters that are not part of the launch, SI, in the order of
+    /// [`Shots::other_parameters`](crate::shots::Shots::other_parameters). Empty if the shot cannot
+    /// be flown.
     pub fn other_parameters(&self) -> &[f64] {
         self.point
             .as_ref()
@@ -239,7 +240,8 @@ pub(super) struct RowParameter {
     pub column: Column,
 }
 
-/// The value if it is in the parameter's range; `name` is the column head for the message.
+/// Returns the value if it is in the range of the parameter. `name` is the column head for the
+/// message.
 ///
 /// # Errors
 /// The refusal, if the value is outside the range.

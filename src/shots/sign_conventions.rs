@@ -6,7 +6,7 @@ use crate::table::{Column, Content, has_outcome};
 /// Minimum fraction of the rows that agree on a sign convention.
 const SHARE: f64 = 0.8;
 
-/// The side of a lateral curve counts if the curve exceeds this fraction of the carry.
+/// Smallest lateral curve that shows the side to which the ball curves, as a fraction of the carry.
 const LEAST_CURVE: f64 = 0.01;
 
 /// Reverses the signs of spin columns whose positive values are to the left, and returns a message
@@ -32,10 +32,10 @@ pub(super) fn turn_spins(
         .then(|| format!("{} {is} read with + to the left{why}", names.join(" and ")))
 }
 
-/// The spins whose positive values are to the left, in exports of Garmin. Positive values of
-/// `Sidespin` are to the left if the table has no spin axis, or if sidespin and spin axis have
-/// opposite signs. If the signs agree, but the balls curve to the opposite side, positive values of
-/// both are to the left.
+/// The spins whose positive values are to the left, in exports of Garmin:
+///
+/// - `Sidespin`, if the table has no spin axis, or if sidespin and spin axis have opposite signs
+/// - `Sidespin` and the spin axis, if their signs agree, but the balls curve to the opposite side
 fn turned_spins(
     maker: Option<&str>,
     columns: &[Column],
@@ -47,7 +47,7 @@ fn turned_spins(
     if !has_outcome(columns, Outcome::SpinAxis) {
         return &[Outcome::Sidespin];
     }
-    // true for +; `None` for 0
+    // true if positive, false if negative, `None` if 0
     let sign = |value: f64| (value != 0.0).then_some(value > 0.0);
     let sign_of = |row: &[String], of: Outcome| sign(value(columns, row, of)?);
     let are_opposite = mostly(rows.iter().filter_map(|row| {
@@ -73,8 +73,8 @@ fn value(columns: &[Column], row: &[String], of: Outcome) -> Option<f64> {
     columns[at].value(row.get(at)?).ok().flatten()
 }
 
-/// Lateral distance of the landing point from the launch direction, m; `None` if it is not above
-/// [`LEAST_CURVE`].
+/// Lateral distance of the landing point from the launch direction, m; `None` if the distance is at
+/// most [`LEAST_CURVE`] times the carry.
 fn curve(columns: &[Column], row: &[String]) -> Option<f64> {
     let value = |of| value(columns, row, of);
     let (carry, side) = (value(Outcome::CarryDistance)?, value(Outcome::Lateral)?);

@@ -27,8 +27,8 @@ pub struct Shots {
     /// The column heads of the table's first section; `None` for JSON.
     pub columns: Option<Arc<ShotColumns>>,
     pub(super) rows: UnreadRows,
-    /// The parameters that each row states, without those of the launch. A later section of a table
-    /// may state further parameters, which follow these.
+    /// The parameters that each row states in addition to the launch, in the first section of a
+    /// table. A later section may state more parameters, which come after these.
     pub other_parameters: Vec<&'static Parameter>,
     /// True if the source is JSON lines written by `fly`.
     is_written: bool,
@@ -56,7 +56,7 @@ pub(super) struct TableRows {
     setup: Setup<f64>,
     /// Column heads of the current section.
     columns: Arc<ShotColumns>,
-    /// The parameters that the first section states besides the launch.
+    /// The parameters that the first section states in addition to the launch.
     first_parameters: Vec<&'static Parameter>,
     /// True if a section other than the first began after the previous chunk.
     section_began: bool,
@@ -82,9 +82,9 @@ pub(super) struct Chunk {
 }
 
 impl Shots {
-    /// Opens a file ("-" is standard input). Reads the rows of its table that `filter` selects, by
-    /// default all rows. If `is_air_given` is true, every row has the air of the setup, even if the
-    /// export states other air.
+    /// Opens a file ("-" is standard input), and reads the rows of its table that `filter` selects.
+    /// If `is_air_given` is true, every row has the air of the setup, even if the export states
+    /// other air.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read), and [`Error::Table`](crate::Error::Table) if the file
@@ -145,8 +145,8 @@ impl Shots {
                 is_written,
             });
         }
-        // do not convert path and face angle to a left-hander's signs: club data are positive to
-        // the right for every golfer
+        // club data are positive to the right for every golfer: do not change the signs of path and
+        // face angle for a left-hander
         let setup = Setup {
             golfer: Golfer::Right,
             ..*setup
@@ -191,7 +191,7 @@ impl Shots {
         }
     }
 
-    /// Remarks on later sections and on the whole table, complete after the last row.
+    /// Remarks on later sections and on the whole table. They are complete after the last row.
     pub fn final_remarks(&self) -> Vec<Message> {
         match &self.rows {
             UnreadRows::Table(rows) => {
@@ -242,7 +242,7 @@ impl Shots {
 }
 
 impl TableRows {
-    /// The next rows of one section, at most `most`; `None` at the end of the table.
+    /// The next rows, at most `most`, all from one section; `None` at the end of the table.
     fn next_rows(&mut self, most: usize) -> Result<Option<Chunk>> {
         let mut records = vec![];
         while records.len() < most {
@@ -317,8 +317,8 @@ impl UnreadRows {
 }
 
 impl JsonRecords {
-    /// The parameters that the first flown shot states, without those of its launch. Reads ahead
-    /// until this shot.
+    /// The parameters that the first flown shot states in addition to its launch. Reads the records
+    /// up to this shot.
     fn other_parameters(&mut self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
         while let Some(record) = self.read()? {
             let parameters = written::other_parameters(setup, &record.text);

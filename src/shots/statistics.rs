@@ -32,7 +32,7 @@ pub fn instrument_deviation(of: Outcome) -> Option<f64> {
     Some(deviation * of.quantity().size_of(unit)?)
 }
 
-/// Sums over residuals, or over predictions, SI: moments, and the sum of the absolute values.
+/// Moments of residuals or of predictions, SI, and the sum of their absolute values.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sums {
     /// Number, mean and standard deviation of the values.

@@ -11,23 +11,25 @@ const MOST: usize = 4096;
 
 /// Minimum number of rows for a warning.
 const LEAST: usize = 2;
-/// Minimum number of rows for a warning about a unit that gives a ratio near 1, and for a warning
-/// about opposite sides.
+/// Minimum number of rows for a warning about landings on opposite sides, or about a wrong unit that
+/// changes the values by less than 25 %.
 const LEAST_NEAR_ONE: usize = 5;
 
-/// Maximum relative difference between the median of predicted/measured and the ratio that a wrong
-/// unit gives.
+/// A warning about a wrong unit needs a median of predicted/measured that differs from the ratio of
+/// the two units by at most this fraction.
 const NEAR: f64 = 0.06;
-/// `NEAR` for a wrong unit that gives a ratio near 1.
+/// [`NEAR`] for two units with a ratio near 1 (m and yd).
 const NEAR_ONE: f64 = 0.025;
 
-/// The side of a landing counts if the landing point is farther than this from the target line, m.
+/// Smallest distance of a landing point from the target line, m, at which the side of the landing is
+/// compared.
 const LEAST_OFFLINE: f64 = 3.0;
 
 /// Minimum fraction of rows with opposite sides for a warning.
 const LEAST_DISAGREE: f64 = 0.8;
 
-/// Pairs of units: values in the first unit may have been read in the second.
+/// Pairs of units that may be confused: the values are in the first unit, but were read in the
+/// second.
 const MISTAKEN: [(Quantity, &str, &str); 6] = [
     (Quantity::LENGTH, "yd", "ft"),
     (Quantity::LENGTH, "ft", "yd"),
@@ -42,13 +44,14 @@ const MISTAKEN: [(Quantity, &str, &str); 6] = [
 /// ratio is 4.8 s or more for launches of a driver (49 to 90 m/s, up to 5000 rpm).
 const MOST_CARRY_PER_SPEED: f64 = 4.6;
 
-/// Ratios predicted/measured of the carry that suggest speeds in km/h read as mph. This mistake
-/// makes the ball speed 1.609 times as large. The computed carry of a driver (50 to 75 m/s, 10° to
-/// 12°) is then 1.5 to 2.1 times as long.
+/// Ratios predicted/measured of the carry that suggest a mistake: the ball speeds are in km/h, but
+/// were read as mph. The ball speed is then 1.609 times as large, and the computed carry of a
+/// driver (50 to 75 m/s, 10° to 12°) is 1.5 to 2.1 times as long.
 const IN_KMH: std::ops::Range<f64> = 1.45..2.0;
 
-/// Minimum ball speed of the rows in `carries`, m/s: 49 m/s read as mph. For slower balls the ratio
-/// is below [`MOST_CARRY_PER_SPEED`] with either unit.
+/// Minimum ball speed of the rows in `carries`, m/s: 49 m/s that were read as 49 mph. The carry of
+/// slower balls does not show this mistake, because its ratio to the ball speed is below
+/// [`MOST_CARRY_PER_SPEED`] in both units.
 const SLOW: f64 = 22.0;
 
 /// Ratios and sides of predicted and measured values.
@@ -56,9 +59,8 @@ const SLOW: f64 = 22.0;
 pub(super) struct UnitChecks {
     /// Ratios predicted/measured of each outcome.
     ratios: Vec<Vec<f64>>,
-    /// Number of rows whose predicted and measured landings are both farther than
-    /// [`LEAST_OFFLINE`] from the target line, and number of those rows with landings on opposite
-    /// sides.
+    /// Number of rows whose predicted and measured landings are both farther than [`LEAST_OFFLINE`]
+    /// from the target line. Second: number of these rows with landings on opposite sides.
     sides: [usize; 2],
     /// Ratios of measured carry to ball speed, s.
     carries: Vec<f64>,
@@ -148,9 +150,9 @@ impl UnitChecks {
         warnings.into_iter().map(Message::from).collect()
     }
 
-    /// Words that compare the carries with ball speeds read in `unit`. If the speeds were read in
-    /// mph, the words name the unit that was probably meant. `None` if the carries fit the speeds or
-    /// are too few.
+    /// Describes the fault if the carries do not fit ball speeds that were read in `unit`. For mph,
+    /// the text also names the unit that was probably meant. `None` if the carries fit, or if there
+    /// are too few carries.
     fn speed_fault(&self, of: &[Outcome], unit: Option<&str>) -> Option<String> {
         if self.carries.len() < LEAST {
             return None;
@@ -171,8 +173,8 @@ impl UnitChecks {
     }
 }
 
-/// Median of predicted/measured, and the pair of units that explains this ratio, for values that
-/// were read in `unit`. `None` if no pair of units explains it, or if there are too few values.
+/// The median of predicted/measured for values that were read in `unit`, and the pair of units that
+/// explains this median. `None` if no pair explains it, or if there are too few values.
 fn likely_unit_error(
     quantity: Quantity,
     ratios: &[f64],

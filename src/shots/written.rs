@@ -8,8 +8,8 @@ use crate::parameters::{Parameter, Setup};
 use crate::table::Refusal;
 use serde_json::{Map, Value as Json};
 
-/// The text in front of the original row, which is the last member of a line. It does not occur
-/// earlier in a line that `fly` wrote.
+/// The text before the original row, which is the last member of a line. In a line that `fly`
+/// wrote, this text occurs only once.
 const ROW: &str = ",\"row\":";
 
 /// Recognizes a JSON line written by `fly`.
@@ -32,8 +32,8 @@ pub(super) fn begins(beginning: &str) -> bool {
         .is_some_and(is_written)
 }
 
-/// The parameters that a flown shot states besides the launch: a message of Open Connect states
-/// none. `None` for a line that `fly` refused, and for a text that is no JSON object.
+/// The parameters that a flown shot states in addition to its launch; empty for a message of Open
+/// Connect. `None` for a line that `fly` refused, and for a text that is not a JSON object.
 pub(super) fn other_parameters(setup: &Setup<f64>, text: &str) -> Option<Vec<&'static Parameter>> {
     let message: Map<String, Json> = serde_json::from_str(text).ok()?;
     if !is_written(&message) {
@@ -85,7 +85,7 @@ pub(super) fn fill(
     other_parameters: &[&'static Parameter],
 ) -> Result<(), Refusal> {
     let text = message.get("row").map(Json::to_string).unwrap_or_default();
-    // an unmodified line keeps the text of its original row
+    // copy the text of the original row from the line, so that no byte changes
     let own = shot
         .text
         .split_once(ROW)
