@@ -11,8 +11,8 @@ const MOST: usize = 4096;
 
 /// Minimum number of rows for a warning.
 const LEAST: usize = 2;
-/// Minimum number of rows for a warning about landings on opposite sides, or about a wrong unit that
-/// changes the values by less than 25 %.
+/// Minimum number of rows for a warning about landings on opposite sides, or about a wrong unit
+/// that changes the values by less than 25 %.
 const LEAST_NEAR_ONE: usize = 5;
 
 /// A warning about a wrong unit needs a median of predicted/measured that differs from the ratio of
@@ -21,8 +21,8 @@ const NEAR: f64 = 0.06;
 /// [`NEAR`] for two units with a ratio near 1 (m and yd).
 const NEAR_ONE: f64 = 0.025;
 
-/// Smallest distance of a landing point from the target line, m, at which the side of the landing is
-/// compared.
+/// Smallest distance of a landing point from the target line, m, at which the side of the landing
+/// is compared.
 const LEAST_OFFLINE: f64 = 3.0;
 
 /// Minimum fraction of rows with opposite sides for a warning.

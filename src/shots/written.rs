@@ -8,8 +8,8 @@ use crate::parameters::{Parameter, Setup};
 use crate::table::Refusal;
 use serde_json::{Map, Value as Json};
 
-/// The text before the original row, which is the last member of a line. In a line that `fly`
-/// wrote, this text occurs only once.
+/// The text before the original row, which is the last member of a line. `fly` writes no such text
+/// earlier in a line.
 const ROW: &str = ",\"row\":";
 
 /// Recognizes a JSON line written by `fly`.

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// Default number of bins.
 const DEFAULT_BINS: usize = 64;
-/// Maximum number of bins. Every part of a sweep stores all bins.
+/// Maximum number of bins. A sweep is computed in parts, and each part stores all bins.
 const MOST_BINS: usize = 100_000;
 
 /// Histogram of an outcome.
@@ -114,7 +114,7 @@ impl Histogram {
     fn bin(&self, value: f64) -> usize {
         let ([low, high], last) = (self.range, self.counts.len() - 1);
         let mut at = (((value - low) / (high - low) * self.counts.len() as f64) as usize).min(last);
-        // the edges decide, because the quotient is rounded
+        // compare with the edges, because the quotient is rounded
         while at > 0 && value < self.edge(at) {
             at -= 1;
         }

@@ -64,7 +64,7 @@ impl Moments {
         }
     }
 
-    /// Merges the moments of later rows into these.
+    /// Adds the values of `after`, the moments of later rows.
     pub fn merge(&mut self, after: &Self) {
         if self.count == 0 {
             *self = *after;

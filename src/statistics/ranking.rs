@@ -71,7 +71,7 @@ impl Ranking {
         }
     }
 
-    /// Adds a row with a finite value, if it ranks high enough.
+    /// Adds a row if its `value`, which is finite, is among the `most` best values.
     pub fn add<'a>(
         &mut self,
         row: u64,

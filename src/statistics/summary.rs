@@ -36,7 +36,7 @@ pub struct Summary {
 }
 
 /// Refuses histograms and rankings that already have values. The summary of each block starts as a
-/// copy of them, so their values would count once for each block.
+/// copy of them: their values would count once for each block.
 fn refuse_filled(histograms: &[Histogram], best: &[Ranking]) -> Result<()> {
     let has_values = |histogram: &&Histogram| {
         let outside = [histogram.below, histogram.above];

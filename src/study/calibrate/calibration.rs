@@ -45,14 +45,14 @@ pub struct FitResidual {
     /// The measured outcome; carry if `parameter` is not `null`.
     #[serde(rename = "of")]
     pub outcome: Outcome,
-    /// The parameter in which the row's carry is stationary; `null` for the residual of a measured
-    /// outcome.
+    /// The parameter whose value in the row gives the greatest carry; `null` for the residual of a
+    /// measured outcome.
     #[serde(rename = "parameter")]
     pub stationary: Option<&'static Parameter>,
     /// The measured value, SI; `null` if `parameter` is not `null`.
     pub measured: Option<f64>,
-    /// Computed − measured, SI. If `parameter` is not `null`: the parameter at the computed maximum
-    /// of carry (to first order) minus the row's value.
+    /// Computed − measured, SI. With a `parameter`: its value at the computed maximum of carry (to
+    /// first order) minus its value in the row.
     pub difference: f64,
     /// `difference` divided by the standard uncertainty of the difference.
     pub residual: f64,
@@ -71,8 +71,7 @@ pub struct Starts {
     pub at_best: usize,
     /// Number of starts that did not reach the smallest sum of squares, by status; `undefined` if
     /// the ball of a row does not fly at the starting point.
-    // from the second renewal of the curvatures on, only the best search is repeated, so this is
-    // empty
+    // empty if the curvatures were renewed twice or more: only the best search is then repeated
     #[serde(rename = "elsewhere", serialize_with = "by_name")]
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, usize>"))]
     pub others: Vec<(FitStatus, usize)>,

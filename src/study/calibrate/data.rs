@@ -29,8 +29,8 @@ impl ShotTable {
         Self::read_rows(setup, text, ClubColumns::Ignored, is_air_given)
     }
 
-    /// Reads launches from a CSV file, together with the club columns in the same rows. A row needs
-    /// no measurement other than its launch.
+    /// Reads launches and club columns from a CSV file. A row needs no measurement other than its
+    /// launch.
     ///
     /// # Errors
     /// The errors of [`open`](Self::open).

@@ -24,9 +24,9 @@ impl Calibration {
             .collect()
     }
 
-    /// Warning that launch columns are not used: rows that have launch and club columns are flown
-    /// from the club. `None` if a parameter of swing, club, strike or impact is fitted, which needs
-    /// the club.
+    /// Warning that the balls do not fly from the measured launches: rows with launch and club
+    /// columns are deliveries, and the impact computes their launch. `None` if a parameter of
+    /// swing, club, strike or impact is fitted, because this fit needs the impact.
     fn club_warning(&self, table: &ShotTable) -> Option<Message> {
         let [launch, club] = table.launch_beside_club.as_ref()?;
         let is_of_flight = self
@@ -92,9 +92,9 @@ fn value_warning(estimate: &Estimate) -> Option<Message> {
 const SHOWN: [&str; 3] = ["swing.speed", "swing.attack_angle", "club.loft"];
 
 impl ShotTable {
-    /// Note that all rows are compared with one drive, that of the setup. `None` if a row has a
-    /// launch, or an input of swing, club, strike or impact. The note shows the setup's swing, but
-    /// no value of a fitted parameter.
+    /// Note that all rows are compared with one drive, the drive of the setup. `None` if a row
+    /// states its own drive by a launch, or by an input of swing, club, strike or impact. The note
+    /// shows the values of `SHOWN`, but no value of a fitted parameter.
     pub fn one_drive(&self, setup: &Setup<f64>, fitted: &[Vary]) -> Option<Message> {
         let has_own = |(parameter, _): &(&Parameter, f64)| parameter.is_of_strike();
         if self.is_launched

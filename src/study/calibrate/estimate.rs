@@ -20,7 +20,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct FitPlan {
     /// The parameters with their ranges; a range may be unbounded.
     pub fit: Vec<Vary>,
-    /// Number of searches, spread over the ranges. The first starts at the setup's values.
+    /// Number of searches. The first starts at the setup's values; the others start at points
+    /// spread over the ranges.
     pub starts: usize,
     /// Loss function and limits of the search.
     pub options: FitOptions,
@@ -166,10 +167,10 @@ fn check_measurements(shots: &[MeasuredShot]) -> Result<()> {
 
 /// Fits parameters of a setup to measured shots by least squares.
 ///
-/// If a row states that its carry is stationary in a parameter, the residual is the parameter at
-/// the computed maximum of carry (to first order) minus the row's value: slope/|curvature|. The
-/// curvature stays constant during a search, and is computed anew after each search until it no
-/// longer changes.
+/// A row may state that its carry is greatest at its value of a parameter. The residual of this
+/// statement is slope/|curvature| of the carry in the parameter: to first order, the parameter at
+/// the computed maximum minus the row's value. The curvature is constant during a search. After
+/// each search it is computed anew, until it no longer changes.
 ///
 /// # Errors
 /// [`Error::Calibration`] if the rows state a parameter to fit or do not depend on it, if there are
@@ -239,7 +240,7 @@ pub fn calibrate(
     Ok(found)
 }
 
-/// Starting points of the searches. From at least one of them every row can be computed.
+/// Starting points of the searches. At one of them at least, every row can be computed.
 fn starting_points(
     problem: &mut ShotResiduals<'_>,
     domain: &Domain,
@@ -257,7 +258,6 @@ fn starting_points(
     if observer.is_interrupted() {
         return Err(stopped("the fit began"));
     }
-    // like the optimizer, try other starting points
     let other = starts(domain, own, START_TRIALS)?
         .into_iter()
         .find(|start| problem.begin(start));
@@ -276,7 +276,8 @@ fn no_start(problem: &ShotResiduals<'_>, own: &[f64], observer: &FitObserver) ->
     }
 }
 
-/// Searches from several starting points, repeated with renewed [`ShotResiduals::curvatures`].
+/// Searches from several starting points, repeated until [`ShotResiduals::curvatures`] no longer
+/// change.
 struct RepeatedSearches {
     /// Fits in ascending order of the sum of squares.
     fits: Vec<Fit>,
@@ -285,7 +286,8 @@ struct RepeatedSearches {
 }
 
 impl RepeatedSearches {
-    /// Runs the searches; renews the curvatures at the best point until they no longer change.
+    /// Runs the searches. Repeats them with the curvatures at the best point until these no longer
+    /// change.
     fn run(
         problem: &mut ShotResiduals<'_>,
         domain: &Domain,
@@ -296,7 +298,7 @@ impl RepeatedSearches {
     ) -> Result<Self> {
         /// Maximum number of renewals.
         const RENEWALS: usize = 8;
-        /// Largest relative change of a curvature that counts as unchanged.
+        /// A curvature counts as unchanged up to this relative change.
         const SAME: f64 = 1e-4;
         let mut renewals = 0;
         loop {
@@ -306,8 +308,8 @@ impl RepeatedSearches {
                 return Err(no_start(problem, own, observer));
             }
             let renewed = match problem.curvatures_at(&best.x) {
-                // without the new curvatures, the fit is settled only if no shot has a stationary
-                // parameter
+                // the new curvatures are unknown: the fit is settled only if no shot needs
+                // curvatures
                 Err(_) if observer.is_interrupted() => {
                     let is_settled = problem.shots.iter().all(|shot| shot.stationary.is_empty());
                     return Ok(Self { fits, is_settled });
@@ -333,7 +335,7 @@ impl RepeatedSearches {
     }
 
     /// Counts the completed searches that reached the smallest sum of squares, and the others by
-    /// status. `made` is the number of starts of the first searches.
+    /// status. `made` is the number of starting points.
     fn by_end(&self, made: usize) -> Starts {
         let best = self.fits[0].cost;
         let is_same = |fit: &&Fit| (fit.cost - best).abs() <= 1e-6 * best.abs().max(1e-12);
@@ -357,8 +359,8 @@ impl RepeatedSearches {
     }
 }
 
-/// Error that lists the rows whose drives cannot be computed at the values `at` of the fitted
-/// parameters. Its message begins with `what`.
+/// Error for rows whose drives cannot be computed at the values `at` of the fitted parameters. The
+/// message begins with `what` and lists the rows.
 fn missing(what: &str, problem: &ShotResiduals<'_>, at: &[f64]) -> Error {
     let by_shot = problem.moved(at).and_then(|moved| problem.by_shot(&moved));
     match by_shot {
@@ -404,8 +406,8 @@ fn estimates(
 /// Position of each fitted parameter in its range, and width of the range. `x` has the fitted
 /// values, `own` the values of the setup.
 fn ranges_of(x: &[f64], own: &[f64], domain: &Domain) -> Vec<FitRange> {
-    /// Width of an unbounded range, as a multiple of the parameter's magnitude: the larger of
-    /// |fitted value| and |value of the setup|, at least 0.001 (SI).
+    /// An unbounded range is taken to be as wide as this multiple of the parameter's magnitude,
+    /// max(|fitted value|, |value of the setup|, 0.001), SI.
     const ENDLESS: f64 = 1e6;
     let bounds = &domain.variables;
     let range = |i: usize| {

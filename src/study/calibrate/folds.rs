@@ -20,7 +20,7 @@ pub struct HeldOut {
 }
 
 impl HeldOut {
-    /// Mean of the squares of the residuals, which are in standard uncertainties; `None` if every
+    /// Mean square of the residuals, which are in units of standard uncertainty; `None` if every
     /// fit was interrupted.
     pub fn mean_square(&self) -> Option<f64> {
         let sum: f64 = self.residuals.iter().map(|one| one.residual.powi(2)).sum();
@@ -102,9 +102,9 @@ pub fn check_folds(table: &ShotTable, plan: &FitPlan, folds: usize) -> Result<()
     Ok(())
 }
 
-/// k-fold cross-validation (Stone 1974): a fold is every k-th row, and a fit to all other rows
-/// predicts the rows of the fold. After an interruption all remaining fits count as interrupted,
-/// and their rows are omitted.
+/// k-fold cross-validation (Stone 1974). A fold is every k-th row, and a fit to all other rows
+/// predicts the rows of the fold. After an interruption, all remaining fits count as interrupted,
+/// and their folds have no residuals.
 ///
 /// # Errors
 /// The errors of [`check_folds`] and [`calibrate`].

@@ -30,7 +30,7 @@ pub(super) struct Reading {
     pub is_launched: bool,
     /// True for an export of a launch monitor.
     pub is_export: bool,
-    /// [`Read`](ClubColumns::Read) for a table of launches whose deliveries are to be found. The
+    /// [`Read`](ClubColumns::Read) if the deliveries of the launches are to be estimated. The
     /// launch is then the measurement, and no ball flies.
     pub club: ClubColumns,
     /// Index of the column that names the club of each shot.
@@ -128,7 +128,7 @@ pub(super) struct RowError {
     /// Column head of the faulty cell; `None` for an error of the whole row.
     pub column: Option<String>,
     pub why: String,
-    /// True for a missing value that every row needs, false for an invalid value.
+    /// True if a value that every row needs is missing, false if a value is invalid.
     pub is_incomplete: bool,
 }
 
@@ -189,8 +189,8 @@ impl Reading {
             "columns that a sweep computes are not read",
             &written,
         ));
-        // with a column of swing, club, strike or impact the rows are deliveries: their launch is a
-        // measurement, not the start of the flight
+        // with a column of swing, club, strike or impact, the rows are deliveries: the launch is
+        // then a measurement, not the start of the flight
         let is_launched =
             has_whole_launch(&head.columns) && !head.has_strike() && club == ClubColumns::Ignored;
         setup
@@ -221,8 +221,8 @@ impl Reading {
         }
     }
 
-    /// Reason why no row of an export can fly: it has neither launches nor deliveries. `None` if
-    /// rows can fly, and for a table that needs no flight or is not an export.
+    /// Reason why no row of an export can fly: the export has neither launches nor deliveries.
+    /// `None` if rows can fly, if the table needs no flight, or if it is not an export.
     fn why_not_flown(&self) -> Option<String> {
         let is_flown = self.is_launched || self.columns.iter().any(Column::is_of_the_strike);
         if !self.is_export || self.club != ClubColumns::Ignored || is_flown {
@@ -236,8 +236,8 @@ impl Reading {
         ))
     }
 
-    /// Columns for shots from messages of Open Connect or from lines that `fly` wrote: one for each
-    /// value that at least one shot has.
+    /// Columns for shots from messages of Open Connect, or from lines that `fly` wrote. Each value
+    /// that at least one shot has gets a column.
     pub fn of_shots(
         setup: &Setup<f64>,
         shots: &[Shot],
@@ -337,9 +337,10 @@ impl Reading {
         })
     }
 
-    /// True for outcomes that count as measured values. In a table of launches whose deliveries are
-    /// to be found, these are the outcomes of the launch. In any other table they are all outcomes,
-    /// but not the launch conditions from which the balls fly.
+    /// True for outcomes that count as measured values:
+    ///
+    /// - the outcomes of the launch, if the deliveries of the launches are to be estimated
+    /// - otherwise all outcomes, except the launch conditions from which the balls fly
     fn is_measurement(&self, outcome: Outcome) -> bool {
         match self.club {
             ClubColumns::Ignored => !(self.is_launched && CONDITIONS.contains(&outcome)),
@@ -365,7 +366,8 @@ impl Reading {
                         Err(why) => row.no_air = Some(why),
                     }
                 }
-                // a missing club value is no fault: its prior replaces it
+                // a missing club value is no fault: the prior distribution of the parameter
+                // replaces it
                 Content::Input(parameter)
                     if self.club == ClubColumns::Read && column.is_of_the_strike() =>
                 {
@@ -565,7 +567,8 @@ impl Reading {
         if !self.is_export {
             return Ok(());
         }
-        // for a delivery an incomplete launch is a fault only if no column of a launch is missing
+        // an incomplete launch is a fault only if the delivery of the launch is to be estimated,
+        // and if the table has all launch columns
         let is_whole = self.club == ClubColumns::Read && has_whole_launch(&self.columns);
         match self.launch(*stated) {
             Err(wrong) if !wrong.is_incomplete || is_whole => Err(wrong),
@@ -573,13 +576,13 @@ impl Reading {
         }
     }
 
-    /// True for a spin of 0 in a table that is not an export. In an export, 0 means that spin was
-    /// not measured.
+    /// True for a measured spin of 0. In an export, a spin of 0 means that the spin was not
+    /// measured.
     fn is_measured_zero(&self, of: Outcome, value: f64) -> bool {
         of == Outcome::Spin && value == 0.0 && !self.is_export
     }
 
-    /// Launch parameters (name and SI value) that follow from the launch conditions of a row.
+    /// Computes the launch parameters (name and SI value) from the launch conditions of a row.
     fn launch(&self, stated: Launch) -> Result<[(&'static str, f64); 5], RowError> {
         let has = |of: Outcome| self.column(Content::Outcome(of)).is_some();
         conditions(stated, has).map_err(
@@ -630,7 +633,8 @@ impl Reading {
         Ok(all)
     }
 
-    /// Remarks on assumed standard uncertainties, and the origin of the least known one.
+    /// Remarks on assumed standard uncertainties, and the origin of the standard uncertainties. If
+    /// the columns have several origins, the last of these in [`SigmaOrigin`] counts.
     pub fn assumed_sigmas(&self, shots: &[MeasuredShot]) -> (Vec<Message>, SigmaOrigin) {
         let has = |content: Content| self.column(content).is_some();
         let measured = || shots.iter().flat_map(|shot| &shot.measured);
@@ -664,8 +668,8 @@ impl Reading {
     }
 }
 
-/// Remark on an outcome without a column 'sigma'. The uncertainty of the instrument replaces it; if
-/// that is unknown, each row is weighted as if its standard uncertainty were one unit.
+/// Remark on an outcome without a column 'sigma'. The known uncertainty of the instrument is used.
+/// If it is unknown, one unit of the column serves as a weight.
 fn assumed_sigma(column: &Column, outcome: Outcome) -> Message {
     let (Some(instrument), Some(sigma)) = (outcome.instrument(), outcome.measurement_uncertainty())
     else {

@@ -13,9 +13,11 @@ struct Group {
     is_of_the_setup: bool,
 }
 
-/// Error for failed rows, given as pairs of row number and error. [`Error::NoFit`] if every row has
-/// valid input and only its drive has no result (the ball does not fly, for example);
-/// [`Error::Calibration`] if a row has invalid input. The message begins with `what`.
+/// Error for failed rows, given as pairs of row number and error. The message begins with `what`.
+///
+/// - [`Error::Calibration`] if a row has invalid input
+/// - [`Error::NoFit`] if every row has valid input, but no result; for example, the ball does not
+///   fly
 pub(super) fn failed_rows_error(what: &str, failed: &[(usize, Error)]) -> Error {
     let reason = format!("{what}: {}", refusal(failed));
     let Some((_, first)) = failed.first() else {
@@ -86,8 +88,8 @@ impl Group {
     }
 }
 
-/// The reason of one row, without the prefix of calibration errors and without the time of
-/// divergence.
+/// The reason of one row. It omits the prefix of calibration errors, and the time of divergence,
+/// which differs from row to row.
 fn reason(error: &Error) -> String {
     match error {
         Error::Calibration { reason } => reason.clone(),

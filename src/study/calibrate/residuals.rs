@@ -11,7 +11,7 @@ use crate::study::cancellable::{each_until, stopped};
 use crate::units::significant;
 use std::sync::atomic::AtomicBool;
 
-/// Text that completes "stopped before …".
+/// End of the message "stopped before all shots were flown".
 const FLOWN: &str = "all shots were flown";
 
 /// Upper limit of a residual: larger residuals may overflow when they are squared and added.
@@ -31,8 +31,8 @@ fn too_far(measurement: &Measurement, computed: f64) -> Error {
     }
 }
 
-/// Text of an error at trial values of the fitted parameters. An [`Error::Calibration`] loses its
-/// prefix.
+/// Text of an error at trial values of the fitted parameters, without the prefix of an
+/// [`Error::Calibration`].
 fn reason(error: Error) -> String {
     match error {
         Error::Calibration { reason } => reason,
@@ -52,9 +52,9 @@ pub(super) struct ShotResiduals<'a> {
     pub setup: Setup<f64>,
     pub shots: &'a [MeasuredShot],
     pub fitted: Vec<&'static Parameter>,
-    /// |∂²carry/∂q²| for each stationary parameter q of each shot, m/rad². The quotient of a slope
-    /// ∂carry/∂q and this curvature is an angle. The curvatures are constant during a search, so
-    /// that Jacobians stay exact.
+    /// |∂²carry/∂q²|, m/rad², for each shot and each of its stationary parameters q. The slope
+    /// ∂carry/∂q divided by this curvature is an angle. The curvatures are constant during a
+    /// search, so that the Jacobian is exact.
     pub curvatures: Vec<Vec<f64>>,
     /// Cancellation flag: once true, no more shots are flown.
     pub stop: &'a AtomicBool,
@@ -150,7 +150,8 @@ impl ShotResiduals<'_> {
     /// Residuals of each shot flown with a setup, or the error of the shot.
     pub fn by_shot(&self, moved: &Setup<f64>) -> Result<Vec<Result<Rows>>> {
         let all: Vec<_> = self.shots.iter().enumerate().collect();
-        // without curvatures (if `begin` failed) only the errors of the shots are used
+        // there are no curvatures if `begin` failed; the caller then uses only the errors of the
+        // shots
         let of = |&(at, shot): &(usize, &MeasuredShot)| {
             self.of(
                 moved,

@@ -13,7 +13,7 @@ use crate::table::{
 use crate::units::{Message, counted};
 use std::collections::BTreeMap;
 
-/// A part of a table under its own column heads.
+/// A section of a table: the rows below one line of column heads.
 struct TableSection {
     /// Line of the column heads; `None` for the first section.
     line: Option<u64>,
@@ -23,7 +23,8 @@ struct TableSection {
 }
 
 impl TableSection {
-    /// The remark; in a later section it begins with the line of the column heads.
+    /// The remark. In a later section, it begins with the line number of the section's column
+    /// heads.
     fn remark(&self, remark: &Message) -> Message {
         match self.line {
             Some(line) => remark_from_line(line, remark),
@@ -45,8 +46,8 @@ pub(super) struct ShotRows {
     clubs: BTreeMap<String, u64>,
     incomplete: Vec<String>,
     unreadable: Vec<String>,
-    /// Lateral columns that are not compared because launch direction or spin axis is assumed, with
-    /// their rows.
+    /// Lateral columns, each with the rows in which it is not compared because the launch direction
+    /// or the spin axis is assumed.
     uncompared_laterals: BTreeMap<String, Vec<String>>,
     /// Messages on columns of the club without a usable value, with their rows.
     not_stated: BTreeMap<String, Vec<String>>,
@@ -242,8 +243,8 @@ impl ShotRows {
         Some(format!("{first}{others}").into())
     }
 
-    /// Remarks in this order: on columns, rejected rows, values that are not compared, values that
-    /// the prior replaces, implausible values, and contradictory spins.
+    /// Remarks in this order: on columns, rejected rows, values that are not compared, club values
+    /// that a prior distribution replaces, implausible values, and contradictory spins.
     fn remarks(&mut self, left_out: Vec<Message>) -> Vec<Message> {
         let mut remarks: Vec<Message> = vec![];
         for section in &self.sections {
@@ -350,7 +351,8 @@ impl ShotRows {
         }
     }
 
-    /// Builds the table. `final_remarks` are those of [`TextTable`](crate::table::TextTable).
+    /// Builds the table. `final_remarks` are the final remarks of the
+    /// [`TextTable`](crate::table::TextTable).
     ///
     /// # Errors
     /// [`Error::Table`] if the table has no usable shot.

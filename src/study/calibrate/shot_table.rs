@@ -33,7 +33,8 @@ pub struct ShotTable {
     /// Column heads of the launch and of the club, if the table has both. The rows are then
     /// deliveries.
     pub(super) launch_beside_club: Option<[String; 2]>,
-    /// Origin of the least known standard uncertainty: the table, an instrument, or a mere weight.
+    /// Origin of the standard uncertainties. If there are several origins, the last of these in
+    /// [`SigmaOrigin`] counts.
     pub sigma_origin: SigmaOrigin,
 }
 
@@ -43,8 +44,8 @@ impl ShotTable {
         self.shots.iter().map(MeasuredShot::residuals).sum()
     }
 
-    /// Residuals up to this size are rounding: 1e-12 of the largest ratio of a measured value to
-    /// its standard uncertainty.
+    /// A residual up to this size counts as a rounding error: 1e-12 · max |measured value/standard
+    /// uncertainty|.
     pub fn rounding(&self) -> f64 {
         let measured = self.shots.iter().flat_map(|shot| &shot.measured);
         1e-12
@@ -82,8 +83,8 @@ pub struct MeasuredShot {
     pub stationary: Vec<Stationary>,
 }
 
-/// A measured outcome, SI. If its standard uncertainty is unknown, the reciprocal of the weight
-/// replaces it.
+/// A measured outcome, SI. If its standard uncertainty is unknown, one unit of the column replaces
+/// it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Measurement {
@@ -114,9 +115,10 @@ impl MeasuredShot {
     }
 }
 
-/// Ranges of the parameters that the rows state or that are fitted. A parameter of the rows spans
-/// its values in all rows. A fitted parameter has its range in `fit`; it is omitted, and so keeps
-/// the setup's value, if that range is unbounded or the whole allowed range.
+/// Ranges of the parameters that the rows state, and of the fitted parameters. The range of a
+/// stated parameter contains its values in all rows. A fitted parameter has its range in `fit`. If
+/// this range is unbounded or the whole allowed range, the parameter is omitted, and keeps the
+/// setup's value.
 pub fn ranges(table: &ShotTable, fit: &[Vary]) -> Vec<Vary> {
     let mut ranges: Vec<Vary> = vec![];
     let mut widen = |parameter, value: f64| match ranges

@@ -5,14 +5,14 @@ use crate::optimize::least_squares::{Loss, Rows};
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal, StudentsT};
 
-/// Singular values of the Jacobian, with columns of unit length, count as 0 up to this fraction of
-/// the largest: rounding dominates them.
+/// A singular value counts as 0 if it is at most this fraction of the largest one, because rounding
+/// dominates it. The columns of the Jacobian are first scaled to unit length.
 const SINGULAR: f64 = 1e-8;
-/// Components of a direction of unit length count as 0 up to this size: they are rounding.
+/// A component of a direction of unit length counts as 0 up to this size.
 const PART: f64 = 1e-3;
 
-/// Origin of the standard uncertainties of the measured values. The order is from the best known to
-/// the least known.
+/// Origin of the standard uncertainties of the measured values, from the best known to the least
+/// known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SigmaOrigin {
     /// The table states all standard uncertainties.
@@ -42,7 +42,8 @@ pub struct FitStatistics {
     pub covariance: Vec<Vec<Option<f64>>>,
     /// Directions that the data do not determine.
     pub undetermined: Vec<Undetermined>,
-    /// Σ rᵢ² over the residuals rᵢ; with Huber's loss Σ wᵢ rᵢ² with the weights wᵢ of the loss.
+    /// χ² = Σ rᵢ² over the residuals rᵢ. With Huber's loss, χ² = Σ wᵢ rᵢ² with the weights wᵢ of
+    /// the loss.
     pub chi_square: f64,
     /// Number of residuals minus the rank of the free parameters' Jacobian.
     pub degrees_of_freedom: usize,
@@ -64,13 +65,14 @@ pub struct FitStatistics {
     pub coverage_factor: f64,
 }
 
-/// A combination of parameters that the data do not determine: the residuals do not change along
-/// it, or one standard error along it exceeds a parameter's range.
+/// A combination of parameters that the data do not determine. A change along this direction does
+/// not change the residuals, or one standard error along it exceeds the range of a parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undetermined {
     /// Index and change (SI) of each parameter in the combination.
     pub parts: Vec<(usize, f64)>,
-    /// Standard error in multiples of these changes; `None` if the residuals do not change at all.
+    /// Standard error along the direction, in multiples of `parts`; `None` if the residuals do not
+    /// change at all.
     pub standard_error: Option<f64>,
 }
 
@@ -81,8 +83,7 @@ impl Undetermined {
     }
 }
 
-/// Singular value decomposition of the Jacobian columns of some parameters. Each column is first
-/// scaled to unit length.
+/// Singular value decomposition of some columns of the Jacobian, each scaled to unit length.
 struct ScaledColumns {
     at: Vec<usize>,
     lengths: Vec<f64>,
@@ -272,9 +273,9 @@ impl FitStatistics {
     }
 }
 
-/// True if the gradient of χ²/2, times the width of the range, exceeds 1: the data push parameter
-/// `at` against its bound. A parameter without influence is not pushed; it may have drifted to the
-/// bound.
+/// True if the data push parameter `at` against its bound: |gradient of χ²/2| times the width of
+/// the range exceeds 1. A parameter without influence on the residuals may be at its bound by
+/// chance.
 fn is_pressed(rows: &Rows, weights: &[f64], fitted: FitRange, at: usize) -> bool {
     let residuals = rows.residuals.iter().zip(&rows.jacobian);
     let gradient: f64 = residuals
@@ -306,8 +307,8 @@ fn check(rows: &Rows, n: usize) -> Result<()> {
     Ok(())
 }
 
-/// Covariance of all `n` parameters. `None` for each undetermined parameter and each parameter that
-/// is not in `free`; all `None` without a `scale`.
+/// Covariance of all `n` parameters. The entries of an undetermined parameter, and of a parameter
+/// that is not in `free`, are `None`. Without a `scale`, all entries are `None`.
 fn covariance(
     free: &ScaledColumns,
     n: usize,
