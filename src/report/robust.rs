@@ -179,8 +179,8 @@ fn at_end<'a>(limit: &ModelLimit<'a>) -> ConstraintAtEnd<'a> {
     }
 }
 
-/// A sentence on the greatest loss of the robust design. If an allowed loss `within` is given, the
-/// sentence says first if every model's loss is within it.
+/// A sentence on the greatest loss of the robust design. With an allowed loss `within`, the
+/// sentence first says whether each model loses at most this.
 fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
     let goal = &found.search.of;
     let show = |value: f64| shown::goal_difference(goal, value, system);
@@ -307,7 +307,7 @@ fn greatest_loss(found: &Robust) -> Objective {
     }
 }
 
-/// The change of the greatest loss, in words, if a bound of varied parameter `i` is relaxed.
+/// Describes the change of the greatest loss if a bound of varied parameter `i` is relaxed.
 fn bound_in_words(found: &Robust, i: usize, system: System) -> String {
     let (vary, solution) = (found.search.vary[i], &found.solution);
     let objective = greatest_loss(found);

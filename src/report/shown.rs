@@ -88,7 +88,8 @@ pub fn goal(goal: &Goal, value: f64, system: System) -> String {
     }
 }
 
-/// A value whose positive side is right: "3.2 yd R", "3.2 yd L", and "0.0 yd" without a side.
+/// A value with R (right) for a positive sign and L (left) for a negative sign: "3.2 yd R", "3.2 yd
+/// L", "0.0 yd".
 pub(super) fn side(quantity: Quantity, unit: &str, value: f64) -> String {
     let size = quantity.read_off(value.abs(), unit);
     match value {

@@ -157,7 +157,7 @@ fn unknown(analysis: Option<&SwingsAnalysis>) -> Vec<String> {
 /// Marks the value of a goal that violates its limits.
 const BROKEN: &str = "(broken)";
 
-/// The goals over the swings as a table with a column for each design.
+/// Table of the goals over the swings, with a column for each design.
 pub(super) fn goals(
     best: &Optimum,
     analysis: Option<&SwingsAnalysis>,
@@ -234,7 +234,8 @@ pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Li
     notes.into_iter().map(Line::flush).collect()
 }
 
-/// Notes on designs that violate a limit, or with which the ball does not fly in one of the swings.
+/// Notes on designs that violate a limit, and on designs for which the ball does not fly in one of
+/// the swings.
 fn designs(best: &Optimum, nominal: Option<&Nominal>) -> Vec<String> {
     let kept = nominal.map(|nominal| nominal.over_swings.as_ref());
     let as_set_up = best.as_set_up.as_ref();
@@ -266,7 +267,7 @@ fn designs(best: &Optimum, nominal: Option<&Nominal>) -> Vec<String> {
     notes
 }
 
-/// Notes on constraints that the smoothed goal meets but the exact goal violates.
+/// Notes on constraints that are met by the smoothed goal but violated by the exact goal.
 fn smoothed_limits(best: &Optimum, system: System) -> Vec<String> {
     let all = best.constraints();
     let pairs = all.iter().zip(&best.solution.constraints);

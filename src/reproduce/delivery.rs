@@ -36,7 +36,7 @@ pub struct LoftCarry {
 }
 
 impl DeliveryCarry {
-    /// The delivery of a loft, deg, and an attack angle, deg, with its carry, m.
+    /// A delivery from a loft, deg, an attack angle, deg, and a carry, m.
     pub(super) fn in_degrees(loft: f64, attack_angle: f64, carry: f64) -> Self {
         Self {
             loft: loft.to_radians(),

@@ -134,7 +134,7 @@ impl ShotColumns {
         }
     }
 
-    /// Finds the columns that state the origin of the spin and the conditions.
+    /// Finds the columns `spin_type` and `condition`.
     fn find_descriptions(&mut self) {
         let plain: Vec<String> = self
             .heads

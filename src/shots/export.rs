@@ -57,7 +57,7 @@ impl ShotColumns {
         }
     }
 
-    /// Message for a number whose mark may separate decimals or thousands; `None` for another cell.
+    /// Message if the mark in a number may separate decimals or thousands; otherwise `None`.
     pub(super) fn ambiguous_mark(&self, text: &str) -> Option<String> {
         DecimalMark::is_ambiguous(self.decimal_mark, text).then(|| {
             format!(
@@ -124,8 +124,8 @@ impl ShotColumns {
         shot
     }
 
-    /// Input of the flight of a row, SI: the launch parameters, then the other parameters of the
-    /// table.
+    /// Input of the flight of a row, SI: the launch parameters, then the other parameters that the
+    /// table states.
     fn point(&self, stated: &StatedConditions, row: &[Cow<'_, str>]) -> Result<Vec<f64>, Refusal> {
         let mut point = launch(
             stated,

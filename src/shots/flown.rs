@@ -68,8 +68,8 @@ impl Flown {
 
     /// Predicted − measured, SI; `None` if the outcome is not predicted, not measured or not
     /// compared. Lateral outcomes are not compared if the launch direction or the spin axis is
-    /// assumed. Outcomes of the roll-out are compared only if the setup's ground is declared to be
-    /// the ground of the shots.
+    /// assumed. Outcomes of the roll-out are compared only if
+    /// [`Flying::compares_roll_out`](super::Flying::compares_roll_out) is true.
     pub fn residual(&self, row: usize, outcome: usize) -> Option<f64> {
         let (of, shot) = (self.of[outcome], &self.shots[row]);
         let has_no_ground = of.needs_run() && !self.compares_roll_out;

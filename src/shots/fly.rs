@@ -16,8 +16,8 @@ use std::sync::atomic::Ordering;
 #[derive(Clone, Debug)]
 pub struct Flying {
     batch: Batch,
-    /// True if the setup describes the ground of the shots, so that total, run and lateral total
-    /// are compared. False by default.
+    /// True if the setup describes the ground of the shots. Total, run and lateral total are then
+    /// compared. False by default.
     pub compares_roll_out: bool,
 }
 

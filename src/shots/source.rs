@@ -58,7 +58,7 @@ pub(super) struct TableRows {
     columns: Arc<ShotColumns>,
     /// The parameters that the first section states in addition to the launch.
     first_parameters: Vec<&'static Parameter>,
-    /// True if a section other than the first began after the previous chunk.
+    /// True if a later section began after the previous chunk.
     section_began: bool,
     is_air_given: bool,
     /// Remarks on later sections.
@@ -70,7 +70,7 @@ pub(super) struct TableRows {
 pub struct Section {
     /// The column heads of the section.
     pub columns: Arc<ShotColumns>,
-    /// True if a section other than the first begins with this chunk.
+    /// True if this chunk begins a section other than the first.
     pub begins: bool,
 }
 

@@ -144,7 +144,7 @@ pub struct ShotStatistics {
     pub bands: Vec<Band>,
     /// Residuals of all rows.
     pub all: Vec<Sums>,
-    /// Shots by the name of the club, for tables with such a column; at most 40 clubs.
+    /// Shots by the name of the club; empty if the table has no such column. At most 40 clubs.
     pub clubs: BTreeMap<String, ClubShots>,
     /// Number of rows of clubs beyond the first 40, which are not in `clubs`.
     pub rows_of_further_clubs: u64,

@@ -59,8 +59,10 @@ const SLOW: f64 = 22.0;
 pub(super) struct UnitChecks {
     /// Ratios predicted/measured of each outcome.
     ratios: Vec<Vec<f64>>,
-    /// Number of rows whose predicted and measured landings are both farther than [`LEAST_OFFLINE`]
-    /// from the target line. Second: number of these rows with landings on opposite sides.
+    /// Two numbers of rows:
+    ///
+    /// - with predicted and measured landings farther than [`LEAST_OFFLINE`] from the target line
+    /// - of these, with landings on opposite sides
     sides: [usize; 2],
     /// Ratios of measured carry to ball speed, s.
     carries: Vec<f64>,

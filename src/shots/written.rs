@@ -147,8 +147,7 @@ fn club(message: &Map<String, Json>) -> Result<Club, Refusal> {
     Ok(Club::of(values))
 }
 
-/// Input of the flight of a line, SI: the launch parameters, then the other parameters of the
-/// table.
+/// Input of the flight of a line, SI: the launch parameters, then `other_parameters`.
 fn point(
     shot: &Shot,
     message: &Map<String, Json>,

@@ -60,7 +60,7 @@ impl PredictionColumns {
         bytes.extend_from_slice(quoted(text, self.separator).as_bytes());
     }
 
-    /// Appends the added cells of a row, without a separator before the first.
+    /// Appends the added cells of a row. No separator precedes the first cell.
     pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
         let shot = &flown.shots[row];
         bytes.extend_from_slice(shot.line.to_string().as_bytes());

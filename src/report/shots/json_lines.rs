@@ -72,7 +72,7 @@ pub struct FlyRow {
     row: serde_json::Value,
 }
 
-/// Values by the name of an outcome; the request chooses the outcomes.
+/// Schema of values by outcome name. The request chooses the outcomes.
 #[cfg(test)]
 struct ByOutcome<V>(std::marker::PhantomData<V>);
 

@@ -91,8 +91,8 @@ fn club(shot: &Shot) -> ByName<f64> {
     values.into_iter().flatten().collect()
 }
 
-/// A value with its key, in a unit of the protocol. Six decimals: this removes the rounding errors
-/// of the conversion.
+/// A key with its value in a unit of the protocol. The value is rounded to six decimals, which
+/// removes the rounding errors of the conversion.
 fn in_unit(
     key: &'static str,
     value: Option<f64>,

@@ -1,7 +1,7 @@
 //! Output of batches: CSV, JSON lines and Parquet. The columns are the swept parameters, `status`,
-//! the outcomes, and `d_OUTCOME/d_PARAMETER`, in SI; CSV also in other units. The column heads of
-//! CSV contain the units: `carry [m]`. Numbers are written so that parsing returns the same `f64`.
-//! A missing value is an empty cell or null.
+//! the outcomes, and `d_OUTCOME/d_PARAMETER`. Numbers are in SI. CSV may also have other units; its
+//! column heads contain the units: `carry [m]`. Numbers are written so that parsing returns the
+//! same `f64`. A missing value is an empty cell or null.
 
 mod csv;
 mod json_lines;

@@ -26,7 +26,8 @@ const CARRY_SIGMA: f64 = 0.04572;
 /// Largest spin of the paper's flights, rad/s. It belongs to loft 17.14° and club speed 110 mph.
 const MOST_SPIN: f64 = 450.0;
 
-/// Adds the law to a document: its formula and coefficients, its values, and plots.
+/// Adds the law to a document: its formula, its coefficients for some speeds and spin ratios, and
+/// plots.
 pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
     document.heading("The law");
     fit(document, found, shown);
@@ -63,7 +64,7 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: PaperUnit
     }
 }
 
-/// The speeds of the displayed values, in the unit of the system.
+/// The speeds in the table of coefficients, in the unit of the system.
 fn speeds(system: System) -> [f64; 4] {
     match system {
         System::Metric => METRES_PER_SECOND,

@@ -125,7 +125,7 @@ const MOST_SPIN: f64 = 1000.0;
 const ANGLES: [f64; 2] = [0.01, FRAC_PI_2 - 0.01];
 
 impl Energy {
-    /// The check for the club of `setup` and the report's longest carry `distance`, m.
+    /// Checks the report's longest carry `distance`, m, for the club of `setup`.
     pub(super) fn new(setup: &Setup<f64>, distance: f64) -> Result<Self> {
         let (head, ball) = (setup.club.mass, setup.ball.mass);
         let fastest = (1.0 + setup.impact.restitution) / (1.0 + ball / head) * setup.swing.speed;

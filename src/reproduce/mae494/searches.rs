@@ -108,7 +108,7 @@ fn search(objective: &CarryObjective<'_>, start: DeliveryCarry) -> Result<End> {
 }
 
 impl Searches {
-    /// Loss of carry of each search against the best carry, m, in ascending order.
+    /// The loss of each search, m, in ascending order: `best` minus the carry of the search.
     pub fn losses(&self, best: f64) -> Vec<f64> {
         let mut losses: Vec<f64> = self
             .ends

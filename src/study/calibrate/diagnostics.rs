@@ -13,8 +13,9 @@ use crate::units::{Digits, Message};
 use std::sync::atomic::AtomicBool;
 
 impl Calibration {
-    /// Warnings about the fit: rows that are read as deliveries, residuals too large for noise,
-    /// values on a bound, and confidence intervals that reach beyond the allowed range.
+    /// Warnings about the fit: rows that are read as deliveries although they have launches,
+    /// residuals too large for noise, values on a bound, and confidence intervals that reach beyond
+    /// the allowed range.
     pub fn warnings(&self, table: &ShotTable) -> Vec<Message> {
         let of_values = self.estimates.iter().filter_map(value_warning);
         self.club_warning(table)

@@ -167,9 +167,9 @@ fn check_measurements(shots: &[MeasuredShot]) -> Result<()> {
 
 /// Fits parameters of a setup to measured shots by least squares.
 ///
-/// A row may state that its carry is greatest at its value of a parameter. The residual of this
-/// statement is slope/|curvature| of the carry in the parameter: to first order, the parameter at
-/// the computed maximum minus the row's value. The curvature is constant during a search. After
+/// A row may state that its carry is greatest at the row's value of a parameter. The residual of
+/// this statement is slope/|curvature| of the carry in the parameter: to first order, the parameter
+/// at the computed maximum minus the row's value. The curvature is constant during a search. After
 /// each search it is computed anew, until it no longer changes.
 ///
 /// # Errors

@@ -37,8 +37,8 @@ impl HeldOut {
         self.count(FitStatus::Interrupted) > 0
     }
 
-    /// Residuals of shots flown with the setup itself, without a fit. An interruption counts as one
-    /// interrupted fit without residuals.
+    /// Residuals of shots flown with the setup itself, without a fit. If the flights are
+    /// interrupted, the result has the status of an interrupted fit and no residuals.
     ///
     /// # Errors
     /// [`Error::NoFit`], which lists the rows, if rows cannot be computed.
@@ -61,7 +61,7 @@ impl HeldOut {
     }
 }
 
-/// Checks a plan and a number of folds before any fit.
+/// Checks `plan` and the number of `folds` before any fit.
 ///
 /// # Errors
 /// [`Error::Calibration`] if there are fewer than 2 folds or more folds than rows, or if the rows

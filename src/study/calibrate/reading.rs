@@ -49,8 +49,8 @@ pub(super) struct ReadRow {
     pub implausible: Vec<String>,
     /// Reason why the row has no usable air, so that its shot flies in the setup's air.
     pub no_air: Option<String>,
-    /// Messages on club columns without a usable value. The prior distribution replaces the missing
-    /// value.
+    /// Messages on club columns without a usable value. The prior distribution of the parameter
+    /// replaces the missing value.
     pub not_stated: Vec<String>,
 }
 
@@ -394,7 +394,7 @@ impl Reading {
                 _ => {}
             }
         }
-        // an invalid cell refuses the table, an empty one only leaves the row out
+        // a row with an empty cell is only left out; an invalid cell is an error of the table
         if let Some(missing) = missing {
             return Err(missing);
         }
@@ -420,7 +420,7 @@ impl Reading {
     ) -> Result<(), RowError> {
         let here = || Some(column.head.clone());
         let value = match self.cell(record, column.content) {
-            // as in `fly`, an export's row is kept if a measured value is unusable
+            // keep a row of an export although a measured value is unusable, as `fly` does
             Err(wrong) if self.is_export => {
                 row.implausible
                     .push(format!("{}: {}", column.head, wrong.why));
@@ -466,7 +466,7 @@ impl Reading {
         Ok(())
     }
 
-    /// Adds the launch of a row to its inputs and to `at_shot`, and notes contradictory spins.
+    /// Adds the launch of a row to its inputs and to `at_shot`, and records contradictory spins.
     fn add_launch(
         &self,
         row: &mut ReadRow,

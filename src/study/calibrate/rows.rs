@@ -177,8 +177,8 @@ impl ShotRows {
         Ok(())
     }
 
-    /// Leaves a row out and notes its fault for a message, if the row is incomplete or belongs to
-    /// an export.
+    /// Leaves out a row that is incomplete or belongs to an export, and records its fault for a
+    /// message.
     ///
     /// # Errors
     /// [`Error::Table`] for any other row.
@@ -294,7 +294,7 @@ impl ShotRows {
         )
     }
 
-    /// Remarks on the columns that state the air, one for each head.
+    /// Remarks on the columns that state the air. Columns with the same head have one remark.
     fn air_remarks(&self) -> Vec<Message> {
         let mut heads: Vec<&str> = vec![];
         let mut remarks = vec![];
@@ -333,7 +333,7 @@ impl ShotRows {
 
     /// Error of a table without a usable shot.
     fn without_shots(self, left_out: &[String]) -> Error {
-        // this error names the missing column; it is never set for an export
+        // this error names the missing column; an export never sets it
         if let Some(first) = self.first_incomplete {
             return first;
         }

@@ -74,8 +74,8 @@ impl ShotTable {
 pub struct MeasuredShot {
     /// Row of the table, from 1.
     pub row: usize,
-    /// Parameters that this row gives, SI. They include the launch conditions if the row states a
-    /// launch and no club values. The setup gives all other parameters.
+    /// Parameters that the row states, SI. They include the launch conditions if the row states a
+    /// launch but no club values. All other parameters have the values of the setup.
     pub inputs: Vec<(&'static Parameter, f64)>,
     /// The measured outcomes.
     pub measured: Vec<Measurement>,

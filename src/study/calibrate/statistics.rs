@@ -52,7 +52,7 @@ pub struct FitStatistics {
     pub probability: Option<f64>,
     /// True if all residuals are rounding errors.
     pub is_exact: bool,
-    /// Factor applied to standard errors, for χ² with ν degrees of freedom:
+    /// Factor applied to standard errors. χ² has ν degrees of freedom.
     ///
     /// - 1 if the table states every uncertainty;
     /// - else √(χ²/ν) if ν > 0 and some residuals exceed rounding;
