@@ -21,7 +21,7 @@ pub struct Reply<T> {
     /// request does not name a setup, for example for a setup from standard input.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub from: Option<String>,
-    /// Parameters that the request states, so that the search does not vary them; omitted if there
+    /// Parameters that the search does not vary, because the request states them; omitted if there
     /// are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub held: Vec<&'static str>,

@@ -50,7 +50,7 @@ pub struct RobustReport<'a> {
     pub models: Vec<ModelReport>,
     /// The swings; `null` for one drive.
     pub swings: Option<ScenariosReport>,
-    /// Every parameter with the robust design.
+    /// The values of all parameters, with the robust design.
     pub setup: Settings,
     /// The setup file that was written; `null` without one.
     pub file: Option<String>,
@@ -76,7 +76,8 @@ pub struct ModelReport {
     /// `null` if that design violates a constraint, or if the ball does not fly in one of the
     /// swings.
     pub losses: Vec<JsonNumber>,
-    /// The model's loss with the setup before the search, SI; `null` as in `losses`.
+    /// The model's loss with the setup before the search, SI; `null` if this setup violates a
+    /// constraint, or if the ball does not fly in one of the swings.
     pub loss_as_set_up: JsonNumber,
     /// The model's constraints with the robust design.
     pub constraints: Vec<ConstraintReport>,

@@ -26,8 +26,8 @@ pub struct Analysis {
     pub changes: Vec<Changed>,
 }
 
-/// An optimum with its sensitivities and windows, SI and radians. The analysis is `null` if the
-/// search did not converge.
+/// An optimum with its sensitivities, directions, ellipses and stated changes, SI and radians.
+/// These are `null` if the search did not converge.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SensitivityReport {
@@ -42,7 +42,7 @@ pub struct SensitivityReport {
     /// An ellipse for each pair of free parameters, on which the quadratic model of the objective
     /// has the allowed loss. The model ignores bounds. Empty if a constraint is active.
     pub ellipses: Option<Vec<Ellipse>>,
-    /// The effects of stated changes: predicted, and from a new search.
+    /// The optima after stated changes: as the derivatives predict them, and from new searches.
     pub changes: Option<Vec<StatedChangeReport>>,
 }
 
@@ -68,15 +68,15 @@ pub struct StatedChangeReport {
     pub parameter: &'static str,
     /// The change of the parameter, SI.
     pub change: f64,
-    /// The optimum by derivatives.
+    /// The optimum that the derivatives predict.
     pub predicted: PredictedOptimum,
     /// The result of a new search with the changed parameter.
     pub resolved: ResolvedOptimum,
     /// The first change of the active bounds and constraints that the derivatives predict; `null`
     /// without one.
     pub event: Option<PredictedEvent>,
-    /// The actual changes of the active bounds and constraints, or the reason why no optimum was
-    /// found.
+    /// The actual changes of the active bounds and constraints. If no optimum was found: the
+    /// reason.
     pub differences: Vec<Message>,
 }
 

@@ -18,7 +18,7 @@ pub struct UncertaintyReport<'a> {
     found: &'a Uncertainty,
     /// The uncertain parameters and their distributions.
     pub inputs: Vec<InputReport>,
-    /// Each outcome.
+    /// The uncertainty of each outcome.
     pub outcomes: &'a [OutcomeUncertainty],
     /// Ellipses of the landings; empty unless carry and lateral were requested.
     pub ellipses: &'a [SampledEllipse],

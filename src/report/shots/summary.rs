@@ -27,7 +27,8 @@ pub struct ShotsReport {
     pub flown: u64,
     /// The rows whose ball did not land, by kind of reason.
     pub refused: Vec<Refused>,
-    /// Number of rows with assumed values, or with values that are not compared.
+    /// Number of rows with assumed values, or with measured values that are not compared with
+    /// predictions.
     pub noted: u64,
     /// Number of rows whose export states an estimated or modelled spin.
     pub spin_not_measured: u64,

@@ -6,8 +6,8 @@ use crate::parameters::Setup;
 use crate::reproduce::delivery::{DeliveryCarry, carry_if_flown, with_delivery};
 use serde::Serialize;
 
-/// Searches with one definition of the landing and one method. All combinations use the same
-/// starts.
+/// Searches with one definition of the landing and one method. All combinations of landing and
+/// method use the same starts.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Searches {
@@ -25,7 +25,7 @@ pub struct Searches {
 pub struct End {
     /// Starting point.
     pub start: DeliveryCarry,
-    /// End point, with the carry of the smooth landing.
+    /// End point, with the carry of this library's flight.
     pub end: DeliveryCarry,
     /// Number of computed flights. A flight with exact derivatives counts as one.
     pub flights: u64,
