@@ -95,7 +95,7 @@ const SHOWN: [&str; 3] = ["swing.speed", "swing.attack_angle", "club.loft"];
 impl ShotTable {
     /// Note that all rows are compared with one drive, the drive of the setup. `None` if a row
     /// states its own drive by a launch, or by an input of swing, club, strike or impact. The note
-    /// shows the values of `SHOWN`, but no value of a fitted parameter.
+    /// shows the setup's swing and loft, but no value of a fitted parameter.
     pub fn one_drive(&self, setup: &Setup<f64>, fitted: &[Vary]) -> Option<Message> {
         let has_own = |(parameter, _): &(&Parameter, f64)| parameter.is_of_strike();
         if self.is_launched
