@@ -83,8 +83,8 @@ pub(super) struct Chunk {
 
 impl Shots {
     /// Opens a file ("-" is standard input), and reads the rows of its table that `filter` selects.
-    /// If `is_air_given` is true, every row has the air of the setup, even if the export states
-    /// other air.
+    /// If `is_air_given` is true, every row of a table has the air of the setup, even if the export
+    /// states other air.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read), and [`Error::Table`](crate::Error::Table) if the file
@@ -118,8 +118,8 @@ impl Shots {
         Self::of_text(setup, Text::open(name, source)?, false)
     }
 
-    /// Reads shots from a text that was opened before. If `is_air_given` is true, every row has the
-    /// air of the setup.
+    /// Reads shots from a text that was opened before. If `is_air_given` is true, every row of a
+    /// table has the air of the setup.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read).

@@ -12,8 +12,8 @@ use std::path::Path;
 
 impl ShotTable {
     /// Reads measured shots from the rows of a CSV file that `filter` selects, by default all rows.
-    /// If `is_air_given` is true, every shot has the air of the setup, even if an export states
-    /// other air.
+    /// If `is_air_given` is true, every row of a table has the air of the setup, even if an export
+    /// states other air.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read), and [`Error::Table`](crate::Error::Table) if `filter`
