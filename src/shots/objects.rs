@@ -11,8 +11,8 @@ enum ScannerState {
     Between,
     /// Within an object, with the number of open braces and brackets.
     Inside(usize),
-    /// Within a string of an object: the number of open braces and brackets, and true after a
-    /// backslash.
+    /// Within a string of an object: the number of open braces and brackets, and a flag that is
+    /// true after a backslash.
     Text(usize, bool),
     /// In text outside of objects, until the end of the line.
     OutsideText,

@@ -310,7 +310,8 @@ fn remove_unsent(values: &mut Vec<StatedValue>) {
     values.retain(|value| match value.of {
         Outcome::Spin => has_total || !has_back,
         Outcome::Backspin => has_back || !has_total,
-        // keep a sidespin of 0 beside a total spin without an axis: it determines the axis
+        // keep a sidespin of 0 if there is a total spin without an axis: the sidespin gives the
+        // axis
         Outcome::Sidespin => has_side || has_back || has_total && !has_axis,
         Outcome::SpinAxis => has_total || value.value != 0.0 || !has_side,
         _ => true,

@@ -18,7 +18,7 @@ const LEAST_NEAR_ONE: usize = 5;
 /// A warning about a wrong unit needs a median of predicted/measured that differs from the ratio of
 /// the two units by at most this fraction.
 const NEAR: f64 = 0.06;
-/// [`NEAR`] for two units with a ratio near 1 (m and yd).
+/// Replaces [`NEAR`] if the ratio of the two units is near 1 (m and yd).
 const NEAR_ONE: f64 = 0.025;
 
 /// Smallest distance of a landing point from the target line, m, at which the side of the landing

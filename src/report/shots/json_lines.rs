@@ -51,7 +51,7 @@ pub struct FlyRow {
     /// The launch that is flown; `null` for a refused row.
     #[schemars(extend("required" = LAUNCH))]
     launch: Option<ByOutcome<JsonNumber>>,
-    /// The parameters besides the launch that the row states.
+    /// The parameters that the row states in addition to the launch.
     parameters: ByName<JsonNumber>,
     /// The delivery of the club that the row states.
     #[schemars(extend("propertyNames" = { "enum": Club::NAMES }))]

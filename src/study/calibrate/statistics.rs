@@ -8,7 +8,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF, Normal, StudentsT};
 /// A singular value counts as 0 if it is at most this fraction of the largest one, because rounding
 /// dominates it. The columns of the Jacobian are first scaled to unit length.
 const SINGULAR: f64 = 1e-8;
-/// A component of a direction of unit length counts as 0 up to this size.
+/// A parameter is part of a direction (of unit length) if its component exceeds this size.
 const PART: f64 = 1e-3;
 
 /// Origin of the standard uncertainties of the measured values, from the best known to the least
