@@ -6,8 +6,8 @@ use super::statistics::{FitStatistics, SigmaOrigin, Undetermined};
 use crate::optimize::least_squares::{Fit, FitStatus, Loss};
 use crate::units::{counted, significant};
 
-/// Changes the status of the best search (the first), if another search was interrupted, or if the
-/// curvatures of carry in the stationary parameters still change (`is_settled` is false).
+/// Changes the status and the message of the first fit, which is the best, in two cases: another
+/// search was interrupted, or `is_settled` is false.
 pub(super) fn set_status_of_searches(fits: &mut [Fit], is_settled: bool, is_interrupted: bool) {
     let all = fits.len();
     let stopped = fits
@@ -102,7 +102,8 @@ pub(super) fn set_status_of_data(found: &mut Calibration, loss: Loss, origin: Si
         );
         return;
     }
-    // Huber's loss expects rows that the model does not describe
+    // no verdict if rows may deviate from the model (Huber's loss), or if the uncertainties are
+    // unknown
     let is_judged = loss == Loss::Squares && origin != SigmaOrigin::Weights;
     if let Some(text) = misfit_text(&found.statistics, MISFIT).filter(|_| is_judged) {
         found.fit.status = FitStatus::Misfit;
@@ -110,16 +111,17 @@ pub(super) fn set_status_of_data(found: &mut Calibration, loss: Loss, origin: Si
     }
 }
 
-/// The largest residual r, if it dominates the fit; w is its weight in the loss, so that w r is the
-/// derivative of the loss. It dominates if (w r)² exceeds 1e6, and 1e6 times the sum of (w r)² over
-/// all other residuals. Huber's loss limits w r. There a residual dominates only if its loss is so
-/// large that rounding hides the losses of the others.
+/// The residual r of largest magnitude, if it dominates the fit. It dominates if it meets one of
+/// two conditions (w is the weight of a residual in the loss):
+///
+/// - (w r)² exceeds 1e6, and 1e6 times the sum of (w r)² over the other residuals.
+/// - Its loss exceeds 1e15, and 1e15 times the sum of the losses of the other residuals. Rounding
+///   then hides the other residuals. Huber's loss needs this condition, because it limits w r.
 fn dominating_residual(residuals: &[FitResidual], loss: Loss) -> Option<&FitResidual> {
-    /// Largest sum of (w r)² over the other residuals, as a fraction of (w r)² of the dominating
-    /// one.
+    /// Limit of Σ (w r)² over the other residuals, divided by (w r)² of the largest residual.
     const PART: f64 = 1e-6;
-    /// Largest sum of the losses of the other residuals, as a fraction of the loss of the
-    /// dominating one: rounding hides them.
+    /// Limit of the summed losses of the other residuals, divided by the loss of the largest
+    /// residual.
     const ROUNDING: f64 = 1e-15;
     let most = residuals
         .iter()

@@ -13,8 +13,8 @@ use serde::Serialize;
 /// Tolerance of [`Agreement::difference`], relative to the derivative.
 const RELATIVE: f64 = 1e-9;
 
-/// Rounding tolerance of a derivative, as a multiple of the magnitude of the outcome's terms
-/// divided by the parameter's scale.
+/// Rounding tolerance of a derivative, as a multiple of `rounding_size` / `scale` of its
+/// [`Ladder`].
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A derivative compared with the derivative from `num_dual::Dual64`.
@@ -39,8 +39,8 @@ pub struct Agreement {
 }
 
 impl Agreement {
-    /// Compares `jet`, a derivative computed with jets, with the derivative computed with num-dual.
-    /// `ladder` has the sizes from which the rounding error follows.
+    /// Compares the derivative `jet`, computed with jets, with the derivative computed with
+    /// num-dual. The magnitudes in `ladder` determine the tolerance.
     pub fn new(jet: f64, num_dual: f64, ladder: &Ladder) -> Self {
         let size = num_dual.abs().max(ladder.negligible_size());
         let tolerance = RELATIVE * size + ROUNDING * ladder.rounding_size / ladder.scale;

@@ -7,27 +7,28 @@ use crate::flight::Flight;
 use crate::parameters::{Parameter, Setup};
 use serde::Serialize;
 
-/// Search range for a change of the number of time steps, in units of the parameter's scale.
+/// Largest change of the parameter in the search for another number of time steps, in units of the
+/// parameter's scale.
 const FARTHEST: f64 = 0.1;
 
-/// Number of times that the search distance doubles until it is `FARTHEST`.
+/// The search begins at the change `FARTHEST` / 2^`DOUBLED`, and doubles the change.
 const DOUBLED: i32 = 9;
 
 /// Number of samples on each side of the change of the number of time steps. The scatter of the
 /// samples is a measure of the rounding.
 const NEIGHBOURS: usize = 8;
 
-/// Distance between neighbouring samples in units of the parameter's scale. Adjacent floating-point
-/// numbers would be too close, because they may give the same outcome: the spin decay e^(−δ h) in a
-/// time step h is rounded to 1e-16, so an outcome is a step function of δ. The change of the
-/// outcome over the distance is subtracted ([`sample`]).
+/// Distance between neighbouring samples, in units of the parameter's scale. Adjacent
+/// floating-point numbers would be too close: they may give the same outcome. For example, the spin
+/// decay e^(−δ h) in a time step h is rounded to 1e-16, so an outcome is a step function of δ.
+/// [`sample`] extrapolates the outcome back over the distance.
 const SPACING: f64 = 1e-12;
 
 /// Tolerance of a jump, in multiples of the scatter of the samples.
 const SCATTER_FACTOR: f64 = 4.0;
 
-/// Smallest relative tolerances of jumps of value, gradient and Hessian: the few samples may
-/// scatter by less than the rounding.
+/// Smallest relative tolerances of the jumps of value, gradient and Hessian. The scatter of so few
+/// samples may be smaller than the rounding.
 const LEAST_TOLERANCE: [f64; 3] = [1e-13, 1e-12, 1e-10];
 
 /// An outcome at a parameter value where the number of time steps changes.
@@ -43,8 +44,9 @@ pub struct Continuity {
     pub at: f64,
     /// Number of time steps before and after the change.
     pub steps: [usize; 2],
-    /// Jumps of value, gradient and Hessian with respect to scaled parameters. They are relative
-    /// to the largest entry of each, or to the magnitude of the outcome's terms if that is larger.
+    /// Jumps of value, gradient and Hessian with respect to scaled parameters. Each jump is divided
+    /// by the largest entry of the value, gradient or Hessian, or by the magnitude of the outcome's
+    /// terms if that is larger.
     pub jumps: [f64; 3],
     /// Tolerances of the jumps of value, gradient and Hessian: 1e-13, 1e-12 and 1e-10, or more if
     /// rounding makes the samples scatter more.
@@ -55,8 +57,8 @@ pub struct Continuity {
 }
 
 /// Varies `wrt[0]` until the number of time steps changes, and measures there the jumps of the
-/// outcomes and of their derivatives by `wrt`. Empty if the number does not change nearby, or if
-/// `goes_on` returns false.
+/// outcomes and of their derivatives by `wrt`. Empty if the number of time steps does not change up
+/// to [`FARTHEST`], or if `goes_on` returns false.
 ///
 /// # Errors
 /// The errors of [`evaluate`].
@@ -114,8 +116,8 @@ pub(super) fn continuity(
     Ok(of.iter().enumerate().map(continuity).collect())
 }
 
-/// The outcomes with `wrt[0]` at `from + offset`, extrapolated back to `from`: the value with the
-/// gradient, the gradient with the Hessian.
+/// The outcomes with `wrt[0]` at `from + offset`, extrapolated to `from`. The gradient extrapolates
+/// the value, and the Hessian extrapolates the gradient.
 fn sample(
     setup: &Setup<f64>,
     of: &[Outcome],
@@ -136,8 +138,8 @@ fn sample(
     Ok(taylors)
 }
 
-/// Entries of the value (order 0), the gradient (order 1) or the Hessian (order 2) by scaled
-/// parameters.
+/// The value (`order` 0), the entries of the gradient (1) or the entries of the Hessian (2), by
+/// scaled parameters.
 fn entries(taylor: &Taylor, scales: &[f64], order: usize) -> Vec<f64> {
     match order {
         0 => vec![taylor.value],
@@ -159,9 +161,9 @@ fn entries(taylor: &Taylor, scales: &[f64], order: usize) -> Vec<f64> {
     }
 }
 
-/// Jump between the means of the two sides, and its tolerance, which follows from their scatter.
-/// Both are relative to the largest entry, or to `size` (the magnitude of the outcome's terms) if
-/// that is larger.
+/// The largest difference between the means of `before` and `after`, and its tolerance, which
+/// follows from the scatter of the samples. Both are divided by the largest entry, or by `size`
+/// (the magnitude of the outcome's terms) if that is larger.
 fn jump(before: &[Vec<f64>], after: &[Vec<f64>], size: f64, least_tolerance: f64) -> (f64, f64) {
     let (mut jump, mut scatter, mut size) = (0.0_f64, 0.0_f64, size);
     for entry in 0..before[0].len() {
@@ -198,8 +200,8 @@ fn steps(setup: &Setup<f64>, parameter: &'static Parameter, value: f64) -> Optio
 }
 
 /// Finds two adjacent floating-point values of the parameter, in ascending order, that give
-/// different numbers of time steps. Takes the pair nearest to the setup's value; `None` if the
-/// number does not change up to [`FARTHEST`], or once `goes_on` returns false.
+/// different numbers of time steps. Of all such pairs, it is the nearest to the setup's value.
+/// `None` if the number does not change up to [`FARTHEST`], or once `goes_on` returns false.
 fn change(
     setup: &Setup<f64>,
     parameter: &'static Parameter,

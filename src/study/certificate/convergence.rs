@@ -9,8 +9,8 @@ use crate::parameters::{Parameter, Setup};
 use crate::statistics::largest_magnitude;
 use serde::Serialize;
 
-/// Step sizes for a smooth law. The errors of an outcome evaluated within a single step (the apex)
-/// vary with the position of the outcome in the step; neighbouring step sizes average this effect.
+/// Step sizes for a smooth law. The error of the apex depends on its position within a time step.
+/// Neighbouring step sizes average over this position.
 const LEVELS: Levels = Levels {
     coarsest: 16,
     count: 6,
@@ -20,8 +20,8 @@ const LEVELS: Levels = Levels {
 
 /// Step sizes for a piecewise law with k continuous derivatives at its joins. A step across a join
 /// has an error of h^(k+2) times a function of the join's position in the step. The sum of these
-/// errors varies irregularly between flights. Only the largest error of many flights decreases with
-/// a power of h, and only for steps so short that a step rarely crosses two joins.
+/// errors varies irregularly from flight to flight, so only the largest error of many flights
+/// decreases with a power of h. The steps must be short: few of them may cross two joins.
 pub(super) const LEVELS_ACROSS_JOINS: Levels = Levels {
     coarsest: 64,
     count: 4,
@@ -32,8 +32,8 @@ pub(super) const LEVELS_ACROSS_JOINS: Levels = Levels {
 /// Number of steps of the reference flight.
 const REFERENCE: u32 = 4096;
 
-/// Number of steps of a second flight. Its difference from the reference flight is mainly rounding,
-/// so errors of the other flights below `ROUNDING_FACTOR` times this difference count as rounding.
+/// Number of steps of a second reference flight, which differs from the first mainly by rounding.
+/// Errors below `ROUNDING_FACTOR` times this difference count as rounding.
 const BESIDE_THE_REFERENCE: u32 = 2048;
 const ROUNDING_FACTOR: f64 = 10.0;
 
@@ -50,9 +50,9 @@ const NO_REFERENCE: &str = "a flight with short time steps, to which the others 
 /// rounding.
 const ROUNDING: [f64; 2] = [1e-12, 1e-11];
 
-/// If the slope of the errors is below the expected order by more than this, a lower-order term is
-/// fitted. The next term of the error still matters at these steps, but lowers the slope by less
-/// than this; a mistake in a method lowers the slope by 1.
+/// Largest deficit of the slope of the errors from the expected order. With a larger deficit,
+/// [`measure`] fits a lower-order term. A mistake in a method gives a deficit of 1. The next term
+/// of the error gives a deficit below this limit.
 const ALLOWED_DEFICIT: f64 = 0.75;
 
 /// Numbers of time steps of the flights. The numbers double from level to level.
@@ -97,11 +97,11 @@ pub struct Convergence {
     /// `pass` or `fail`.
     pub verdict: Verdict,
     /// For value and gradient: true if the order is lower than expected. A low slope of the errors
-    /// is not sufficient, because it also occurs where the first two error terms cancel.
+    /// does not prove this: the slope is also low where the first two error terms cancel.
     #[serde(skip)]
     pub falls_short: [bool; 2],
-    /// Sensitivity of the test, for value and gradient: true if the errors would fail the test of
-    /// an order that is higher by one.
+    /// For value and gradient: true if the test fails with the expected order plus 1. The test is
+    /// then sensitive enough to detect a mistake.
     #[serde(skip)]
     pub would_detect_higher_order: [bool; 2],
 }
@@ -129,7 +129,8 @@ pub(super) fn convergence(
     // initial decay rate of spin, 1/s: δ + κ |v|/R (docs/model.md, eq. 13)
     let by_way = setup.aero.spin_damping.unwrap_or_default() / setup.ball.radius;
     let decay_rate = setup.aero.spin_decay + by_way * drive.launch.ball_speed();
-    // the landing lies in the middle of the last step, so that no step ends close to the landing
+    // the landing lies in the middle of the last step: this keeps the ends of steps away from the
+    // landing
     let step = |steps: u32| time / (f64::from(steps) - 0.5);
     let is_short = |steps: u32| step(steps) <= 1.0 && step(steps) * decay_rate <= 1.0;
     if !is_short(BESIDE_THE_REFERENCE) {
@@ -144,7 +145,7 @@ pub(super) fn convergence(
         Some(SteppedDrive {
             level,
             step: setup.flight.step,
-            // a flight that fails at too long a step is skipped
+            // skip a flight that fails because its step is too long
             taylors: evaluate(&setup, of, wrt, Order::First).ok()?,
         })
     };
@@ -184,7 +185,7 @@ struct StepComparison<'a> {
 }
 
 impl<'a> StepComparison<'a> {
-    /// Flies with the step sizes of all levels, after the reference flights.
+    /// Computes the reference flights, then the flights with the step sizes of all levels.
     ///
     /// # Errors
     /// The reason, if a reference flight fails, or if flights succeed at too few levels to measure
@@ -238,9 +239,9 @@ impl<'a> StepComparison<'a> {
             errors_of(&self.beside).map(|errors| ROUNDING_FACTOR * largest_magnitude(&errors));
         let of_smooth_law = orders_of_smooth_law(self.setup, of);
         let law_derivatives = self.setup.law.properties().continuous_derivatives;
-        // a join of a law with k continuous derivatives gives an error h^(k+2) times a function of
-        // the join's position in the step; this position moves at a rate 1/h, so the derivative has
-        // an error h^(k+1)
+        // a step across a join has an error of h^(k+2) times a function of the join's position in
+        // the step; a parameter moves the join through the steps at a rate proportional to 1/h, so
+        // the derivative has an error of h^(k+1)
         let expected = match law_derivatives {
             Some(k) => [of_smooth_law[0].min(k + 2), of_smooth_law[1].min(k + 1)],
             None => of_smooth_law,
@@ -279,25 +280,25 @@ impl<'a> StepComparison<'a> {
 }
 
 /// Flight time at the reference step; `None` if the ball does not land. The flight time at the
-/// setup's own step may be wrong by as much as a compared step, so that one of these steps could
-/// end at the landing.
+/// setup's own step is not exact enough: its error may be as long as a compared step, so that a
+/// compared step could end at the landing.
 fn fine_flight_time(setup: &Setup<f64>, about: f64) -> Option<f64> {
     let mut setup = *setup;
     setup.flight.step = about / f64::from(REFERENCE);
     Some(Drive::new(&setup).ok()?.landed().ok()?.flight_time)
 }
 
-/// Expected orders of convergence p of the value and of the gradient for a smooth law: the orders
-/// of the method, limited by interpolation.
-/// - Dense output of degree 7: the error is h⁸ in a position and h⁷ in its derivatives. In a
-///   velocity, and in a root of a velocity, the order is one less.
-/// - Apex: within a step, the velocity error is h^p times a function of the position in the step.
-///   The apex moves through the step at a rate 1/h, so its derivatives have errors h^(p−1). A
-///   landing does not lose this order, because the steps are chosen so that it lies in the middle
-///   of a step, where this function is flat.
+/// Expected orders of convergence p of the value and of the gradient for a smooth law: the order of
+/// the method, or the order of the interpolation if that is lower.
+/// - Dense output of degree 7: the error is h⁸ in a position and h⁷ in its derivatives. A velocity,
+///   and the time at which a velocity is 0, have one order less.
+/// - Apex: within a step, the velocity error is h^p times a function of the position in the step. A
+///   parameter moves the apex through the steps at a rate proportional to 1/h, so the derivatives
+///   have errors h^(p−1). A landing keeps the order p: it lies in the middle of a step, where this
+///   function is flat.
 fn orders_of_smooth_law(setup: &Setup<f64>, of: Outcome) -> [u32; 2] {
     let interpolated = match of.computed_from() {
-        // with spin damping the spin at landing is interpolated with degree 5
+        // with spin damping, the spin at landing is interpolated with degree 5
         ComputedFrom::Rest => [6, 5],
         ComputedFrom::LandingVelocity | ComputedFrom::ApexTime => [7, 6],
         ComputedFrom::Landing
@@ -313,9 +314,9 @@ fn orders_of_smooth_law(setup: &Setup<f64>, of: Outcome) -> [u32; 2] {
     [0, 1].map(|which: usize| of_method[which].min(interpolated[which]))
 }
 
-/// Relative errors of the value and of each gradient entry. Errors of the value are relative to
-/// `size`, the outcome's magnitude. Errors of the gradient (by scaled parameters) are relative to
-/// its largest entry, or to [`NEGLIGIBLE`] times `size` if that is larger.
+/// Relative errors of the value and of each gradient entry. The error of the value is divided by
+/// `size`, the outcome's magnitude. The errors of the gradient (by scaled parameters) are divided
+/// by its largest entry, or by [`NEGLIGIBLE`] times `size` if that is larger.
 fn errors(found: &Taylor, reference: &Taylor, size: f64, scales: &[f64]) -> [Vec<f64>; 2] {
     let entries = reference
         .gradient

@@ -33,8 +33,8 @@ variant_names! {
 pub struct DetectionTest {
     /// The planted error.
     pub error: PlantedError,
-    /// Number of rows with the planted error: passing rows with a significant derivative that the
-    /// error changes.
+    /// Number of rows in which the error was planted. Each row passes without the error and has a
+    /// significant derivative, which the error changes.
     pub rows: usize,
     /// Number of rows where differences detected the error.
     pub caught: usize,
@@ -49,7 +49,7 @@ impl DetectionTest {
     }
 }
 
-/// The two factors of a landing term: the derivatives of the outcomes [`AT_LANDING`] by the landing
+/// Factors of the landing terms: the derivatives of the outcomes [`AT_LANDING`] by the landing
 /// time, and the derivative of the landing time by each parameter.
 pub(super) struct LandingTerms {
     per_time: [f64; 3],
@@ -57,7 +57,7 @@ pub(super) struct LandingTerms {
 }
 
 impl LandingTerms {
-    /// Computes the landing terms by each parameter; `None` if the ball does not land.
+    /// The landing terms for the parameters `wrt`; `None` if the ball does not land.
     pub fn new(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Option<Self> {
         let velocity = Drive::new(setup).ok()?.landed().ok()?.velocity;
         let time = gradient(setup, Outcome::FlightTime, wrt).ok()?;
@@ -79,8 +79,8 @@ impl LandingTerms {
     }
 }
 
-/// Plants each error in every passing row whose derivative the error changes significantly, and
-/// judges the wrong derivatives.
+/// Plants each error in the passing rows, and judges the wrong derivatives. Rows that the error
+/// does not change, and rows whose derivative or landing term is negligible, are left out.
 pub(super) fn detection_tests(
     setup: &Setup<f64>,
     rows: &[DerivativeRow],

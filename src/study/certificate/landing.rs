@@ -22,7 +22,7 @@ use serde::Serialize;
 /// Outcomes whose derivative contains a landing term.
 pub(super) const AT_LANDING: [Outcome; 3] = [Outcome::Carry, Outcome::Lateral, Outcome::FlightTime];
 
-/// Derivatives of the outcomes [`AT_LANDING`] by the landing time, for a velocity at landing.
+/// Derivatives of the outcomes [`AT_LANDING`] by the landing time, from the velocity at landing.
 pub(super) fn changes_per_time(velocity: Vector<f64>) -> [f64; 3] {
     [velocity.z, velocity.y, 1.0]
 }
@@ -49,9 +49,9 @@ pub struct AtLanding {
     pub landing_term: f64,
 }
 
-/// Tests the derivatives of a landing by each parameter. Empty if the ground cannot be lowered: in
-/// a logarithmic wind, which depends on the height above ground, and if the lowered ground would be
-/// outside of the range of `ground.height`.
+/// Tests the derivatives of a landing by each parameter. Empty if the ground cannot be lowered.
+/// There are two such cases: the wind is logarithmic, so that it depends on the height above
+/// ground, or the lowered ground is outside the range of `ground.height`.
 ///
 /// # Errors
 /// The errors of [`evaluate`].
@@ -103,10 +103,9 @@ pub(super) fn at_landing(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Resu
     Ok(all)
 }
 
-/// Adjusts the time step so that a step ends at the landing; returns the setup with this landing.
-/// The truncation error of the step shifts the landing, so the adjustment is iterated until the
-/// change is rounding. It converges fast, because a changed step h shifts the landing only by a
-/// fraction of h^p.
+/// Adjusts the time step so that a step ends at the landing. Returns the setup with this step, and
+/// its landing. A change of the step shifts the landing by the truncation error, so the adjustment
+/// is repeated until the landing time no longer changes.
 fn ending_with_a_step(setup: &Setup<f64>) -> Result<(Setup<f64>, Landed<f64>)> {
     const TRIALS: usize = 16;
     let mut setup = *setup;
@@ -123,9 +122,8 @@ fn ending_with_a_step(setup: &Setup<f64>) -> Result<(Setup<f64>, Landed<f64>)> {
     Ok((setup, landed))
 }
 
-/// Carry, lateral and flight time of a drive with a changed parameter: the drive's state at the
-/// landing time of the unchanged drive, extrapolated along the landing velocity of the unchanged
-/// drive. `None` without a flight.
+/// Carry, lateral and flight time with the parameter at `value`. The position at the time of
+/// `landed` is extrapolated to the ground along the velocity of `landed`. `None` without a flight.
 fn extrapolated_landing(
     setup: &Setup<f64>,
     landed: &Landed<f64>,
@@ -137,7 +135,7 @@ fn extrapolated_landing(
     moved.set_value(parameter, Some(value)).ok()?;
     let ground = moved.ground.height;
     moved.ground.height -= LOWERED_BY;
-    // the flight ends with the first step that passes this limit; this step ends at T
+    // the flight ends with the first step beyond this limit, which is the step that ends at `time`
     moved.flight.time_limit = time - 0.5 * setup.flight.step;
     let launch = match Launch::given(&moved) {
         Some(launch) => launch,

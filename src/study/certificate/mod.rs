@@ -156,7 +156,7 @@ impl Certificate {
         has_corner: bool,
         work: &CertificateProgress<'_>,
     ) -> Result<()> {
-        // at a corner no outcome is smooth; the row of each parameter reports the corner
+        // skip these checks at a corner: no outcome is smooth there, and the rows report the corner
         let goes_on = || !has_corner && !work.is_stopped();
         let pair = &wrt[..wrt.len().min(2)];
         if goes_on() {
@@ -184,8 +184,9 @@ impl Certificate {
         Ok(())
     }
 
-    /// The checks of the flight that have no result, each with the reason: `prevented`, if there is
-    /// a reason for all of them. `no_convergence` is the reason for the convergence.
+    /// The checks of the flight that have no result, each with its reason. `prevented` is the
+    /// common reason of all these checks, if there is one. `no_convergence` is the reason for the
+    /// convergence check.
     fn not_examined(
         &self,
         prevented: Option<&'static str>,

@@ -5,37 +5,36 @@
 //! ```
 //!
 //! The slope of log |e| is not sufficient. If a and b h have opposite signs, e passes through 0 at
-//! some step, and decreases more slowly than h^p at smaller steps. For an outcome that is
-//! interpolated within one step (the apex), a varies with the position of the outcome in the step.
-//! Therefore the lower-order term d is fitted to the signed errors, and must be negligible.
+//! some step, and decreases more slowly than h^p at smaller steps. For the apex, which is
+//! interpolated within one step, the coefficient a varies with the position of the apex in the
+//! step. Therefore the lower-order term d is fitted to the signed errors, and must be negligible.
 
 use crate::derivative::check::line_slope;
 use crate::statistics::largest_magnitude;
 use nalgebra::{DMatrix, DVector};
 
-/// Minimum number of levels to measure an order.
+/// Minimum number of levels from which an order is measured.
 pub(super) const MEASURED: usize = 3;
 
-/// Number of levels to which the lower-order term is fitted: the finest ones. Coarser levels would
-/// need more terms.
+/// Number of the finest levels to which the lower-order term is fitted. Coarser levels would need
+/// more terms.
 const FITTED: usize = 4;
 
-/// Largest share of the lower-order term in the error at the finest level that counts as
-/// negligible. A method of lower order has a share near 1.
+/// The lower-order term counts as negligible up to this fraction of the error at the finest level.
+/// If the method has a lower order, the fraction is near 1.
 const SHARE: f64 = 0.25;
 
-/// Largest lower-order term that counts as negligible if the errors scatter, in units of the term's
-/// standard error.
+/// The lower-order term also counts as negligible up to this multiple of its standard error, which
+/// follows from the scatter of the errors.
 const DEVIATIONS: f64 = 4.0;
 
-/// Signed errors at one step size: one of a value, or one for each entry of a gradient.
+/// Signed errors at one step size: the error of a value, or the error of each entry of a gradient.
 #[derive(Clone, Debug)]
 pub(super) struct Errors {
     /// Level (group of neighbouring steps); 0 is the coarsest.
     pub level: usize,
     /// Step, s.
     pub step: f64,
-    /// Errors.
     pub errors: Vec<f64>,
 }
 
@@ -44,13 +43,13 @@ pub(super) struct Errors {
 pub(super) struct MeasuredOrder {
     /// Slope of log |error| against log step, over levels with errors above rounding.
     pub order: f64,
-    /// True if the order is lower than expected. [`measure`] also requires that a lower-order term
+    /// True if the order is lower than expected. [`measure`] also requires a lower-order term that
     /// explains the low slope.
     pub falls_short: bool,
 }
 
-/// Measures the order from errors above the rounding `floor`; `None` if too few levels have such
-/// errors. `short_of` is the largest allowed deficit of the order.
+/// Measures the order from the levels whose error is above `floor` (rounding); `None` if there are
+/// too few such levels. `short_of` is the largest allowed deficit of the order.
 pub(super) fn measure(
     samples: &[Errors],
     expected: u32,
@@ -69,10 +68,10 @@ pub(super) fn measure(
     Some(MeasuredOrder { order, falls_short })
 }
 
-/// Measures the order of irregular errors, for which no fit works: only the largest error per level
-/// decreases with a power of the step. The order falls short only if it is too low over all levels
-/// and also over the finest two, because coarse steps cross several joins at once and converge more
-/// slowly.
+/// Measures the order of irregular errors, for which no fit works: only the largest error of a
+/// level decreases with a power of the step. The order falls short only if it is too low over all
+/// levels and also over the finest two. Coarse steps cross several joins at once, so their errors
+/// decrease more slowly.
 pub(super) fn measure_largest(
     samples: &[Errors],
     expected: u32,
@@ -88,12 +87,13 @@ pub(super) fn measure_largest(
     })
 }
 
-/// Logarithms of step and largest error of each level whose error exceeds rounding; `None` if
-/// there are too few such levels.
+/// Logarithms of step and largest error of the levels whose error is above `floor` (rounding);
+/// `None` if there are too few such levels.
 fn levels_above_rounding(samples: &[Errors], power: i32, floor: f64) -> Option<Vec<(f64, f64)>> {
     let count = samples.iter().map(|sample| sample.level).max()? + 1;
     let of_level = |level: usize| samples.iter().filter(move |sample| sample.level == level);
-    // a single error may be 0 by chance, so take the largest of the level, scaled to its first step
+    // take the largest error of the level, because a single error may be 0 by chance; each error is
+    // scaled with h^`power` to the first step of the level
     let level = |level: usize| {
         let first = of_level(level).next()?.step;
         let largest = of_level(level)
@@ -108,9 +108,8 @@ fn levels_above_rounding(samples: &[Errors], power: i32, floor: f64) -> Option<V
     (levels.len() >= MEASURED).then_some(levels)
 }
 
-/// Fits e/h^p = d/h + a + b h + c h² and tests d for each entry. A significant d counts only if a
-/// fit with h³ in place of 1/h leaves larger residuals: otherwise the omitted higher powers explain
-/// the errors.
+/// Fits e/h^p = d/h + a + b h + c h² and tests d for each entry. If a fit with h³ in place of 1/h
+/// leaves smaller residuals, the omitted higher powers explain the errors, and d does not count.
 fn has_lower_term(samples: &[&Errors], power: i32) -> bool {
     let Some(last) = samples.last() else {
         return false;
@@ -190,8 +189,7 @@ mod tests {
             .falls_short
     }
 
-    /// An error of order 5. At coarse steps its next terms dominate, and at all but three levels
-    /// the error is rounding.
+    /// An error of order 5 at the three coarsest levels, where its next terms dominate.
     #[test]
     fn higher_order_terms_at_coarse_steps_are_no_lower_order() {
         let e = |h: f64| h.powi(5) * (1.1 - 15.0 * h - 80.0 * h * h);
@@ -231,7 +229,7 @@ mod tests {
 
     #[test]
     fn order_of_an_error_that_passes_through_zero() {
-        // h⁴ (1 − h/h₀) is 0 at h₀, which goes from below all steps to above them
+        // this error is 0 at h = h₀ (`zero`), which runs from below all steps to above them
         for k in 0..60 {
             let zero = 10.0_f64.powf(-3.0 + 0.05 * f64::from(k));
             assert!(!falls_short(|h| h.powi(4) * (1.0 - h / zero), 4), "{zero}");
@@ -243,7 +241,7 @@ mod tests {
                 !falls_short(|h| h.powi(4) * (1.0 - h / zero) * (1.0 - 3.0 * h / zero), 4),
                 "{zero}"
             );
-            // an error with an order that is lower by one
+            // with a term h³ the order is 3
             for size in [1.0, 10.0] {
                 assert!(
                     falls_short(
@@ -256,7 +254,8 @@ mod tests {
         }
     }
 
-    /// Error of Simpson's rule over a unit step (Peano kernel) for (t − θ)₊³/6 and for (t − θ)₊²/2.
+    /// Errors of Simpson's rule over a unit step for two integrands with a join at θ: (t − θ)₊³/6
+    /// and (t − θ)₊²/2.
     fn kernels(theta: f64) -> [f64; 2] {
         let (left, half) = (1.0 - theta, (0.5 - theta).max(0.0));
         [
@@ -265,8 +264,8 @@ mod tests {
         ]
     }
 
-    /// Joins with two continuous derivatives keep order 4; joins with one continuous derivative
-    /// give order 3, which is detected in about half of the sets.
+    /// Joins with two continuous derivatives keep order 4. Joins with one continuous derivative
+    /// give order 3; the test detects this in about half of the sets.
     #[test]
     fn order_of_the_largest_errors_across_joins() {
         let mut found = 0;

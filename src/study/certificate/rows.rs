@@ -22,14 +22,14 @@ pub struct DerivativeRow {
     pub num_dual: Agreement,
     /// ∂²/∂p² compared with differences of ∂/∂p; `None` if it does not exist or is discontinuous.
     pub second: Option<Check>,
-    /// Orders of the Taylor remainders of degree 0, 1 and 2: with exact derivatives at least 1, 2
-    /// and 3. `None` if too few remainders exceed rounding.
+    /// Orders of the Taylor remainders of degree 0, 1 and 2. With exact derivatives they are at
+    /// least 1, 2 and 3. `None` if too few remainders exceed rounding.
     pub slopes: [Option<f64>; 3],
 }
 
 impl DerivativeRow {
     /// Verdict on the row: the verdict on the first derivative, or `Fail` if num-dual or the second
-    /// derivative fails. A discontinuous second derivative is not a corner of the outcome.
+    /// derivative fails. A corner of the second derivative does not count.
     pub fn verdict(&self) -> Verdict {
         if self.num_dual_fails() {
             return Verdict::Fail;
@@ -41,8 +41,8 @@ impl DerivativeRow {
         }
     }
 
-    /// True if num-dual shows that the derivative is wrong. At a corner each method may return
-    /// either one-sided slope, so a difference shows nothing.
+    /// True if num-dual shows that the derivative is wrong. False at a corner, where each method
+    /// may return either one-sided slope.
     pub fn num_dual_fails(&self) -> bool {
         self.first.verdict != Verdict::Corner && self.num_dual.verdict == Verdict::Fail
     }
@@ -52,8 +52,8 @@ impl DerivativeRow {
         self.second.as_ref().is_some_and(Check::failed)
     }
 
-    /// Largest ratio of an error to its tolerance, over the comparisons of the row: above 1 a
-    /// derivative is wrong.
+    /// Largest ratio of an error to its tolerance, over the comparisons of the row. If the ratio is
+    /// above 1, a derivative is wrong.
     pub fn severity(&self) -> f64 {
         let ratio = |error: f64, tolerance: f64| {
             if error == 0.0 { 0.0 } else { error / tolerance }
@@ -66,10 +66,10 @@ impl DerivativeRow {
     }
 }
 
-/// Required accuracy of differences of outcomes. Extrapolation leaves errors in two cases: third
-/// derivatives jump where stages cross joins of the law, and the last steps end at different
-/// heights in a logarithmic wind. The smallest tolerance is then 1e-7, a tenth of the relative
-/// error that differences must detect.
+/// Required accuracy of differences of outcomes, which must detect a relative error of 1e-6.
+/// Extrapolation leaves larger errors in two cases: with a law with joins (third derivatives jump),
+/// and in a logarithmic wind (the last steps end at different heights). The smallest tolerance is
+/// then 1e-7.
 pub(super) fn demand(setup: &Setup<f64>) -> Demand {
     let is_rough =
         setup.wind.roughness.is_some() || setup.law.properties().continuous_derivatives.is_some();
@@ -87,7 +87,8 @@ pub(super) fn demand(setup: &Setup<f64>) -> Demand {
 /// true. `exact` are the derivatives to certify, from the original evaluation.
 ///
 /// # Errors
-/// The errors of [`Evaluator::new`]. A neighbouring drive without an outcome gives no sample.
+/// The errors of [`Evaluator::new`]. A neighbouring drive that lacks an outcome is no error, but
+/// gives no sample.
 pub(super) fn rows(
     setup: &Setup<f64>,
     drive: &Drive<f64>,
@@ -150,8 +151,9 @@ struct Neighbours<'a> {
 }
 
 impl Neighbours<'_> {
-    /// Applies `number` to the Taylor expansion of each outcome at the parameter value `x`. All NaN
-    /// if the drive lacks one of the outcomes; empty once `is_stopped` returns true.
+    /// Applies `number` to the Taylor expansion of each outcome at the parameter value `x`. All
+    /// numbers are NaN if the drive lacks an outcome. The result is empty once `is_stopped` returns
+    /// true.
     fn sample(
         &self,
         evaluator: &Evaluator,
@@ -220,9 +222,8 @@ impl Neighbours<'_> {
     }
 }
 
-/// Compares with differences over a few step sizes first. If a comparison fails, all comparisons
-/// are repeated with all step sizes, because the outcome may have an extremum within the smallest
-/// of the few steps.
+/// Compares with differences over a few step sizes. If a comparison fails, repeats all comparisons
+/// with all step sizes: the outcome may have an extremum within the smallest of the few steps.
 pub(super) fn in_few_steps<T>(
     sample: impl Fn(Vec<i32>) -> Vec<Ladder>,
     judge: impl Fn((usize, Ladder)) -> T,

@@ -3,8 +3,9 @@ use crate::flight::Flight;
 use crate::parameters::{Parameter, Setup};
 use crate::units::{DisplayUnit, Quantity};
 
-/// Characteristic size of a parameter, SI, which scales the steps of differences: |value|, but at
-/// least a typical size if the value is 0 or the parameter may be negative.
+/// Characteristic size of a parameter, SI, which scales the steps of differences. It is the
+/// magnitude of the value. If the value is 0, or if the parameter may be negative, it is at least a
+/// typical size.
 pub(super) fn scale(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
     let value = setup.value(parameter).unwrap_or_default().abs();
     let default = parameter
@@ -28,7 +29,7 @@ pub(super) fn scale(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
 /// Typical size of parameters with default 0, SI.
 fn usual(parameter: &Parameter) -> f64 {
     let units = match (parameter.name, parameter.unit) {
-        // published value; a thousandth of this value already changes a flight
+        // a published value; a thousandth of it already changes a flight
         ("aero.spin_damping", _) => 2e-5,
         ("air.altitude", _) => 1000.0,
         (_, "deg") => 5.0,
@@ -40,14 +41,15 @@ fn usual(parameter: &Parameter) -> f64 {
     units * DisplayUnit::from(parameter).size()
 }
 
-/// Magnitude of the terms from which an outcome is computed, SI; its rounding error is relative to
-/// this magnitude. It is the outcome's absolute value, but at least:
+/// Magnitude of the terms from which an outcome is computed, SI. The rounding error of the outcome
+/// is relative to this magnitude. It is the outcome's absolute value, but at least:
 ///
-/// - for a length, the distance to the landing point, and for a time, the flight time;
-/// - for a speed, the ball speed;
-/// - for an angular velocity, the spin, and after an impact also m R v/I with mass m, radius R,
-///   speed v and moment of inertia I of the ball;
-/// - for an angle or a number, 1.
+/// - length: the distance to the landing point;
+/// - time: the flight time;
+/// - speed: the ball speed;
+/// - angular velocity: the spin, and after an impact also m R v/I with mass m, radius R, speed v
+///   and moment of inertia I of the ball;
+/// - angle or number: 1.
 pub(super) fn size_of_terms(of: Outcome, setup: &Setup<f64>, drive: &Drive<f64>) -> f64 {
     let launch = &drive.launch;
     let made_of = match (&drive.flight, of.quantity()) {

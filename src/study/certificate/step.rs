@@ -10,12 +10,12 @@ use crate::parameters::{Parameter, Setup};
 use crate::units::Message;
 use serde::Serialize;
 
-/// Ratio of the time step to the step of the comparison flight. With order 4 the comparison flight
-/// has 1/4096 of the error.
+/// Ratio of the time step to the step of the comparison flight. With a method of order 4, the error
+/// of the comparison flight is 4096 times smaller.
 const SHORTER: f64 = 8.0;
 
-/// Errors of a derivative are relative to the derivative times the parameter's scale, or to this
-/// fraction of the outcome's size if that is larger.
+/// A derivative times the parameter's scale counts as at least this fraction of the outcome's
+/// magnitude when the derivative's relative error is computed.
 const LEAST_RELATIVE_SLOPE: f64 = 1e-6;
 
 /// Relative derivative error that triggers a warning.
@@ -42,8 +42,8 @@ pub struct StepError {
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub derivative_error: Option<f64>,
-    /// The error of a derivative times the typical size of its parameter, relative to the outcome:
-    /// the largest of all parameters.
+    /// The error of a derivative times the typical size of its parameter, divided by the outcome's
+    /// magnitude. This is the maximum over all parameters.
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub derivative_error_of_outcome: f64,
