@@ -119,7 +119,7 @@ impl Chart {
             ["optimum", "optima"],
             CheckScope::Flight,
         );
-        // `warnings` has this order, and no warning for a limit that no optimum exceeds
+        // `warnings` is in this order, without the limits that no optimum exceeds
         let is_exceeded: [fn(&ExceededLimits) -> bool; 3] = [
             |limits| limits.law,
             |limits| limits.face,
@@ -179,8 +179,8 @@ type ChartCallback<T> = Rc<dyn Fn(&T)>;
 pub struct ChartObserver {
     /// Cancellation flag: once true, the chart ends with its points so far, even within a search.
     pub interrupt: Arc<AtomicBool>,
-    /// Receives each value at which the first optimum is searched for: the low end of the range,
-    /// and further values if there is no optimum at the low end.
+    /// Receives each parameter value at which the chart tries to begin: the low end of the range,
+    /// then further values if the low end has no optimum.
     pub beginning: Option<Rc<dyn Fn(f64)>>,
     /// Receives every iteration of every search.
     pub iteration: Option<ChartCallback<Iteration>>,
@@ -215,8 +215,8 @@ impl ChartObserver {
 
 /// Follows the optimum along a parameter by continuation: each optimum is predicted with d x*/dp
 /// and corrected by a search. The step adapts to the prediction error; changes of the active set
-/// are located by bisection. The points are at the values `at` (SI, within the range), or at all
-/// values of the continuation if `at` is empty.
+/// are located by bisection. The chart has points at the values `at` (SI, within the range), or at
+/// all values of the continuation if `at` is empty.
 ///
 /// # Errors
 /// [`Error::NotConverged`] if no first optimum is found; [`Error::Unreadable`] if the search varies
@@ -310,8 +310,8 @@ fn check(search: &Search, along: Vary, at: &[f64]) -> Result<()> {
     Ok(())
 }
 
-/// End of the next step: `to`, or the next value of `at` if that is nearer. A `to` that differs
-/// from 0 only by rounding becomes 0.
+/// End of the next step: the nearer of `to` and the next value in `at`. If `to` differs from 0 only
+/// by rounding, it becomes 0.
 fn target(to: f64, from: f64, at: &[f64], width: f64) -> f64 {
     let to = if to.abs() < LOCATED * width { 0.0 } else { to };
     at.iter()
@@ -320,7 +320,6 @@ fn target(to: f64, from: f64, at: &[f64], width: f64) -> f64 {
         .fold(to, f64::min)
 }
 
-/// Problem and observer of the continuation.
 struct Follower<'a> {
     setup: &'a Setup<f64>,
     search: &'a Search,
@@ -332,9 +331,9 @@ impl Follower<'_> {
     /// Steps from `here` to the parameter value `to`, and adapts the step size. `None` if the step
     /// was rejected; the next step is then shorter, unless the search was interrupted.
     ///
-    /// The next point has the event after `here`: a jump if the optimum is far from its prediction,
-    /// or a change of the active set. Bisection locates the change, and the located point replaces
-    /// the next point.
+    /// The new point has the event of the step, if any: a jump if the optimum is far from its
+    /// prediction, or a change of the active set. In the second case bisection locates the change,
+    /// and the new point is the located point.
     ///
     /// # Errors
     /// The reason why no optimum was found.
@@ -367,9 +366,9 @@ impl Follower<'_> {
         Ok(Some(next))
     }
 
-    /// The first optimum of the chart, and the reason why it is not at the low end of the range
-    /// (`None` if it is). Without an optimum at the low end a few further values are tried;
-    /// bisection then locates where the optima begin.
+    /// The first optimum of the chart. If the low end of the range has no optimum, a few further
+    /// values are tried, and bisection locates where the optima begin. The message is the reason
+    /// why the chart begins after the low end; `None` if it begins there.
     fn first(&self) -> Result<(ChartPoint, Option<Message>)> {
         let Vary {
             parameter,
@@ -421,12 +420,13 @@ impl Follower<'_> {
         first
     }
 
-    /// Predicts and corrects the optimum at the parameter value `to`. Returns also the distance of
-    /// the corrected optimum from the predicted one, in units of the ranges.
+    /// The optimum at the parameter value `to`, predicted from `here` and corrected by a search.
+    /// The number is the distance from the predicted to the corrected optimum, in units of the
+    /// ranges.
     fn next(&self, here: &ChartPoint, to: f64) -> Result<(ChartPoint, f64)> {
         let rates = match sensitivity(&here.best, self.along.parameter) {
             Ok(sensitivity) => sensitivity.optimum,
-            // without a sensitivity (at a change of the active set) predict no change
+            // there is no sensitivity at a change of the active set: predict no change
             Err(_) => vec![0.0; self.search.vary.len()],
         };
         let ranges = self.search.vary.iter().map(|vary| (vary.low, vary.high));

@@ -29,10 +29,10 @@ pub struct Comparison {
     pub setups: [Setup<f64>; 2],
     /// The drives.
     pub drives: [Drive<f64>; 2],
-    /// True if integration settings were changed, because the two setups have different ones.
+    /// True if the setups had different integration settings, which were made equal.
     pub is_refined: bool,
     path: SetupPath,
-    /// Path between the launches; `None` if `path` already connects the launches.
+    /// Path from one launch to the other; `None` if `path` itself varies the launch conditions.
     launches: Option<SetupPath>,
 }
 
@@ -46,8 +46,8 @@ pub struct Difference {
     /// Shares of the differing parameters.
     pub by_parameter: Shares,
     /// For an outcome of the flight: shares of the launch conditions and of the flight's
-    /// parameters. `None` if both launches are given, because `by_parameter` then contains these
-    /// shares.
+    /// parameters. `None` for other outcomes. Also `None` if both launches are given, because
+    /// `by_parameter` then has these shares.
     pub by_launch: Option<Shares>,
 }
 
@@ -89,7 +89,7 @@ impl Comparison {
         let are_alike = setups[0].launch.spin.is_some() == setups[1].launch.spin.is_some();
         let (path, launches) = match (are_given, are_alike) {
             (true, true) => (SetupPath::new(setups), None),
-            // both launches are given, but only one of them by its total spin
+            // both launches are given, but only one of them states its total spin
             (true, false) => (SetupPath::new(as_launched(launches)), None),
             (false, _) => (
                 SetupPath::new(setups),
@@ -112,8 +112,8 @@ impl Comparison {
     }
 
     /// Difference of an outcome, with the share of each cause. The share of a parameter p is ∫
-    /// ∂f/∂p dp on the straight line from a to b, by exact derivatives, so that the shares add up
-    /// to the difference. Discrete changes happen at the middle of the line.
+    /// ∂f/∂p dp along the straight line from a to b. The derivatives are exact, so that the shares
+    /// add up to the difference. Discrete changes happen at the middle of the line.
     ///
     /// # Errors
     /// [`OfDrive`](crate::Error::OfDrive) if one of the two drives, or a drive between them, does
@@ -143,8 +143,8 @@ impl Comparison {
             .collect()
     }
 
-    /// Prepares the split of the outcomes that both drives have: by parameter and, if the launches
-    /// have a separate path, by launch condition.
+    /// Prepares the split of the outcomes that both drives have. They are split by parameter, and
+    /// also by launch condition if `launches` is a separate path.
     fn splits(&self, of: &[Outcome]) -> (DifferenceSplit<'_>, Option<DifferenceSplit<'_>>) {
         let has = |of: &Outcome| self.drives.iter().all(|drive| of.value(drive).is_some());
         let of: Vec<Outcome> = of.iter().copied().filter(has).collect();
@@ -212,8 +212,8 @@ fn integrated_alike(mut setups: [Setup<f64>; 2]) -> [Setup<f64>; 2] {
 }
 
 /// Setups that give the launches of two drives. If the spin axes of the drives differ by less than
-/// a right angle, the setups state spin and spin axis; otherwise they state backspin and sidespin,
-/// which vary linearly even through zero spin.
+/// a right angle, the setups state spin and spin axis. Otherwise they state backspin and sidespin,
+/// which vary linearly even if the spin passes through zero.
 fn as_launched(drives: [(&Setup<f64>, &Drive<f64>); 2]) -> [Setup<f64>; 2] {
     let [from, to] = drives.map(|(_, drive)| drive.launch.spin_axis());
     let has_axis = (from - to).abs() < FRAC_PI_2;

@@ -22,12 +22,13 @@ pub enum Cause {
     SpeedOf,
     /// The choice between a club strike and a given launch, with all parameters of both (discrete).
     Launch,
-    /// Air or wind that the setups give by different parameters (discrete).
+    /// Air or wind, if the setups state it by different parameters (discrete).
     Alternatives(&'static Alternatives),
 }
 
 impl Cause {
-    /// Name of the parameter; `aero.law`; `golfer`; `swing.speed_of`; `launch`; `air`; `wind`.
+    /// The name of the parameter, or one of `aero.law`, `golfer`, `swing.speed_of`, `launch`,
+    /// `air`, `wind`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Continuous(parameter) | Self::Discrete(parameter) => parameter.name,
@@ -44,9 +45,9 @@ impl Cause {
         !matches!(self, Self::Continuous(_))
     }
 
-    /// The choice in a setup, by name: the law (or the file of the user's table), the golfer, the
-    /// point of the head, or for the launch `given` or `struck by a club`. `None` for a cause that
-    /// consists of numbers.
+    /// The name of the cause's value in a setup. It is the law (or the file of the user's table),
+    /// the golfer, the point of the head, or `given` or `struck by a club` for the launch. `None`
+    /// for a cause whose value is a number or several numbers.
     pub fn choice_in(self, setup: &Setup<f64>) -> Option<&'static str> {
         match self {
             Self::Golfer => Some(setup.golfer.name()),
@@ -138,8 +139,8 @@ pub struct Shares {
     /// The share of each cause, in the order of the parameters. The shares of causes that change at
     /// once, such as another law, come last.
     pub shares: Vec<Share>,
-    /// The difference minus the sum of the shares, SI. It is at most `integration_error` for each
-    /// share, unless the model has a corner between the drives.
+    /// The difference minus the sum of the shares, SI. Its magnitude is at most `integration_error`
+    /// times the number of shares, unless the model has a corner between the drives.
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "JsonNumber"))]
     pub remainder: f64,
@@ -178,7 +179,7 @@ impl SetupPath {
         if differ_in_law {
             discrete.push(Cause::Law);
         }
-        // a given launch has neither a golfer nor a point of the head
+        // if a launch is given, the golfer and the point of the head have no effect
         if ends[0].golfer != ends[1].golfer && !are_given.contains(&true) {
             discrete.push(Cause::Golfer);
         }
@@ -193,7 +194,8 @@ impl SetupPath {
                 || (parameter.is_of_launch() && differ_in_launch)
                 || (parameter.law.is_some() && differ_in_law)
                 || otherwise.iter().any(|one| one.concerns(parameter));
-            // one setup suffices: what the setups give by different parameters is in `otherwise`
+            // a check of one setup is enough: if the other setup alone replaces the parameter,
+            // `otherwise` concerns the parameter
             let is_replaced = ends[0].why_replaced(parameter).is_some();
             if is_of_the_whole || is_replaced || parameter.kind == Kind::Setting {
                 continue;
@@ -239,7 +241,7 @@ impl SetupPath {
 
     /// Shares of the discrete changes, at the middle of the path. The changes are applied one after
     /// another, first in their order and then in the reverse order. A share is the mean of both
-    /// results, so that the reverse path gives the negative shares.
+    /// results. So the shares only change their sign if the ends of the path are exchanged.
     pub fn halfway(&self, of: Outcome) -> Result<Vec<Share>> {
         let count = self.discrete.len();
         let mut shares: Vec<Share> = self
@@ -306,8 +308,8 @@ impl SetupPath {
     }
 }
 
-/// Copies a parameter's value from another setup. This cannot fail, because the value is valid
-/// there.
+/// Copies a parameter's value from another setup. The value is valid there, so setting it cannot
+/// fail.
 fn take(setup: &mut Setup<f64>, from: &Setup<f64>, parameter: &Parameter) {
     let _ = setup.set_value(parameter, from.value(parameter));
 }

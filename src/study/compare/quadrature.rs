@@ -13,12 +13,12 @@ const RULE: [(f64, f64); 4] = [
 /// Relative error below which an integral counts as exact up to rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Number of bisections after which the tolerance rises from [`ROUNDING`] to [`ENOUGH`]. Fewer
-/// suffice to integrate a smooth function, or one with a single kink, to rounding.
+/// Number of bisections after which the tolerance rises from [`ROUNDING`] to [`ENOUGH`]. A smooth
+/// function, or a function with a single kink, needs fewer bisections to reach [`ROUNDING`].
 const USUAL: usize = 100;
 
-/// Relative tolerance for functions with hundreds of kinks. The derivatives of a piecewise C² law
-/// have a kink wherever a stage of a time step reaches the end of a piece.
+/// Relative tolerance for functions with hundreds of kinks. The derivatives of a drive with a
+/// piecewise C² law have a kink wherever a stage of a time step reaches the end of a piece.
 const ENOUGH: f64 = 1e-8;
 
 /// Maximum number of bisections.
@@ -28,8 +28,8 @@ const MOST: usize = 1000;
 pub(super) struct Integrals {
     /// The values.
     pub values: Vec<f64>,
-    /// Error estimate, summed over the intervals. The estimate of an interval is the change of its
-    /// integral when it is bisected, for the function whose integral changes most.
+    /// Sum of the error estimates of all intervals. An interval is bisected, which changes the
+    /// integral of each function; the largest change is the error estimate of the interval.
     pub error: f64,
 }
 
@@ -40,14 +40,15 @@ struct Subinterval {
     whole: Vec<f64>,
     /// Integrals by the rule over each half; `None` before bisection.
     halves: Option<[Vec<f64>; 2]>,
-    /// Difference of `whole` and `halves`; before bisection, half the error of the parent interval.
+    /// Largest difference between `whole` and the sum of `halves`. Before bisection, half the error
+    /// of the parent interval.
     error: f64,
 }
 
 /// Adaptive integrals of several functions over a range; `f` returns the values of all functions.
-/// Bisects the interval with the largest error until the sum of errors is rounding. After [`USUAL`]
-/// bisections a sum below [`ENOUGH`] is sufficient. Both limits are relative to `size` or to the
-/// largest integral.
+/// Bisects the interval with the largest error until the sum of the errors is below [`ROUNDING`].
+/// After [`USUAL`] bisections, a sum below [`ENOUGH`] is sufficient. Both limits are relative to
+/// `size`, or to the largest integral if that is larger.
 pub(super) fn integrals(
     range: [f64; 2],
     size: f64,
@@ -130,7 +131,7 @@ fn by_rule([low, high]: [f64; 2], f: &mut impl FnMut(f64) -> Result<Vec<f64>>) -
     Ok(sums)
 }
 
-/// Adds weighted values to sums, which start empty.
+/// Adds `weight` times the values to the sums. Empty sums count as 0.
 fn add(sums: &mut Vec<f64>, values: &[f64], weight: f64) {
     sums.resize(values.len(), 0.0);
     sums.iter_mut()

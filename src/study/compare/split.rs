@@ -8,7 +8,7 @@ use std::collections::HashMap;
 /// Relative rounding error of a share, which is a sum of derivatives.
 const OF_SHARES: f64 = 1e-11;
 
-/// Shares of several outcomes along a path. Each point is flown once, with the derivatives of all
+/// Shares of several outcomes along a path. One drive at each point gives the derivatives of all
 /// outcomes.
 pub(super) struct DifferenceSplit<'a> {
     path: &'a SetupPath,
@@ -18,13 +18,13 @@ pub(super) struct DifferenceSplit<'a> {
     sides: [PathSide; 2],
 }
 
-/// Drives along the path with the discrete parameters of one end.
+/// Drives along the path that have the discrete parameters of one end.
 #[derive(Default)]
 struct PathSide {
     evaluator: Option<Evaluator>,
-    /// Derivatives of the outcomes, times the parameter differences, at the positions that are
-    /// already flown; `None` if an outcome does not exist there. The key is the bits of the
-    /// position on the path.
+    /// The derivatives of the outcomes, times the parameter differences, at each flown position on
+    /// the path; `None` if one of the outcomes does not exist there. The key is the position, as
+    /// bits.
     flown: HashMap<u64, Option<Vec<Vec<f64>>>>,
 }
 
@@ -38,9 +38,9 @@ impl<'a> DifferenceSplit<'a> {
         }
     }
 
-    /// Share of each cause in the difference `amount` of one outcome; `size` is the outcome's
-    /// magnitude, to which the rounding error is relative. Shares do not depend on the other
-    /// outcomes.
+    /// Share of each cause in the difference `amount` of the outcome `of`. The rounding error is
+    /// relative to `size`, the outcome's magnitude. The shares are independent of the other
+    /// outcomes of the split.
     pub fn shares(&mut self, of: Outcome, amount: f64, size: f64) -> Result<Shares> {
         let path = self.path;
         let halves: &[(usize, [f64; 2])] = match (path.continuous.is_empty(), path.discrete.len()) {
@@ -51,7 +51,7 @@ impl<'a> DifferenceSplit<'a> {
         let mut amounts = vec![0.0; self.path.continuous.len()];
         let mut error = 0.0;
         for (side, range) in halves {
-            // ∫ ∂f/∂p dp, with the discrete parameters of one end
+            // ∫ ∂f/∂p dp over the range in which the discrete parameters are those of one end
             let found = integrals(*range, size, |at| self.slopes(*side, of, at))?;
             amounts
                 .iter_mut()
