@@ -9,8 +9,9 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
-/// A direction is identified if a shot's information about it exceeds this multiple of the prior's
-/// information: the shot then removes more than half of the prior variance along the direction.
+/// A direction of parameter space is identified if the information of a shot along it exceeds this
+/// multiple of the prior's information. The shot then removes more than half of the prior variance
+/// along the direction.
 const IDENTIFIED: f64 = 1.0;
 /// Maximum number of iterations.
 const ITERATIONS: usize = 100;
@@ -45,7 +46,7 @@ fn differences(
         .collect())
 }
 
-/// Cholesky factorization of a matrix that is positive definite if its elements are finite.
+/// Cholesky factorization of a matrix that is positive definite unless an element is not finite.
 ///
 /// # Errors
 /// [`Error::Delivery`] if it is not positive definite.
@@ -55,19 +56,19 @@ pub(super) fn positive_definite(matrix: DMatrix<f64>) -> Result<Cholesky<f64, Dy
     })
 }
 
-/// Information in the shots about their swings, linearized about a mean swing, in units of the
-/// prior standard uncertainties.
+/// Information that the shots contain about their swings, linearized about a mean swing, in units
+/// of the prior standard uncertainties.
 pub(super) struct SwingInformation {
     groups: Vec<ShotGroup>,
-    /// Mean of Λ over the shots, with instrument errors only: without the nonlinearity of the
-    /// impact.
+    /// Mean of the information matrix over the shots, from the instrument errors alone. It neglects
+    /// the nonlinearity of the impact.
     pub(super) information: DMatrix<f64>,
-    /// Orthonormal basis of the identified directions of parameter space, in columns.
+    /// Orthonormal basis of the identified directions of parameter space, one direction per column.
     pub(super) identified: DMatrix<f64>,
     /// Projector on the unidentified directions.
     pub(super) unidentified: DMatrix<f64>,
-    /// For each shot and each of its outcomes: the index of the outcome, and measured − computed at
-    /// the mean swing, SI.
+    /// For each shot: its outcomes, each as an index and the difference measured − computed at the
+    /// mean swing, SI.
     pub(super) differences: Vec<Vec<(usize, f64)>>,
     count: f64,
 }
@@ -140,7 +141,7 @@ impl SwingInformation {
         let residuals = DVector::from_fn(size, |k, _| {
             (differences[k] - launches.bias[places[k]]) / sigma(k)
         });
-        // `errors` is positive definite: the identity plus a covariance
+        // positive definite, because `errors` is the identity plus a covariance
         let weighted = positive_definite(errors)?.solve(&slopes).transpose();
         let mut information = &weighted * &slopes;
         let mut score = weighted * residuals;
@@ -170,7 +171,8 @@ impl SwingInformation {
         Ok(())
     }
 
-    /// Mean of Λ over the shots, with instrument errors and the nonlinearity of the impact.
+    /// Mean of Λ over the shots. Λ accounts for instrument errors and for the nonlinearity of the
+    /// impact.
     pub(super) fn mean_information(&self) -> DMatrix<f64> {
         let n = self.information.nrows();
         let weighted = |sum: DMatrix<f64>, one: &ShotGroup| {
@@ -180,9 +182,9 @@ impl SwingInformation {
     }
 
     /// Maximum-likelihood mean and covariance of the swings along the identified directions,
-    /// iterated from `initial_covariance`. In the other directions they stay
-    /// `fixed_mean` and `fixed_covariance`. Means are relative to the mean swing of the
-    /// linearization.
+    /// iterated from `initial_covariance`. Along the unidentified directions, the mean is
+    /// `fixed_mean` and the covariance is `fixed_covariance`. Means are relative to the mean swing
+    /// of the linearization.
     pub(super) fn maximize_likelihood(
         &self,
         fixed_covariance: &DMatrix<f64>,
@@ -202,7 +204,7 @@ impl SwingInformation {
                 scores,
             } in &self.groups
             {
-                // (Λ + S⁻¹)⁻¹ with the covariance S, computed without S⁻¹: S may be singular
+                // (Λ + S⁻¹)⁻¹ with the covariance S, computed without S⁻¹ because S may be singular
                 let Some(inverse) =
                     (DMatrix::identity(n, n) + &covariance * information).try_inverse()
                 else {
@@ -216,7 +218,7 @@ impl SwingInformation {
             }
             let (middle, between) = moments(swings.iter(), size);
             let wider = left + between;
-            // remove the asymmetry of rounding
+            // remove the asymmetry that rounding causes
             let wider = (&wider + wider.transpose()) * 0.5;
             let change = (&middle - &mean).amax().max((&wider - &spread).amax());
             (mean, spread) = (middle, wider);

@@ -12,9 +12,14 @@ use statrs::distribution::{ContinuousCDF, Normal};
 /// Number of pairs of sampled swings: a swing and its mirror image about the mean.
 const PAIRS: u64 = 256;
 
-/// Launches of swings x ~ N(mean, C): f(x) = f(mean) + bias + slopes (x − mean) + e, where e has
-/// mean 0 and covariance `nonlinear`. Parameters are in prior standard uncertainties, outcomes in
-/// SI.
+/// Linear model of the launches f of swings x ~ N(mean, C):
+///
+/// ```text
+///   f(x) = f(mean) + bias + slopes (x − mean) + e
+/// ```
+///
+/// The error e has mean 0 and covariance `nonlinear`. Parameters are in prior standard
+/// uncertainties, outcomes in SI.
 pub(super) struct LinearizedLaunches {
     /// f(mean).
     pub(super) at: Vec<f64>,
@@ -36,8 +41,8 @@ pub(super) fn swing_at(unknowns: &[Unknown], scores: &DVector<f64>) -> Vec<f64> 
 }
 
 impl LinearizedLaunches {
-    /// Samples the impact over the distribution. Samples that are outside the range of a parameter
-    /// or do not strike the ball are ignored.
+    /// Samples the impact over the distribution. Samples outside the range of a parameter are
+    /// ignored, and samples that do not strike the ball.
     ///
     /// # Errors
     /// The errors of [`Evaluator::at`] if the mean swing does not strike the ball;

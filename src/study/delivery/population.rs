@@ -46,8 +46,8 @@ pub struct Recovered {
     pub mean: f64,
     /// Standard deviation over the swings.
     pub deviation: f64,
-    /// Fraction of the prior variance that one shot with the mean swing removes. The shot does not
-    /// determine the rest, which is as uncertain as the prior assumes.
+    /// Fraction of the prior variance that one shot removes, if the shot has the mean swing. The
+    /// rest of the variance is as the prior assumes.
     #[serde(rename = "told")]
     pub variance_removed: f64,
     /// Standard uncertainty of the mean.
@@ -84,19 +84,19 @@ pub struct MeanAndDeviation {
 
 /// Minimum number of shots for a distribution.
 pub const LEAST_SHOTS: usize = 10;
-/// Factors by which the prior deviation is multiplied along unidentified directions, in the order
-/// of the trials.
+/// Factors by which the prior deviation is multiplied along unidentified directions. They are tried
+/// in this order.
 const PRIOR_FACTORS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
-/// Maximum number of linearization points.
+/// Maximum number of times that the launches are linearized about a new mean.
 const ITERATIONS: usize = 30;
 /// Stopping tolerance of mean and covariance, in prior standard uncertainties.
 const TOLERANCE: f64 = 1e-5;
-/// Largest acceptable discrepancy of mean or deviation, relative to the measured deviation.
+/// Largest acceptable [discrepancy](PredictedOutcome::discrepancy) of an outcome.
 const ACCEPTED_DISCREPANCY: f64 = 0.25;
 
 impl PredictedOutcome {
-    /// The larger of the differences of mean and standard deviation, relative to the measured
-    /// standard deviation.
+    /// The difference of the means or the difference of the standard deviations, whichever is
+    /// larger, divided by the measured standard deviation.
     pub fn discrepancy(&self) -> f64 {
         let (measured, recovered) = (self.measured, self.recovered);
         let of_mean = (recovered.mean - measured.mean).abs();
@@ -114,8 +114,8 @@ impl Population {
     /// shots, because an impact is nonlinear. The prior deviation in these directions is then
     /// reduced.
     ///
-    /// A club value that was measured with a shot is a measurement of that swing. A prior that holds
-    /// for all shots is not.
+    /// A club value that was measured with a shot counts as a measurement of its swing. A prior
+    /// that holds for all shots does not count as a measurement.
     ///
     /// # Errors
     /// [`Error::Delivery`] for fewer than [`LEAST_SHOTS`] shots, and if most swings of the
@@ -159,8 +159,8 @@ impl Population {
         best.map(|(_, found)| found).ok_or_else(refuse)
     }
 
-    /// Launch outcomes whose prediction disagrees with the measurement by more than a quarter of
-    /// the measured scatter.
+    /// Launch outcomes with a [discrepancy](PredictedOutcome::discrepancy) above 0.25: the
+    /// prediction disagrees with the measurement.
     pub fn mispredicted(&self) -> impl Iterator<Item = &PredictedOutcome> {
         self.predicted
             .iter()
@@ -175,15 +175,15 @@ struct ConvergedDistribution {
     /// Launches linearized about the mean.
     launches: LinearizedLaunches,
     information: SwingInformation,
-    /// Covariance in the basis of the identified directions.
+    /// Covariance of the swings in the basis of the identified directions.
     spread: DMatrix<f64>,
     prior_factor: f64,
     is_converged: bool,
 }
 
-/// Computes the distribution of the swings, with the prior's standard deviations along unidentified
-/// directions multiplied by `prior_factor`. Linearizes the launches about the mean and maximizes
-/// the likelihood, again and again, until mean and covariance no longer change, or
+/// Computes the distribution of the swings. Along unidentified directions, the prior's standard
+/// deviations are multiplied by `prior_factor`. Linearizes the launches about the mean, and
+/// maximizes the likelihood. Repeats both until mean and covariance no longer change, at most
 /// [`ITERATIONS`] times.
 fn iterate(
     setup: &Setup<f64>,
@@ -255,8 +255,8 @@ impl ConvergedDistribution {
             let of_mean = sampling[i] / count;
             // standard uncertainty of a sample variance (Wishart distribution)
             let of_variance = sampling[i] * (2.0 / (count - 1.0)).sqrt();
-            // both uncertainties also have the prior variance along unidentified directions: there
-            // the prior mean may be wrong, and the swings may scatter less than the prior
+            // both uncertainties include the prior variance along unidentified directions, where
+            // the prior mean may be wrong and the swings may scatter less than the prior
             let by_deviation = (variance + of_variance).max(0.0).sqrt() - variance.max(0.0).sqrt();
             Recovered {
                 parameter: unknown.parameter,
@@ -288,8 +288,9 @@ impl ConvergedDistribution {
         })
     }
 
-    /// Variance of each parameter's estimate from shot to shot, along the identified directions. It
-    /// includes the launch monitor's errors.
+    /// For each parameter, the variance of the estimates from single shots, along the identified
+    /// directions. It is the variance of the swings plus the variance from the launch monitor's
+    /// errors.
     fn sampling_variances(&self) -> Result<DVector<f64>> {
         let along = &self.information.identified;
         let information = along.transpose() * self.information.mean_information() * along;

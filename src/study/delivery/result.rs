@@ -66,7 +66,8 @@ impl Explained {
     }
 }
 
-/// Largest difference from a given value that counts as explained, in standard uncertainties.
+/// A value counts as explained if it differs from the given value by at most this number of
+/// standard uncertainties.
 const EXPLAINED_WITHIN: f64 = 3.0;
 
 /// Digits of the values in [`Delivered::unexplained`].
@@ -83,7 +84,7 @@ pub struct Delivered {
     pub message: String,
     /// The posterior of each unknown.
     pub posteriors: Vec<Posterior>,
-    /// Unknowns whose prior is the club value that was measured with this launch.
+    /// Unknowns whose prior is a club value that was measured with this launch.
     pub measured: Vec<&'static Parameter>,
     /// The measured outcomes with their computed values.
     pub explained: Vec<Explained>,
@@ -92,23 +93,22 @@ pub struct Delivered {
 }
 
 impl Delivered {
-    /// The parameters with a stated value or uncertainty: the delivery has to agree with them as
-    /// with the launch.
+    /// The parameters with a stated value or uncertainty. The delivery must agree with them, as it
+    /// must agree with the launch.
     pub fn stated(&self) -> impl Iterator<Item = &Posterior> {
         let all = self.posteriors.iter();
         all.filter(|posterior| posterior.unknown.is_stated())
     }
 
-    /// The largest difference between the delivery and a value of the launch or a stated value of
-    /// the club, in standard uncertainties.
+    /// The largest residual, in standard uncertainties, of the values of the launch and the stated
+    /// values of the club.
     pub fn largest_residual(&self) -> f64 {
         let launch = self.explained.iter().map(|explained| explained.residual);
         largest_magnitude(launch.chain(self.stated().map(Posterior::residual)))
     }
 
-    /// Why the delivery found does not explain the launch: the value that differs by more than 3
-    /// standard uncertainties, or the one that differs most if there are several. `None` if all
-    /// values agree.
+    /// The reason why the delivery does not explain the launch; `None` if all values agree within 3
+    /// standard uncertainties. The reason names the value that differs most.
     pub fn unexplained(&self) -> Option<Message> {
         let size = self.largest_residual();
         if size <= EXPLAINED_WITHIN {
@@ -149,7 +149,7 @@ impl Delivered {
 /// A direction is unidentified if the shot removes less than this fraction of the prior variance
 /// along the direction.
 const UNIDENTIFIED_BELOW: f64 = 0.5;
-/// Components of a direction of unit length below this size are omitted.
+/// Smaller components of a direction, which is a unit vector, are omitted.
 const LEAST_COMPONENT: f64 = 0.1;
 
 /// A change of the delivery that the launch does not determine.
@@ -168,9 +168,10 @@ pub struct Unidentified {
     pub changes: Vec<(&'static Parameter, f64)>,
 }
 
-/// The unidentified directions: eigenvectors of JᵀJ with small eigenvalues. `free_parameters` are
-/// the parameters that are not at a bound, each with its prior standard uncertainty. J, `jacobian`,
-/// has the derivatives of the residuals by these parameters in units of that uncertainty.
+/// The unidentified directions: eigenvectors of JᵀJ with small eigenvalues. J (`jacobian`) has the
+/// derivatives of the residuals by the free parameters, in units of their prior standard
+/// uncertainties. `free_parameters` has the parameters that are not at a bound, each with this
+/// uncertainty.
 pub(super) fn unidentified(
     jacobian: &DMatrix<f64>,
     free_parameters: &[(&'static Parameter, f64)],

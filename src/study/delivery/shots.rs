@@ -21,7 +21,7 @@ pub struct ShotDelivery {
 }
 
 impl ShotDelivery {
-    /// The result, if the search converged and explains the launch.
+    /// The delivery, if the search converged and the delivery explains the launch.
     pub fn explained(&self) -> Option<&Delivered> {
         let delivered = self.found.as_ref().ok()?;
         let is_found =
@@ -42,8 +42,8 @@ pub struct Spread {
     pub deviation: Option<f64>,
 }
 
-/// The launch conditions of a setup as measurements with instrument uncertainties; empty if no
-/// launch is given.
+/// The given launch conditions of a setup as measurements, with the uncertainties of instruments.
+/// Empty if no launch is given.
 pub fn launches(setup: &Setup<f64>) -> Vec<Measurement> {
     let given = setup.given_launch_conditions();
     given
@@ -125,7 +125,8 @@ fn shot_delivery(
 }
 
 impl Spread {
-    /// One entry per unknown, over the shots with an explained launch; empty without such a shot.
+    /// The distribution of each unknown over the shots whose launch is explained. Empty if there is
+    /// no such shot.
     pub fn of(all: &[ShotDelivery]) -> Vec<Self> {
         let found: Vec<&Delivered> = all.iter().filter_map(ShotDelivery::explained).collect();
         let Some(first) = found.first() else {

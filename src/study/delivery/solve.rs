@@ -78,7 +78,8 @@ pub fn delivery(
     })
 }
 
-/// Refuses a search without measurements or unknowns, or with an outcome that is not of the launch.
+/// Refuses a search without measurements or unknowns, and a measured outcome that does not belong
+/// to the launch.
 fn check(measured: &[Measurement], unknowns: &[Unknown]) -> Result<()> {
     let refuse = |reason: String| Error::Delivery { reason };
     if measured.is_empty() || unknowns.is_empty() {
@@ -103,8 +104,8 @@ fn check(measured: &[Measurement], unknowns: &[Unknown]) -> Result<()> {
     Ok(())
 }
 
-/// Posterior of each unknown at `x`: the covariance of the `free` unknowns, in prior standard
-/// uncertainties, is (JᵀJ + I)⁻¹.
+/// Posterior of each unknown at `x`. The covariance of the `free` unknowns is (JᵀJ + I)⁻¹, in units
+/// of the prior standard uncertainties.
 fn posteriors(
     jacobian: &DMatrix<f64>,
     free: &[usize],

@@ -67,9 +67,9 @@ impl Unknown {
         self.source.is_none() || self.has_assumed_error()
     }
 
-    /// The unknown with a measured value as prior. An uncertainty that the user gave stays. A
-    /// default uncertainty becomes that of a launch monitor, if this is known. The search range is
-    /// widened to include the range around the value.
+    /// The unknown with a measured value as its prior. A stated uncertainty stays. A default
+    /// uncertainty is replaced by the uncertainty of a launch monitor, if that is known. The search
+    /// range is widened to include the search range around `value`.
     pub fn with_measured_prior(self, value: f64) -> Self {
         let Self {
             parameter,
@@ -155,8 +155,8 @@ fn refuse(reason: String) -> Error {
     Error::Delivery { reason }
 }
 
-/// Prior standard uncertainty of a parameter with its source: the one that the user gave (source
-/// `None`), else the default one. `None` if there is neither.
+/// Prior standard uncertainty of a parameter, with its source. The user's uncertainty (source
+/// `None`) takes precedence over the default one. `None` if there is neither.
 fn prior_sigma(
     parameter: &'static Parameter,
     sigmas: &[Sigma],

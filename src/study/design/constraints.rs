@@ -65,8 +65,8 @@ impl DesignConstraint {
         let (value, price) = match self.enforcement {
             Enforcement::Bound(i) => {
                 let vary = best.search.vary[i];
-                // the multiplier of a bound of the search belongs to the rule only if both have the
-                // same value: a tighter bound is the user's
+                // the multiplier belongs to the rule only if the bound of the search equals the
+                // limit of the rule; otherwise the bound is a tighter one of the user
                 let [lower, upper] = [self.range[0] == vary.low, self.range[1] == vary.high];
                 let multiplier = |is: bool, of: &[f64]| {
                     if is {
@@ -81,8 +81,8 @@ impl DesignConstraint {
                 (value, price_of(value, both))
             }
             Enforcement::Limit(k) => {
-                // the search enforces the limit on the smoothed goal, so the smoothed value decides
-                // whether there is a multiplier
+                // the search limits the smoothed goal, so the smoothed value decides whether the
+                // limit is met
                 let smoothed = solution.constraints.get(k);
                 let value = best.constraints().get(k).map(|(_, at)| at.value);
                 (

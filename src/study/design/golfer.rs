@@ -15,11 +15,12 @@ const SCATTER: [(&str, &str); 6] = [
     ("strike.high", "6 mm"),
 ];
 
-/// Correlation of path and face angle, which gives the measured scatter of face to path, 4.07°.
+/// Correlation of path and face angle. It gives the measured scatter of face to path (face angle −
+/// path), 4.07°.
 const PATH_WITH_FACE: f64 = 0.317;
 
-/// Truncation in standard deviations. Swings beyond this limit hit the ground, or send the ball far
-/// off the fairway.
+/// Distance of the truncation from the mean, in standard deviations. Swings beyond it hit the
+/// ground, or send the ball far off the fairway.
 const WITHIN: f64 = 2.0;
 
 /// Source of the scatter.
@@ -53,8 +54,8 @@ pub fn golfer(setup: &Setup<f64>) -> Result<Swings> {
     Swings::distributed(inputs, &[Correlation::new(between, PATH_WITH_FACE)?])
 }
 
-/// Truncated normal distribution with the standard deviation `deviation`. The normal distribution
-/// before truncation has a larger standard deviation, which bisection finds.
+/// Truncated normal distribution that has the standard deviation `deviation` after truncation.
+/// Bisection finds its larger standard deviation before truncation.
 fn truncated_with_deviation(mean: f64, deviation: f64) -> Distribution {
     let of = |mean: f64, deviation: f64, wider: f64| {
         let [low, high] = [mean - WITHIN * deviation, mean + WITHIN * deviation];
@@ -65,8 +66,8 @@ fn truncated_with_deviation(mean: f64, deviation: f64) -> Distribution {
             high,
         }
     };
-    // the truncated deviation increases with the deviation before truncation, up to WITHIN/√3 of a
-    // uniform distribution
+    // bisect the deviation before truncation: the deviation after truncation increases with it, up
+    // to WITHIN/√3 (a uniform distribution)
     let (mut narrow, mut wide) = (1.0, 4.0);
     for _ in 0..f64::MANTISSA_DIGITS {
         let middle = 0.5 * (narrow + wide);

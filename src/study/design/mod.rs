@@ -2,8 +2,8 @@
 //! of a rigid body.
 //!
 //! A design is an optimization over many swings ([`swings`](super::swings)) with further
-//! constraints. A rule on a parameter becomes a bound if the parameter varies, otherwise a check; a
-//! rule on the head becomes a constraint on an outcome.
+//! constraints. A rule on a parameter becomes a bound if the parameter varies, and a check if it
+//! does not. A rule on the head becomes a constraint on an outcome.
 
 mod constraints;
 mod golfer;

@@ -42,9 +42,9 @@ pub struct Design {
 }
 
 impl Design {
-    /// Adds the constraints of a design: the Rules of Golf unless disabled; the conditions of a
-    /// rigid body if the inertia varies; and the setup's mass of the head as upper limit, if the
-    /// mass varies and the user limits no mass.
+    /// Adds the constraints of a design. These are the Rules of Golf if `is_under_rules`, and the
+    /// conditions of a rigid body if the inertia varies. If the mass of the head varies and the
+    /// user limits no mass, the setup's mass is the upper limit.
     ///
     /// # Errors
     /// [`Error::Rule`] for a setup or a range that breaks a rule; [`Error::Unreadable`] for strikes
@@ -104,8 +104,7 @@ impl Design {
             .any(|vary| vary.low < vary.high && is_so(vary.parameter))
     }
 
-    /// Adds the constraint of a rule, and enforces the rule in the search if the design can break
-    /// it.
+    /// Adds the constraint of a rule. If the design can break the rule, the search enforces it.
     fn add(
         &mut self,
         setup: &Setup<f64>,
@@ -155,9 +154,9 @@ impl Design {
         });
     }
 
-    /// Checks a rule on an outcome of the head: at all swings if the swings change the head,
-    /// otherwise at the setup. If the varied parameters change the head, the rule becomes a
-    /// constraint of the search: nothing is checked, and the result is `None`.
+    /// Checks a rule on an outcome of the head. If the swings change the head, all swings are
+    /// checked, otherwise the setup is checked. `None` if the varied parameters change the head:
+    /// nothing is checked, and the rule becomes a constraint of the search.
     ///
     /// # Errors
     /// [`Error::Rule`] for a broken rule; [`Error::Unreadable`] if both swings and varied
@@ -211,8 +210,8 @@ impl Design {
         }
     }
 
-    /// Enforces a rule by the user's relation with index `k`, whose limits must conform to the
-    /// rule.
+    /// Enforces a rule by the user's relation with index `k`. The limits of the relation must
+    /// conform to the rule.
     fn of_relation(&mut self, rule: &'static GolfRule, name: &str, k: usize) -> Result<()> {
         let limit = &self.search.subject_to[k];
         let [low, high] = [limit.low, limit.high];
@@ -329,8 +328,8 @@ impl Design {
         Ok(())
     }
 
-    /// Adds a note on parameters with unbounded distributions: the rule is checked at the sampled
-    /// swings only.
+    /// Adds a note if the distributions of some parameters are unbounded: the rule is then checked
+    /// at the sampled swings only.
     fn note_endless(&mut self, scenarios: &Scenarios, rule: &GolfRule, places: &[usize]) {
         let names = places
             .iter()
@@ -359,7 +358,7 @@ impl Design {
         self.search.subject_to.len() - 1
     }
 
-    /// Appends constraint `k` of the search to the list, as a constraint that is not a rule.
+    /// Appends constraint `k` of the search to the list of constraints, without a rule.
     fn list_limit(&mut self, name: &str, k: usize) {
         let limit = &self.search.subject_to[k];
         let unit = DisplayUnit::from(&limit.goal);
@@ -420,7 +419,7 @@ fn changes_the_head(setup: &Setup<f64>, row: &Parameter) -> bool {
         || has_weights && moves_weights.iter().any(|part| row.name.starts_with(part))
 }
 
-/// Rejects strikes outside the face of any conforming head, and strikes outside the largest face
+/// Rejects strikes that lie outside the face of any conforming head, or outside the largest face
 /// that the search can choose.
 fn check_strikes(setup: &Setup<f64>, scenarios: &Scenarios, vary: &[Vary]) -> Result<()> {
     let of = |name: &str, point: &[f64]| -> Result<f64> {

@@ -136,7 +136,7 @@ impl GolfRule {
         }
     }
 
-    /// True if a value conforms to the rule with its tolerance.
+    /// True if a value conforms to the rule, including the tolerance.
     pub fn allows(&self, value: f64) -> bool {
         // allow for the rounding of a unit conversion
         let rounding = 1e-12 * self.bound().abs();
@@ -147,7 +147,8 @@ impl GolfRule {
         }
     }
 
-    /// The largest value for a maximum, the smallest for a minimum; `None` without values.
+    /// The worst value: the largest for a rule with a maximum, the smallest for a rule with a
+    /// minimum. `None` without values.
     pub(super) fn worst(&self, values: impl IntoIterator<Item = f64>) -> Option<f64> {
         let values = values.into_iter();
         values.reduce(if self.is_greatest { f64::max } else { f64::min })
