@@ -58,8 +58,8 @@ impl Effects {
     }
 
     /// First-order standard uncertainty of the difference from another drive, if each parameter has
-    /// the same error in both: √Σ(σ₂ ∂f₂/∂p − σ₁ ∂f₁/∂p)². A parameter without an uncertainty in
-    /// one of the drives has the effect 0 there.
+    /// the same error in both drives: √Σ(σ₂ ∂f₂/∂p − σ₁ ∂f₁/∂p)². If a parameter has no uncertainty
+    /// in one of the drives, its σ there counts as 0.
     pub fn uncertainty_of_change(&self, other: &Self) -> f64 {
         let in_other = |parameter| {
             let mut effects = other.sigma_effects();
@@ -94,7 +94,7 @@ impl Effects {
     }
 }
 
-/// Values of an outcome, in its display unit, count as 0 up to this size.
+/// Largest magnitude of an outcome, in its display unit, that counts as 0.
 const LEAST_SIZE: f64 = 1e-9;
 
 /// Effects of all numeric parameters on the outcomes. `progress` receives two numbers: how many of
@@ -111,7 +111,7 @@ pub fn effects(
 ) -> Result<Vec<Effects>> {
     sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
     let mut parameters = setup.variables();
-    // omit parameters of the roll-out unless an outcome needs them, or their uncertainty is stated
+    // omit parameters of the roll-out, unless an outcome needs them or their uncertainty is stated
     let runs = of.iter().any(|of| of.needs_run());
     let has_sigma = |parameter| sigmas.iter().any(|sigma| sigma.parameter == parameter);
     parameters.retain(|parameter| runs || !parameter.affects_only_run() || has_sigma(*parameter));

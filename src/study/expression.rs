@@ -27,9 +27,9 @@ const RELATION: &str = "write NAME: AMOUNT + AMOUNT*PARAMETER <= LIMIT, for exam
                         cm^3 + 80 cm^2*club.cg_depth <= 460 cm^3\"";
 
 impl Goal {
-    /// Parses a weighted sum of measures. A weight is a number; for a share or for strokes it may
-    /// be an amount with a unit: `mean(carry) + 30yd*within(lateral, 15yd)`. `strokes` is the table
-    /// that `strokes(HOLE)` needs.
+    /// Parses a weighted sum of measures. A weight is a number. The weight of `within` or `strokes`
+    /// may also be an amount with a unit, as in `mean(carry) + 30yd*within(lateral, 15yd)`.
+    /// `strokes` is the table that `strokes(HOLE)` needs.
     ///
     /// ```
     /// use longdrive::study::{Goal, swings::Measure};
@@ -191,13 +191,14 @@ enum Scope<'a> {
 struct Term {
     weight: f64,
     measure: Measure,
-    /// Quantity of the weight times the measure; `None` if no known quantity has its unit.
+    /// Quantity of the weight times the measure; `None` if the unit of this product belongs to no
+    /// known quantity.
     quantity: Option<Quantity>,
     unit: &'static str,
 }
 
-/// A limit, SI. Only the limit of a relation has a unit: the one in which it was given, if that is
-/// a known unit.
+/// A limit, SI. The limit of a relation also has the unit in which the user gave it, if that unit
+/// is known.
 #[derive(Clone, Copy)]
 struct Limit {
     value: f64,
@@ -205,7 +206,7 @@ struct Limit {
 }
 
 impl Limit {
-    /// No limit on one side; `value` is −∞ or ∞.
+    /// No limit: `value` is −∞ in place of a lower limit, and ∞ in place of an upper limit.
     fn none(value: f64) -> Self {
         Self { value, unit: None }
     }
@@ -336,7 +337,8 @@ fn summands(sum: Piece<'_>) -> Vec<(f64, Piece<'_>)> {
     terms
 }
 
-/// True if a sign after this text belongs to an exponent: after `^`, or after the `e` of a number.
+/// True if a sign after this text belongs to an exponent. The text then ends with `^`, or with a
+/// number and `e`.
 fn is_before_exponent(text: &str) -> bool {
     let text = text.trim_end();
     let is_end_of_number =
@@ -428,7 +430,7 @@ impl Scope<'_> {
         Ok(terms)
     }
 
-    /// Refuses a quantity if its kind differs from the kind of the first term.
+    /// Refuses the quantity `found` if its kind differs from the kind of the first term.
     fn check_kind(&self, piece: Piece<'_>, found: Option<Quantity>, first: Quantity) -> Result<()> {
         let name = found.map_or("a quantity of another kind", |quantity| quantity.name);
         match self {
@@ -488,7 +490,7 @@ fn advice_on_parameter(text: &str) -> Option<String> {
     })
 }
 
-/// Message for a temperature that may be either a point on its scale or a difference.
+/// Message for a temperature such as 20 degC, which may be a temperature or a difference.
 const TEMPERATURE_IN_SUM: &str = "a sum of terms takes temperatures and their differences in K; \
                                   write for example 293.15 K in place of 20 degC";
 
@@ -548,8 +550,8 @@ fn swings_term(piece: Piece<'_>, strokes: Option<&Strokes>) -> Result<Term> {
     }
 }
 
-/// Multiplies a term by a weight. The weight is a number, or an amount if the term is a share or
-/// strokes.
+/// Multiplies a term by a weight. The weight is a number. For `within` and `strokes` it may also be
+/// an amount with a unit.
 fn weighted(piece: Piece<'_>, weight: &str, term: Term) -> Result<Term> {
     if let Ok(weight) = weight.parse::<f64>()
         && weight.is_finite()

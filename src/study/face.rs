@@ -56,7 +56,7 @@ impl Face {
         Outcome::SpinAxis,
     ];
 
-    /// Flies strikes all over the face.
+    /// Computes the drives of strikes all over the face.
     ///
     /// # Errors
     /// The errors of [`Batch::new`](crate::batch::Batch::new) if the launch is given;
@@ -113,7 +113,7 @@ impl Face {
         (0..=120).map(point).collect()
     }
 
-    /// True if the longest carry lies at the edge of the face, where a neighbouring node is off the
+    /// True if the longest carry is at the edge of the face: a neighbour of its node is off the
     /// face.
     pub fn is_longest_at_edge(&self) -> bool {
         let ([x, y], _) = self.longest;
@@ -145,7 +145,8 @@ fn is_on(half: [f64; 2], at: [f64; 2]) -> bool {
         <= 1.0
 }
 
-/// Half-width and half-height of the area with computed tilts, as a fraction of those of the face.
+/// Half-width and half-height of the area in which tilts are computed, as a fraction of the
+/// half-width and half-height of the face.
 const TILTED: f64 = 0.7;
 
 /// Ranges of `strike.toe` and `strike.high`.
@@ -154,7 +155,7 @@ fn ranges(setup: &Setup<f64>, [x, y]: [f64; 2]) -> Result<[Vary; 2]> {
     Ok([Vary::new(toe, -x, x)?, Vary::new(high, -y, y)?])
 }
 
-/// Points on the face, with the tilt of the spin axis relative to the drive `centred`, rad.
+/// Points on the face, each with the tilt of the spin axis relative to the drive `centred`, rad.
 fn tilts(setup: &Setup<f64>, centred: &Setup<f64>, half: [f64; 2]) -> Result<Vec<([f64; 2], f64)>> {
     let [across, up] = ranges(setup, half.map(|half| TILTED * half))?;
     let plane = Plane::fly(

@@ -94,11 +94,12 @@ pub struct Direction {
         schemars(with = "std::collections::BTreeMap<String, crate::json::JsonNumber>")
     )]
     pub along: Vec<(&'static Parameter, f64)>,
-    /// The multiple of the direction at which the quadratic model has the stated loss.
+    /// The size of the step along the direction at which the quadratic model has the stated loss.
+    /// It is a multiple of the direction.
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub reach: f64,
-    /// The losses of drives computed at plus and minus this multiple of the direction, SI.
+    /// The losses of drives computed at plus and minus `reach` times the direction, SI.
     // `None` outside of the ranges, and for a drive that does not fly
     pub losses: [Option<f64>; 2],
 }
@@ -122,8 +123,9 @@ pub struct Ellipse {
 const OF_SHORT_DRIVE: &str = "1 yd is more than a tenth of the carry of the best drive, so the \
                               loss that is allowed is 1 % of this carry";
 
-/// Carry of the best drive, SI, with a note. `None` if the drive is not short, or if the goal is no
-/// length. A drive is short if its carry is below 10 yd; its [`usual_loss`] is 1 % of the carry.
+/// Carry of the best drive, SI, with a note, if this drive is short: its carry is below 10 yd. Its
+/// [`usual_loss`] is then 1 % of the carry. `None` for any other drive, and if the goal is no
+/// length.
 pub fn short_drive(best: &Optimum) -> Option<(f64, &'static str)> {
     let carry = best
         .drive
@@ -148,7 +150,7 @@ pub fn usual_loss(best: &Optimum) -> f64 {
     }
 }
 
-/// Number of drives computed on the ellipse of a flatness.
+/// Number of drives computed on each ellipse.
 const AROUND: usize = 24;
 
 /// The flatness of an optimum for a stated loss of the outcome, SI.
@@ -279,8 +281,8 @@ impl<'a> LossAround<'a> {
             }
             part = (part * 1.25).min(1.0);
         };
-        // bisection: the end at a constraint, or where the ball no longer flies, is not a root of a
-        // smooth function
+        // bisect: at a constraint, or where the ball no longer flies, there is no root of a smooth
+        // function
         while limit != WindowLimit::Loss && outside - inside > 1e-12 {
             let middle = 0.5 * (inside + outside);
             match is_within(middle) {
@@ -295,7 +297,8 @@ impl<'a> LossAround<'a> {
         Ok((from + part * width, WindowLimit::Loss))
     }
 
-    /// Fraction of the distance to a bound at which the loss equals the allowed loss.
+    /// The point at which the loss equals the allowed loss, as a fraction of the distance to a
+    /// bound.
     fn crossing(&self, i: usize, from: f64, width: f64, inside: f64, outside: f64) -> Result<f64> {
         let search = BrentRoot::new(inside, outside, 1e-13);
         let found = Executor::new(
@@ -377,8 +380,8 @@ impl<'a> LossAround<'a> {
             .collect()
     }
 
-    /// The ellipse of `pair`. `None` if a direction in the plane of the pair does not make the
-    /// outcome worse, or on overflow.
+    /// The ellipse of the two parameters `pair`. `None` if the outcome does not become worse along
+    /// every direction of the two parameters, or on overflow.
     fn ellipse(&self, pair: [usize; 2]) -> Option<Ellipse> {
         let solution = &self.best.solution;
         let scale = self.domain.variables.scale(&solution.x);
@@ -417,7 +420,7 @@ impl<'a> LossAround<'a> {
     }
 }
 
-/// Loss minus allowed loss, as a function of the fraction of the distance to a bound.
+/// Loss minus allowed loss. The variable is the fraction of the distance to a bound.
 struct Excess<'a> {
     around: &'a LossAround<'a>,
     i: usize,

@@ -97,7 +97,7 @@ impl Goal {
     }
 }
 
-/// An outcome of one drive is a goal: the mean over a single drive.
+/// An outcome of one drive as a goal: its mean over this drive.
 impl From<Outcome> for Goal {
     fn from(of: Outcome) -> Self {
         Self {
@@ -140,8 +140,8 @@ impl Constraint {
         value - value.clamp(self.low, self.high)
     }
 
-    /// The constraint at the end of a search, with the exact value of its goal in place of the
-    /// smoothed one.
+    /// The constraint at the end of a search. The exact value of the goal replaces the smoothed
+    /// value in `at`.
     pub(super) fn exactly(&self, value: f64, at: &ConstraintValue) -> ConstraintValue {
         ConstraintValue {
             value,
@@ -178,7 +178,7 @@ impl Constraint {
     }
 }
 
-/// The violation up to which a search meets a limit, SI: 1e-6 · max(|value|, one display unit).
+/// Tolerance with which a search meets a limit, SI: 1e-6 · max(|value|, one display unit).
 pub(super) fn limit_rounding(value: f64, unit: DisplayUnit) -> f64 {
     1e-6 * value.abs().max(unit.size())
 }

@@ -20,16 +20,16 @@ pub struct Landing {
     /// Landing ellipses for each of [`SHARES`], from exact derivatives; empty if nothing varies, or
     /// the scatter is too large.
     pub ellipses: Vec<LandingEllipse>,
-    /// True if the ellipses are omitted, because the outcomes are not linear over so large a
-    /// scatter: the standard deviation of the speed exceeds a third of the speed, or a half-axis of
-    /// an ellipse is longer than the distance to the landing point.
+    /// True if the ellipses are omitted, because the scatter is too large for a linear model. The
+    /// standard deviation of the speed then exceeds a third of the speed, or a half-axis of an
+    /// ellipse is longer than the distance to the landing point.
     pub is_too_wide: bool,
 }
 
 impl Landing {
-    /// Landing of a setup with independently varying parameters. Default uncertainties count only
-    /// for the golfer's parameters (swing, strike and club, or a given launch); all stated
-    /// uncertainties count.
+    /// Landing of a setup with independently varying parameters. These are all parameters with a
+    /// stated uncertainty, and the golfer's parameters with a default uncertainty (swing, strike
+    /// and club, or a given launch).
     ///
     /// # Errors
     /// The errors of [`Drive::new`] and [`evaluate`]; [`Error::NoFlight`](crate::Error::NoFlight)
@@ -39,7 +39,8 @@ impl Landing {
         sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
         let drive = Drive::new(setup)?;
         drive.landed()?;
-        // stated uncertainties, and parameters that the golfer controls
+        // keep stated uncertainties, and default uncertainties of parameters that the golfer
+        // controls
         let sigmas: Vec<Sigma> = sigmas
             .iter()
             .filter(|sigma| sigma.source.is_none() || sigma.parameter.is_controlled())

@@ -10,7 +10,7 @@ use crate::units::{DEGREE, RPM};
 /// Carry as a function of launch angle and backspin at constant ball speed.
 #[derive(Clone, Debug)]
 pub struct Launches {
-    /// The setup of the first drive, with the launch of this drive given in place of its impact.
+    /// The setup of the first drive. It gives the launch of this drive in place of its impact.
     pub setup: Setup<f64>,
     /// The ball speed, m/s.
     pub ball_speed: f64,
@@ -62,8 +62,8 @@ const ENDS: [f64; 2] = [DEGREE, 250.0 * RPM];
 const NODES: usize = 61;
 
 impl Launches {
-    /// Flies the launches of [`plane`](Self::plane) at the ball speed of the first drive. The plane
-    /// contains the launches of all drives.
+    /// Computes the drives of [`plane`](Self::plane) at the ball speed of the first drive. The
+    /// plane contains the launches of all drives.
     ///
     /// # Errors
     /// The errors of [`Drive::new`] and [`Batch::new`](crate::batch::Batch::new);
@@ -94,8 +94,8 @@ impl Launches {
         let vary = |name: &str, axis: usize, of: fn(&NamedLaunch) -> f64| -> Result<Vary> {
             let [low, high] = extent(launched.iter().map(of));
             let end = ENDS[axis];
-            // a range begins below 0 only if a launch does: launch angle and backspin of a good
-            // drive are positive
+            // a range begins below 0 only if a launch is below 0: launch angle and backspin of a
+            // good drive are positive
             let low = (((low - BEYOND[axis]) / end).round() * end).max(low.min(0.0));
             Vary::new(
                 setup.column(name)?,
@@ -131,7 +131,7 @@ impl Launches {
 }
 
 /// Position of the maximum of each row: vertex of the parabola through the best node and its
-/// neighbours. A row whose best node is at an end, or beside a node without a value, is omitted.
+/// neighbours. A row is omitted if its best node is at an end, or beside a node without a value.
 fn ridge(plane: &Plane) -> Vec<[f64; 2]> {
     let width = (plane.across.high - plane.across.low) / (plane.columns - 1) as f64;
     let best = |(row, values): (usize, &[Option<f64>])| {

@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::parameters::{Parameter, Setup};
 use crate::units::DEGREE;
 
-/// Numbers of nodes: attack angles across, lofts up.
+/// Numbers of nodes: attack angles (across) and lofts (up).
 const NODES: [usize; 2] = [5, 7];
 
 /// Minimum steps of attack angle and loft, degrees.
@@ -17,9 +17,9 @@ const LEAST_STEPS: [f64; 2] = [2.0, 1.0];
 /// The outcomes of [`lofts`], in order.
 pub const LOFT_OUTCOMES: [Outcome; 2] = [Outcome::Carry, Outcome::Total];
 
-/// The carry and the total at whole degrees of attack angle (across) and loft (up), around two
-/// setups. The second setup is usually the optimum; all other parameters are those of the first
-/// setup. `None` if the launch is given, or if no drive flies.
+/// The carry and the total at whole degrees of attack angle (across) and loft (up). The ranges
+/// contain the values of both setups, of which the second usually is the optimum. All other
+/// parameters are those of the first setup. `None` if the launch is given, or if no drive flies.
 ///
 /// # Errors
 /// The errors of [`Batch::new`](crate::batch::Batch::new).
@@ -43,9 +43,9 @@ pub fn lofts(setup: &Setup<f64>, other: &Setup<f64>) -> Result<Option<Plane>> {
     Ok(Some(plane).filter(|_| flies))
 }
 
-/// A range of `count` values in equal steps, around the two `values` (rad). The step is the
-/// smallest multiple of `least` degrees for which the range contains both. The range may exceed
-/// that of the parameter; drives there have no outcomes.
+/// A range of `count` values in equal steps, which contains the two `values` (rad). The step is a
+/// multiple of `least` degrees, as small as possible. The range may exceed the range of the
+/// parameter; drives beyond it have no outcomes.
 fn range_around(parameter: &'static Parameter, values: [f64; 2], count: usize, least: f64) -> Vary {
     let [low, high] = [f64::min, f64::max].map(|end| end(values[0], values[1]) / DEGREE);
     let steps = (count - 1) as f64;

@@ -17,7 +17,7 @@ pub struct Map {
     pub of: Outcome,
     /// The outcome and its gradient at the nodes.
     pub plane: Plane,
-    /// Reason why the first node without a value has no value; `None` if every node has a value.
+    /// Reason for the first missing value; `None` if every node has a value.
     pub missing: Option<Message>,
     /// Gradients at the points of a coarser grid.
     pub slopes: Vec<Slope>,
@@ -41,8 +41,8 @@ impl Map {
     }
 }
 
-/// Largest range of values that counts as rounding, relative to the largest magnitude or to one
-/// display unit, whichever is larger.
+/// Values are constant up to rounding if their range is at most this fraction of their largest
+/// magnitude, or of one display unit if that is larger.
 const ROUNDING: f64 = 1e-9;
 
 /// Gradient at a point of a map, SI.
