@@ -52,8 +52,8 @@ pub struct Optimum {
     /// The values of the goals over the swings at the setup's own design. `None` if the ball does
     /// not fly in one of the swings, and for a search over one drive.
     pub as_set_up: Option<Vec<f64>>,
-    /// The share of the swings after which the distance to the hole is outside the range of the
-    /// table of strokes; `None` without a table, and after an interrupted search.
+    /// The fraction of the swings that end at a distance to the hole outside the range of the table
+    /// of strokes. `None` without a table, and after an interrupted search.
     pub beyond_strokes: Option<f64>,
 }
 
@@ -68,8 +68,8 @@ impl Optimum {
         }
     }
 
-    /// True if reports compare both carry and total before and after the search: the objective is
-    /// one of them, and the ball runs after it lands.
+    /// True if reports compare both carry and total before and after the search. This is the case
+    /// if the objective is carry or total, and the ball runs after it lands.
     pub fn compares_totals(&self) -> bool {
         let is_distance = [Outcome::Carry, Outcome::Total].map(Some);
         let run = self
@@ -148,8 +148,8 @@ pub struct Optima {
     pub best: Optimum,
     /// All local optima, best first.
     pub locals: Vec<LocalOptimum>,
-    /// The number of starts, including the point of the [`Sample`] that led to the best optimum, if
-    /// any.
+    /// The number of starts. If a search from a point of the [`Sample`] led to the best optimum,
+    /// this point counts as a start.
     pub starts: usize,
 }
 
@@ -181,8 +181,8 @@ impl Optima {
     }
 }
 
-/// Message on the progress of searches; `None` if none was interrupted. `only` returns the message
-/// on a single search.
+/// Message on the progress of searches; `None` if none was interrupted. If there is only one
+/// search, `only` returns the message.
 pub(super) fn stopped_of(
     stopped: usize,
     all: usize,
@@ -202,8 +202,8 @@ pub(super) fn stopped_of(
 /// its range.
 ///
 /// For one drive, further searches start at points of a [`Sample`] of the ranges that are better
-/// than the local optimum. For swings, the scenarios are equal for every design, so that the
-/// objective is a smooth function of the design, with exact gradients and Hessians.
+/// than the local optimum. For swings, every design has the same scenarios, so that the objective
+/// is a smooth function of the design, with exact gradients and Hessians.
 ///
 /// ```
 /// use longdrive::{Setup, optimize::Observer, study::{Search, Vary, optimum}};
@@ -299,8 +299,9 @@ pub fn optima(
     study.all(locals, starts, sample)
 }
 
-/// Like [`optima`], without a sample of the ranges. The goals at the ends are evaluated again,
-/// without derivatives, so that they are bitwise comparable with the goals of other designs.
+/// Like [`optima`], without a sample of the ranges. At the ends of the searches the goals are
+/// evaluated again, without derivatives, so that they are bitwise comparable with the goals of
+/// other designs.
 ///
 /// # Errors
 /// The errors of [`optima`].
@@ -343,8 +344,9 @@ struct Study {
     /// The values of the goals over the swings at the setup's own design; `None` as in
     /// [`Optimum::as_set_up`].
     as_set_up: Option<Vec<f64>>,
-    /// True if the goals of one drive are evaluated again at the end of a search, without
-    /// derivatives. Their rounding depends on the order of the derivatives.
+    /// True if the goals of one drive are evaluated again, without derivatives, at the end of a
+    /// search. The rounding of a goal depends on the order of the derivatives that are computed
+    /// with it.
     is_evaluated_again: bool,
 }
 
@@ -370,7 +372,7 @@ impl Study {
         minimize_observed(&self.problem, domain, start, &search.options, observer)
     }
 
-    /// Compares `end` with a sample of the ranges, and replaces it if a search from a point of the
+    /// Compares `end` with a sample of the ranges. Replaces `end` if a search from a point of the
     /// sample finds a better solution. `None` for a search over swings, and after an interrupt.
     fn improved(
         &self,
@@ -423,8 +425,8 @@ impl Study {
         })
     }
 
-    /// Goals without smoothing at the end of a search, computed even after an interrupt. `None` if
-    /// the ball does not fly in one of the drives.
+    /// Goals without smoothing at the end of a search. They are computed even after an interrupt.
+    /// `None` if the ball does not fly in one of the drives.
     fn goals(&self, solution: &Solution) -> Option<Vec<f64>> {
         let value = solution.value?;
         let search = &self.problem.search;

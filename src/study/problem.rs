@@ -95,8 +95,8 @@ impl SearchProblem {
             }
         }
         let begun = Vary::initialized(setup, &search.vary)?;
-        // the second derivatives of a goal with a kink or jump depend on the few drives near it: a
-        // subset of the drives does not represent these
+        // if a goal has a kink or jump, all scenarios are used: the second derivatives depend on
+        // the few drives near the kink or jump, which a subset does not represent
         let (subset, multiplicities) = if search.goals().any(Goal::has_edge) {
             let count = scenarios.points.len();
             ((0..count).collect(), vec![1.0; count])
@@ -128,8 +128,8 @@ impl SearchProblem {
         })
     }
 
-    /// The problem with a limit on the drives' defect, m. Drives with a larger defect are repeated
-    /// with shorter steps.
+    /// The problem with a limit for the defect of a drive (estimate of its integration error), m. A
+    /// drive with a larger defect is repeated with shorter steps.
     pub fn with_largest_defect(mut self, largest_defect: f64) -> Self {
         let limited = |drive: Evaluator| drive.with_largest_defect(largest_defect);
         self.drives = self.drives.into_iter().map(limited).collect();
@@ -198,7 +198,8 @@ impl SearchProblem {
     /// The outcomes of the scenarios with these indices, with derivatives up to an order.
     ///
     /// # Errors
-    /// The reason why the ball does not fly in the first such scenario, or that `stop` is true.
+    /// The first reason why the ball does not fly in a scenario; a message that the work was
+    /// stopped, if `stop` is true.
     fn outcomes_at(
         &self,
         scenarios: &[usize],
@@ -206,8 +207,8 @@ impl SearchProblem {
         order: Order,
         stop: &AtomicBool,
     ) -> std::result::Result<Vec<Vec<Taylor>>, String> {
-        // results in the order of the scenarios, so that neither sums nor the first error depend on
-        // the threads
+        // keep the order of the scenarios: sums and the first error then do not depend on the
+        // threads
         let flown = each_until(scenarios, stop, |k| {
             self.drives[*k].at_order(x, order, Some(stop))
         });
@@ -224,10 +225,10 @@ impl SearchProblem {
             .collect()
     }
 
-    /// Second derivatives of the drives in `subset` near `x`, each times the number of scenarios
-    /// that the drive represents. They are computed at the nearest point of a grid over the ranges,
-    /// so that near an optimum they are computed only once, and do not depend on the points
-    /// evaluated before.
+    /// Second derivatives of the drives in `subset`, each times the number of scenarios that the
+    /// drive represents. They are computed at the point nearest to `x` on a grid over the ranges.
+    /// So they are computed only once near an optimum, and do not depend on the points evaluated
+    /// before.
     fn second_derivatives(&self, x: &[f64]) -> std::result::Result<Arc<SecondDerivatives>, String> {
         let nearest: Vec<f64> = (0..x.len()).map(|i| self.on_the_grid(i, x[i])).collect();
         let lock = || {
@@ -264,7 +265,7 @@ impl SearchProblem {
         Ok(found)
     }
 
-    /// Value of parameter i on the grid for second derivatives that is nearest to `x`.
+    /// Value of parameter i nearest to `x` on the grid for second derivatives.
     fn on_the_grid(&self, i: usize, x: f64) -> f64 {
         /// Number of grid cells over the range of a parameter. A drive's second derivatives change
         /// by about 1 % from one cell to the next.
@@ -278,8 +279,8 @@ impl SearchProblem {
         }
     }
 
-    /// Value and derivatives of a measure that depends on the parameters only; `None` for a measure
-    /// of drives.
+    /// Value and derivatives of a measure that depends only on the design; `None` for a measure of
+    /// drives.
     fn of_the_design(&self, measure: &Measure, x: &[f64], order: Order) -> Option<Taylor> {
         let (value, place) = match measure {
             Measure::One => (1.0, None),
@@ -367,9 +368,8 @@ impl SearchProblem {
     }
 
     /// Exact values of the goals at `x` over the scenarios: first the objective, then the limited
-    /// goals. A goal with a kink or jump is evaluated over the swings of
-    /// [`sequences`](Scenarios::sequences) instead, if there are any and the ball flies in all of
-    /// them.
+    /// goals. For a goal with a kink or jump, the swings of [`sequences`](Scenarios::sequences)
+    /// replace the scenarios, if there are sequences and the ball flies in all their swings.
     ///
     /// # Errors
     /// [`Error::NoFlight`] if the ball does not fly in one of the scenarios;
@@ -428,7 +428,7 @@ impl SearchProblem {
     }
 
     /// Values of the varied parameters in the setup as given. A parameter without a value has the
-    /// value that counts where it is unset, or NaN.
+    /// value of [`Parameter::unset`], or NaN if that is `None`.
     pub fn values_as_set_up(&self) -> Vec<f64> {
         let own = |parameter: &&'static Parameter| {
             self.set_up
@@ -494,8 +494,8 @@ impl SearchProblem {
         Ok(self.smoothed_goals(x, &flown, &self.search.scenarios.weights, order))
     }
 
-    /// Share of the scenarios in which the ball ends at a distance outside of a table of strokes;
-    /// `None` if no goal uses such a table.
+    /// Share of the scenarios in which the ball ends at a distance to the hole outside the range of
+    /// a table of strokes; `None` if no goal uses such a table.
     ///
     /// # Errors
     /// The errors of [`values`](Self::values).
@@ -524,9 +524,9 @@ impl SearchProblem {
     }
 
     /// The objective and the constraint functions over the scenarios with these weights, with
-    /// smoothed kinks and jumps. Values and gradients use all drives. In the Hessians, the terms
-    /// with products of gradients use all drives too; the terms with second derivatives use only
-    /// the drives in `subset`.
+    /// smoothed kinks and jumps. Values and gradients use all drives. A Hessian has terms with
+    /// products of gradients, which use all drives, and terms with second derivatives, which use
+    /// only the drives in `subset`.
     pub fn weighted(&self, x: &[f64], weights: &[f64]) -> std::result::Result<Evaluation, String> {
         if let ([drive], true) = (self.drives.as_slice(), self.is_of_outcomes) {
             let goals = drive.at(x).map_err(|error| error.to_string())?;

@@ -20,9 +20,9 @@ pub struct Region {
     pub up: Vary,
     /// Nodes in each direction.
     pub columns: usize,
-    /// Excess at each node, at most 0 in the region: the maximum of loss/allowed loss − 1 and the
-    /// violations of the constraints. Each violation is divided by the range of the constraint's
-    /// goal over the map. `None` if the drive does not fly.
+    /// Excess at each node: the maximum of loss/allowed loss − 1 and the violations of the
+    /// constraints. It is at most 0 in the region. Each violation is divided by the range of the
+    /// constraint's goal over the map. `None` if the drive does not fly.
     pub excess: Vec<Option<f64>>,
     /// Signed violation of the equality constraint at each node. The region lies on the line on
     /// which the violation is 0. `None` without an equality constraint, or if the constraint holds
@@ -113,7 +113,7 @@ impl Region {
         for (constraint, values) in best.search.subject_to.iter().zip(&plane.values[1..]) {
             let of_constraint = excess_of(constraint, values);
             if constraint.is_equation() {
-                // an equality constraint that holds on the whole plane excludes no point
+                // ignore an equality constraint that holds on the whole plane: it excludes no point
                 let rounding = ROUNDING * largest_magnitude(plane.values[0].iter().flatten());
                 if values
                     .iter()
@@ -178,8 +178,8 @@ impl Region {
     }
 }
 
-/// Excess of a constraint at each node: at most 0 if the constraint is met. For an equality
-/// constraint, the signed violation. Both are divided by the range of the goal's values.
+/// Excess of a constraint at each node, divided by the range of the goal's values. It is at most 0
+/// if the constraint is met. For an equality constraint, it is the signed violation.
 fn excess_of(constraint: &Constraint, values: &[Option<f64>]) -> Vec<Option<f64>> {
     let [low, high] = extent(values.iter().flatten().copied());
     let range = high - low;

@@ -31,14 +31,14 @@ const AT_ONCE: usize = 16;
 /// Largest number of searches from points of a sample.
 const SEARCHES: usize = 3;
 
-/// If fewer than one in this number of points are feasible, a further search starts at the best of
-/// them: the feasible region may be disconnected.
+/// If fewer than one in this number of points are feasible, a search starts at the best point even
+/// if this point is no better than the optimum. The feasible region may be disconnected.
 const ONE_IN: usize = 8;
 
 /// Compares the end of a search with a sample of the ranges. `search` starts from the points that
-/// are better than the best solution so far; if few points are feasible, in any case from the best
-/// point (see [`ONE_IN`]). `end` becomes the best solution. `None` if the search was interrupted
-/// before all points were evaluated.
+/// are better than the best solution so far. If few points are feasible, it starts from the best
+/// point in any case (see [`ONE_IN`]). `end` becomes the best solution. `None` if the search was
+/// interrupted before all points were evaluated.
 pub(super) fn compare_with_sample(
     problem: &SearchProblem,
     end: &mut Solution,
@@ -116,7 +116,7 @@ fn fly(problem: &SearchProblem) -> Result<Option<Vec<SampledPoint>>> {
     Ok(Some(points))
 }
 
-/// Rank of a point: constraint violation first, then the objective.
+/// Rank of a point. Points are compared by constraint violation first, then by objective.
 struct Merit {
     is_feasible: bool,
     /// The largest violation of a constraint, divided by the range of its goal over the sample.
@@ -161,7 +161,7 @@ impl<'a> MeritScale<'a> {
     }
 
     fn of_solution(&self, solution: &Solution) -> Merit {
-        /// Largest violation, divided by the range of the goal, that counts as rounding.
+        /// A violation up to this fraction of the goal's range counts as rounding.
         const MET: f64 = 1e-8;
         let Some(objective) = solution.value else {
             return Merit {

@@ -119,10 +119,10 @@ impl Search {
         self.goals().flat_map(Goal::outcomes).collect()
     }
 
-    /// The first outcome in the objective, which for one drive usually is the objective;
-    /// [`Outcome::Carry`] if the objective contains none.
+    /// The first outcome in the objective. For one drive, it usually is the objective.
+    /// [`Outcome::Carry`] if the objective contains no outcome.
     pub fn outcome(&self) -> Outcome {
-        // an objective without an outcome was not parsed from text
+        // only an objective that was not parsed from text has no outcome
         self.of
             .outcomes()
             .first()

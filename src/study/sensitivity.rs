@@ -89,8 +89,7 @@ pub struct Change {
 
 impl Change {
     /// Parses `NAME=+AMOUNT`, for example `swing.speed=+5mph`, or `air.density=-20%`. A percentage
-    /// is relative to the parameter's value, except for dimensionless parameters, where 1 % is
-    /// 0.01.
+    /// is relative to the parameter's value. For a dimensionless parameter, 1 % is 0.01.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for a text that is not a change; the errors of [`Setup::variable`];
@@ -120,7 +119,7 @@ impl Change {
                 );
                 return Err(unreadable(reason.into()));
             }
-            // +10 % of a negative value makes it more negative
+            // +10 % increases the magnitude, so it makes a negative value more negative
             delta *= own.signum();
         }
         if !delta.is_finite() {
@@ -161,8 +160,8 @@ pub struct Changed {
     pub differences: Vec<Message>,
 }
 
-/// Effect of a change on an optimum. `integrated` returns the changed setup with an integration
-/// method and time step for the new search, whose drives may need shorter steps.
+/// Effect of a change on an optimum. `integrated` adds an integration method and a time step for
+/// the new search to the changed setup, because the new drives may need shorter steps.
 ///
 /// # Errors
 /// The errors of [`sensitivity`], of `integrated`, and of the new search.

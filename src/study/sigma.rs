@@ -18,7 +18,7 @@ pub struct Sigma {
 
 impl Sigma {
     /// Parses `NAME=AMOUNT`, for example `swing.speed=1mph`, or `air.density=0.5%`. A percentage is
-    /// relative to the parameter's value, except for dimensionless parameters, where 1 % is 0.01.
+    /// relative to the parameter's value. For a dimensionless parameter, 1 % is 0.01.
     ///
     /// ```
     /// use longdrive::{Setup, study::Sigma};
@@ -68,7 +68,7 @@ impl Sigma {
         Err(unreadable(reason.into()))
     }
 
-    /// Checks that the setup has the parameter and that the value is valid; only uncertainties
+    /// Checks that the setup has the parameter and that the value is valid. Only uncertainties
     /// parsed from text were checked before.
     ///
     /// # Errors
@@ -105,7 +105,8 @@ pub fn refuse_given_twice(parameters: impl IntoIterator<Item = &'static Paramete
 }
 
 /// Parses an amount of a parameter, in SI. `read` parses an amount with a unit, as a value or as a
-/// difference. A percentage that `read` refuses is relative to the parameter's value.
+/// difference. If `read` refuses a percentage, it is taken relative to the magnitude of the
+/// parameter's value.
 pub(super) fn amount_of(
     setup: &Setup<f64>,
     parameter: &Parameter,
@@ -133,8 +134,8 @@ enum DefaultSigma {
     Of(f64, &'static str),
     /// A fraction of the parameter's value.
     Part(f64),
-    /// Standard uncertainty of the mean wind, m/s. The root of the sum of squares with the gusts is
-    /// the standard uncertainty of the wind.
+    /// Standard uncertainty of the mean wind, m/s. With the gusts it gives the standard uncertainty
+    /// of the wind (root of the sum of squares).
     Wind(f64),
 }
 
@@ -145,19 +146,20 @@ const OPEN_COUNTRY: f64 = 0.05;
 /// Standard uncertainty of the height of the sweet spot on the face, m.
 const SWEET_SPOT: f64 = 3e-3;
 
-/// σ_v/σ_u: ratio of gusts across and along the wind (Panofsky & Dutton 1984: 1.92/2.39).
+/// Ratio σ_v/σ_u of the gusts across the wind to the gusts along the wind (Panofsky & Dutton 1984:
+/// 1.92/2.39).
 const ACROSS: f64 = 0.8;
 
-/// Standard deviations, m/s, by gusts from drive to drive: of the wind to the right, of the wind
-/// downrange, and of the wind speed. Along the wind they are the wind speed times the turbulence
-/// intensity at the reference height, 1/ln(z_ref/z₀).
+/// Standard deviations from drive to drive that gusts cause, m/s: of the wind to the right, of the
+/// wind downrange, and of the wind speed. Along the wind, the standard deviation is the wind speed
+/// times the turbulence intensity, which is 1/ln(z_ref/z₀) at the reference height.
 fn gusts(setup: &Setup<f64>) -> [f64; 3] {
     let wind = &setup.wind;
     let Wind {
         right, downrange, ..
     } = in_effect(setup).wind;
     let heights = wind.reference_height / wind.roughness.unwrap_or(OPEN_COUNTRY);
-    // at heights near the roughness length the profile is not valid: limit the intensity to 1
+    // near the roughness length the wind profile is not valid: limit the intensity to 1
     let intensity = heights.max(std::f64::consts::E).ln().recip();
     let component = |own: f64, other: f64| intensity * own.hypot(ACROSS * other);
     [
@@ -250,8 +252,8 @@ const DEFAULTS: &[(&str, DefaultSigma, &str)] = &[
     ("aero.cl_slope", DefaultSigma::Part(0.1), LAW_LIFT),
 ];
 
-/// The given uncertainties, then the defaults of other parameters. Parameters that affect only the
-/// run have defaults only if an outcome in `of` needs the run.
+/// The given uncertainties, then the defaults of other parameters. A parameter that affects only
+/// the run has a default only if an outcome in `of` needs the run.
 ///
 /// # Errors
 /// [`Error::Unreadable`] for a parameter that is given twice.
