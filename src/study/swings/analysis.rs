@@ -47,8 +47,8 @@ pub struct Nominal {
 /// The error of a goal, estimated from other scenarios with the same design.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GoalError {
-    /// The error of the quadrature, SI: twice the change of the goal if each parameter has 1.5
-    /// times as many nodes.
+    /// The error of the quadrature, SI: twice the change of the goal with 1.5 times as many nodes
+    /// for each parameter.
     Quadrature(f64),
     /// The sampling error of a Sobol' sequence of swings.
     Sampling(SamplingError),
@@ -70,7 +70,7 @@ pub struct SamplingError {
 
 /// Cumulative probability of Student's t distribution at the upper end of a 99 % interval.
 const QUANTILE: f64 = 0.995;
-/// Safety factor of the quadrature error, for the neglected error of the finer rule.
+/// Safety factor of the quadrature error, because the finer rule has an error too.
 const SAFETY: f64 = 2.0;
 
 /// Computes the best design for the mean swing, and the errors of the goals at the optimum `best`
@@ -92,7 +92,7 @@ pub fn analyse_over_swings(
     }
 }
 
-/// [`analyse_over_swings`], with an incomplete result if `stop` becomes true.
+/// The result of [`analyse_over_swings`], which is incomplete if `stop` became true.
 fn analysed(
     setup: &Setup<f64>,
     swings: &Swings,
@@ -139,8 +139,9 @@ fn analysed(
 
 /// The error of each goal at the best design `x`, where the goals have the values `goals`. With
 /// Gauss's rule, a smooth goal is compared with a finer rule. Every other goal is compared with
-/// independent Sobol' sequences. If a swing of the finer rule does not fly, only the errors of the
-/// smooth goals are unknown; likewise for the sequences. Empty without distributions.
+/// independent Sobol' sequences. If the ball does not fly in a swing of the finer rule, the errors
+/// of the smooth goals are unknown. If it does not fly in a swing of the sequences, the errors of
+/// the other goals are unknown. Empty without distributions.
 fn goal_errors(
     problem: &SearchProblem,
     swings: &Swings,
@@ -152,7 +153,7 @@ fn goal_errors(
     let has_smooth_goal = !of.iter().all(|goal| goal.has_edge());
     let finer = match search.scenarios.rule {
         Rule::Quadrature(nodes) if has_smooth_goal => {
-            // half as many nodes more, at least one more
+            // 1.5 times as many nodes, and at least one more
             let rule = Rule::Quadrature(nodes + (nodes / 2).max(1));
             let scenarios = Scenarios::new(swings, rule);
             let problem = scenarios.and_then(|scenarios| {

@@ -119,13 +119,14 @@ struct Round {
     /// Value of the objective at this optimum, with the swings of the resample; `None` if the ball
     /// does not fly in one of the swings.
     value: Option<f64>,
-    /// Gain of the objective, with the swings of the resample, from the setup's design to the best
-    /// design for all swings; `None` if the ball does not fly in one of the swings.
+    /// Gain of the objective from the setup's design to the best design for all swings. It is
+    /// computed with the swings of the resample; `None` if the ball does not fly in one of these
+    /// swings.
     gain: Option<f64>,
 }
 
-/// Searches over the resample with these weights, from the best design for all swings. `None` if
-/// the search does not converge.
+/// Searches over the resample with these weights, starting at the best design for all swings.
+/// `None` if the search does not converge.
 fn search_resample(
     problem: &SearchProblem,
     best: &Optimum,
@@ -156,8 +157,8 @@ fn search_resample(
     })
 }
 
-/// The number of swings at which the gain `mean` differs significantly from 0. `gains` are the
-/// gains over resamples of n swings. `None` if `mean` is not positive.
+/// The number of swings from which the gain `mean` differs significantly from 0. `gains` are the
+/// gains in resamples of n swings. `None` if `mean` is not positive.
 fn swings_needed(mean: f64, gains: &[f64], n: usize) -> Option<u64> {
     let moments = Moments::of(gains.iter().copied());
     let deviation = moments.deviation().unwrap_or(f64::NAN);

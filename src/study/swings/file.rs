@@ -138,7 +138,7 @@ fn read(setup: &Setup<f64>, text: &str, file: &str) -> Result<Swings> {
 }
 
 /// Adds the distributions of a TOML table to `inputs`. A dotted key such as `swing.speed` is a
-/// nested table; `before` is the part of the key outside the table, `swing.`.
+/// nested table, and `before` is then the first part of the key: `swing.`.
 fn distributions(
     setup: &Setup<f64>,
     table: &DeTable<'_>,

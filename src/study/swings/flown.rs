@@ -48,8 +48,8 @@ pub(in crate::study) fn columns(
         .collect())
 }
 
-/// The outcomes of one swing, computed without a batch: for a search over one drive, and for a
-/// swing that has no outcomes in its batch.
+/// The outcomes of one swing, computed without a batch. This is necessary for a search over one
+/// drive, and for a swing that has no outcomes in its batch.
 ///
 /// # Errors
 /// [`Error::NoFlight`] if the ball does not fly.

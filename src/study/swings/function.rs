@@ -37,8 +37,8 @@ pub struct GoalFunction {
 
 impl StepChoice {
     /// Selects integration method and time step for a goal over swings as a function of the
-    /// parameters `wrt`. Like [`for_function`](Self::for_function), but the drives with which steps
-    /// are tried also cover the ranges of the swings. Interrupted once `stop` is true.
+    /// parameters `wrt`. Unlike in [`for_function`](Self::for_function), the trial drives also
+    /// cover the ranges of the swings. Interrupted once `stop` is true.
     ///
     /// # Errors
     /// The errors of [`for_function`](Self::for_function); [`Error::Stopped`] after an interrupt.

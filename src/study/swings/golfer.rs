@@ -231,8 +231,8 @@ impl Swings {
     }
 }
 
-/// Cholesky factor: the lower triangular L with A = L Lᵀ, for a positive semidefinite A with unit
-/// diagonal. If A is not positive semidefinite, the error is the index of the row at which the
+/// Cholesky factor of a positive semidefinite matrix A with unit diagonal: the lower triangular L
+/// with A = L Lᵀ. If A is not positive semidefinite, the error is the index of the row at which the
 /// factorization fails.
 fn factored(a: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, usize> {
     /// A negative pivot above −`ROUNDING` counts as 0: rounding can make a pivot of a singular
@@ -276,14 +276,14 @@ mod tests {
                 assert!((product - a[i][j]).abs() < 1e-15);
             }
         }
-        // no three variables have strong negative correlations in all pairs
+        // three variables cannot all have strong negative correlations with each other
         let opposite = [
             vec![1.0, -0.9, -0.9],
             vec![-0.9, 1.0, -0.9],
             vec![-0.9, -0.9, 1.0],
         ];
         assert_eq!(factored(&opposite), Err(2));
-        // two fully correlated numbers
+        // two fully correlated variables
         assert!(factored(&[vec![1.0, 1.0], vec![1.0, 1.0]]).is_ok());
     }
 }

@@ -15,12 +15,12 @@ pub enum Measure {
     Deviation(Outcome),
     /// Root mean square of an outcome.
     RootMeanSquare(Outcome),
-    /// Conditional value at risk: mean of an outcome over the drives with the lowest values, which
-    /// are this share of all drives. The search smooths it (after Chen & Harker 1993; Kanzow 1996;
-    /// Smale 1987).
+    /// Conditional value at risk: mean of an outcome over the drives with the lowest values. The
+    /// number is the share of these drives in all drives. The search smooths the mean (after Chen &
+    /// Harker 1993; Kanzow 1996; Smale 1987).
     Lowest(Outcome, f64),
-    /// Mean of an outcome over the drives with the highest values, which are this share of all
-    /// drives.
+    /// Mean of an outcome over the drives with the highest values. The number is the share of these
+    /// drives in all drives.
     Highest(Outcome, f64),
     /// Share of drives whose outcome is within this distance of 0. The search smooths the jump at
     /// either limit over one display unit.
@@ -33,10 +33,10 @@ pub enum Measure {
     One,
 }
 
-/// Smallest standard deviation, in the display unit of the outcome. It keeps the square root
-/// smooth.
+/// Deviation whose square is added to a variance or a mean square, in the display unit of the
+/// outcome. The square root of the sum is smooth at 0.
 const LEAST_DEVIATION: f64 = 1e-9;
-/// Smoothing width of the mean of a lowest or highest share, in the display unit of the outcome.
+/// Smoothing width of [`LowestShare`], in the display unit of the outcome.
 const SMOOTHING: f64 = 0.1;
 
 impl Measure {
@@ -153,9 +153,10 @@ impl Measure {
     }
 }
 
-/// Sum over the drives k of a function hₖ of fₖ − m: fₖ is an outcome of the drive, and m a centre,
-/// such as the mean. A term has fₖ with its derivatives, and the values hₖ, hₖ′ and hₖ″. `centre` is
-/// ∇m, or empty without a centre. The second derivatives of a mean have the factor Σ hₖ′ = 0.
+/// Sum over the drives k of hₖ(fₖ − m), where fₖ is an outcome of drive k, and m is a centre, such
+/// as the mean. `terms` has fₖ with its derivatives, and the values hₖ, hₖ′ and hₖ″. `centre` is
+/// ∇m, or empty without a centre. The second derivatives of a mean m are not needed, because their
+/// factor Σ hₖ′ is 0.
 ///
 /// ```text
 ///   value    = Σ hₖ
@@ -191,8 +192,9 @@ fn summed<'a>(
     all.unwrap_or_default()
 }
 
-/// Mean of the lowest values, up to a total weight of `share`, from (value, weight) of each drive.
-/// The last drive counts with the part of its weight that completes the share.
+/// Mean of the lowest values, up to a total weight of `share`. `drives` has the value and the
+/// weight of each drive. The last drive counts only with the part of its weight that completes the
+/// share.
 fn lowest_mean(drives: impl Iterator<Item = (f64, f64)>, share: f64) -> f64 {
     let mut sorted: Vec<_> = drives.collect();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -209,7 +211,7 @@ fn lowest_mean(drives: impl Iterator<Item = (f64, f64)>, share: f64) -> f64 {
 fn deviation(drives: &[(&Taylor, f64)], least: f64, is_second: bool) -> Taylor {
     let weighted = drives.iter().map(|(f, w)| (*f, [w * f.value, *w, 0.0]));
     let mean = summed(weighted, &[], false);
-    // the Hessian of the mean is not needed: its factor Σ w (f − mean) is 0
+    // the Hessian of the mean is not needed, because its factor Σ w (f − mean) is 0
     let squares = drives.iter().map(|(f, w)| {
         let off = f.value - mean.value;
         (*f, [w * off * off, 2.0 * w * off, 2.0 * w])
@@ -223,7 +225,8 @@ fn root(f: &Taylor, least: f64) -> Taylor {
     f.chained([root, 0.5 / root, -0.25 / root.powi(3)])
 }
 
-/// σ((`half` − f)/`edge`) − σ((−`half` − f)/`edge`) with the logistic σ, and two derivatives by f.
+/// Smoothed indicator of −`half` ≤ f ≤ `half`, with two derivatives by f: σ((`half` − f)/`edge`) −
+/// σ((−`half` − f)/`edge`) with the logistic function σ.
 fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
     let at = |end: f64| {
         let s = 1.0 / (1.0 + ((f - end) / edge).exp());
@@ -234,15 +237,15 @@ fn within(f: f64, half: f64, edge: f64) -> [f64; 3] {
     std::array::from_fn(|k| above[k] - below[k])
 }
 
-/// The mean of the lowest share α of the values of weighted drives. Drive k has the value uₖ, which
-/// is ± its outcome, and the weight wₖ.
+/// The mean of the lowest values of weighted drives, which have the share α of the total weight.
+/// Drive k has the weight wₖ, and the value uₖ is its outcome times `sign`.
 ///
 /// The smoothed mean is the maximum over t of G(t) = t − 1/α Σ wₖ φ(t − uₖ), with
 /// φ(z) = (z + √(z² + 4ε²))/2. For ε → 0, it is the exact mean.
 struct LowestShare<'a> {
     /// Outcome, with derivatives up to the required order, and weight of each drive.
     drives: &'a [(&'a Taylor, f64)],
-    /// 1 for the mean of the lowest share of the values, −1 for that of the highest share.
+    /// 1 for the mean of the lowest values, −1 for the mean of the highest values.
     sign: f64,
     /// α.
     share: f64,
@@ -251,8 +254,8 @@ struct LowestShare<'a> {
 }
 
 impl LowestShare<'_> {
-    /// The smoothed mean. At the maximum the derivative by t is 0, so that the gradient equals the
-    /// gradient at fixed t. The Hessian includes the change of t.
+    /// The smoothed mean. At the maximum ∂G/∂t = 0, so the gradient does not depend on the change
+    /// of t. The Hessian includes this change.
     fn mean(&self, is_second: bool) -> Taylor {
         let t = self.threshold();
         let terms = self.drives.iter().map(|(f, weight)| {
@@ -278,8 +281,8 @@ impl LowestShare<'_> {
         ]
     }
 
-    /// The t of the maximum: the zero of the excess Σ wₖ φ′(t − uₖ) − α, by bisection to the last
-    /// bit. The excess rises with t, from −α to 1 − α.
+    /// The t at which G is maximal. It is the zero of the excess Σ wₖ φ′(t − uₖ) − α, which rises
+    /// with t from −α to 1 − α. Bisection finds it to the last bit.
     fn threshold(&self) -> f64 {
         let excess = |t: f64| {
             let weighted = |(f, weight): &(&Taylor, f64)| {
@@ -323,7 +326,7 @@ impl LowestShare<'_> {
             })
             .collect();
         let curvature: f64 = curvatures.iter().sum();
-        // ±∂²G/∂t∂x; the sign cancels in the product
+        // ∂²G/∂t∂x up to the sign, which cancels in the product
         let mixed = |i: usize| {
             let drives = curvatures.iter().zip(self.drives);
             drives
@@ -476,7 +479,7 @@ mod tests {
             (Measure::Mean(of), mean, 1e-13),
             (Measure::Deviation(of), about(mean), 1e-12),
             (Measure::RootMeanSquare(of), about(0.0), 1e-12),
-            // φ exceeds max(z, 0) near the edge of the share, so that smoothing shifts the mean
+            // smoothing shifts the mean, because φ(z) exceeds max(z, 0) near z = 0
             (Measure::Lowest(of, 0.2), low, 0.1),
             (Measure::Highest(of, 1.0 / 3.0), high, 0.1),
             (Measure::Within(of, 9.0), inside, 0.1),

@@ -163,8 +163,8 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, follow: &Observers) -> R
 }
 
 impl ParetoSearch {
-    /// The search for the best value of the first goal. The second goal is added as a constraint
-    /// that nothing can break, so that its values are computed too.
+    /// The search for the best value of the first goal. The second goal is a constraint without
+    /// limits, so that its values are computed too.
     fn first_goal(&self) -> Search {
         let [(first, sense), (second, _)] = self.goals.clone();
         let mut subject_to = self.subject_to.clone();
@@ -207,7 +207,8 @@ impl ParetoSearch {
     }
 }
 
-/// The error if an end of the front was not found. It names the goal that is best at this end.
+/// The error for an end of the front that was not found. It names the goal whose best value lies at
+/// this end.
 fn named(none: FrontError, search: &ParetoSearch, problem: &SearchProblem) -> Error {
     let (function, found) = match none {
         FrontError::NoEnd { function, found } => (function, found),

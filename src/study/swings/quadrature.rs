@@ -1,15 +1,15 @@
 use crate::study::uncertainty::Distribution;
 use nalgebra::{DMatrix, SymmetricEigen};
 
-/// Normal distributions are truncated at this many standard deviations. Only 6 of 100,000 swings
-/// are beyond, and many of these miss the ball.
+/// Number of standard deviations at which normal distributions are truncated. Only 6 of 100,000
+/// swings lie beyond, and many of these miss the ball.
 pub(super) const REACH: f64 = 4.0;
 /// Number of samples of a density on each interval in which the density is smooth.
 const SAMPLED: usize = 96;
 
-/// Nodes and weights of a Gauss rule (Golub & Welsch 1969). `diagonal` and `off_diagonal`
-/// are the entries of the symmetric tridiagonal matrix of the recurrence of its orthogonal
-/// polynomials. The weights sum to 1.
+/// Nodes and weights of a Gauss rule (Golub & Welsch 1969). They follow from a symmetric
+/// tridiagonal matrix with the entries `diagonal` and `off_diagonal`, which are the coefficients of
+/// the recurrence of the orthogonal polynomials. The weights sum to 1.
 fn gauss(diagonal: &[f64], off_diagonal: &[f64]) -> Vec<(f64, f64)> {
     let n = diagonal.len();
     let mut jacobi = DMatrix::zeros(n, n);
@@ -140,9 +140,9 @@ mod tests {
         [mean, about(2), about(3), about(4)]
     }
 
-    /// The rules reproduce the mean and the next three central moments, which have closed forms.
-    /// Those of the truncated normal distribution are only as accurate as the error function of
-    /// statrs.
+    /// The rules reproduce the mean and the central moments 2, 3 and 4, which have closed forms.
+    /// The closed forms of the truncated normal distribution are only as accurate as the error
+    /// function of statrs.
     #[test]
     fn moments_of_each_rule_by_closed_forms() {
         let all = [

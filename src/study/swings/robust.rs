@@ -122,9 +122,9 @@ impl Model {
     }
 }
 
-/// Minimax design: the design whose greatest loss over several models is smallest. The loss of a
-/// design with a model is the amount by which its objective is worse than that of the model's own
-/// best design.
+/// Minimax design: the design whose greatest loss over several models is smallest. Each model has a
+/// best design. The loss of any other design with this model is the amount by which its objective
+/// is worse.
 #[derive(Clone, Debug)]
 pub struct Robust {
     /// The search.
@@ -203,9 +203,10 @@ impl Robust {
     }
 
     /// Decrease of the greatest loss per unit by which the lower or the upper bound of a variable
-    /// is widened. The wider bound also improves the models' own best designs. The decrease is
-    /// therefore the multiplier of the bound, minus the mean multiplier of the bound at these
-    /// designs, weighted by [`loss_multipliers`](Self::loss_multipliers).
+    /// is widened. It is the multiplier of the bound at the minimax design, minus a mean of the
+    /// multipliers of the bound at the best design of each model. The weights of this mean are
+    /// [`loss_multipliers`](Self::loss_multipliers). The subtraction is necessary because the wider
+    /// bound also improves the best designs.
     pub fn bound_prices(&self, variable: usize) -> [f64; 2] {
         let price = |multipliers: fn(&Solution) -> &[f64]| {
             let of_bests = self.loss_multipliers.iter().zip(&self.models);
@@ -219,7 +220,7 @@ impl Robust {
         ]
     }
 
-    /// The gain of [`ModelLimit`] for constraint `limit` of a model.
+    /// [`ModelLimit::gain`] for constraint `limit` of a model.
     fn gain(&self, model: usize, limit: usize, at: &ConstraintValue) -> f64 {
         let (_, best) = &self.models[model];
         let of_best = best.solution.constraints.get(limit);
@@ -228,7 +229,8 @@ impl Robust {
             own if self.search.subject_to[limit].is_equation() => {
                 own - self.loss_multipliers[model] * of_best
             }
-            // the model's own best design is at the opposite limit, which is not relaxed
+            // the best design of the model is at the opposite limit, so the relaxed limit does not
+            // improve it
             own if own * of_best < 0.0 => own.abs(),
             own => own.abs() - self.loss_multipliers[model] * of_best.abs(),
         }
@@ -266,9 +268,9 @@ impl Robust {
 
 /// The minimax design of several models (see [`Robust`]).
 ///
-/// First, a search finds the best design of each model. Then the minimax search solves: minimize t,
-/// subject to fₖ(x) − f*ₖ ≤ t for every model k. The goal fₖ is minimized (a maximized goal is
-/// negated), and f*ₖ is its value for the model's best design. The problem is smooth, with exact
+/// First, a search finds the best design of each model k, which has the value f*ₖ of the goal fₖ.
+/// Then the minimax search minimizes t, subject to fₖ(x) − f*ₖ ≤ t for every model k. Goals are
+/// minimized here, so a goal to be maximized is negated. The problem is smooth, with exact
 /// derivatives. The constraints hold for all models.
 ///
 /// Each search has `count` starts: the setup's own design, and others spread evenly over the
@@ -373,7 +375,7 @@ fn best_of_each(
     models.into_iter().map(best).collect()
 }
 
-/// The solution of the best of `ends`, which is the first.
+/// The solution of the first of `ends`, which is the best end.
 ///
 /// # Errors
 /// [`Error::NotConverged`] if no search reached a point at which the goals have values.
@@ -402,7 +404,7 @@ struct Losses<'a> {
     problems: Vec<SearchProblem>,
     /// f*ₖ of each model.
     least: Vec<f64>,
-    /// f*ₖ of each model with the smoothed goal that its own search minimized.
+    /// f*ₖ of each model, computed with the smoothed goal of the model's own search.
     smoothed_least: Vec<f64>,
 }
 
@@ -457,9 +459,9 @@ impl<'a> Losses<'a> {
         (0..self.problems.len()).map(own).collect()
     }
 
-    /// The starts (x, t) of the search. The x are the designs, their mean, the setup's own design
-    /// and points spread over the ranges, except designs for which a goal has no value. Each t
-    /// exceeds the greatest loss of its x by at least a tenth of a display unit.
+    /// The starts (x, t) of the search. The designs x are `designs`, their mean, the setup's own
+    /// design and points spread over the ranges. A design for which a goal has no value is left
+    /// out. t exceeds the greatest loss of x by at least a tenth of a display unit.
     fn starts(&self, designs: &[&[f64]], count: usize) -> Result<Vec<Vec<f64>>> {
         let margin = 0.1 * DisplayUnit::from(&self.search.of).size();
         let models = self.problems.len();

@@ -12,7 +12,7 @@ use statrs::distribution::{ContinuousCDF, Normal};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
     /// Product of Gauss's rules with this number of nodes for each parameter. [`Rule::of`] chooses
-    /// it for up to three parameters.
+    /// this rule for up to three parameters.
     Quadrature(usize),
     /// A scrambled Sobol' sequence.
     Sequence {
@@ -119,8 +119,8 @@ impl Rule {
         })
     }
 
-    /// Refuses a rule without scenarios, or with more than [`MOST_SCENARIOS`] for this number of
-    /// parameters. [`Rule::Recorded`] is not checked: it makes no scenarios of its own.
+    /// Refuses a rule without scenarios, and a rule with more than [`MOST_SCENARIOS`] scenarios for
+    /// this number of parameters. [`Rule::Recorded`] is not checked, because it makes no scenarios.
     fn check_count(self, parameters: usize) -> Result<()> {
         let count = match self {
             Self::Quadrature(nodes) => nodes.saturating_pow(parameters as u32),
@@ -224,8 +224,8 @@ impl Scenarios {
     }
 
     /// Independent scramblings of Sobol's sequence over the same distributions, for estimates from
-    /// points that no search has used. Each has [`POINTS`] points, or the number of points of the
-    /// rule if this is a longer sequence. Empty without distributions.
+    /// points that no search has used. Each has [`POINTS`] points. If the rule is a sequence with
+    /// more points, each has the number of points of the rule. Empty without distributions.
     pub(in crate::study) fn sequences(&self) -> Vec<Result<Self>> {
         let Some(swings) = &self.distributed else {
             return vec![];
@@ -234,7 +234,7 @@ impl Scenarios {
             Rule::Sequence { count, seed } => (count.max(POINTS), seed),
             _ => (POINTS, 0),
         };
-        // keeps the seeds far from the seeds that users usually choose
+        // keep the seeds far from the seeds that users usually choose
         let seed = |round: u32| seed.wrapping_add(0x9e37_79b9_u32.wrapping_mul(round + 1));
         (0..SEQUENCES)
             .map(|round| {
@@ -258,10 +258,9 @@ impl Scenarios {
         }
     }
 
-    /// The points of the scenarios, followed by copies for a function of the parameters with the
-    /// indices `of`. In a copy, each of these parameters has the value of a bound of its
-    /// distribution. There are copies for all combinations of lower and upper bounds. A parameter
-    /// with an infinite bound keeps its values.
+    /// The points of the scenarios, followed by copies. In a copy, the parameters with the indices
+    /// `of` have values at the bounds of their distributions. There are copies for all combinations
+    /// of lower and upper bounds. A parameter with an infinite bound keeps its value.
     pub(crate) fn with_bounds<'a>(&'a self, of: &[usize]) -> impl Iterator<Item = Vec<f64>> + 'a {
         let bounds = |k: &usize| Some((*k, self.bounds(*k)?));
         let (bounded, unbounded): (Vec<_>, Vec<_>) = of
@@ -273,8 +272,8 @@ impl Scenarios {
         } else {
             1_usize << bounded.len()
         };
-        // if all parameters of `of` are bounded, the copies of each scenario give them the same
-        // values, so that copies of the first scenario are enough
+        // if all parameters of `of` are bounded, they have the same values in the copies of every
+        // scenario: copies of the first scenario are enough
         let others = if unbounded.is_empty() {
             1
         } else {
@@ -293,8 +292,8 @@ impl Scenarios {
         self.points.iter().cloned().chain(cornered)
     }
 
-    /// True if the distribution of the parameter with index `of` has an infinite bound: the
-    /// distribution then has values beyond those of the scenarios.
+    /// True if the distribution of the parameter with index `of` has an infinite bound. The
+    /// distribution then has values beyond the values of the scenarios.
     pub(crate) fn is_unbounded(&self, of: usize) -> bool {
         self.bounds(of)
             .is_some_and(|bounds| bounds.iter().any(|bound| bound.is_infinite()))
@@ -317,9 +316,9 @@ fn equally_weighted(points: Vec<Vec<f64>>) -> (Vec<Vec<f64>>, Vec<f64>) {
     (points, weights)
 }
 
-/// Point `k` of a scrambled Sobol' sequence. Its coordinates become independent normal scores
-/// within ±`REACH`, `factor` correlates the scores, and each score becomes a value of its
-/// distribution.
+/// Point `k` of a scrambled Sobol' sequence. Its coordinates are converted to independent normal
+/// scores within ±`REACH`. `factor` correlates the scores. Each score is converted to the value of
+/// its distribution.
 fn sequence_point(inputs: &[Uncertain], factor: &[Vec<f64>], k: u64, seed: u32) -> Vec<f64> {
     let normal = Normal::standard();
     let beyond = normal.cdf(-REACH);
@@ -335,8 +334,8 @@ fn sequence_point(inputs: &[Uncertain], factor: &[Vec<f64>], k: u64, seed: u32) 
         .collect()
 }
 
-/// Product of the Gauss rules of the distributions; for correlated parameters, product of the Gauss
-/// rules of their normal scores.
+/// Product of Gauss rules, one for each parameter. A parameter without correlations has the rule of
+/// its distribution. A correlated parameter has the rule of its normal score.
 fn quadrature_points(
     inputs: &[Uncertain],
     factor: &[Vec<f64>],

@@ -131,8 +131,8 @@ impl Strokes {
         [value + first * (x - inside), first, second]
     }
 
-    /// Expected strokes from the final position of a drive, on a straight hole of length `hole`; with
-    /// a Hessian if `is_second`. A missing Hessian of the position counts as 0.
+    /// Expected strokes from the final position of a drive, on a straight hole of length `hole`.
+    /// The result has a Hessian if `is_second`. A missing Hessian of the position counts as 0.
     pub(super) fn from(
         &self,
         downrange: &Taylor,
@@ -140,7 +140,8 @@ impl Strokes {
         hole: f64,
         is_second: bool,
     ) -> Taylor {
-        /// Smallest distance, m: it keeps the distance differentiable at the hole.
+        /// Distance, m, whose square is added to the squared distance to the hole. The square root
+        /// of the sum is differentiable at the hole.
         const LEAST: f64 = 0.1;
         let (x, y) = (hole - downrange.value, right.value);
         let left = (x * x + y * y + LEAST * LEAST).sqrt();

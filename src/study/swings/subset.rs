@@ -1,15 +1,16 @@
-//! A weighted subset of the scenarios. A search computes second derivatives for the drives of the
-//! subset only, as an approximation of those of all drives.
+//! A weighted subset of the scenarios. A search computes second derivatives only for the drives of
+//! the subset. They approximate the second derivatives of all drives.
 
 use super::scenarios::{Rule, Scenarios};
 use nalgebra::{DMatrix, DVector};
 
-/// Ratio of the number of all scenarios to the number in the subset, if the subset is then large
-/// enough.
+/// The number of all scenarios divided by the number in the subset. The subset may be larger
+/// because of [`LEAST`] and [`PER_MOMENT`].
 const REDUCTION: usize = 16;
 /// Minimum number of scenarios in the subset.
 const LEAST: usize = 128;
-/// Minimum number of scenarios in the subset per moment that the weights reproduce.
+/// Minimum number of scenarios in the subset, divided by the number of moments that the weights
+/// reproduce.
 const PER_MOMENT: usize = 2;
 
 /// Indices of the scenarios in the subset, in order, and the number of scenarios that each of them
@@ -36,16 +37,18 @@ pub(in crate::study) fn subset_of(scenarios: &Scenarios) -> (Vec<usize>, Vec<f64
     (subset, multiplicities)
 }
 
-/// Number of moments: the constant 1, each parameter, and each product of two (squares included).
+/// Number of moments: the constant 1, each parameter, and each product of two parameters (squares
+/// included).
 fn moments(parameters: usize) -> usize {
     1 + parameters + parameters * (parameters + 1) / 2
 }
 
 /// Weights of the subset that reproduce the means, variances and covariances of the parameters over
-/// all scenarios. They are equal weights plus the smallest change, in the least-squares sense, that
-/// achieves this. A mean over the subset is then exact for quadratic functions of the parameters.
+/// all scenarios. A mean over the subset is then exact for quadratic functions of the parameters.
+/// Of all such weights, these are nearest to equal weights in the least-squares sense.
 fn subset_weights(subset: &[usize], scenarios: &Scenarios) -> Vec<f64> {
-    /// Relative tolerance of singular values: parameters may be constant or linearly dependent.
+    /// Relative tolerance of singular values, which are 0 if parameters are constant or linearly
+    /// dependent.
     const ROUNDING: f64 = 1e-9;
     let n = scenarios.parameters.len();
     let over_all = |f: &dyn Fn(&[f64]) -> f64| {

@@ -11,8 +11,8 @@ use crate::study::cancellable::{LIMITS_NOT_CHECKED, each_until};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
-/// The share of the landing swings that exceeds each validity limit of the model, with the design
-/// of `setup`. `None` once `stop` is true.
+/// For each validity limit of the model: the share of the swings that exceed it, with the design of
+/// `setup`. Only swings that land count. `None` once `stop` is true.
 fn exceeded_shares(
     setup: &Setup<f64>,
     scenarios: &Scenarios,
@@ -98,8 +98,8 @@ impl Robust {
             let of_drives = warnings(&setup, &self.search.scenarios, &of, stop);
             let of_setup = setup.warnings();
             for message in of_drives {
-                // a warning that does not come from the drives concerns all models, so that it
-                // names none
+                // a warning that does not come from the drives concerns all models: do not name a
+                // model
                 let message =
                     match of_setup.contains(&message) || message == LIMITS_NOT_CHECKED.into() {
                         true => message,

@@ -25,7 +25,7 @@ impl Interval {
 
 /// Indices of the rows of a resample: as many as `rows`, drawn with replacement.
 pub(in crate::study) fn resampled_rows(random: &mut Xoshiro256PlusPlus, rows: usize) -> Vec<usize> {
-    // multiply-shift: uniform up to 2⁻⁶⁴
+    // multiply-shift method: uniform with an error of 2⁻⁶⁴
     let mut row = |_| ((u128::from(random.next_u64()) * rows as u128) >> 64) as usize;
     (0..rows).map(&mut row).collect()
 }

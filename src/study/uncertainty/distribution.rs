@@ -143,7 +143,7 @@ impl Distribution {
             (0.0..=1.0).contains(&p),
             "a probability must be from 0 to 1, but it is {p}"
         );
-        // the constructors below succeed if the widths are positive, as `check` requires
+        // the constructors below need positive widths, which `check` requires
         match *self {
             Self::Normal { mean, deviation } => {
                 Normal::new(mean, deviation).map_or(f64::NAN, |d| d.inverse_cdf(p))
@@ -247,10 +247,13 @@ impl Distribution {
         }
     }
 
-    /// Upper bound of the Poincaré constant C: Var f ≤ C · E f′² for any f. Normal: σ². Uniform:
-    /// (width/π)². Triangular: (longer side/j₀,₁)² (Roustant, Barthe & Iooss 2017). Truncated
-    /// normal: the smaller of σ², before truncation, and (width/π)² (Bakry & Émery 1985; Payne &
-    /// Weinberger 1960).
+    /// Upper bound of the Poincaré constant C, for which Var f ≤ C · E f′² for any f:
+    ///
+    /// - normal: σ²;
+    /// - uniform: (width/π)²;
+    /// - triangular: (longer side/j₀,₁)² (Roustant, Barthe & Iooss 2017);
+    /// - truncated normal: σ² before truncation, or (width/π)² if that is smaller (Bakry & Émery
+    ///   1985; Payne & Weinberger 1960).
     pub fn poincare(&self) -> f64 {
         match *self {
             Self::Normal { deviation, .. } => deviation.powi(2),
@@ -268,9 +271,9 @@ impl Distribution {
     }
 }
 
-/// The bounds of a truncated standard normal distribution, with the sign 1. Bounds that are both
-/// above the mean are mirrored to below it, with the sign −1, because probabilities of the lower
-/// tail keep their full relative precision, but those of the upper tail suffer cancellation.
+/// The bounds of a truncated standard normal distribution, with the sign 1. If both bounds are
+/// above the mean, they are mirrored to below the mean, with the sign −1. Probabilities of the
+/// upper tail suffer cancellation; probabilities of the lower tail keep their relative precision.
 fn below_the_mean([low, high]: [f64; 2]) -> ([f64; 2], f64) {
     if low > 0.0 {
         ([-high, -low], -1.0)
