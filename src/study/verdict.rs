@@ -1,4 +1,4 @@
-//! Texts on the result of a search: status, message, active bounds and constraints.
+//! Texts about the result of a search: status, message, active bounds and constraints.
 
 use super::goal::Constraint;
 use super::optimum::{LocalOptimum, Optimum};
@@ -88,9 +88,9 @@ pub(super) fn status_name(status: Status) -> &'static str {
     }
 }
 
-/// Text on the constraints that the final point of a search violates. Its numbers are the exact
-/// values `goals`. If these are missing or meet all limits, the numbers are the smoothed values of
-/// the search.
+/// Text about the constraints that the final point of a search violates. The text has the exact
+/// values `goals`. If `goals` is missing or meets all limits, it has the smoothed values of the
+/// search.
 pub(super) fn violated(
     constraints: &[Constraint],
     found: &Solution,
@@ -247,7 +247,8 @@ impl Optimum {
         ))
     }
 
-    /// Message for a search in which no drive flies, with the reason at the start.
+    /// Message for a search in which no drive flies. It gives the reason for the drive at the
+    /// start.
     fn no_flight(&self) -> Message {
         let trials = self.search.options.start_trials as usize;
         let trials = trials + self.sample.map_or(0, |sample| sample.points);
@@ -258,8 +259,8 @@ impl Optimum {
         .message(self.undefined_at_start())
     }
 
-    /// Reason why the drive at the start does not fly. The optimizer stores only its text. A new
-    /// computation of the drive gives the reason as a message whose values can change units.
+    /// Reason why the drive at the start does not fly. The optimizer stores the reason as plain
+    /// text. The drive is computed again for a message whose values can be shown in other units.
     fn undefined_at_start(&self) -> Message {
         let start = self.solution.undefined_at_start.as_deref();
         let text = start.unwrap_or_default();
@@ -372,8 +373,8 @@ impl Optimum {
             .all(|change| change.abs() < ROUNDING)
     }
 
-    /// Message on the point at which the search began, if the ball does not fly with the setup's
-    /// own values; `None` if the search began at these.
+    /// Message with the point at which the search began, if the ball does not fly at the setup's
+    /// own values. `None` if the search began at the setup's own values.
     pub fn moved_start(&self) -> Option<String> {
         let why = self.solution.undefined_at_start.as_ref();
         let why = why.filter(|_| !self.solution.initial_point.is_empty())?;

@@ -56,8 +56,8 @@ pub enum EllipseSource {
 impl LandingEllipse {
     /// The ellipse around the mean that contains the share p of a bivariate normal distribution of
     /// lateral and carry, m, with this covariance, m². In the ellipse, the squared Mahalanobis
-    /// distance is at most −2 ln(1 − p). Landings on a line have a univariate distribution: the
-    /// ends are its quantiles (1 ± p)/2.
+    /// distance is at most −2 ln(1 − p). If the landings lie on a line, they have a univariate
+    /// normal distribution, and the ellipse ends at the quantiles (1 ± p)/2.
     pub fn new(share: f64, [lateral, carry]: [f64; 2], covariance: [[f64; 2]; 2]) -> Self {
         let [[xx, xy], [_, yy]] = covariance;
         let eigen = nalgebra::Matrix2::new(xx, xy, xy, yy).symmetric_eigen();
@@ -98,7 +98,7 @@ impl LandingEllipse {
                 left = [left[0] - part * axis[0], left[1] - part * axis[1]];
             }
         }
-        // a degenerate ellipse contains only points of its line, up to rounding
+        // a flat ellipse is a line, and contains only points on this line, up to rounding
         let rounding = 1e-12 * (off[0].hypot(off[1]) + lateral.hypot(carry));
         squares <= 1.0 && left[0].hypot(left[1]) <= rounding
     }

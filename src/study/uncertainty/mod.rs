@@ -41,7 +41,7 @@ pub struct Uncertainty {
     pub inputs: Vec<Uncertain>,
     /// Uncertainty of each outcome.
     pub outcomes: Vec<OutcomeUncertainty>,
-    /// Statuses of all drives of the sample: N (d + 2) for N points and d parameters.
+    /// Number of drives by status. The sample has N (d + 2) drives for N points and d parameters.
     pub status_counts: StatusCounts,
     /// Size and seed of the sample.
     pub plan: SamplePlan,
@@ -56,12 +56,12 @@ impl Uncertainty {
         self.part_of(|status| !matches!(status, Status::Landed | Status::OutOfRange))
     }
 
-    /// Warnings if many sampled values are not allowed, or if many drives do not land. The results
-    /// come from the other drives, which are then not a sample of the distributions.
+    /// Warnings if the values of many drives are not allowed, or if many drives do not land. The
+    /// results are computed from the other drives, which do not represent the distributions.
     pub fn warnings(&self) -> Vec<Message> {
-        /// Largest fraction of drives without a warning. Example: if the allowed range ends 2
-        /// standard deviations above the mean of a normal distribution, 2.3 % of the values are
-        /// outside, and there is a warning.
+        /// A warning appears if a larger fraction of the drives is lost. Example: if the allowed
+        /// range ends 2 standard deviations above the mean of a normal distribution, 2.3 % of the
+        /// values are outside, and there is a warning.
         const MANY: f64 = 0.02;
         let percent = |part: f64| significant(100.0 * part, 2);
         let outside = self.part_of(|status| status == Status::OutOfRange);
@@ -114,8 +114,8 @@ pub struct OutcomeUncertainty {
     pub of: Outcome,
     /// True if the outcome varies by more than rounding errors.
     pub varies: bool,
-    /// Value, gradient and Hessian by the uncertain parameters at their means; `None` if they do
-    /// not exist.
+    /// Value, gradient and Hessian by the uncertain parameters, at the means of the parameters.
+    /// `None` if the value or the gradient does not exist.
     #[serde(skip)]
     pub at_means: Option<Taylor>,
     /// The moments from the gradient at the means; `null` if the gradient does not exist.
@@ -150,9 +150,9 @@ pub struct Contribution {
     #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub mean_square_slope: Option<f64>,
     /// An estimated upper bound of the total index, from the derivatives of the sample.
-    // C · mean((∂f/∂p)²) / variance, C the Poincaré constant of the distribution (Sobol' &
-    // Kucherenko 2009; Lamboni et al. 2013). With the true mean and variance it is an upper bound;
-    // the sample gives an estimate with an interval.
+    // C · mean((∂f/∂p)²) / variance, with the Poincaré constant C of the distribution (Sobol' &
+    // Kucherenko 2009; Lamboni et al. 2013). The true mean and variance give an upper bound. The
+    // sample gives an estimate of this bound, with an interval.
     pub bound: Option<Interval>,
 }
 
@@ -186,8 +186,9 @@ fn measure_first(sampled: &Statistics, inputs: &[Uncertain]) -> Option<MeasureFi
     let totals: Option<f64> = others
         .map(|(_, indices)| Some(indices.as_ref()?.total.value))
         .sum();
-    // the share 1 − `share` of the variance remains. The sum of the other total indices is an upper
-    // bound of it, and its estimate is more accurate than 1 − `share` if `share` is close to 1
+    // knowledge of the parameter leaves the fraction 1 − `share` of the variance. The sum of the
+    // other total indices is an upper bound of this fraction. If `share` is close to 1, the sum is
+    // the more accurate estimate
     let left = totals
         .filter(|most| *most < 1.0 - share.low)
         .unwrap_or(1.0 - share.value);
@@ -285,8 +286,8 @@ struct SampledDrives<'a> {
 }
 
 impl SampledDrives<'_> {
-    /// A column of the results at a set of points. The columns are the outcomes, then, for set A
-    /// only, the derivatives of each outcome by each input.
+    /// A column of the results at a set of points. The first columns are the outcomes. In set A,
+    /// the derivatives of each outcome by each input follow.
     fn column(&self, set: usize, column: usize) -> Vec<Option<f64>> {
         self.blocks[set]
             .iter()
@@ -294,8 +295,9 @@ impl SampledDrives<'_> {
             .collect()
     }
 
-    /// Values of outcome `i` at a set of points. Directions are unwrapped to within half a turn of
-    /// the value at the means of the parameters; without this value, of the first sampled value.
+    /// Values of outcome `i` at a set of points. Directions are unwrapped: they lie within half a
+    /// turn of the value at the means of the parameters. If that value does not exist, the first
+    /// sampled value replaces it.
     fn unwrapped(&self, set: usize, i: usize) -> Vec<Option<f64>> {
         let first = || self.column(0, i).into_iter().flatten().next();
         let reference = self.at_means[i]
@@ -343,8 +345,9 @@ impl SampledDrives<'_> {
         }
     }
 
-    /// The contribution of each parameter to the variance of an outcome: its indices in `sampled`,
-    /// and the upper bound of its total index from the squared derivatives at the points of set A.
+    /// The contribution of each parameter to the variance of an outcome: its indices from
+    /// `sampled`, and the upper bound of its total index from `squares`, the squared derivatives at
+    /// the points of set A.
     fn contributions(
         &self,
         values: &[Vec<Option<f64>>],

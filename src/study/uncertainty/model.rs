@@ -28,9 +28,9 @@ const RESAMPLES: usize = 400;
 /// variable, both of its indices are 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Indices {
-    /// First-order index: mean share of variance removed by knowing this variable.
+    /// First-order index: mean share of the variance that knowledge of this variable removes.
     pub first: Interval,
-    /// Total index: mean share of variance left after knowing all other variables.
+    /// Total index: mean share of the variance that is left if all other variables are known.
     pub total: Interval,
 }
 
@@ -49,8 +49,9 @@ pub struct Statistics {
     #[serde(serialize_with = "by_level")]
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, f64>"))]
     pub quantiles: [f64; 3],
-    /// Indices of each variable, in order; `None` if the outcome does not vary, or if fewer than
-    /// two points have the outcome in all their drives.
+    /// Indices of each variable, in order. A row consists of one point of each set, and is complete
+    /// if the outcome exists at all its points. `None` if the outcome does not vary, or if there
+    /// are fewer than two complete rows.
     #[serde(skip)]
     pub indices: Vec<Option<Indices>>,
     /// Number of points that are omitted because one of their drives does not have the outcome.
@@ -84,7 +85,7 @@ impl SaltelliDesign {
     pub fn new(inputs: &[Distribution], plan: SamplePlan) -> Result<Self> {
         inputs.iter().try_for_each(Distribution::check)?;
         let mut random = Xoshiro256PlusPlus::seed_from_u64(plan.seed);
-        // midpoint of one of 2⁵³ cells: never 0 or 1
+        // a random number in (0, 1): the midpoint of one of 2⁵³ cells, never 0 or 1
         let mut unit = || ((random.next_u64() >> 11) as f64 + 0.5) / (1_u64 << 53) as f64;
         let mut set = || -> Vec<Vec<f64>> {
             let mut point = || inputs.iter().map(|input| input.quantile(unit())).collect();
@@ -106,9 +107,9 @@ impl SaltelliDesign {
         })
     }
 
-    /// Statistics of an output. `values` has its value at each of [`points`](Self::points), in the
-    /// same order; `None` where it does not exist. The result is `None` if A and B have fewer than
-    /// two finite values.
+    /// Statistics of an output. `values` contains the output at each of [`points`](Self::points),
+    /// in the same order; `None` if the output does not exist there. The result is `None` if the
+    /// sets A and B together have fewer than two finite values.
     ///
     /// # Panics
     /// If the number of values differs from the number of points in a set.
@@ -164,8 +165,8 @@ impl SaltelliDesign {
         })
     }
 
-    /// The numbers of `estimate` for all rows, each with its bootstrap interval. `estimate` takes
-    /// row indices.
+    /// Evaluates `estimate` for all rows. Each of its numbers gets a bootstrap interval. `estimate`
+    /// takes row indices.
     fn bootstrap(
         &self,
         rows: usize,
@@ -192,9 +193,9 @@ impl SaltelliDesign {
             .collect()
     }
 
-    /// For each column of `at_a`: its mean over the points of A, divided by the variance of the
-    /// output with the values `values`. Each bootstrap resample gives both mean and variance.
-    /// `None` if the output does not vary, or if no point of A has a value in the column.
+    /// For each column of `at_a`: the mean of the column over the points of A, divided by the
+    /// variance of `values`. Each bootstrap resample recomputes both. `None` if the output does not
+    /// vary, or if the column has no values.
     pub fn means_by_variance(
         &self,
         values: &[Vec<Option<f64>>],
@@ -243,8 +244,8 @@ impl SaltelliDesign {
     }
 }
 
-/// Rows of values f_A, f_B, f_AB1 …, minus the mean: an offset would add noise to the products in
-/// [`shares`]. Rows with a value that is missing or not finite are omitted.
+/// Complete rows of values f_A, f_B, f_AB1 …, minus the mean. An offset would add noise to the
+/// products in [`shares`]. Rows with a value that is missing or not finite are omitted.
 fn complete_rows(values: &[Vec<Option<f64>>], mean: f64) -> Vec<Vec<f64>> {
     let centred = |value: f64| value.is_finite().then_some(value - mean);
     (0..values[0].len())
@@ -257,8 +258,9 @@ fn complete_rows(values: &[Vec<Option<f64>>], mean: f64) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// First-order and total index of each variable from the rows `drawn` of values f_A, f_B, f_AB1 …:
-/// estimators (b) and (f) of table 2 in Saltelli et al. (2010), the latter from Jansen (1999).
+/// First-order and total index of each variable, from the rows of values f_A, f_B, f_AB1 … whose
+/// numbers are in `drawn`. Estimators (b) and (f) of table 2 in Saltelli et al. (2010); (f) is from
+/// Jansen (1999).
 fn shares(rows: &[Vec<f64>], drawn: &[usize], inputs: usize) -> Vec<[f64; 2]> {
     let n = drawn.len() as f64;
     let (mut sum, mut squares) = (0.0, 0.0);

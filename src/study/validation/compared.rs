@@ -13,14 +13,14 @@ pub enum Compared {
     Curve,
     /// Carry minus the carry of the first drive of the set.
     Gain,
-    /// Launch angle at the optimum.
+    /// Launch angle of the drive at the loft of longest carry.
     LaunchAngle,
-    /// Spin at the optimum.
+    /// Spin of the drive at the loft of longest carry.
     Spin,
 }
 
 variant_names! {
-    /// Name of the quantity, which is also the head of its data column.
+    /// Name of the quantity. The data column has this name and a unit as its head.
     Compared as "Compared" {
         Carry = "carry",
         Apex = "apex",

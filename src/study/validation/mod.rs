@@ -16,8 +16,8 @@ use crate::parameters::Law;
 use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
-/// Temperatures, K, of air colder and warmer than the default of 25 °C, for drives whose source
-/// does not state the air: 15 and 35 °C.
+/// Two temperatures, K, below and above the default of 25 °C: 15 and 35 °C. Drives whose source
+/// does not state the air are also computed at these.
 pub const OTHER_TEMPERATURES: [f64; 2] = [288.15, 308.15];
 
 /// The error of a quantity for one drive.
@@ -89,8 +89,8 @@ pub struct LawScores {
     /// The bias of the first quantity in colder and warmer air; `null` for a set whose source
     /// states the air, and for a set of optima.
     pub bias_in_other_air: Option<BiasInOtherAir>,
-    /// The bias of carry, m, if the mean over drives with scattered launches replaces the drive
-    /// with the average launch; `null` if the published drives are not averages.
+    /// The bias of carry, m, if the mean carry of scattered launches replaces the carry of the
+    /// average launch; `null` if the published drives are not averages.
     // scattered by [`SCATTER`]
     #[serde(rename = "bias_averaged", serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
@@ -167,8 +167,8 @@ pub fn validation(own: Option<Law<f64>>) -> Result<Vec<SetScores>> {
 }
 
 impl SetScores {
-    /// The errors of an aerodynamic law. `base` is the case to whose carry the gains of a set are
-    /// relative; `None` for a set without gains.
+    /// The errors of an aerodynamic law. `base` is the reference case of the gains of carry; `None`
+    /// for a set without gains.
     fn law_scores(&self, base: Option<&Case>, law: Law<f64>) -> Result<LawScores> {
         let scores = self.scores(base, law, None)?;
         let averaged = if self.set.is_averaged {
@@ -227,8 +227,8 @@ impl SetScores {
             .collect())
     }
 
-    /// Bias of the first quantity, carry, if each published value is compared with the mean of
-    /// drives scattered by [`SCATTER`]. `None` if this mean cannot be computed for a case.
+    /// Bias of carry if each published value is compared with the mean of drives scattered by
+    /// [`SCATTER`]. `None` if this mean cannot be computed for a case.
     fn bias_of_scattered(&self, law: Law<f64>, scores: &[Score]) -> Option<f64> {
         let bias = scores.first()?.bias?;
         let less = self

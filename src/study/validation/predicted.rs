@@ -10,9 +10,9 @@ use crate::study::{Search, optimum};
 use crate::units::{DEGREE, MPH, RPM};
 use std::collections::HashMap;
 
-/// Values, SI, of the compared quantities of a case, computed with a law. The air is the stated
-/// air, or else that of sea level at `temperature` (25 °C by default). A quantity is missing if the
-/// ball does not fly or no optimum was found.
+/// The compared quantities of a case, SI, computed with a law. If the case does not state its air,
+/// the air is that of sea level at `temperature` (25 °C by default). A quantity is missing if the
+/// ball does not fly, or if no optimum was found.
 pub(super) fn predicted(
     set: &Set,
     case: &Case,
@@ -24,10 +24,10 @@ pub(super) fn predicted(
         Some(preset) => Setup::preset(preset)?,
         None => Setup::default(),
     };
-    // use the published coefficients, even if the preset has others
+    // the preset may have other coefficients than the published ones
     setup.law = law;
-    // at this step the error of carry is 1 µm; with the piecewise laws `usga-itr` and `nathan` it
-    // is 4 and 40 µm
+    // with this step the error of carry is 1 µm; it is 4 µm for `usga-itr` and 40 µm for `nathan`,
+    // which are laws in pieces
     (setup.method, setup.flight.step) = (Method::DormandPrince8, 0.1);
     let setup = in_air_of(case, setup, temperature);
     let found = match set.computation {
@@ -84,8 +84,8 @@ fn launched(mut setup: Setup<f64>, case: &Case) -> Setup<f64> {
     setup
 }
 
-/// Assumed standard deviations, SI, of the drives of which a published value is the average: ball
-/// speed 5.5 mph, launch angle 2°, spin 400 rpm, spin axis 9°, and wind 4 m/s from any direction.
+/// Assumed standard deviations, SI, of drives about the published average: ball speed 5.5 mph,
+/// launch angle 2°, spin 400 rpm, spin axis 9°, and wind 4 m/s from any direction.
 pub const SCATTER: [(&str, f64); 6] = [
     ("launch.ball_speed", 5.5 * MPH),
     ("launch.launch_angle", 2.0 * DEGREE),
@@ -96,8 +96,8 @@ pub const SCATTER: [(&str, f64); 6] = [
 ];
 
 /// Mean carry, m, of drives scattered by [`SCATTER`], minus the carry of the average launch. To
-/// second order it is half the sum of the second derivatives times the variances. `None` if the
-/// derivatives do not exist.
+/// second order, this is half the sum of second derivative × variance. `None` if the derivatives do
+/// not exist.
 pub(super) fn of_averaging(case: &Case, law: Law<f64>) -> Option<f64> {
     let mut setup = launched(in_air_of(case, Setup::default(), None), case);
     setup.law = law;

@@ -1,14 +1,14 @@
 use super::compared::Compared;
 use serde::Serialize;
 
-/// Method that computes the drives of a set.
+/// Method by which the drives of a set are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Computation {
     /// From the published launch.
     Launch,
-    /// From the published launch, in each case's air; the carry is relative to the first case.
+    /// From the published launch, in each case's air. The carry is relative to the first case.
     Altitude,
-    /// From the launch of the first case, in each case's air; the carry is relative to the first
+    /// From the launch of the first case, in each case's air. The carry is relative to the first
     /// case.
     AltitudeAlone,
     /// From an impact of a preset's club, with the face open by the face-to-path angle.
@@ -50,8 +50,8 @@ pub struct Set {
     /// True if the cases are averages of many drives.
     #[serde(skip)]
     pub is_averaged: bool,
-    /// True if the drives were measured and are computed from their launch. Results of models,
-    /// gains and optima are not measured.
+    /// True if the published values were measured, and the drives are computed from their launch.
+    /// False for results of models, gains and optima.
     #[serde(skip)]
     pub is_measured: bool,
     /// Preset of the club, if all cases share it.
