@@ -12,7 +12,7 @@ impl<T: 'static> Drop for PopOnDrop<T> {
     }
 }
 
-/// Runs `work` on this thread with `value` as the last, innermost value of `stack`.
+/// Runs `work` with `value` on top of the stack of this thread.
 pub(crate) fn with_innermost<T: 'static, R>(
     stack: &'static LocalKey<RefCell<Vec<T>>>,
     value: T,

@@ -88,7 +88,7 @@ pub(crate) fn ignore_stated_air(columns: &mut [Column]) {
     }
 }
 
-/// Message for a row without usable air, whose shot flies in the air of the setup.
+/// Message for a row that states no valid air density. Its shot flies in the air of the setup.
 pub(crate) fn air_of_setup(why: &str) -> String {
     format!("the air of the setup is assumed; {why}")
 }

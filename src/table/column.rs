@@ -14,13 +14,13 @@ use crate::units::{Quantity, Unit, UnitError};
 pub(crate) enum Content {
     /// A parameter of the shot.
     Input(&'static Parameter),
-    /// An outcome: measured, or a launch condition.
+    /// An outcome: a measured value, or a launch condition.
     Outcome(Outcome),
     /// The standard uncertainty of a measured outcome.
     Sigma(Outcome),
     /// Names of stationary parameters: the carry of the row is the maximum over these parameters.
     Stationary,
-    /// Standard uncertainty of the location of the carry's maximum.
+    /// Standard uncertainty of a stationary parameter at the maximum of the carry.
     SigmaStationary,
     /// A remark, ignored.
     Note,
@@ -34,8 +34,7 @@ pub(crate) struct Column {
     pub content: Content,
     pub head: String,
     unit: Option<String>,
-    /// The parsed unit; `None` if there is no unit, or if it is not a unit of the column's
-    /// quantity.
+    /// The parsed unit; `None` if there is no unit, or if the unit does not fit the quantity.
     size: Option<Unit>,
     pub format: TableFormat,
     /// True for an air column that the setup overrides.
@@ -55,7 +54,7 @@ pub(crate) struct Column {
 /// Format of a table. The default is the format of a table in SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct TableFormat {
-    /// True for an export of a launch monitor: unknown columns are ignored.
+    /// True for an export of a launch monitor. Its unknown columns are ignored.
     pub is_export: bool,
     /// True if numbers may have decimal commas.
     pub has_decimal_comma: bool,
@@ -76,7 +75,7 @@ pub(super) const STATUS: &str = "status";
 pub(crate) const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
 /// Prefixes of columns that `fly` adds.
 const FLOWN_PREFIXES: [&str; 2] = ["Predicted ", "Residual "];
-/// Group of the launch conditions.
+/// Prefix of the names of launch conditions.
 pub(super) const LAUNCH: &str = "launch.";
 
 impl Column {
@@ -108,7 +107,7 @@ impl Column {
             });
         }
         let unit = unit.or(below);
-        // true if another parameter of the setup replaces this one, such as weather the density
+        // true if a set parameter replaces this one; for example, the weather replaces the density
         let is_replaced = |name: &str| {
             let parameter = setup.parameter(name);
             parameter.is_ok_and(|parameter| setup.why_replaced(parameter).is_some())
@@ -222,8 +221,8 @@ impl Column {
             (None, _) => Ok(()),
             (Some(unit), Some(quantity)) => {
                 let of_the_head = |e: UnitError| match e {
-                    // the column head contains a unit without a number, so the message names only
-                    // the unit
+                    // the text of this error would quote the 1 that is read below, which is not in
+                    // the column head
                     UnitError::WrongKind {
                         wanted, examples, ..
                     } => self.unreadable(format!(
@@ -306,7 +305,7 @@ impl Column {
         }
     }
 
-    /// True if a cell of this column may state this side in place of a sign.
+    /// True if a cell of this column may state this side, such as `R`, in place of a sign.
     fn accepts_side(&self, side: CellSide) -> bool {
         let of_parameter = |names: &[&str]| match self.content {
             Content::Input(parameter) => names.contains(&parameter.name),
@@ -492,7 +491,8 @@ fn is_missing(cell: &str) -> bool {
         .any(|word| cell.eq_ignore_ascii_case(word))
 }
 
-/// The outcome that launch monitors measure: their carry is the distance to the landing point.
+/// The outcome that a launch monitor measures under this name: `carry` is the distance to the
+/// landing point.
 fn measured(outcome: Outcome) -> Outcome {
     if outcome == Outcome::Carry {
         Outcome::CarryDistance
@@ -501,7 +501,8 @@ fn measured(outcome: Outcome) -> Outcome {
     }
 }
 
-/// True for an unknown column head of a launch monitor, false for a misspelt name of this program.
+/// True if an unknown name is a column head of a launch monitor; false if it is a misspelt name of
+/// this program.
 fn is_head_of_launch_monitor(name: &str, format: TableFormat) -> bool {
     let is_written_otherwise = name.is_empty() || name.contains(". ");
     let has_own_marks = name.contains(['_', '.']) && !name.ends_with('.');
@@ -545,7 +546,7 @@ fn named(setup: &Setup<f64>, name: &str) -> Result<Content> {
     })
 }
 
-/// The parameter of a column, or an error whose suggestions include outcomes.
+/// The parameter with the column name `name`, or an error whose suggestions include outcomes.
 fn known(setup: &Setup<f64>, name: &str) -> Result<&'static Parameter> {
     setup.column(name).map_err(|error| match error {
         Error::Unknown { .. } => {

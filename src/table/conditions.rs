@@ -55,15 +55,15 @@ pub(crate) fn without_redundant_spins(values: StatedConditions) -> StatedConditi
     [speed, angle, direction, spin, backspin, sidespin, axis]
 }
 
-/// True for a row without a launch direction, or without a spin tilt (spin axis or sidespin). Its
-/// lateral results are assumptions, which must not be compared with measured ones.
+/// True for a row without a launch direction, or without a spin tilt (spin axis or sidespin).
+/// Missing values are assumed to be 0, so lateral results are not compared with measured values.
 pub(crate) fn is_straight_by_assumption(values: &StatedConditions) -> bool {
     let [_, _, direction, _, _, sidespin, axis] = values;
     direction.is_none() || sidespin.is_none() && axis.is_none()
 }
 
-/// Message about spin values of a row that contradict the spin that is flown, or cannot be used;
-/// `None` if there are none. `back` and `side` are the backspin and the sidespin that are flown.
+/// Message if spin values of a row are not used although they differ from the spin of the flight;
+/// `None` otherwise. `back` and `side` are the backspin and the sidespin of the flight.
 pub(crate) fn contradiction(
     values: StatedConditions,
     [back, side]: [f64; 2],
@@ -71,7 +71,7 @@ pub(crate) fn contradiction(
 ) -> Option<String> {
     let used = without_redundant_spins(values);
     let (spin, axis) = (back.hypot(side), side.atan2(back));
-    // without a spin tilt, any backspin up to the total spin is possible
+    // if the spin tilt is unknown, any backspin up to the total spin is possible
     let is_tilted = used[5].is_some() || used[6].is_some();
     let is_off = |of: Outcome, value: f64| {
         let off = match of {

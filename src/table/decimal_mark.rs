@@ -34,15 +34,15 @@ impl DecimalMark {
         }
     }
 
-    /// The mark of a number that contains either commas or points; `None` for both and for neither.
+    /// The mark of a number that contains only commas or only points; `None` for other numbers.
     fn only_in(number: &str) -> Option<Self> {
         Self::ALL
             .into_iter()
             .find(|mark| number.contains(mark.sign()) && !number.contains(mark.other().sign()))
     }
 
-    /// Detects the mark of a table from `columns` of some rows; `None` if both marks or no mark
-    /// occur. Marks that may separate thousands do not count.
+    /// Detects the decimal mark of a table from `columns` of some rows. `None` if no mark occurs,
+    /// or if both occur. Marks that may separate thousands do not count.
     pub fn detect(
         separator: u8,
         columns: impl Iterator<Item = usize> + Clone,
@@ -91,8 +91,8 @@ impl DecimalMark {
 pub(crate) struct DecimalMarkCheck {
     /// The first cell with a comma, and the first cell with a point.
     first: [Option<MarkedCell>; 2],
-    /// The first cell with a comma that may separate thousands, and the first cell with a point
-    /// that may.
+    /// The first cell with a comma that may separate thousands, and the first cell with such a
+    /// point.
     first_ambiguous: [Option<MarkedCell>; 2],
 }
 

@@ -6,14 +6,14 @@ use std::io::{self, Read};
 /// Byte-order mark of UTF-8.
 const MARK: [u8; 3] = [0xef, 0xbb, 0xbf];
 
-/// A line feed in UTF-16 with swapped bytes. Unicode does not assign this character: it appears if
-/// a byte before the line feed is missing.
+/// A line feed in UTF-16 with its two bytes swapped. Unicode does not assign this character. The
+/// decoded text contains it if a byte before the line feed is missing.
 const SWAPPED_LINE_END: char = '\u{a00}';
 
 /// Bytes read at a time.
 const PIECE: usize = 1 << 14;
 
-/// Encoding of the lines, after decoding of UTF-16.
+/// Encoding of the lines. UTF-16 has been decoded to UTF-8 before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Encoding {
     Utf8,
@@ -22,8 +22,8 @@ pub(crate) enum Encoding {
 }
 
 impl Encoding {
-    /// Detects the encoding from the first bytes: Windows-1252 if they are not valid UTF-8. The
-    /// last character may be incomplete.
+    /// Detects the encoding from the first bytes: Windows-1252 if they are not valid UTF-8. An
+    /// incomplete last character is ignored.
     pub fn of(beginning: &[u8]) -> Self {
         match std::str::from_utf8(beginning) {
             Err(error) if error.error_len().is_some() && !beginning.contains(&0) => {
@@ -54,8 +54,8 @@ impl Encoding {
     }
 }
 
-/// The characters of Windows-1252 from 0x80 to 0x9f (encoding.spec.whatwg.org). All other
-/// characters have the numbers of their bytes.
+/// The characters of Windows-1252 from 0x80 to 0x9f (encoding.spec.whatwg.org). Every other byte is
+/// the code point of its character.
 const WINDOWS_1252: [char; 32] = [
     '€', '\u{81}', '‚', 'ƒ', '„', '…', '†', '‡', 'ˆ', '‰', 'Š', '‹', 'Œ', '\u{8d}', 'Ž', '\u{8f}',
     '\u{90}', '‘', '’', '“', '”', '•', '–', '—', '˜', '™', 'š', '›', 'œ', '\u{9d}', 'ž', 'Ÿ',
@@ -96,7 +96,7 @@ pub(crate) fn decoded<R: Read>(mut source: R) -> io::Result<Decoded<R>> {
         .read_to_end(&mut raw)?;
     let mut decoded = Decoded {
         source,
-        // UTF-16 without a byte-order mark: every other byte of ASCII text is 0; UTF-8 text
+        // in UTF-16 without a byte-order mark, every second byte of ASCII text is 0; UTF-8 text
         // contains no 0
         code_unit: match raw.get(..4).or(raw.get(..2)) {
             Some([0xff, 0xfe, ..] | [1..=0xff, 0, 1..=0xff, 0]) => Some(u16::from_le_bytes),

@@ -17,10 +17,10 @@ const DEFAULT_UNITS: [(Quantity, &str); 4] = [
     (Quantity::TIME, "s"),
 ];
 
-/// Assumes the default unit for a column whose head has no unit, unless a cell of `rows` has one:
-/// then each cell of the column states its unit. [`Column::read`] has assumed degrees for angles
-/// already. Returns the head with the assumed unit, for [`assumed_units_remark`]; `None` if no unit
-/// is assumed.
+/// Assumes the default unit for a column whose head has no unit. If a cell of `rows` has a unit, no
+/// unit is assumed, because each cell of the column then states its own. For angles,
+/// [`Column::read`] has already assumed degrees. Returns the head with the assumed unit, for
+/// [`assumed_units_remark`]; `None` if no unit is assumed.
 pub(crate) fn assume_unit(at: usize, column: &mut Column, rows: &[Vec<String>]) -> Option<String> {
     if !column.lacks_unit() && !column.is_in_assumed_degrees() {
         return None;
@@ -57,7 +57,7 @@ pub(crate) fn assumed_units_remark(assumed: &[String]) -> Option<Message> {
 pub(crate) enum ClubColumns {
     /// Ignored: the ball flies from its measured launch.
     Ignored,
-    /// Read: they help to find the delivery that produced the launch.
+    /// Read: the club values help to find the delivery that produced the launch.
     Read,
 }
 
@@ -99,7 +99,8 @@ pub(crate) fn with_nearest(head: &str) -> String {
     }
 }
 
-/// Clause that lists unknown column heads similar to known ones: "; near a known head: …".
+/// The words "; near a known head: …" with the unknown column heads that are similar to known ones;
+/// empty if there are none.
 pub(crate) fn near_known(columns: &[Column]) -> String {
     let near = columns.iter().filter(|column| column.is_unknown());
     let near = near.filter_map(|column| {
@@ -117,7 +118,7 @@ pub(crate) fn near_known(columns: &[Column]) -> String {
     }
 }
 
-/// Message for an export that states the air of its rows, which the setup overrides; `None` for
+/// Message if the air of the setup replaces the air that an export states for each row; `None` for
 /// other tables.
 pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
     let column = columns.iter().find(|column| column.is_overridden_air)?;
@@ -147,8 +148,7 @@ pub(crate) fn in_degrees<'a>(columns: impl IntoIterator<Item = &'a Column>) -> O
 ///
 /// - the smash factor,
 /// - columns of the club, if `club` is [`ClubColumns::Ignored`],
-/// - redundant spin columns, unless `selects_spin_by_row` is true and no columns of the club are
-///   read.
+/// - redundant spin columns, if `selects_spin_by_row` is false, or if columns of the club are read.
 ///
 /// Returns remarks.
 pub(super) fn ignore_columns(
@@ -228,7 +228,7 @@ pub(crate) fn heads_of<'a>(
 }
 
 fn unknown_columns(columns: &[Column]) -> Option<Message> {
-    // a condition column is known: it may state the air of the rows
+    // a column with the head `conditions` is not reported, because it may state the air of the rows
     let is_condition = |column: &Column| is_condition_head(&words(&column.head));
     let unknown: Vec<String> = columns
         .iter()

@@ -15,13 +15,12 @@ use std::borrow::Borrow;
 pub(crate) struct TableOptions {
     /// Use of the club columns in a table with measured launches.
     pub club: ClubColumns,
-    /// Selection of the spin values if the columns state the spin more than once. True if each row
-    /// selects among its own values
-    /// ([`without_redundant_spins`](super::conditions::without_redundant_spins)); false if all rows
-    /// use the same columns.
+    /// Choice of the spin values if several columns state the spin. True: each row chooses among
+    /// its own values ([`without_redundant_spins`](super::conditions::without_redundant_spins)).
+    /// False: all rows use the same columns.
     pub selects_spin_by_row: bool,
-    /// True if each row may have its own air, as only shots may: a sweep needs a value in every
-    /// row, and a delivery does not depend on the air.
+    /// True if each row may state its own air. This holds only for shots: a sweep needs a value in
+    /// every row, and a delivery does not depend on the air.
     pub has_air_of_rows: bool,
     /// Advice for unknown column heads.
     pub advice: &'static str,
@@ -42,14 +41,14 @@ impl TableOptions {
         has_air_of_rows: true,
         advice: SHOTS_ADVICE,
     };
-    /// Measured launches, to find their deliveries.
+    /// Measured launches whose deliveries are to be found.
     pub const DELIVERIES: Self = Self {
         club: ClubColumns::Read,
         selects_spin_by_row: true,
         has_air_of_rows: false,
         advice: SHOTS_ADVICE,
     };
-    /// Points of a sweep, and swings.
+    /// Points of a sweep, or swings.
     pub const POINTS: Self = Self {
         club: ClubColumns::Ignored,
         selects_spin_by_row: false,
@@ -83,8 +82,8 @@ impl TableHead {
     /// units. `file` is the name for messages.
     ///
     /// # Errors
-    /// [`Error::Table`] with the unreadable columns, if there are any: all unknown names, if there
-    /// are several; otherwise the first error.
+    /// [`Error::Table`] if a column cannot be read. If several names are unknown, the message lists
+    /// them all. Otherwise it reports the first column that cannot be read.
     pub fn read(
         setup: &Setup<f64>,
         heads: Vec<String>,
@@ -170,10 +169,9 @@ fn all(
     column_error(faults, advice, file).map_or(Ok(columns), Err)
 }
 
-/// Resolves ambiguous names in a sweep written by this program, which has a status column. In such
-/// a table, `carry` is the distance along the target line. If launch conditions with dotted names
-/// are present, the names of launch conditions without `launch.` are computed outcomes, which are
-/// ignored.
+/// Resolves ambiguous names in a sweep that this program wrote. Such a table has a status column,
+/// and its `carry` is the distance along the target line. If a launch condition has the prefix
+/// `launch.`, names without this prefix are computed outcomes, and their columns are ignored.
 fn resolve_sweep_names(columns: &mut [Column]) {
     let is_status = |column: &Column| column.content == Content::Written && column.head == STATUS;
     if !columns.iter().any(is_status) {
@@ -203,12 +201,12 @@ fn resolve_sweep_names(columns: &mut [Column]) {
     }
 }
 
-/// The message `what: a, b` for the columns a and b in `names`; `None` without names.
+/// The message `what: a, b` for the names a and b; `None` without names.
 pub(crate) fn columns_remark<S: Borrow<str>>(what: &str, names: &[S]) -> Option<Message> {
     (!names.is_empty()).then(|| format!("{what}: {}", names.join(", ")).into())
 }
 
-/// `remark`, with the line in which the section begins.
+/// `remark` with the number of the line in which the section begins.
 pub(crate) fn remark_from_line(line: u64, remark: &Message) -> Message {
     Message::from(format!("from line {line} on: ")).message(remark.clone())
 }
@@ -224,9 +222,9 @@ pub(super) const LAUNCHES_ADVICE: &str = "name the columns of the launch by know
                                           [rpm]', and take the others out; the heads must be in \
                                           one of the first lines";
 
-/// The error for the columns of `file` that cannot be read, which are numbered from 0: all unknown
-/// names, if there are several; otherwise the first error. A message about unknown names ends with
-/// `advice`. `None` if there are no errors.
+/// The error for the columns of `file` that cannot be read; `None` if there are none. If several
+/// names are unknown, the message lists them all. Otherwise it reports the first column that cannot
+/// be read. A message about unknown names ends with `advice`. Columns are numbered from 0.
 fn column_error(faults: Vec<(usize, Error)>, advice: &str, file: &str) -> Option<Error> {
     let (mut numbers, mut unknown) = (vec![], vec![]);
     for (at, error) in &faults {

@@ -35,9 +35,8 @@ const OF_DELIVERY: &[(&str, &str)] = &[
     ("schlagfläche", "swing.face_angle"),
 ];
 
-/// Known column heads with their meanings: the column heads of the delivery, and those in the
-/// declarations of outcomes. Outcomes of the rest position are omitted, because they depend on the
-/// ground; `shots` finds their heads with [`rest_of_head`].
+/// Known column heads of the delivery and of outcomes, with their meanings. Outcomes of the rest
+/// position depend on the ground and are omitted; [`rest_of_head`] finds their heads.
 pub(super) fn heads() -> impl Iterator<Item = (&'static str, Meaning)> {
     let of_delivery = OF_DELIVERY
         .iter()
@@ -53,17 +52,18 @@ pub(super) fn heads() -> impl Iterator<Item = (&'static str, Meaning)> {
     of_delivery.chain(of_outcomes)
 }
 
-/// The outcome of the rest position with this column head, in lower case without punctuation.
+/// The outcome of the rest position whose column head is `words`, in lower case without
+/// punctuation.
 pub(crate) fn rest_of_head(words: &str) -> Option<Outcome> {
     let mut of_rest = Outcome::ALL.iter().copied().filter(|of| of.needs_run());
     of_rest.find(|of| of.column_heads().contains(&words))
 }
 
-/// Parameter of the air density that launch monitors state.
+/// Name of the parameter for an air density that a launch monitor states.
 pub(super) const AIR: &str = "air.density";
 
-/// True for the head of a column that states the conditions of the values in a row, such as the
-/// weather to which they are normalized. `words` is the head in lower case without punctuation.
+/// True for the head of a column with conditions, such as the weather to which the values of a row
+/// are normalized. `words` is the head in lower case without punctuation.
 pub(crate) fn is_condition_head(words: &str) -> bool {
     ["condition", "conditions"].contains(&words)
 }

@@ -6,8 +6,8 @@ use super::records::cells;
 use crate::drive::Outcome;
 use crate::units::Quantity;
 
-/// Meaning of a launch monitor's column head without unit; `None` for names of this program and
-/// unknown heads.
+/// Meaning of a launch monitor's column head, which is given without its unit. `None` for names of
+/// this program and unknown heads.
 pub(super) fn meaning(name: &str) -> Option<Meaning> {
     let is_a_name = || Outcome::ALL.iter().any(|of| of.name() == name);
     if is_own(name) && (!name.contains('_') || is_a_name()) {
@@ -58,8 +58,8 @@ pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
     (words.len() > 4 && !is_known && (1..=2).contains(&near.0)).then_some(near.1)
 }
 
-/// Meaning of a column head that is ambiguous without its unit: `Ball (km/h)` is a speed, but
-/// `Ball` may be the name of a ball model.
+/// Meaning of a column head with its unit. Some heads are ambiguous without a unit: `Ball (km/h)`
+/// is a speed, but `Ball` may be the name of a ball model.
 pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     let is_speed = unit.is_some_and(|unit| Quantity::SPEED.size_of(unit).is_some());
     let is_time = unit.is_some_and(|unit| Quantity::TIME.size_of(unit).is_some());
@@ -124,10 +124,10 @@ pub(crate) fn split_unit(head: &str) -> (&str, Option<String>) {
     (head, None)
 }
 
-/// Parses a line of units below the column heads, each `[mph]` or empty; `None` if the line is not
-/// a line of units. At least one cell below a known column head must be a unit, and none of the
-/// cells below known column heads may be a number. An unknown word below a known column head is
-/// also returned as a unit, so that it is reported as an error.
+/// Parses the line of units below the column heads: its cells are units such as `[mph]`, or empty.
+/// `None` if the line is not a line of units. Below known column heads, at least one cell must be a
+/// unit, and no cell may be a number. An unknown word below a known column head is returned as a
+/// unit, so that it is reported as an error.
 pub(super) fn units_row(heads: &[String], cells: &[String]) -> Option<Vec<Option<String>>> {
     let is_known = |head: &str| {
         let name = split_unit(head).0;

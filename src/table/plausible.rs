@@ -53,8 +53,8 @@ const CLUB_RANGES: [ClubRange; 4] = [
 static CLUB_RANGES_IN_SI: LazyLock<[[f64; 2]; 4]> =
     LazyLock::new(|| CLUB_RANGES.map(|range| range.ends.map(|end| end * range.shown.size())));
 
-/// Message for an implausible value of the club, and for a club speed of 0; `None` for a plausible
-/// value. `head` is the column head.
+/// Message for an implausible value of a club parameter, or a club speed of 0; `None` for a
+/// plausible value. `head` is the column head.
 pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Option<String> {
     let at = CLUB_RANGES
         .iter()
@@ -82,8 +82,8 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
 }
 
 /// Plausible range of each outcome in SI, in the order of [`Outcome::ALL`]; `None` for an outcome
-/// without such a range. An included end is moved outwards by a margin for the rounding of a unit
-/// conversion.
+/// without such a range. A bound that is itself plausible is moved outwards by the rounding of a
+/// unit conversion.
 static IN_SI: LazyLock<Vec<Option<[f64; 2]>>> = LazyLock::new(|| {
     let in_si = |of: &Outcome| {
         let plausible = of.instrument()?.plausible?;
@@ -99,7 +99,7 @@ static IN_SI: LazyLock<Vec<Option<[f64; 2]>>> = LazyLock::new(|| {
     Outcome::ALL.iter().map(in_si).collect()
 });
 
-/// Message for a value that no drive has; `None` for a plausible value.
+/// Message for a value outside of the plausible range of drives; `None` for a plausible value.
 pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
     let [low, high] = (*IN_SI.get(of as usize)?)?;
     if (low..=high).contains(&value) {

@@ -9,8 +9,8 @@ use std::io::{self, BufRead, Read};
 /// Maximum length of a line, bytes.
 const LONGEST: u64 = 1 << 20;
 
-/// Maximum number of further lines of a record. A quote that stays open over more lines is an error
-/// of the first line.
+/// Maximum number of lines of a record after its first line. If a quote is still open then, the
+/// message names the first line.
 const MOST_LINES: usize = 32;
 
 /// Reading ahead stops after this number of bytes.
@@ -28,7 +28,7 @@ pub struct Record {
 }
 
 impl Record {
-    /// Refusal of a record with an unclosed quote.
+    /// Refusal of this record if it has an unclosed quote.
     pub(crate) fn unclosed(&self) -> Option<Refusal> {
         let reason = || {
             format!(
@@ -100,7 +100,7 @@ impl Lines {
         }
         if self.is_ascii && !bytes.is_ascii() {
             self.is_ascii = false;
-            // the encoding was detected from first bytes in ASCII
+            // all bytes so far are ASCII, which does not determine the encoding
             if std::str::from_utf8(&bytes).is_err() {
                 self.encoding = Encoding::Windows1252;
             }
@@ -115,8 +115,8 @@ impl Lines {
         self.held.push_front(Ok(line));
     }
 
-    /// The next lines, which [`line`](Self::line) returns again: `most` lines, or fewer if they
-    /// have [`MOST_AHEAD`] bytes. They end before an error of the source.
+    /// Reads ahead up to `most` lines, or fewer if they have [`MOST_AHEAD`] bytes or if the source
+    /// has an error. [`line`](Self::line) returns these lines again.
     pub fn ahead(&mut self, most: usize) -> impl Iterator<Item = &str> {
         let mut bytes: usize = self.held.iter().flatten().map(|line| line.1.len()).sum();
         while self.held.len() < most && bytes < MOST_AHEAD {
@@ -240,7 +240,7 @@ pub(super) fn is_open(text: &str, separator: u8) -> bool {
     let (mut is_quoted, mut begins, mut has_closed) = (false, true, false);
     for byte in text.bytes() {
         match byte {
-            // a doubled quote closes a quoted cell and opens it again
+            // a doubled quote counts as closing the cell and opening it again
             b'"' if is_quoted || begins || has_closed => {
                 (is_quoted, begins, has_closed) = (!is_quoted, false, is_quoted);
             }

@@ -6,9 +6,10 @@ use crate::units::counted;
 
 /// Reason why a row of a table is not read.
 pub(crate) enum RowFault<'a> {
-    /// A statistic of other rows of an export, with the word that identifies it, such as `Average`.
+    /// A row of an export that summarizes other rows, with the word that identifies it, such as
+    /// `Average`.
     Summary(&'a str),
-    /// A title of an export with a single filled cell, such as the name of a club above its shots.
+    /// A row of an export with a single filled cell, which is a title, such as the name of a club.
     Title(&'a str),
     /// An unclosed quote, fewer cells than column heads, or a filled cell beyond them.
     Unreadable(Refusal),
@@ -67,7 +68,7 @@ pub(crate) struct NonShotRows {
 }
 
 impl NonShotRows {
-    /// Adds a row without a shot, by its number.
+    /// Adds a row without a shot; `row` is its number.
     ///
     /// # Errors
     /// The refusal of an unreadable row, which may hold a shot.

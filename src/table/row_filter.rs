@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 /// Maximum number of values of a column that a message lists.
 const MOST_VALUES: usize = 12;
 
-/// Conditions on the cells of a row. A row satisfies them if, for each named column, its cell
-/// equals one of the allowed values; upper and lower case are equivalent.
+/// Conditions on the cells of a row. In each named column, the cell must equal one of the allowed
+/// values; upper and lower case are equivalent.
 ///
 /// ```
 /// use longdrive::table::RowFilter;
@@ -32,7 +32,7 @@ struct ColumnFilter {
     at: usize,
     /// Number of rows for each text in this column; at most [`MOST_VALUES`] texts.
     seen: BTreeMap<String, u64>,
-    /// True if the column has other texts too.
+    /// True if the column has texts that `seen` does not list.
     has_others: bool,
 }
 

@@ -58,7 +58,7 @@ pub(crate) struct Text {
     pub name: SourceName,
     /// The first 64 KiB.
     pub beginning: String,
-    /// The whole text with its beginning, in UTF-8 or Windows-1252.
+    /// The whole text, including `beginning`, in UTF-8 or Windows-1252.
     pub source: Box<dyn Read + Send>,
     encoding: Encoding,
     /// Selection of the rows of a table.
@@ -94,7 +94,7 @@ impl Text {
     /// such file.
     pub fn of_file(path: &Path) -> Result<Self> {
         let name = SourceName(path.display().to_string());
-        // a folder can be opened, but not read: `Self::open` returns the error
+        // a folder can be opened; the error appears when `Self::open` reads it
         let file = name.io(InputFile::open(path))?;
         Self::open(&name.0, file)
     }
@@ -124,7 +124,6 @@ pub(crate) struct TextTable {
     heads: Vec<String>,
     /// The line of units of the current section; `None` without this line.
     units: Option<Vec<String>>,
-    /// The selection of rows, with the numbers of rows read so far.
     pub filter: RowFilter,
 }
 
@@ -232,8 +231,8 @@ impl TextTable {
         Ok(head)
     }
 
-    /// The first rows of the section with this head, which [`next_entry`](Self::next_entry) returns
-    /// again.
+    /// Reads ahead the first rows of the section with this head. [`next_entry`](Self::next_entry)
+    /// returns them again.
     fn rows_ahead(&mut self, head: &TableHead) -> Vec<Vec<String>> {
         let separator = self.separator;
         let lines = self.lines.ahead(MOST_ROWS);
@@ -299,7 +298,8 @@ struct HeadPlace {
 }
 
 impl HeadPlace {
-    /// The first record with two known column heads; otherwise the first record.
+    /// Finds the first record with two known column heads. If there is none, returns the first
+    /// record.
     fn find(beginning: &str) -> Option<Self> {
         let mut lines = Lines::new(
             Box::new(Cursor::new(beginning.to_owned())),
@@ -310,7 +310,8 @@ impl HeadPlace {
         let stated =
             (stated.1.len() != beginning.trim_start_matches('\u{feff}').len()).then_some(stated.0);
         let mut first = None;
-        // without a stated separator (`sep=;`), the first line of each record determines it
+        // if the text does not state a separator (`sep=;`), the separator is detected in the first
+        // line of each record
         for _ in 0..MOST_RECORDS {
             let Ok(Some((line, text))) = lines.text_line() else {
                 break;

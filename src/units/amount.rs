@@ -7,8 +7,8 @@ use super::symbols::Dimension;
 pub(crate) struct Amount {
     /// SI value.
     pub value: f64,
-    /// True if the number counts from the zero of a temperature scale: 20 degC is 293.15 K, but a
-    /// difference of 20 degC is 20 K.
+    /// True if the unit belongs to a temperature scale with its own zero: 20 degC is 293.15 K, but
+    /// a difference of 20 degC is 20 K.
     pub is_on_scale: bool,
     dimension: Dimension,
 }
@@ -41,7 +41,7 @@ impl Amount {
         })
     }
 
-    /// This number times one SI unit of the quantity `by`.
+    /// The product of this number and one SI unit of the quantity `by`.
     pub fn times(self, by: Quantity) -> Self {
         Self {
             dimension: self.dimension.times(by.dimension, 1),
@@ -49,7 +49,7 @@ impl Amount {
         }
     }
 
-    /// The named quantity of this dimension; `None` if no named quantity has it.
+    /// The quantity with this dimension; `None` if [`Quantity`] has none.
     pub fn quantity(self) -> Option<Quantity> {
         Quantity::ALL
             .iter()

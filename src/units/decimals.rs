@@ -1,4 +1,4 @@
-//! Digits of displayed numbers, as on a launch monitor.
+//! Displayed numbers, with as many digits as a launch monitor shows.
 
 use super::spelling::{leading_number, with_unit};
 use super::{Digits, Quantity, significant};
@@ -13,7 +13,7 @@ const NOISE: f64 = 1e-6;
 const LARGE: f64 = 1e9;
 
 impl Quantity {
-    /// An SI value as text in `unit`, with the digits of a launch monitor.
+    /// An SI value as text in `unit`, with as many digits as a launch monitor shows.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -41,7 +41,8 @@ impl Quantity {
         with_unit(&self.number_text(value, unit, Digits::Fine), unit)
     }
 
-    /// A difference or an uncertainty: one more decimal, and at least two significant digits.
+    /// A difference or an uncertainty as text in `unit`, with one decimal more than
+    /// [`read_off`](Self::read_off), and with at least two significant digits.
     ///
     /// ```
     /// use longdrive::units::Quantity;
@@ -75,8 +76,8 @@ impl Quantity {
         }
     }
 
-    /// Number of decimals of a number in `unit`. `None` for a number with significant digits
-    /// instead: a large number, or a unit for which `quantities!` states no decimals.
+    /// Number of decimals of a number in `unit`. `None` for a large number, and for a unit for
+    /// which `quantities!` states no decimals: these are shown with significant digits.
     fn decimals_of(self, number: f64, unit: &str) -> Option<usize> {
         let (_, decimals) = self.decimals.iter().find(|(known, _)| *known == unit)?;
         (number.abs() < LARGE).then_some(*decimals)

@@ -2,8 +2,8 @@
 
 use super::symbols::{Dimension, symbol};
 
-/// A unit: size, dimension and zero. The SI size is a fraction. Decimal units (g, cm², %) have
-/// whole denominators, so that 5679 g cm² is 5679/10⁷ kg m² to the last bit.
+/// A unit: size, dimension and zero. The SI size is a fraction. Decimal units (g, cm², %) have a
+/// whole number as denominator: 5679 g cm² is 5679/10⁷ kg m² to the last bit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Unit {
     numerator: f64,
@@ -20,8 +20,8 @@ impl Unit {
         self.zero.map_or(above, |zero| zero + above)
     }
 
-    /// An SI value as a number in this unit, from the zero of the unit's scale: 298.15 K is 25
-    /// degC.
+    /// An SI value as a number in this unit. On a temperature scale the number counts from the zero
+    /// of the scale: 298.15 K is 25 degC.
     pub fn number(&self, value: f64) -> f64 {
         (value - self.zero.unwrap_or(0.0)) / self.difference(1.0)
     }
@@ -74,8 +74,8 @@ pub(super) fn read_unit(text: &str) -> Option<Unit> {
     (!divide && !spaced.trim().is_empty()).then_some(unit)
 }
 
-/// A size as numerator and denominator. If 1/size is a whole number, this number is the
-/// denominator, so that decimal units have no rounding error; otherwise the denominator is 1.
+/// A size as [numerator, denominator]. A size of 1/n with a whole number n has the denominator n,
+/// so that decimal units have no rounding error. Other sizes have the denominator 1.
 fn fraction(size: f64) -> [f64; 2] {
     let inverse = size.recip();
     let is_decimal = (inverse - inverse.round()).abs() <= 1e-12 * inverse;

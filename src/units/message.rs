@@ -5,7 +5,7 @@ use super::{Quantity, System};
 use serde::{Serialize, Serializer};
 use std::fmt;
 
-/// A message with quantities as numbers, so that it can be displayed in the units of either system.
+/// A message with quantities as numbers, so that it can be displayed in metric or in US units.
 /// `Display` and JSON use the given unit of each quantity, in the spelling of input: `deg`.
 ///
 /// ```

@@ -265,7 +265,8 @@ impl Quantity {
     /// Parses a string with a unit to SI. `inf` and plain numbers need no unit.
     ///
     /// # Errors
-    /// [`UnitError`]: no number, a missing or unknown unit, or a unit of another quantity.
+    /// [`UnitError`] if there is no number, if the unit is missing or unknown, or if it is a unit
+    /// of another quantity.
     pub fn read(self, text: &str) -> Result<f64, UnitError> {
         self.read_as(text, Unit::value)
     }
@@ -378,8 +379,8 @@ impl Quantity {
         }
     }
 
-    /// The unit with this spelling: a usual unit, or another unit symbol, of this quantity. `None`
-    /// for other spellings.
+    /// The unit with the spelling `written`, if it is a unit of this quantity: a usual unit or
+    /// another unit symbol. `None` otherwise.
     pub(crate) fn known_unit(self, written: &str) -> Option<&'static str> {
         let symbols = SYMBOLS.iter().flat_map(|symbol| symbol.names).copied();
         let known = self
@@ -390,7 +391,8 @@ impl Quantity {
         self.size_of(known).map(|_| known)
     }
 
-    /// The unit of this name, parsed once for many numbers; `None` for a unit of another quantity.
+    /// Parses a unit, so that it can convert many numbers. `None` if it is not a unit of this
+    /// quantity.
     pub(crate) fn unit_named(self, unit: &str) -> Option<Unit> {
         read_unit(unit).filter(|unit| unit.dimension == self.dimension)
     }
@@ -429,7 +431,7 @@ impl Quantity {
         units.join(", ")
     }
 
-    /// Hint for an unknown unit: the known unit in the right case or with the missing `deg`, or the
+    /// Hint for an unknown unit: a known unit that differs in case or by a missing `deg`, or the
     /// advice to write a decimal point instead of a comma. Empty without a hint.
     fn hint(self, unit: &str) -> String {
         if unit

@@ -10,7 +10,7 @@ pub const DEGREE: f64 = TAU / 360.0;
 /// A revolution per minute, rad/s.
 pub const RPM: f64 = TAU / 60.0;
 
-/// Powers of length, mass, time, angle and temperature. The angle is a dimension, so that 10 rpm
+/// Exponents of length, mass, time, angle and temperature. The angle is a dimension, so that 10 rpm
 /// are not 10 per minute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Dimension(pub [i8; 5]);
@@ -59,9 +59,9 @@ pub(super) fn symbol(name: &str) -> Option<&'static Symbol> {
     exact.or_else(|| SYMBOLS.iter().filter(|_| is_word).find(is_meant))
 }
 
-/// The unit symbols. Their sizes are exact definitions: SI brochure, 9th edition; the yard and the
-/// pound of 1959, from which inch, foot, mile and ounce follow; mercury of 13 595.1 kg/m³ at
-/// standard gravity.
+/// The unit symbols. Their sizes are exact definitions. Sources: SI brochure, 9th edition; the yard
+/// and the pound of 1959, which define inch, foot, mile and ounce; for inHg and mmHg, mercury with
+/// a density of 13 595.1 kg/m³ at standard gravity.
 fn symbols() -> Vec<Symbol> {
     use Dimension as D;
     let symbol = |names, size, dimension| Symbol {
@@ -140,14 +140,14 @@ mod tests {
     use super::{SYMBOLS, symbol};
     use std::f64::consts::TAU;
 
-    /// Relative tolerance of a size that is exact by definition.
+    /// Relative tolerance for a size that is exact by definition.
     const EXACT: f64 = f64::EPSILON;
-    /// Relative tolerance of a size that is printed with seven digits.
+    /// Relative tolerance for a size that NIST prints with seven digits.
     const SEVEN_DIGITS: f64 = 5e-7;
 
-    /// NIST Special Publication 811 (Thompson & Taylor 2008), tables 5 to 7 and appendix B.8. Sizes
-    /// printed with fewer than seven digits are compared with the library pint by a test of the
-    /// Python package.
+    /// The sizes in NIST Special Publication 811 (Thompson & Taylor 2008), tables 5 to 7 and
+    /// appendix B.8. For sizes that NIST prints with fewer than seven digits, a test of the Python
+    /// package compares with the library pint.
     #[test]
     fn published_sizes_are_those_of_nist_sp_811() {
         let sizes = [

@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 const MAGIC: &[u8; 6] = b"ARROW1";
 const FEATHER_1: &[u8; 4] = b"FEA1";
-/// Marker before the length of a message, since Arrow 0.15.
+/// Continuation marker, which precedes the length of a message since Arrow 0.15.
 const CONTINUATION: [u8; 4] = [0xff; 4];
 /// Bytes after the footer: its length, and the magic number.
 const TAIL: usize = 10;
@@ -155,7 +155,8 @@ impl ArrowFile {
             order: BatchOrder::Following { first: 0, next: 0 },
             batch: None,
         };
-        // without the magic number of a file it must be a stream, which begins with a message
+        // a file would begin with its magic number, so this must be a stream, which begins with a
+        // message
         let neither =
             "it is neither an Arrow IPC file nor a stream, or it was cut short in its first bytes";
         let head = stream.head(0).ok().flatten().ok_or(neither)?;

@@ -15,7 +15,7 @@ pub(super) trait ColumnarFile: Sized {
     /// Column names.
     fn names(&self) -> Vec<String>;
 
-    /// Reason why a column cannot be read as numbers; `None` if it can.
+    /// Reason why a column cannot be read as numbers; `None` for a numeric column.
     fn refusal(&self, column: usize) -> Option<String>;
 
     /// Goes back to the first piece.
@@ -24,8 +24,8 @@ pub(super) trait ColumnarFile: Sized {
     /// Moves to the next piece and returns its number of rows; `None` at the end.
     fn next_piece(&mut self) -> Result<Option<usize>, String>;
 
-    /// The values of a column in these rows of the current piece. Each value of a column is read
-    /// once, in the order of the rows.
+    /// The values of a column in these rows of the current piece. The caller must read each column
+    /// in the order of the rows, and each value once.
     fn values(&mut self, column: usize, rows: Range<usize>) -> Result<Vec<Option<f64>>, String>;
 }
 

@@ -15,7 +15,7 @@ pub(super) struct PointColumns {
     /// Positions in the table, from 0.
     pub at: Vec<usize>,
     pub parameters: Vec<&'static Parameter>,
-    /// Remarks on the other columns.
+    /// Remarks on the columns of the table.
     pub notes: Vec<Message>,
 }
 
@@ -96,7 +96,7 @@ impl PointColumns {
     }
 }
 
-/// Remark on ignored columns. Columns that the remarks of `head` name already are omitted.
+/// Remark on ignored columns. It omits columns that another remark names.
 fn not_read(head: &TableHead, read: &[usize]) -> Option<Message> {
     let is_read = |column: &Column| {
         read.iter()

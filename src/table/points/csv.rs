@@ -33,7 +33,7 @@ struct CsvSection {
     width: usize,
     /// Columns to read, with their positions.
     read: Vec<(usize, Column)>,
-    /// True for an export of a launch monitor, whose averages and titles are skipped.
+    /// True for an export of a launch monitor. Its rows with averages or titles are skipped.
     is_export: bool,
 }
 
@@ -62,8 +62,8 @@ impl CsvRows {
         })
     }
 
-    /// Begins a section at a line of column heads. Only the columns of the first section's
-    /// parameters are read.
+    /// Begins a section at a line of column heads. The section must have the parameters of the
+    /// first section; other columns are not read.
     fn begin(&mut self, record: &Record) -> Result<()> {
         let wanted = &TableOptions::POINTS;
         let Some(head) = self.table.section(record, &self.setup, wanted)? else {

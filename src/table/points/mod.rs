@@ -25,8 +25,9 @@ use std::path::Path;
 
 /// Opens a table by its file name extension: CSV (`.csv`, including exports of launch monitors
 /// separated by commas, semicolons or tabs), Parquet (`.parquet`), or Arrow IPC file or stream
-/// (`.arrow`, `.arrows`, `.feather`). Columns are parameters: the heads of CSV name the units,
-/// other tables are in SI. The whole table is read once, so that errors appear before any work.
+/// (`.arrow`, `.arrows`, `.feather`). Each column is a parameter. Column heads of CSV state the
+/// units; other tables are in SI. The whole table is read once, so that errors appear before any
+/// work.
 ///
 /// # Errors
 /// [`Error::Table`](crate::Error::Table) if the extension is unknown, if the file is unreadable,
@@ -61,8 +62,7 @@ pub fn open_table(setup: &Setup<f64>, path: &Path) -> Result<Box<dyn Points + Se
 /// The points of a sweep:
 ///
 /// - the rows of `table`, if it is given
-/// - otherwise `sample` points of the sequence with this seed in the ranges `over`, if `sample` is
-///   given
+/// - otherwise, if `sample` is given, this number of points of a [`Sequence`] in the ranges `over`
 /// - otherwise the grid of the axes `over`
 ///
 /// # Errors

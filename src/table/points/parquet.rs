@@ -35,7 +35,7 @@ impl ParquetFile {
                     read += records;
                 }
                 let mut present = values.into_iter().map($into);
-                // a required column has no definition levels
+                // a required column has no definition levels, and no value is missing
                 match levels.is_empty() {
                     true => present.map(Some).collect(),
                     false => levels

@@ -12,8 +12,8 @@ pub(super) trait PointRows {
     /// Goes back to the first row.
     fn rewind(&mut self) -> Result<()>;
 
-    /// Appends the values of at most `most` rows, as [`Points::read`] does, and returns the number
-    /// of rows. A missing value is NaN.
+    /// Appends the values of the next rows, at most `most` of them, as [`Points::read`] does.
+    /// Returns the number of rows. A missing value is NaN.
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
 
     /// Remarks on the columns and rows, complete after the last row.
@@ -94,7 +94,7 @@ impl<R: PointRows> TablePoints<R> {
     }
 }
 
-/// Message about invalid rows: the first of them, each with the reason, and the number of the others.
+/// Message about invalid rows: it lists the first rows with their reasons, and counts the others.
 /// `None` without invalid rows.
 fn note_of_invalid(mut listed: Vec<String>, others: u64) -> Option<Message> {
     if others > 0 {
@@ -160,7 +160,7 @@ impl<R: PointRows> Points for TablePoints<R> {
         self.notes.clone()
     }
 
-    /// A text that identifies the rows of a table: equal for equal rows in any format.
+    /// A text that identifies the rows of a table. Equal rows have equal texts, in any format.
     fn identity(&self) -> String {
         let names: Vec<_> = self
             .parameters()
