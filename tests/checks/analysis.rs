@@ -73,8 +73,8 @@ fn differences_agree(setup: &Setup<f64>, search: &Search) {
     for (parameter, sensitivity) in sensitivities(&best, &wrt, &mut |_, _| ()).unwrap() {
         let exact = sensitivity.unwrap_or_else(|e| panic!("{}: {e}", parameter.name));
         let value = best.setup.value(parameter).unwrap();
-        // the step is proportional to the parameter's value, or to 0.1 of its unit if the value is
-        // 0
+        // the step is proportional to the value of the parameter; a value of 0 counts as 0.1 of the
+        // unit
         let unit = parameter.quantity.size_of(parameter.unit).unwrap_or(1.0);
         let size = if value == 0.0 {
             0.1 * unit
@@ -108,7 +108,7 @@ fn differences_agree(setup: &Setup<f64>, search: &Search) {
             )
         };
         let h = 2e-3 * size;
-        // at the end of its range a parameter has no central difference, and is not compared
+        // a parameter at the end of its range has no central difference, and is not compared
         let (Some(wide), Some(narrow)) = (central(h), central(0.5 * h)) else {
             continue;
         };
@@ -188,7 +188,7 @@ fn differences_confirm_the_price_of_a_constraint() {
         names(&held).last().map(String::as_str),
         Some("apex_height <= 32 m")
     );
-    // a range, an equation, and the equation with its sides exchanged
+    // a range, an equation, and an inequality with its limit on the left
     for (text, value) in [
         ("30 m <= apex_height <= 32 m", 32.0),
         ("apex_height == 31 m", 31.0),
@@ -297,12 +297,13 @@ fn every_error_in_a_constraint_has_its_position() {
     }
 }
 
-/// The longest carry of mae494 in these ranges, m, from four batches of sixteen starts.
+/// The longest carries of mae494 in these ranges, m, one for each of four batches of sixteen
+/// starts.
 fn best_of_batches(vary: &[&str]) -> [f64; 4] {
     let setup = Setup::preset("mae494").unwrap();
     [0.0, 1.0, 2.0, 3.0].map(|batch| {
         let mut start = setup;
-        // each batch has another first start; the other starts are fixed
+        // the first start differs from batch to batch; the other starts are the same
         start.swing.attack_angle = batch * 0.02;
         let search = search(&start, vary, &[]);
         let found = optima(&start, &search, 16, &Observers::default()).unwrap();
@@ -334,7 +335,7 @@ fn independent_mae494_optimum_from_every_batch_of_sixteen() {
     }
 }
 
-/// The ranges are twice as wide as [`BOX`], with the kink at zero spin inside.
+/// The ranges are twice as wide as those of [`BOX`], and contain the kink at zero spin.
 #[test]
 fn same_mae494_optimum_in_ranges_with_a_kink_from_every_batch_of_sixteen() {
     let values = best_of_batches(&[
@@ -383,7 +384,8 @@ fn exact_loss_at_the_ends_of_windows() {
         }
         for direction in &flat.directions {
             for lost in direction.losses.iter().flatten() {
-                // losses by the quadratic model; the terms of third order are up to a third here
+                // the quadratic model predicts a loss of 1 yd; terms of third order change it by up
+                // to a third
                 assert!((lost / 0.9144 - 1.0).abs() < 0.35, "{direction:?}");
             }
         }
@@ -483,7 +485,7 @@ fn same_optima_on_the_chart_and_in_single_searches() {
             "carry on the chart",
         );
     }
-    // the first event: the apex reaches its limit here
+    // the first event of the chart: the apex reaches its limit
     let event = chart
         .points
         .iter()
@@ -515,7 +517,8 @@ fn same_optima_on_the_chart_and_in_single_searches() {
     ));
 }
 
-/// The chart begins at the speed whose largest unconstrained carry equals the limit.
+/// The constraint is a carry of at least 280 yd. The chart begins at the speed whose longest carry
+/// is 280 yd.
 #[test]
 fn same_begin_of_a_chart_and_of_the_feasible_range() {
     let mut setup = Setup::default();
@@ -584,8 +587,8 @@ fn a_search_leaves_a_saddle_for_a_maximum() {
     );
 }
 
-/// The head pitches with its attack angle: in the frame of the head the impact does not change, so
-/// the spin depends only on the loft.
+/// A change of the attack angle pitches the head too. In the frame of the head the impact does not
+/// change, so the spin depends only on the loft.
 #[test]
 fn an_optimum_that_does_not_depend_on_a_variable_has_no_sensitivity() {
     let setup = Setup::default();
@@ -615,7 +618,8 @@ fn an_optimum_that_does_not_depend_on_a_variable_has_no_sensitivity() {
     assert!(error.to_string().contains("not isolated"), "{error}");
 }
 
-/// The sense of the objective does not change which infeasible end has the smallest violation.
+/// Searches that maximize and that minimize report the same point: that with the smallest
+/// violation.
 #[test]
 fn same_nearest_point_of_many_starts_for_both_senses() {
     let setup = Setup::default();
@@ -632,8 +636,8 @@ fn same_nearest_point_of_many_starts_for_both_senses() {
         let found = optima(&setup, &search, 8, &Observers::default()).unwrap();
         let ends: Vec<_> = found.locals.iter().map(|local| &local.solution).collect();
         assert!(ends.len() > 1 && ends.iter().all(|end| end.status == Status::Infeasible));
-        // each violation is divided by the largest derivative of its outcome by the variables,
-        // because the loft changes both outcomes
+        // for a comparison of different units, each violation is divided by the largest derivative
+        // of its outcome by the variables
         let missed = |end: &&Solution| -> f64 {
             let slope = |j: usize| {
                 ends.iter()

@@ -9,7 +9,7 @@ use serde_json::Value;
 /// Number of lines of a screen.
 const SCREEN: usize = 40;
 
-/// Runs a command in a terminal with this number of columns; `None`: into a pipe.
+/// Runs a command in a terminal with this number of columns; `None` for a pipe.
 fn in_columns(columns: Option<usize>, words: &[&str]) -> Output {
     let mut command = program::command();
     command.args(words).env_remove("COLUMNS");
@@ -70,7 +70,7 @@ fn text_and_help_wrap_to_the_terminal() {
             let printed = in_columns(columns, words);
             let text = printed.out + &printed.err;
             let wide: Vec<_> = text.lines().filter(|line| widest(line) > most).collect();
-            // a table of two columns cannot be narrower, and words are not broken
+            // a table of two columns and a single word may be wider than the terminal
             let is_table = |line: &str| line.trim().split("  ").count() > 1;
             let is_word = |line: &str| line.split_whitespace().count() == 1;
             let wide: Vec<_> = wide
@@ -161,8 +161,8 @@ fn every_answer_names_its_setup_and_its_settings() {
     assert!(compared.out.starts_with(&names), "{}", compared.out);
 }
 
-/// The best loft depends on shaft and strike. Both follow from a measured launch, so the answer for
-/// an average golfer advises to start from one.
+/// The best loft depends on shaft and strike, which a measured launch determines. For an average
+/// golfer, the answer advises to start from a measured launch.
 #[test]
 fn the_answer_for_an_average_names_the_command_for_an_own_loft() {
     let advice = "starts from your own launch";
@@ -191,7 +191,8 @@ fn carry_at(found: &Value, name: &str, value: f64) -> f64 {
     Outcome::Carry.value(&Drive::new(&setup).unwrap()).unwrap()
 }
 
-/// At each end of a parameter's interval the ball carries one yard less, unless the end is a bound.
+/// At each end of a parameter's interval the carry is one yard shorter than the optimum, unless
+/// this end is a bound.
 #[test]
 fn exact_loss_at_the_ends_of_the_intervals_of_an_optimum() {
     let (_, found) = json(&["optimize"]);
@@ -214,8 +215,7 @@ fn exact_loss_at_the_ends_of_the_intervals_of_an_optimum() {
     assert_eq!(ends, 3, "{}", found["window"]);
 }
 
-/// The gain of changing only the club equals the gain of a search over the loft with the setup's
-/// swing.
+/// The gain of the club alone equals the gain of a search that varies only the loft.
 #[test]
 fn same_gain_of_the_club_as_a_search_over_the_loft_alone() {
     let (_, both) = json(&["optimize"]);

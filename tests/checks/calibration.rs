@@ -132,8 +132,8 @@ fn sampled_coverage_of_intervals_over_200_draws_of_noise() {
         assert_eq!(found.statistics.degrees_of_freedom, 22);
         chi_square += found.statistics.chi_square / 200.0;
     }
-    // 95 % of 400 intervals contain the truth; the mean of χ² with 22 degrees of freedom is within
-    // four of its standard errors
+    // of 400 intervals at a level of 95 %, 93 to 97 % contain the truth. The mean of χ² with 22
+    // degrees of freedom is within four standard errors of 22
     let share = (covered[0] + covered[1]) as f64 / 400.0;
     println!("coverage {covered:?} of 200 each, mean chi-square {chi_square}");
     assert!((0.93..=0.97).contains(&share), "{covered:?}");
@@ -162,8 +162,8 @@ fn hubers_loss_limits_the_effect_of_an_outlier() {
 
 #[test]
 fn confounded_parameters_are_named() {
-    // the data do not determine the viscosity: the law does not depend on the Reynolds number. They
-    // do not determine the density: coefficients and density enter as products only
+    // the law does not depend on the Reynolds number, so the data do not determine the viscosity.
+    // Coefficients and density enter as products only, so the data do not determine the density
     let names = ["aero.cd", "aero.cl_slope", "air.density", "air.viscosity"];
     let found = fitted(
         &shots(&mut Random::seeded(3), 1.0),
@@ -193,10 +193,10 @@ fn confounded_parameters_are_named() {
     );
 }
 
-/// With as many data as parameters the residuals vanish. If one datum changes by its standard
-/// uncertainty, the fit changes by a column of J⁻¹. The covariance (JᵀJ)⁻¹ is the sum of the outer
-/// products of these columns. The test needs no derivatives: it repeats the fit with each datum
-/// changed.
+/// If there are as many data as parameters, the residuals vanish. A change of one datum by its
+/// standard uncertainty then changes the fit by a column of J⁻¹. The covariance (JᵀJ)⁻¹ is the sum
+/// of the outer products of these columns. The test avoids derivatives: it repeats the fit with
+/// each datum changed.
 #[test]
 fn differences_of_fits_match_the_covariance_with_measured_and_stationary_rows() {
     let head = "club.loft [deg],swing.attack_angle [deg],stationary,sigma stationary [deg],carry \
@@ -268,8 +268,8 @@ fn yards(metres: f64) -> f64 {
     metres / 0.9144
 }
 
-/// Compares every number of the paper's tables, within the error of a single smooth law for all of
-/// them.
+/// Compares every number of the paper's tables. The preset has a single smooth law, whose errors
+/// are the tolerances.
 #[test]
 fn published_tables_of_winfield_and_tan_by_the_preset() {
     let (status, found) = json(&["reproduce", "winfield-tan"]);
@@ -510,7 +510,8 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
     }
 }
 
-/// Some of the launch columns have dotted names: a fit and a sweep read the same launch.
+/// One launch column has a dotted name, and the others have plain names. A fit and a sweep read the
+/// whole launch.
 #[test]
 fn a_launch_by_names_of_both_kinds_is_read_whole() {
     let rest = "launch_angle [deg],backspin [rpm],carry [yd]\n150,9,2500,230\n";
@@ -574,8 +575,8 @@ fn exports_omit_summaries_and_incomplete_rows_by_name_and_have_angles_in_degrees
             table.remarks
         );
     }
-    // rows of a summary are not a table; for a user's table without usable rows, the message gives
-    // the reason of the first row
+    // an export of summaries has no usable shot; if another table has no usable row, the message
+    // gives the reason for its first row
     let error = read(&[head, below].concat()).unwrap_err().to_string();
     assert!(
         error.contains("it has no usable shot (rows left out, since they sum up other rows: "),
@@ -625,7 +626,7 @@ fn default_uncertainties_have_a_source_or_are_marked_as_assumed() {
 }
 
 /// A table of deliveries of the default setup at these club speeds, with the computed outcomes
-/// `of`, and with the uncertainty `sigma` of each if it is stated.
+/// `of`. If `sigma` is stated, it is the uncertainty of each outcome.
 fn table_of_deliveries(speeds: &[f64], of: &[Outcome], sigma: Option<f64>) -> String {
     let sigmas = |outcome: &Outcome| {
         sigma.map_or(String::new(), |_| format!(",sigma {}", with_unit(*outcome)))
@@ -693,7 +694,7 @@ fn exact_fits_without_residuals_are_converged() {
         "aero.cl_max=0.4",
     ];
     for (speeds, outcomes, sigma) in [
-        // as many data as parameters, and more data
+        // cases with as many data as parameters, and with more data
         (&[45.0, 50.0][..], &[Outcome::Carry][..], Some(0.5)),
         (&[45.0, 50.0], &[Outcome::Carry], None),
         (&[50.0], &[Outcome::Carry, Outcome::ApexHeight], None),
@@ -788,8 +789,8 @@ fn confounded_parameters_are_no_answer() {
             "{answered}"
         );
     }
-    // no measured value depends on the viscosity, because the law has no Reynolds number; one fit
-    // starts within the range of the viscosity, the other one at a bound of its range
+    // no measured value depends on the viscosity, because the law does not use the Reynolds number.
+    // One fit starts inside the range of the viscosity, the other fit at a bound of the range
     for range in ["air.viscosity", "air.viscosity=1e-5Pas..1.837e-5Pas"] {
         let (status, answered, found) = text_and_json(
             &table_of_deliveries(&[45.0, 50.0], &[Outcome::Carry], None),
@@ -877,8 +878,7 @@ fn rows_whose_squares_overflow_are_named() {
             );
         }
     }
-    // the other values are finite but have no weight: with the smallest possible drag, this
-    // residual is 1e9 standard uncertainties
+    // the residual of row 2 is 9e10 standard uncertainties, so the other rows have no weight
     let (status, answered, found) =
         text_and_json(&row("9e8", "1e-2"), &["--fit", "aero.cd0=0.1..0.4"]);
     assert_eq!(
@@ -957,8 +957,8 @@ fn interrupted_folds_are_omitted_and_counted() {
     );
 }
 
-/// A start at which the fit cannot begin is counted by its status, with advice. Here five of six
-/// starts cannot begin.
+/// Starts at which the fit cannot begin are counted by status, and the text advises what to do.
+/// Here five of six starts cannot begin.
 #[test]
 fn starts_that_cannot_begin_are_counted() {
     let shots = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
@@ -1026,7 +1026,7 @@ fn iterations_of_several_searches_name_their_search() {
     );
 }
 
-/// A search that reached a minimum keeps its status when other searches are stopped, and stopped
+/// A search that reached a minimum keeps its status if other searches are stopped. The stopped
 /// searches do not count as ended.
 #[test]
 fn an_interrupted_calibration_from_many_starts_names_its_best_fit() {
@@ -1063,7 +1063,7 @@ fn an_interrupted_calibration_from_many_starts_names_its_best_fit() {
         text.contains("with a complete search ended at the sum") && !text.contains("not a minimum"),
         "{text}"
     );
-    // the result is interrupted if the best search is a stopped one
+    // if the best search was stopped, the calibration is interrupted
     let at_once = calibrate(&setup, &table, &plan, &interrupting(1)).unwrap();
     assert!(
         !at_once.is_minimum && at_once.fit.status == FitStatus::Interrupted,
@@ -1197,7 +1197,8 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
         (false, vec!["swing.speed", "swing.path", "swing.face_angle"])
     );
     assert!((club.shots[0].inputs[1].1 + 2.0_f64.to_radians()).abs() < 1e-15);
-    // a misspelt parameter name is an error, and so is a name of a parameter without its unit
+    // errors: a misspelt name, a name of this program without its unit, and a number with both a
+    // sign and a side
     for (text, words) in [
         (
             "Ball Speed (mph),Launch Angle (deg),Spin Rate (rpm),cary_distance \
@@ -1252,7 +1253,7 @@ fn the_sample_of_shots_is_fitted() {
     );
 }
 
-/// Carries of a ball with a drag coefficient of 0.27, and carries that are 40 yd longer: these need
+/// The first table has carries of a ball with a drag coefficient of 0.27. Carries 40 yd longer need
 /// less drag than the range of the fit allows. The warning is on standard error and in JSON.
 #[test]
 fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
@@ -1322,8 +1323,8 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
         "{warnings}"
     );
     let (found, warnings) = fitted(&rows(40.0), "aero.cd0=0.25..0.6");
-    // the carries are 40 standard uncertainties too long (40 yd at 1 yd); the smallest drag of the
-    // range reduces the misfit. The warning prints √(χ²/ν)
+    // carries 40 yd too long, at a standard uncertainty of 1 yd, are a misfit of 40. The smallest
+    // drag of the range reduces the misfit. The warning prints √(χ²/ν)
     let off = (number(&found["chi_square"]) / number(&found["degrees_of_freedom"])).sqrt();
     assert!(
         off > 20.0
@@ -1338,7 +1339,7 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
     );
 }
 
-/// Only the second section states a wind, by speed and direction.
+/// Only the second section has columns for the wind: its speed and its direction.
 #[test]
 fn a_component_of_the_wind_is_not_fitted_to_shots_of_which_some_state_its_speed() {
     let launch = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd]";

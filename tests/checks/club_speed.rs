@@ -1,5 +1,5 @@
-//! The point of the head that speed, attack angle and path refer to: its centre of mass, or the
-//! centre of its face.
+//! The point of the head whose motion speed, attack angle and path describe: the centre of mass of
+//! the head, or the centre of its face.
 
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
@@ -23,8 +23,8 @@ fn sum(parts: &[(f64, Vector)]) -> Vector {
     })
 }
 
-/// A head that rotates about all axes and has a weight. Its centre of mass is not behind the centre
-/// of the face.
+/// A head that rotates about all axes and has a movable weight. The centre of mass is not straight
+/// behind the centre of the face.
 fn turning() -> Setup<f64> {
     let mut setup = Setup::preset("tour-average").unwrap();
     let given = [
@@ -49,9 +49,9 @@ fn turning() -> Setup<f64> {
     setup
 }
 
-/// The setup of the same swing, with speed, attack angle and path of the centre of mass in place of
-/// the face centre: v − ω × r. The axes of the head and its centre of mass are computed here,
-/// without the library.
+/// The same swing, stated by the velocity of the centre of mass: v − ω × r, with the velocity v of
+/// the face centre, and the vector r from the centre of mass to the face centre. The axes of the
+/// head and r are computed without the library.
 fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
     let (swing, club) = (&stated.swing, &stated.club);
     let (sin, cos) = (swing.attack_angle - swing.shaft_lean).sin_cos();
@@ -64,7 +64,8 @@ fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
         sum(&[(cos, up), (-sin, forward)]),
         sum(&[(cos, forward), (sin, up)]),
     );
-    // positions from the centre of the face: up along the face, towards the toe, behind the face
+    // positions relative to the centre of the face: up along the face, towards the toe, behind the
+    // face
     let [own, weight] = [
         (
             club.mass,
@@ -95,7 +96,7 @@ fn of_the_centre_of_mass(stated: &Setup<f64>) -> Setup<f64> {
     other.swing.speed = (x * x + y * y + z * z).sqrt();
     other.swing.attack_angle = (x / other.swing.speed).asin();
     other.swing.path = y.atan2(z);
-    // the pitch of the head does not change: attack angle − shaft lean
+    // keep the pitch of the head, attack angle − shaft lean
     other.swing.shaft_lean += other.swing.attack_angle - swing.attack_angle;
     other
 }
@@ -161,7 +162,8 @@ fn exact_path_of_the_centre_of_mass_of_a_head_that_closes() {
     {
         close(*found, *expected, 70.0, 1e-13, "launch");
     }
-    // TrackMan states about 3° between the two points of a driver: 65 rad/s at 50 m/s and 40 mm
+    // TrackMan states that the paths of the two points of a driver differ by about 3°. A closure of
+    // 65 rad/s, 50 m/s and a depth of 40 mm give this difference
     assert!((65.0_f64 * 0.040 / 50.0).atan().to_degrees() > 2.9);
 }
 
@@ -214,7 +216,7 @@ fn differences_confirm_derivatives_by_the_position_of_the_face_centre() {
                     .unwrap();
                 of.of(&Drive::new(&moved).unwrap()).unwrap()
             };
-            // a difference of the fourth order
+            // a central difference of fourth order
             let slope = (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
             close(
                 exact,

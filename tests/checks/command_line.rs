@@ -25,7 +25,7 @@ pub struct Output {
     pub err: String,
 }
 
-/// Waits for a condition, or for the end of the program.
+/// Waits until `is_time` returns true, or until the program ends.
 pub fn wait_until(child: &mut Child, is_time: impl Fn() -> bool) {
     while !is_time() && child.try_wait().unwrap().is_none() {
         std::thread::sleep(Duration::from_millis(2));
@@ -878,8 +878,8 @@ fn whole_numbers_of_options_are_refused_with_option_value_range_and_example() {
     }
 }
 
-/// A diverging flight is no answer, in a single drive and in a sweep. The message names the step
-/// only if it is long.
+/// A flight that diverges ends with an error, in a single drive and in a sweep. The message advises
+/// a shorter step only if the step is long.
 #[test]
 fn a_flight_that_diverges_ends_with_status_one_everywhere() {
     for (set, says, says_not) in [

@@ -140,8 +140,8 @@ fn rows_that_do_not_fly_are_no_answer_and_not_bad_input() {
     );
 }
 
-/// Wind and ball size change the carries of three deliveries in the same way: a search stalls along
-/// the undetermined direction.
+/// Wind and ball size change the carries of three deliveries in the same way, so the data do not
+/// determine both. The search stalls in this direction.
 #[test]
 fn a_search_that_stalls_where_the_data_determine_nothing_ends_undetermined() {
     let (_folder, path) = deliveries("262");
@@ -210,7 +210,7 @@ fn a_row_that_decides_alone_outweighs_the_others() {
             !huber
         );
     }
-    // an ordinary outlier shows in χ², and the other rows still count
+    // an ordinary outlier increases χ², and the other rows keep their weight
     for (_folder, path) in [deliveries("290"), apexes("187")] {
         assert_eq!(
             json(&["calibrate", path.to_str().unwrap(), "--fit", "aero.cd0"]).1["status"],
@@ -323,7 +323,8 @@ fn rows_that_do_not_fly_are_reported_by_an_example_without_a_missing_club() {
     );
 }
 
-/// A table of launches with another column: three equal rows, and a last row that is an argument.
+/// A table of launches with an additional column `head`: three rows with the value `usual`, and the
+/// row `last`.
 fn launches(head: &str, usual: &str, last: &str) -> (tempfile::TempDir, std::path::PathBuf) {
     let rows = format!("150,12,2500,{usual}\n155,12,2500,{usual}\n160,12,2500,{usual}\n{last}\n");
     crate::sweep::table(

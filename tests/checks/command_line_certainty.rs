@@ -119,7 +119,8 @@ fn exact_no_deviation_once_the_only_uncertain_parameter_is_known() {
         number(&outcome["measure_first"]["standard_uncertainty"]),
         0.0
     );
-    // the carry is nearly linear in a normal parameter: the upper bound is nearly 1
+    // if the carry is nearly linear in a normally distributed parameter, the upper bound is nearly
+    // 1
     let bound = &outcome["indices"][0]["bound"];
     assert!(
         number(&bound["low"]) < 1.0 && 1.0 < number(&bound["high"]),
@@ -405,8 +406,8 @@ fn mistakes_are_bad_input_with_advice() {
     }
 }
 
-/// 28 % of a normal distribution with mean 115 mph and deviation 200 mph is below 0; 29 % of the
-/// sample with seed 0.
+/// Of a normal distribution with mean 115 mph and deviation 200 mph, 28 % are below 0. Of the
+/// sample with seed 0, 29 % are below 0.
 #[test]
 fn a_distribution_far_beyond_the_range_of_its_parameter_has_a_warning() {
     let error = |text| {
@@ -428,7 +429,8 @@ fn a_distribution_far_beyond_the_range_of_its_parameter_has_a_warning() {
     );
 }
 
-/// Text shows rounding of zero derivatives as 0 without a sign; JSON keeps the digits.
+/// If a derivative is 0 except for rounding, the text shows 0 without a sign. JSON keeps the
+/// digits.
 #[test]
 fn rounding_is_shown_as_0_in_texts_and_kept_in_json() {
     let of_zero = |word: &str| {
@@ -450,7 +452,7 @@ fn rounding_is_shown_as_0_in_texts_and_kept_in_json() {
     ] {
         let printed = longdrive(&args);
         assert_eq!(printed.status, 0, "{args:?} {}", printed.err);
-        // the KKT residual is rounding, but not a derivative
+        // skip the KKT residual: it may be as small as rounding, but it is not a derivative
         let lines = printed
             .out
             .lines()
@@ -599,8 +601,8 @@ fn an_unset_parameter_is_named_with_its_meaning() {
 
 #[test]
 fn the_while_loop_is_compared_only_where_it_has_a_difference() {
-    // at the end of its range the spin decay has no central difference, and the carry of mae494 does
-    // not depend on the viscosity
+    // two parameters have no comparison: at the end of its range the spin decay has no central
+    // difference, and the carry of mae494 does not depend on the viscosity
     for wrt in [
         "aero.spin_decay",
         "aero.spin_decay,air.viscosity,swing.speed",

@@ -189,7 +189,7 @@ fn an_unwritable_path_is_reported_before_the_work() {
             "{args:?}: {}",
             printed.err
         );
-        // one line: no iteration, so the error came before the work
+        // the error is the only line, so no iteration came before it
         assert_eq!(printed.err.lines().count(), 1, "{args:?}: {}", printed.err);
     }
 }
@@ -267,7 +267,7 @@ fn a_whole_file_stays_until_the_one_that_replaces_it_is_whole() {
     let (folder, name) = folder();
     let out = name("out.csv");
     fs::write(&out, "the old one").unwrap();
-    // a cell without a number follows some good rows: no row reaches the file
+    // the last row has a cell without a number: the good rows before it do not reach the file
     let bad = format!("{POINTS}ten,100\n");
     fs::write(folder.path().join("bad.csv"), bad).unwrap();
     let printed = longdrive(&[
@@ -313,7 +313,7 @@ fn a_file_that_is_made_while_a_command_runs_stays() {
         .spawn()
         .unwrap();
     let mut input = child.stdin.take().unwrap();
-    // long enough that the program reads the head before the input ends
+    // so many rows that the program reads the column heads before the input ends
     let rows = "150,12,2700\n".repeat(20_000);
     input
         .write_all(

@@ -1,5 +1,5 @@
-//! `longdrive sweep` in parts: the same bytes from any process, kills, full disks, and the check of
-//! a folder.
+//! `longdrive sweep` in parts: equal bytes from any process, killed processes, full disks, and
+//! `--check` of a folder.
 
 use crate::command_line::{json, longdrive, number, wait_until};
 use crate::program;
@@ -103,7 +103,7 @@ fn bytes(folder: &Path) -> Vec<Vec<u8>> {
         .collect()
 }
 
-/// Rows of a file as the bits of their numbers.
+/// The rows of a file. Numbers are written as their bits.
 fn rows(path: &Path) -> Vec<Vec<Option<String>>> {
     let file = SerializedFileReader::new(fs::File::open(path).unwrap()).unwrap();
     let cell = |field: &Field| match field {
@@ -145,7 +145,7 @@ fn same_bytes_of_a_part_from_any_process_and_in_any_order() {
         assert_eq!(answer, before);
     }
     assert!(bytes(folder.path()) == bytes(SET.path()));
-    // several processes at once, and two processes for each part
+    // several processes at the same time, two of them for each part
     let folder = tempfile::tempdir().unwrap();
     let program = |part: u64| {
         let mut program = program::command();
@@ -555,7 +555,7 @@ fn a_check_names_missing_double_damaged_and_foreign_parts() {
         answer["message"].as_str().unwrap().contains(versions),
         "{answer}"
     );
-    // one bit of a row: only reading the rows finds it
+    // one bit of a row is wrong; the check finds it only with `--hash`, which reads the rows
     let flipped = |folder: &Path| {
         let mut bytes = fs::read(place(folder)).unwrap();
         bytes[5000] ^= 1;
@@ -585,7 +585,7 @@ fn a_check_names_missing_double_damaged_and_foreign_parts() {
         (1, 4),
         "{answer}"
     );
-    // without the swept parameters there is nothing to compare the other options with
+    // without `--over` the check cannot compare the other options
     for (more, option) in [
         (&["--set", "gravity=9.8 m/s^2"][..], "set"),
         (&["--speed", "90mph"], "speed"),
@@ -639,7 +639,7 @@ fn a_kill_and_a_full_disk_leave_no_part_and_the_same_command_writes_it() {
     );
     assert_eq!(fs::read_dir(copy.path()).unwrap().count(), 3);
 
-    // killed with an empty temporary file, with its first bytes, and with the rows
+    // the process is killed while its temporary file is empty, has its first bytes, or has rows
     for least in [0, 1, 1000] {
         let unfinished = || {
             let entries = fs::read_dir(copy.path()).unwrap().map(Result::unwrap);
@@ -757,7 +757,8 @@ fn instructions_are_named_in_each_part_kept_apart_and_the_same_when_repeated() {
 }
 
 /// The C library has variants of its functions for processors with FMA, which round differently.
-/// Machines that use different variants compute different rows, even at the same level.
+/// Machines that use different variants compute different rows, even with the same
+/// `--instructions`.
 #[cfg(all(target_os = "linux", target_arch = "x86_64", target_env = "gnu"))]
 #[test]
 fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_sweep_has_the_same_bytes() {
@@ -790,7 +791,7 @@ fn a_part_with_other_sines_of_the_c_library_is_refused_and_the_same_sweep_has_th
     let without = "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F";
     let ((_, here), (_, there)) = (of("", "1/2", "here"), of(without, "1/2", "there"));
     if here["question"] == there["question"] {
-        // this C library or this processor has only one variant
+        // only one variant exists for this C library and this processor
         assert_eq!(here["sha256"], there["sha256"]);
         return;
     }

@@ -5,8 +5,8 @@ use crate::common::{SET_RIGID, close};
 use crate::program;
 use serde_json::Value;
 
-/// A search that ends on a bound with a kink consists of two searches; a search that finds no start
-/// has evaluated the functions at every point that it tried.
+/// A search that ends on a bound with a kink counts the evaluations of its two searches. A search
+/// that finds no start counts the evaluations at every point that it tried.
 #[test]
 fn all_evaluations_of_a_search_are_counted() {
     let (_, on_a_kink) = json(&[
@@ -93,7 +93,7 @@ fn constraints_and_starts_as_json() {
     );
 }
 
-/// A parameter that is set and varied has the set value as its start, within its range.
+/// If a parameter is set and varied, the search starts from the set value, moved into the range.
 #[test]
 fn a_set_value_of_a_variable_is_reported_as_its_start() {
     let notes = |args: &[&str]| -> Vec<String> {
@@ -223,7 +223,8 @@ fn a_varied_wind_direction_keeps_the_wind_speed() {
     );
 }
 
-/// An equation that no variable changes has no multiplier: lateral is 0 for every straight drive.
+/// No variable changes the equation lateral = 0, because every drive is straight. The equation then
+/// has no multiplier.
 #[test]
 fn an_equation_is_reported_with_its_violation_and_never_as_inactive() {
     let output =
@@ -289,10 +290,10 @@ fn infeasible_is_an_answer_with_status_1_and_the_violation() {
             && message.contains(", outside by "),
         "{message}"
     );
-    // without an optimum there is no sensitivity
+    // without an optimum, `optimum-sensitivity` has no answer
     let (status, found) = json(&[&["optimum-sensitivity"], limits.as_slice()].concat());
     assert_eq!((status, &found["status"]), (1, &Value::from("infeasible")));
-    // and no price in the text
+    // and the text of `optimize` has no prices
     assert!(
         !longdrive(&[&["optimize"], limits.as_slice()].concat())
             .out
@@ -463,7 +464,7 @@ fn chart_as_json_csv_and_table() {
         );
     }
 
-    // part of the range has no optimum: the other points are printed, with status 1
+    // if part of the range has no optimum, the other points are printed, with status 1
     let low = [
         "chart",
         "--along",
@@ -864,8 +865,8 @@ fn differences_of_minima_are_their_sensitivities() {
         let (_, drive) = json(&["simulate", "modern-driver", "--set", &loft]);
         number(&drive["flight"]["landing_speed"]) - number(&found["value"])
     };
-    // the optimum is at the bound, which is also the upper end of the interval: nothing is lost
-    // there, except for rounding
+    // the upper end of the interval is the bound, and the optimum is there: the loss is 0, except
+    // for rounding
     assert!(
         loss("low") > 0.1 && found["window"]["club.loft"]["high_limit"] == "bound",
         "{found}"
@@ -922,8 +923,8 @@ fn same_drive_from_the_setup_written_at_an_optimum() {
             "carry",
         );
     }
-    // a step chosen for a tolerance serves only this search: the file has the setup's own step, or
-    // none
+    // a step that was chosen for a tolerance is not in the file; the file has the step of the
+    // setup, if one is stated
     let within = |setup: &str, file: &str| {
         let requested = [
             "optimize",
@@ -1080,8 +1081,8 @@ fn an_unwritten_setup_is_reported_even_with_quiet() {
     assert!(!file.exists());
 }
 
-/// A setting is refused if another option gives this parameter's value in every drive. A setting
-/// that is a start value or a mean is accepted.
+/// A setting is refused if another option gives the value of this parameter in every drive. A
+/// setting that is a start value or a mean is accepted.
 #[test]
 fn a_setting_that_has_no_effect_is_refused() {
     let folder = tempfile::tempdir().unwrap();

@@ -46,7 +46,7 @@ fn start(args: &[&str], file: &Path, more: &[&str]) -> Child {
         .unwrap()
 }
 
-/// Runs to the end: exit status and standard error.
+/// Waits for the end of the program; returns its exit status and its standard error.
 fn finish(child: Child) -> (Option<i32>, String) {
     let output = child.wait_with_output().unwrap();
     (
@@ -59,7 +59,7 @@ fn sidecar(file: &Path) -> PathBuf {
     PathBuf::from(format!("{}.resume", file.display()))
 }
 
-/// The unfinished file of the rows.
+/// The file that has the rows until the sweep is finished.
 fn unfinished_file(file: &Path) -> PathBuf {
     PathBuf::from(format!("{}.part", file.display()))
 }
@@ -69,7 +69,7 @@ fn wait_for_rows(child: &mut Child, file: &Path) {
     wait_until(child, || announced_rows(file) > 1);
 }
 
-/// Number of complete lines of the sidecar.
+/// Number of complete lines of the sidecar file. Each line after the first announces written rows.
 fn announced_rows(file: &Path) -> usize {
     fs::read_to_string(sidecar(file)).map_or(0, |text| text.matches('\n').count())
 }
@@ -149,7 +149,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
         append(&unfinished_file(&part), b"0.1,0.2,lan");
         append(&sidecar(&part), b"{\"rows\":99");
 
-        // a started sweep is refused without --resume, and with other arguments
+        // a started sweep is refused without --resume, and with --resume if other arguments differ
         let (status, printed) = finish(start(many, &part, &[]));
         assert_eq!(status, Some(2));
         assert!(printed.contains("--resume continues it"), "{printed}");
@@ -271,7 +271,7 @@ fn same_rows_of_an_arrow_table_killed_and_resumed() {
     use arrow_array::{ArrayRef, Float64Array, RecordBatch};
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("points.arrow");
-    // record batches of another size than the computed chunks
+    // the record batches and the computed chunks have different sizes
     let batches: Vec<_> = (0..64)
         .map(|loft| {
             let lofts: Float64Array = (0..1024).map(|_| 0.01 + 0.0045 * f64::from(loft)).collect();
@@ -418,8 +418,8 @@ fn a_full_disk_leaves_complete_rows_that_can_be_resumed() {
             &Uninterrupted::of_many(format).bytes,
             folder.path().join(format!("part.{format}")),
         );
-        // `ulimit` limits the size of a file, in KiB; with the signal XFSZ ignored, writing more is an
-        // error
+        // `ulimit` limits the size of a file, in KiB. The signal XFSZ is ignored, so that a write
+        // beyond the limit returns an error
         let most = whole.len() / 1024 * 3 / 5;
         let limited = format!("trap '' XFSZ; ulimit -f {most}; exec \"$@\"");
         let mut program = Command::new("bash");
@@ -666,8 +666,8 @@ fn a_batch_without_room_is_refused_with_its_size() {
     );
 }
 
-/// In the file of a sample, unlike in that of a grid, the values of the swept parameters do not
-/// repeat from row to row.
+/// In the file of a grid, the values of the swept parameters repeat from row to row. In the file of
+/// a sample they do not.
 #[cfg(feature = "full")]
 #[test]
 fn measured_size_of_a_parquet_file_of_a_sample_is_near_the_estimate() {

@@ -235,7 +235,7 @@ fn numbers_of_two_meanings_are_refused_with_both_cells() {
             ["160.5", "11", "2,500", "250"],
             Some(["'2,500' (row 1, column spin)", "'160.5'"]),
         ),
-        // a single decimal mark, and marks that cannot be thousands separators
+        // tables with one decimal mark, and tables with marks that cannot separate thousands
         (["160.5", "11.2", "2500.125", "250"], None),
         (["160,5", "11,2", "2500", "250,3"], None),
         (["160,5", "11.25", "2500", "0.250"], None),

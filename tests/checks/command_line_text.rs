@@ -47,7 +47,8 @@ fn a_drive_has_the_units_of_launch_monitors_in_both_systems() {
             (in_us, in_metric)
         );
     }
-    // rounding of a straight drive prints no sign, no power of ten and no side
+    // a straight drive has a lateral distance of 0 up to rounding: the text has no sign, no power
+    // of ten and no side
     let straight = longdrive(&["simulate"]).out;
     assert_eq!(line(&straight, "lateral"), "lateral 0.0 yd (0.0 m)");
     assert!(
@@ -428,7 +429,7 @@ fn messages_have_plain_numbers_chosen_units_and_suggestions() {
             "end within 0.39 in of the best carry",
             "centimetre",
         ),
-        // the study's own units
+        // without `--units`: the units of the study
         (
             vec!["reproduce", "mae494"],
             0,

@@ -6,8 +6,8 @@ use crate::reproduce::{FOUND, PAPER, PAPER_WRITTEN};
 use longdrive::report::{Mae494Report, Report, WinfieldTanReport};
 use longdrive::units::System;
 
-/// The numbers that have one of these units and are not followed by a number in the other system in
-/// parentheses.
+/// Numbers with one of these units that no parentheses follow. In parentheses is the number in the
+/// other system.
 fn numbers_in_one_system<'a>(text: &'a str, units: &[&str]) -> Vec<&'a str> {
     let all: Vec<&str> = text.split_whitespace().collect();
     let is_number =

@@ -23,9 +23,8 @@ pub fn data(name: &str) -> Value {
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 
-/// A setup from its JSON form: every parameter by dotted name, `null` for unset, `"inf"` for a flat
-/// face. Missing parameters have the values of Winfield & Tan: rolling at exit, calm, no friction
-/// limit.
+/// Reads a setup from JSON: parameters by dotted name, `null` for an unset parameter, `"inf"` for a
+/// flat face. Missing parameters have the values of `winfield-tan`.
 pub fn setup(json: &Map<String, Value>) -> Setup<f64> {
     let mut setup = Setup::preset("winfield-tan").unwrap();
     setup.set_law(json["aero.law"].as_str().unwrap()).unwrap();
@@ -50,7 +49,8 @@ pub fn changed(from: &Setup<f64>, settings: &[(&str, &str)]) -> Setup<f64> {
     setup
 }
 
-/// A number with seeds: its derivative is 1 in the first direction, in the second one, or in both.
+/// A number with seeds for two derivatives: its derivative by the first variable is 1 if `first` is
+/// true, and by the second variable if `second` is true.
 pub fn mixed(value: f64, first: bool, second: bool) -> Mixed {
     let change = |is: bool| f64::from(u8::from(is));
     let inner = Jet {
@@ -81,9 +81,9 @@ pub fn number(value: &Value) -> f64 {
         .unwrap_or_else(|| panic!("{value} is no number"))
 }
 
-/// An outcome of an independent drive, over any number type. `printed` returns an outcome of the
-/// file or a parameter by its name; other outcomes are computed from these. The balls of the files
-/// embed, so total equals carry.
+/// An outcome of an independently computed drive, over any number type. `printed` returns an
+/// outcome or a parameter of the file by its name; other outcomes follow from these. In the files
+/// the ball embeds where it lands, so total equals carry.
 fn outcome_from<T: DualNum<Primitive = f64> + Copy>(of: Outcome, printed: impl Fn(&str) -> T) -> T {
     match of {
         Outcome::CarryDistance => {
@@ -143,7 +143,7 @@ pub const SET_RIGID: [&str; 2] = [
     "--set=impact.tangential_restitution=-0.15",
 ];
 
-/// A drive of the PGA TOUR by a rigid impact, as settings of a command.
+/// A drive of the PGA TOUR with a rigid impact, as settings of a command.
 pub const SET_RIGID_TOUR: [&str; 4] = [
     SET_RIGID[0],
     SET_RIGID[1],
@@ -151,11 +151,11 @@ pub const SET_RIGID_TOUR: [&str; 4] = [
     "--set=strike.high=3mm",
 ];
 
-/// Steps with an error of about 1e-8 m of carry, which take a tenth of the time.
+/// Large steps: the error of carry is about 1e-8 m, and a drive takes a tenth of the time.
 pub const LARGE_STEPS: [(&str, &str); 2] = [("flight.method", "dp8"), ("flight.step", "400 ms")];
 
-/// The setup with large steps, of `dp8` and `rk4` alternately by its place in the list. For
-/// properties that the discrete drive has with any step.
+/// The setup with large steps, for tests of properties that hold with any step. The method
+/// alternates between `rk4` and `dp8` with `place`, the place of the setup in a list.
 pub fn in_large_steps((place, mut setup): (usize, Setup<f64>)) -> Setup<f64> {
     let (method, step) = if place % 2 == 1 {
         ("dp8", "400 ms")
@@ -186,7 +186,7 @@ pub fn landing(cases: u32) -> Vec<Setup<f64>> {
     landing
 }
 
-/// A number of random setups, always the same ones.
+/// Random setups, `cases` of them, equal in every run.
 pub fn random_setups(cases: u32) -> impl Iterator<Item = Setup<f64>> {
     let mut runner = TestRunner::deterministic();
     (0..cases).map(move |_| any_setup().new_tree(&mut runner).unwrap().current())
@@ -246,7 +246,7 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
         [s.swing.closure_x, s.swing.closure_y, s.swing.closure_z] = swing.5;
         (s.club.mass, s.club.loft, _, _, s.club.cg_depth) = club;
         [s.club.inertia_xx, s.club.inertia_yy, s.club.inertia_zz] = club.2;
-        // |I_ij| < ½ √(I_ii I_jj): positive definite
+        // |I_ij| < ½ √(I_ii I_jj), so that the tensor is positive definite
         let product = |part: f64, a: f64, b: f64| part * (a * b).sqrt();
         s.club.inertia_xy = product(club.3[0], s.club.inertia_xx, s.club.inertia_yy);
         s.club.inertia_xz = product(club.3[1], s.club.inertia_xx, s.club.inertia_zz);
@@ -305,8 +305,8 @@ pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     })
 }
 
-/// Largest difference of value, gradient and Hessian between two neighbouring drives, each relative
-/// to its largest component.
+/// Largest differences of value, gradient and Hessian between two neighbouring drives, relative to
+/// the largest component of `a`.
 pub fn jump(a: &Taylor, b: &Taylor) -> [f64; 3] {
     let jump = |a: &[f64], b: &[f64]| {
         let most = a

@@ -30,8 +30,8 @@ const LAUNCH: [(&str, &str); 3] = [
 
 #[test]
 fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
-    // the shares of these smooth laws add up within 1e-9; shares of laws that are C² in pieces have
-    // a quadrature error of about 1e-8
+    // for these smooth laws, the shares add up within 1e-9; for laws that are C² in pieces, the
+    // quadrature error is about 1e-8
     let smooth = [
         "launch-monitor",
         "linear",
@@ -88,7 +88,7 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
         );
         true
     };
-    // with two methods in large steps: shares are exact for the drives as computed
+    // both methods, in large steps: the shares add up for the drives as integrated
     for steps in [
         LARGE_STEPS,
         [("flight.method", "rk4"), ("flight.step", "100 ms")],
@@ -108,8 +108,8 @@ fn exact_shares_of_random_drives_add_up_and_change_sign_on_the_way_back() {
 }
 
 /// Shares add up for the law with the largest kinks in its derivatives. Between two drives there
-/// are hundreds of these kinks. In large steps an earlier version left 1e-6 of the carry without a
-/// cause, and reported this rest as a kink.
+/// are hundreds of these kinks. In large steps an earlier version left a remainder of 1e-6 of the
+/// carry, and reported this remainder as a kink.
 #[test]
 fn exact_shares_of_a_law_in_pieces_add_up_in_large_steps() {
     let law =
@@ -204,7 +204,7 @@ fn exact_share_of_a_difference_in_one_parameter() {
         ("club.loft", "13 deg"),
         ("air.density", "1 kg/m^3"),
         ("aero.spin_damping", "2e-5"),
-        // changes in one step, without intermediate drives
+        // discrete changes, without intermediate drives
         ("impact.friction", "0.1"),
         ("club.bulge_radius", "inf"),
         ("aero.law", "robinson"),
@@ -254,8 +254,8 @@ fn exact_shares_of_a_linear_outcome_and_of_one_with_a_closed_form() {
     assert_eq!(share(&found.by_parameter, "gravity"), 0.0);
     assert!(found.by_launch.is_none());
 
-    // without air the flight takes 2 v sin θ/g: the share of v is 2 sin θ Δv ∫ dt/g = 2 sin θ Δv
-    // ln(g₁/g₀)/Δg
+    // without air, the flight time is 2 v sin θ/g. The share of v is 2 sin θ Δv times the mean of
+    // 1/g, which is ln(g₁/g₀)/Δg
     let [a, b] = [a, b].map(|setup| {
         changed(
             &setup,
@@ -327,8 +327,8 @@ fn differences_of_flights_with_one_launch_condition_changed_agree_with_its_share
             .fold(0.0, f64::max);
         for name in names {
             let parameter = a.parameter(name).unwrap();
-            // changes of the value if only this parameter changes, from a to b and from b to a:
-            // half of their difference is the share to third order
+            // the change of the value if only this parameter changes: from a to b, and from b to a.
+            // Half of the difference of the two changes is the share, to third order
             let flown = [(0, 1), (1, 0)].map(|(here, there)| {
                 let mut setup = split.setups[here];
                 setup
@@ -373,7 +373,8 @@ fn exact_sum_of_shares_between_a_club_and_a_launch_and_between_two_forms_of_spin
             && share(&found.by_parameter, "launch.spin").abs() < 5.0
     );
 
-    // topspin: the axis would turn by 180°, so backspin and sidespin change linearly
+    // with topspin in b the spin axis would turn by 180°; backspin and sidespin change linearly
+    // instead
     let top = changed(
         &given,
         &[("launch.backspin", "-300 rpm"), ("swing.speed", "100 mph")],
@@ -478,7 +479,7 @@ fn two_drives_as_text_and_json() {
         1e-10,
         "drives",
     );
-    // the same comparison by options
+    // the same comparison with options in place of files
     let (_, same) = json(&[
         "compare",
         "modern-driver",
@@ -739,7 +740,7 @@ fn exact_shares_of_air_and_wind_given_by_the_same_parameters() {
         ("wind.speed", "10 mph"),
         ("wind.from", "45 deg"),
     ];
-    // the densities of the two presets differ, and both are replaced
+    // the two presets have different air densities, but the altitude replaces both
     let [a, b] = ["winfield-tan", "tour-average"]
         .map(|name| changed(&Setup::preset(name).unwrap(), &settings));
     assert!(a.air.density != b.air.density);
@@ -788,7 +789,7 @@ fn exact_shares_of_air_and_wind_changed_at_once_change_sign_on_the_way_back() {
             close(share(&there, name), -share(&back, name), 100.0, 1e-9, name);
         }
     }
-    // the other parameters are equal, so that the wind causes the whole difference
+    // all other parameters are equal, so the wind causes the whole difference
     let b = changed(
         &Setup::default(),
         &[("air.density", "1.2 kg/m^3"), other[1], other[2]],

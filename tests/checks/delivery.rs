@@ -139,9 +139,9 @@ fn exact_delivery_recovered_from_far_starts() {
     assert!(found.unidentified.is_empty());
 }
 
-/// Each measured value and each prior value is changed by its standard uncertainty. The squares of
-/// the resulting changes of the answer add up to the stated variance. The changes are finite
-/// differences, without the formula of the program.
+/// Changes each measured value and each prior value by its standard uncertainty. The squares of the
+/// changes of the answer add up to the stated variance. The changes are finite differences, so they
+/// do not use the formula of the program.
 #[test]
 fn differences_of_the_answer_add_up_to_its_stated_uncertainty() {
     let setup = struck(&OFF_CENTRE);
@@ -220,8 +220,8 @@ fn an_unidentified_change_does_not_change_the_launch() {
                     slopes[wrt.iter().position(|row| row == parameter).unwrap()] * change
                 })
                 .sum();
-            // the launch does not identify this direction. `changes` omits the components of its
-            // unit vector below a tenth, and their effect on the launch remains
+            // along this direction the launch would not change, but `changes` omits components of
+            // the unit vector below a tenth, so a small change remains
             let sigma = outcome.measurement_uncertainty().unwrap();
             assert!(
                 untold.variance_removed < 1e-9 && change.abs() < 1.5 * sigma,
@@ -367,8 +367,8 @@ fn shots_of_a_launch_monitor_have_deliveries_with_measured_club_values() {
     );
 }
 
-/// No error of a launch monitor is known for the place of a strike: a stated place has the
-/// uncertainty of an unmeasured one.
+/// Launch monitors state no error for the place of a strike, so a stated place has the uncertainty
+/// of an unmeasured place.
 #[test]
 fn the_assumed_error_of_a_stated_strike_is_printed() {
     let launch = "ball_speed=160mph,launch_angle=12deg,spin=2500rpm";
@@ -496,8 +496,8 @@ fn same_comments_of_unchanged_values_in_a_file_written_from_a_file() {
     }
 }
 
-/// A smash factor of 1.58, or of 1.88, is impossible: the stated speed is wrong, so the message
-/// names it, and no setup is written.
+/// A smash factor of 1.58 or 1.88 is impossible, so the stated club speed is wrong. The message
+/// names this speed, and no setup is written.
 #[test]
 fn a_stated_speed_that_contradicts_the_launch_is_named() {
     let folder = tempfile::tempdir().unwrap();

@@ -116,7 +116,7 @@ fn sampled_swings_are_recovered_from_their_shots_within_three_uncertainties() {
             off.iter().all(|off| off.abs() < 3.0),
             "{name}: {off:?} {spread}"
         );
-        // the uncertainties are no larger than this number of swings justifies
+        // the stated uncertainties are not larger than expected for this number of swings
         assert!(
             stated("deviation") < 0.25 * deviation && number(&spread["told"]) > 0.6,
             "{name}: {spread}"
@@ -209,7 +209,7 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
             mean.abs() < 3.0 && deviation.abs() < 3.0,
             "{name}: {mean} {deviation}"
         );
-        // the share that the launches determine: the answer has the median over the shots
+        // `told` of a spread is the median over the shots of the fraction that a launch determines
         let rows = answer["rows"].as_array().unwrap();
         let known = rows.iter().flat_map(|row| row["known"].as_array().unwrap());
         let mut shares: Vec<f64> = known
@@ -298,7 +298,7 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
             of.name(),
             found / own
         );
-        // 60 shots determine a deviation to 9 %
+        // 60 shots determine a standard deviation within 9 %
         assert!(
             (found / own - 1.0).abs() < 0.3,
             "{}: {found} {own}",
@@ -318,8 +318,8 @@ fn assert_same_launch_statistics(answer: &serde_json::Value) {
     }
 }
 
-/// Every second row states the club speed. In the other rows it is not measured: the prior, 3 mph
-/// faster, must not draw the mean of the swings to itself.
+/// Every second row states the club speed. In the other rows the speed has a prior that is 3 mph
+/// above the truth. This prior must not change the mean of the swings.
 #[test]
 fn sampled_speed_is_recovered_from_rows_of_which_half_state_it() {
     let folder = tempfile::tempdir().unwrap();
@@ -358,8 +358,8 @@ fn sampled_speed_is_recovered_from_rows_of_which_half_state_it() {
     assert!(off.abs() < 3.0, "{off} {speed}");
 }
 
-/// A robot's swings hardly vary: the prior spread of unidentified parameters must not scatter the
-/// launches.
+/// A robot's swings hardly vary. The prior spread of unidentified parameters must not increase the
+/// scatter of the launches.
 #[test]
 fn a_robots_swings_keep_less_of_the_prior_spread() {
     let folder = tempfile::tempdir().unwrap();
@@ -421,7 +421,7 @@ fn exact_heads_of_recovered_swings_have_units_unless_a_parameter_is_a_plain_numb
              impact.restitution"
         )
     );
-    // the stated units
+    // the table has the stated units
     let us = written(&["--units", "us", "--overwrite"]);
     assert_eq!(
         us.lines().next(),
@@ -467,7 +467,7 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
             .count(),
         4
     );
-    // the suggested next command starts from the setup of the swings
+    // the suggested next command begins with the setup of the swings
     let follows = |ran: &crate::command_line::Output| {
         let message = on_one_line(&ran.err);
         message

@@ -1,5 +1,5 @@
-//! Derivatives: the number types compared with each other and with differences, and independent of
-//! the other requested outcomes.
+//! Derivatives: the number types agree with each other and with differences, and the other
+//! requested outcomes have no effect.
 
 use crate::command_line::WHOLE;
 use crate::common::{close, landing, mixed, panic_of};
@@ -12,7 +12,7 @@ use longdrive::units::System;
 use longdrive::{Drive, Error, Outcome, Setup};
 use num_dual::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
-/// Outcomes of a setup over another number, with loft and attack angle as its variables.
+/// Outcomes of a setup over the number type `D`. The variables are loft and attack angle.
 fn outcomes_with_variables<D: Number, const N: usize>(
     setup: &Setup<f64>,
     of: [Outcome; N],
@@ -86,7 +86,8 @@ fn differences_of_values_agree_with_the_gradient_by_every_parameter() {
             let (h, values) = differences(&setup, parameter, value, &of);
             for (taylor, [below, above]) in exact.iter().zip(values) {
                 let difference = (above - below) / (2.0 * h);
-                // rounding of the values divided by the step, plus truncation of the difference
+                // allowed error: truncation of the difference, and rounding of the values divided
+                // by the step
                 let allowed = 1e-6 * difference.abs() + 1e-11 * taylor.value.abs().max(1.0) / h;
                 assert!(
                     (taylor.gradient[k] - difference).abs() <= allowed,
@@ -109,8 +110,8 @@ fn differences(
     let h = 1e-5 * value.abs().max(1e-6);
     let at = |value: f64| {
         let mut moved = *setup;
-        // the formulas hold beyond the range of a parameter, and the difference is needed at its
-        // end too
+        // the value may be outside of the range of the parameter, because a central difference at
+        // the end of the range needs such a value
         moved = moved.map(|row, old| if row == parameter { value } else { old });
         let drive = Drive::new(&moved).unwrap();
         of.iter()
@@ -171,9 +172,8 @@ fn differences_of_gradients_agree_with_a_hessian_of_many_parameters() {
 }
 
 /// With massless weights, a central strike and a straight shaft, these ten parameters do not change
-/// the flight. Derivatives by so many parameters are chained from those of the impact and those of
-/// the flight; here no input of the flight varies. For a given launch, the ball's inertia has no
-/// effect either.
+/// the flight. Derivatives by so many parameters are chained from derivatives of impact and flight;
+/// here no input of the flight varies. On a given launch, the ball's inertia has no effect either.
 #[test]
 fn exact_value_and_zero_gradient_of_a_flight_without_parameters() {
     let idle = [
@@ -240,8 +240,8 @@ fn exact_value_and_zero_gradient_of_a_flight_without_parameters() {
     }
 }
 
-/// A Hessian by many parameters is chained from Hessians of impact and flight; a Hessian by a few
-/// is computed at once.
+/// A Hessian by many parameters is computed by the chain rule from Hessians of impact and flight. A
+/// Hessian by a few parameters is computed directly.
 #[test]
 fn same_hessian_by_all_parameters_and_by_a_few() {
     let mut setup = Setup::default();
@@ -302,8 +302,8 @@ fn same_hessian_by_all_parameters_and_by_a_few() {
     }
 }
 
-/// For 3 parameters, Hessian and diagonal are computed by the same passes and are equal to the bit;
-/// for all parameters, the Hessian is computed by the chain rule.
+/// For 3 parameters, Hessian and diagonal come from the same passes and are equal to the bit. For
+/// all parameters, the Hessian comes from the chain rule.
 #[test]
 fn same_diagonal_as_that_of_the_hessian() {
     let setup = Setup::default();
@@ -411,7 +411,8 @@ fn derivatives_do_not_depend_on_other_requested_outcomes() {
         .unwrap()
         .at_setup(None, &mut |done, passes| seen.push((done, passes)))
         .unwrap();
-    // a processor with wider registers needs fewer passes for the three pairs
+    // the three pairs of parameters need one to three passes, fewer on a processor with wider
+    // registers
     let passes = seen.len();
     assert!((1..=3).contains(&passes));
     assert!(
@@ -486,7 +487,7 @@ fn zero_spin_is_a_corner_of_laws_with_drag_that_grows_with_spin() {
     assert!(drive.corners(&setup).is_empty());
 }
 
-/// With fewer derivatives than parameters, a report would omit parameters without a message.
+/// A report of fewer derivatives than parameters would omit parameters without a message.
 #[test]
 fn reports_of_fewer_or_more_derivatives_than_parameters_panic_with_both_numbers() {
     let setup = Setup::default();
@@ -546,7 +547,7 @@ fn exact_tanh_is_finite_for_large_arguments_and_precise_near_zero() {
     assert!((small.re / 1e-9 - 1.0).abs() < 1e-15 && (small.eps - 1.0).abs() < 1e-15);
 }
 
-/// An unset parameter has no value and no derivative; the drive does not change.
+/// An unset parameter has no value and no derivative. A request with it does not change the drive.
 #[test]
 fn exact_zero_derivative_by_an_unset_parameter() {
     let setup = Setup::default();
@@ -556,8 +557,8 @@ fn exact_zero_derivative_by_an_unset_parameter() {
     assert!((value - carry).abs() < 1e-12 * carry, "{value} {carry}");
 }
 
-/// Stack of the derivatives: a thread has 2 MiB, and docs/library.md says that a build without
-/// optimization needs more. Optimized at level 1, these derivatives take 135 KiB.
+/// Stack that derivatives need. A thread has 2 MiB; a build without optimization needs more
+/// (docs/library.md). At optimization level 1, these derivatives take 135 KiB.
 #[test]
 fn derivatives_need_little_stack() {
     let work = || {
@@ -590,8 +591,8 @@ fn derivatives_need_little_stack() {
         .unwrap();
 }
 
-/// xᵃ with its first two derivatives, over every number type: integer exponents of any base, other
-/// exponents of 4 and of 0.
+/// xᵃ with its first two derivatives, over every number type. An integer exponent is allowed for
+/// any base; other exponents are tested with the bases 4 and 0.
 #[test]
 fn exact_powers_of_negative_numbers_and_of_zero() {
     const NONE: f64 = f64::INFINITY;

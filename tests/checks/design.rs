@@ -9,7 +9,7 @@ use longdrive::study::design::{GolfRule, RULES};
 
 use serde_json::Value;
 
-/// A few swings of a golfer, so that a search takes no time.
+/// A golfer in whose swings only three parameters vary, so that a search is fast.
 const GOLFER: [&str; 5] = [
     "modern-driver",
     "--set=club.loft=12deg",
@@ -46,9 +46,9 @@ fn held<'a>(found: &'a Value, name: &str) -> &'a Value {
         .unwrap_or_else(|| panic!("{name}: {found}"))
 }
 
-/// The multiplier of the rule on the moment of inertia is the derivative of the best goal by its
-/// limit. The expected derivative is the difference of two searches without the rule, with the
-/// limit as a constraint.
+/// The multiplier of the rule on the moment of inertia is the derivative of the best goal by the
+/// limit of this rule. The expected value is a difference of two searches, in which a constraint
+/// with a changed limit replaces the rule.
 #[test]
 fn differences_certify_the_price_of_the_limit_on_the_moment_of_inertia() {
     let found = designed(&WEIGHT);
@@ -85,8 +85,8 @@ fn differences_certify_the_price_of_the_limit_on_the_moment_of_inertia() {
     );
 }
 
-/// A rule about a parameter is a bound: the rule has the multiplier of the bound, and 0 if a
-/// tighter bound of the user is active.
+/// A rule about a parameter acts as a bound, and has the multiplier of this bound. The multiplier
+/// is 0 if a tighter bound of the user is active.
 #[test]
 fn a_rule_about_a_parameter_is_a_bound_of_it() {
     let vary = "--vary=impact.restitution=0.78..0.9";
@@ -134,8 +134,8 @@ fn varied_inertia_stays_that_of_a_rigid_body() {
         body.len() == 3 && body.iter().all(|minor| *minor > -1e-10),
         "{body:?}"
     );
-    // the goal improves as the inertia about the axis to the target becomes less than that about
-    // the axis from heel to toe; only the condition of a rigid body limits this
+    // the goal improves as the inertia about the axis to the target becomes less than the inertia
+    // about the axis from heel to toe; only the rule `a rigid body` limits this
     assert!(number(&held(&found, "a rigid body")["value"]) > 0.0);
     assert!(
         found["design"]["held"]
@@ -144,7 +144,7 @@ fn varied_inertia_stays_that_of_a_rigid_body() {
             .iter()
             .any(|held| held["name"] == "a rigid body" && !held["price"].is_null())
     );
-    // the program has no warning about this tensor
+    // `simulate` has no warning about this inertia tensor
     let setup: Vec<String> = ["club.inertia.xx", "club.inertia.yy", "club.inertia.zz"]
         .iter()
         .map(|name| format!("{name}={} kg m^2", number(&found["setup"][*name])))
@@ -158,7 +158,7 @@ fn varied_inertia_stays_that_of_a_rigid_body() {
     );
 }
 
-/// A varied mass has a budget: the mass of the setup, or a stated one.
+/// A varied mass has an upper limit, the budget: the mass of the setup, or a stated limit.
 #[test]
 fn varied_mass_has_a_budget() {
     let vary = ["--vary=club.mass=180g..230g"];
@@ -225,8 +225,8 @@ fn exact_limit_of_a_temperature_on_its_scale() {
     }
 }
 
-/// The answer has the value of a relation that the user states. Its multiplier is the derivative of
-/// the best goal by its limit.
+/// The answer has the value of a relation that the user states. The multiplier of the relation is
+/// the derivative of the best goal by the limit of the relation.
 #[test]
 fn differences_certify_the_price_of_a_relation() {
     let of = |limit: f64| {
@@ -453,7 +453,7 @@ fn designs_outside_the_rules_or_the_face_are_refused_by_name() {
         "{}",
         output.err
     );
-    // limits that no weight can meet are named
+    // the message names limits that no design can meet
     let (status, found) = json(
         &[
             &["design"],
@@ -535,7 +535,8 @@ fn a_file_that_names_no_preset_is_refused() {
     assert!(title.contains("mine.toml (tour-average)"), "{title}");
 }
 
-/// A volume 0.2 % above its limit exceeds it; 1e-6 m³ would be a whole cm³.
+/// The tolerance is relative: a volume 0.2 % above its limit exceeds it. An absolute tolerance of
+/// 1e-6 m³ would be a whole cm³.
 #[test]
 fn a_limit_of_a_small_quantity_is_met_within_a_millionth_of_its_value() {
     let setup = Setup::default();

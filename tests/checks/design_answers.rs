@@ -5,7 +5,7 @@ use crate::common::close;
 use longdrive::derivative::{Evaluator, Order};
 use longdrive::{Outcome, Setup};
 
-/// The golfer of the program with few swings, so that a search takes no time.
+/// The default golfer with few swings, so that a search is fast.
 const FEW: [&str; 4] = ["design", "modern-driver", "--scenarios", "32"];
 
 /// A golfer whose face angle and strike towards the toe vary, and nothing else.
@@ -16,8 +16,7 @@ const TWO: [&str; 4] = [
     "--distribution=strike.toe=truncated(0mm,9mm,-18mm,18mm)",
 ];
 
-/// The wind blows from a stated direction, and the swings have its speeds: the setup alone has no
-/// speed.
+/// The setup states the wind direction, but not the wind speed, which varies from swing to swing.
 #[test]
 fn a_design_in_a_wind_whose_speed_varies() {
     let wind = [
@@ -86,8 +85,8 @@ fn other_swings_without_a_flight_do_not_suppress_a_design() {
     }
 }
 
-/// The setup has no weight 1, and its mass is varied. The design as set up is then without the
-/// weight; it does not have a weight with the middle mass of the range.
+/// The setup has no weight 1, and the mass of weight 1 is varied. The design as set up then has no
+/// weight 1, instead of one with the middle mass of the range.
 #[test]
 fn the_setup_as_set_up_omits_unset_parameters() {
     let base = json(&[&TWO[..], &["--vary=club.loft=10deg..11deg"]].concat()).1;
@@ -140,8 +139,8 @@ fn a_relation_is_shown_in_the_unit_of_its_limit() {
     );
 }
 
-/// The message of an infeasible search has the least violation found, and names limits that no
-/// variable changes.
+/// The message of an infeasible search has the smallest violation that was found, and names limits
+/// that no variable changes.
 #[test]
 fn the_nearest_design_is_no_further_than_the_one_set_up() {
     let weight = [
@@ -153,7 +152,7 @@ fn the_nearest_design_is_no_further_than_the_one_set_up() {
         "--vary=club.weight_1.depth=0mm..110mm",
         "--vary=club.weight_1.toe=-50mm..50mm",
         "--subject-to=head_moi <= 5500 g cm^2",
-        // large steps save time; both designs are computed in them
+        // large steps save time; both designs are computed with them
         "--set=flight.method=dp8",
         "--set=flight.step=1s",
     ];

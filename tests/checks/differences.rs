@@ -1,5 +1,5 @@
-//! Finite differences of known functions: `derivative::check`, from its samples to its verdict on
-//! remainders.
+//! Finite differences of known functions by `derivative::check`: samples, error estimates, and the
+//! verdict on remainders.
 
 use longdrive::derivative::check::{Ladder, STEPS, Side, taylor_slopes};
 
@@ -58,8 +58,8 @@ fn exact_truth_is_within_the_error_estimates_of_differences() {
     }
 }
 
-/// The function has noise in its last digits, and the point is at the end of its range: one-sided
-/// differences detect the noise as central differences do.
+/// The function has noise in its last digits, and the point is at the end of its range. One-sided
+/// differences detect the noise as well as central differences.
 #[test]
 fn rounding_is_detected_from_one_side() {
     let noise = |x: f64| 1e-12 * ((x * 1e15).sin() * 43_758.545_3).fract();

@@ -1,5 +1,5 @@
-//! Outcomes that are directions: 180° equals −180°, and differences and means do not cross the jump
-//! between them.
+//! Outcomes that are directions. 180° equals −180°: differences and means of directions do not
+//! cross this jump.
 
 use crate::command_line::{json, number};
 

@@ -73,8 +73,8 @@ fn the_best_lofts_of_two_presets_in_the_readme_are_the_programs() {
     }
 }
 
-/// The lines below a command of docs/tutorial.md are lines of its output. The cells of the table of
-/// a sweep are compared to 12 characters, because their last digits depend on the processor.
+/// The lines below a command in docs/tutorial.md are lines of the command's output. Cells of a
+/// sweep's table are compared to 12 characters, because their last digits depend on the processor.
 #[test]
 fn the_outputs_in_the_tutorial_are_the_programs() {
     let text = document("docs/tutorial.md");
@@ -207,8 +207,8 @@ fn the_costs_and_slopes_in_validation_md_are_those_of_the_program() {
     }
 }
 
-/// At the beginning of docs/performance.md, the ratios follow from the times in the tables, and the
-/// times equal the times in the tables.
+/// At the beginning of docs/performance.md, the times equal those in the tables, and the ratios
+/// follow from these times.
 #[test]
 fn the_costs_at_the_head_of_performance_md_are_those_of_its_tables() {
     let performance = document("docs/performance.md");
@@ -456,8 +456,7 @@ fn rules_and_numbers_of_design_md_are_the_programs() {
     }
 }
 
-/// For the golfer of docs/swings.md, whose strikes vary, the bulge changes the goal. It would not
-/// if the strikes did not vary.
+/// For the golfer of docs/swings.md the bulge changes the goal, because the strikes vary.
 #[test]
 fn the_bulge_changes_the_goal_for_the_golfer_of_swings_md() {
     let text = document("docs/swings.md");
@@ -541,8 +540,9 @@ fn numbers_of_the_robust_example_of_swings_md_are_the_programs() {
     );
 }
 
-/// docs/verification.md has a row for every preset; in none of them did a derivative fail or a
-/// planted error stay unnoticed. A test in `verify.rs` checks every preset with the present code.
+/// docs/verification.md has a row for every preset. Each row counts 0 failed derivatives, and 0
+/// planted errors that the check did not notice. A test in `verify.rs` checks every preset with the
+/// present code.
 #[test]
 fn verification_md_lists_every_preset_without_a_failure() {
     let written = document("docs/verification.md");

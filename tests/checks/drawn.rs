@@ -92,7 +92,8 @@ fn optimum_with_map(
     (best, region, figure)
 }
 
-/// The outlines (rings) of a figure's regions, either of the hatched ones or of the tinted ones.
+/// The outlines (rings) of the hatched regions of a figure; of the tinted regions if `hatched` is
+/// false.
 fn rings(figure: &Figure, hatched: bool) -> Vec<Vec<[f64; 2]>> {
     let of = |layer: &Layer| match layer {
         Layer::Region {
@@ -152,7 +153,8 @@ fn drives_on_the_edge_of_the_region_of_small_loss_have_that_loss_and_meet_every_
                     .unwrap();
                 let short = (constraint.low - value(constraint.goal.outcome().unwrap()))
                     .max(value(constraint.goal.outcome().unwrap()) - constraint.high);
-                // up to 0.01 deg, 0.01 yd or 1 rpm, because the map is linear between its nodes
+                // a point may miss a limit by 0.01 deg, 0.01 yd or 1 rpm, because the map is linear
+                // between its nodes
                 let fine = if constraint.goal.outcome() == Some(Outcome::Backspin) {
                     unit
                 } else {
@@ -174,8 +176,8 @@ fn drives_on_the_edge_of_the_region_of_small_loss_have_that_loss_and_meet_every_
     }
 }
 
-/// At an active constraint the outcome has a gradient, and an ellipse of the quadratic model would
-/// be wrong.
+/// At an active constraint the gradient of the outcome is not 0, so an ellipse of the quadratic
+/// model would be wrong.
 #[test]
 fn no_ellipse_is_printed_with_an_active_constraint() {
     let (best, ..) = optimum_with_map(
@@ -208,7 +210,7 @@ fn only_the_infeasible_region_is_hatched() {
                 Outcome::DescentAngle,
             )
             .to_degrees();
-            // the map is linear between nodes: skip points near the lines of the limits
+            // skip points near a limit, because the map is linear between its nodes
             if (descent - 33.0).abs() > 0.05 && (descent - 38.0).abs() > 0.05 {
                 let is_forbidden = !(33.0..=38.0).contains(&descent);
                 assert_eq!(lies_in(&hatched, at), is_forbidden, "{at:?}: {descent}");
@@ -449,7 +451,7 @@ fn line_of(figure: &Figure, name: &str) -> Vec<[f64; 2]> {
     line.unwrap_or_else(|| panic!("no line {name}"))
 }
 
-/// The name of the largest ellipse of the first drive on a fairway.
+/// The name of the largest landing ellipse of the drive as set up.
 fn largest_ellipse_name(figure: &Figure) -> String {
     let names = figure.layers.iter().map(|layer| layer.named().0);
     names
@@ -580,7 +582,7 @@ fn a_constant_map_is_not_drawn() {
         "{}",
         output.err
     );
-    // derivatives that are 0 in every drive have no curve, and the page is complete
+    // a derivative that is 0 in every drive has no curve, but the page is complete
     let output = longdrive(&[
         "report",
         "-o",
@@ -795,7 +797,8 @@ fn exact_distances_of_the_arcs_and_the_edges_of_a_fairway() {
     }
 }
 
-/// Both runs are on the target line: one of them is dashed, and the end of each has its total.
+/// Both runs are on the target line. One run is dashed, so that both are seen, and a mark at the
+/// end of each run has its total.
 #[test]
 fn two_runs_on_one_line_are_both_seen() {
     let landings = two_landings();
@@ -837,7 +840,7 @@ fn same_flights_in_a_launch_map_and_alone() {
             Outcome::Carry,
         )
     };
-    // the marked launch has the carry of the strike
+    // the launch marked as the golfer's own has the carry of the strike
     let [yours, others] = [0, 1].map(|i| &map.launched[i]);
     close(
         carry(yours.launch_angle, yours.backspin),
@@ -926,7 +929,8 @@ fn rings_on_the_face_have_their_loss_and_arrows_tilt_with_the_spin_axis() {
     let mut seen = [false; 2];
     for [from, to] in arrows.unwrap() {
         let tilt = strike(-from[0], from[1], Outcome::SpinAxis) - straight;
-        // the face is seen from the front: a tilt to the right points to the left
+        // the face is seen from the front, so a tilt of the spin axis to the right points to the
+        // left
         assert!((to[0] - from[0]) * tilt <= 1e-12, "{from:?}");
         seen[usize::from(tilt > 0.0)] = true;
     }

@@ -1,4 +1,4 @@
-//! The command `explore` if it serves no page, and the address of the explorer.
+//! The command `explore` if it cannot serve a page, and the address of the explorer.
 
 #[cfg(not(feature = "explore"))]
 use crate::command_line::{longdrive, on_one_line};

@@ -253,7 +253,7 @@ fn two_at_once_are_served_while_a_third_is_silent() {
         let both = [scope.spawn(get), scope.spawn(get)];
         assert_eq!(both.map(|one| one.join().unwrap()), [200, 200]);
     });
-    // Ctrl-C ends the program although the silent connection is open
+    // Ctrl-C ends the program although a connection is open on which the client sends nothing
     assert_eq!(server.ended().status.code(), Some(0));
     drop(silent);
 }

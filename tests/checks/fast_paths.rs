@@ -39,7 +39,7 @@ fn by_drive<D: Number>(setup: &Setup<f64>, of: Outcome, variable: impl Fn(f64, u
     of.of(&Drive::new(&lifted).unwrap()).unwrap()
 }
 
-/// Setups in the plane and in space, with every law and method.
+/// Setups with every law and method, whose drives stay in a vertical plane or curve to the side.
 fn for_planar_and_spatial_setups(check: impl Fn(&Setup<f64>)) {
     let sideways = [
         ("swing.path", "2 deg"),
@@ -120,7 +120,7 @@ fn same_derivatives_by_the_fast_paths_and_the_general_one() {
     for_planar_and_spatial_setups(agrees);
 }
 
-/// Decay rates from 0 to a rate with which the spin decays within a tenth of a second.
+/// Decay rates from 0 to 50/s, at which the spin vanishes within a tenth of a second.
 #[test]
 fn same_derivatives_for_any_spin_decay() {
     let mut setup = Setup::default();
@@ -170,8 +170,8 @@ fn same_derivatives_for_any_spin_decay() {
 
 #[test]
 fn same_derivatives_by_the_chain_rule_between_impact_and_flight() {
-    // derivatives by all parameters at once are chained through the inputs of the flight;
-    // derivatives by pairs of parameters are not
+    // derivatives by all parameters are chained through the inputs of the flight; derivatives by
+    // two parameters are computed directly
     for setup in landing(25) {
         let all = setup.variables();
         for of in [
@@ -205,8 +205,8 @@ fn same_derivatives_by_the_chain_rule_between_impact_and_flight() {
 
 #[test]
 fn same_derivatives_by_the_chain_rule_between_launch_and_flight() {
-    // Hessians by more parameters of club and swing than a launch has components are chained
-    // through these components; Hessians by pairs of parameters are not
+    // eight parameters of club and swing are more than a launch has components, so their Hessians
+    // are chained through these components; Hessians by two parameters are computed directly
     let groups = ["swing.", "club.", "strike.", "impact."];
     let of_strike =
         |row: &&'static Parameter| groups.iter().any(|group| row.name.starts_with(group));
@@ -395,13 +395,13 @@ fn order_of_each_method_is_its_own_in_value_and_gradient() {
     };
     let exact = at(Method::DormandPrince8, 0.02);
     for method in Method::ALL {
-        // long enough that the error exceeds rounding
+        // a step so long that the integration error exceeds rounding
         let step = match method {
             Method::Rk4 => 0.1,
             Method::DormandPrince8 => 0.8,
         };
-        // the mean over eight steps of slightly different lengths: the position of the landing
-        // within the last step changes the error
+        // the mean over eight slightly different steps, because the error depends on the position
+        // of the landing within the last step
         let error = |step: f64| {
             let all: Vec<f64> = (0..8)
                 .map(|k| {

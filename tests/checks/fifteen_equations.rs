@@ -4,9 +4,9 @@
 use longdrive::impact::{Collision, Rebound};
 use longdrive::number::{Number, Vector};
 
-/// The bodies after the collision: 12 generalized speeds and the 3 components of the impulse R on the
-/// club, from 12 equations of momentum (Winfield & Tan 1994, eq. 15), restitution (18) and no slip (19,
-/// 20). A hundred times slower than [`Collision::by_impulse`].
+/// Solves the collision from 12 equations of momentum (Winfield & Tan 1994, eq. 15), restitution
+/// (18) and no slip (19, 20). The unknowns are 12 generalized speeds and the 3 components of the
+/// impulse R on the club. A hundred times slower than [`Collision::by_impulse`].
 pub fn by_generalized_speeds<T: Number>(collision: &Collision<T>) -> Rebound<T> {
     let mut system = SpeedSystem {
         a: [[T::zero(); 15]; 15],
@@ -85,8 +85,8 @@ impl<T: Number> SpeedSystem<T> {
         }
     }
 
-    /// Adds the equations of the separation velocity along the normal and the tangents (eq. 7):
-    /// this velocity is −(coefficient of restitution) × (approach velocity).
+    /// Adds the equations of restitution along the normal and the tangents (eq. 7): the separation
+    /// velocity is −(coefficient of restitution) × (approach velocity).
     fn add_separation(&mut self, collision: &Collision<T>, directions: &[Vector<T>; 3]) {
         let Self { a, b } = self;
         let approach = collision.approach();
@@ -110,7 +110,7 @@ impl<T: Number> SpeedSystem<T> {
         }
     }
 
-    /// Applies the scale of the gear effect (eq. 9a): adds (g − 1) times the velocities along the
+    /// Applies the scale g of the gear effect (eq. 9a): adds (g − 1) times the velocities along the
     /// face that the rotation of the head causes.
     fn add_gear_scale(&mut self, collision: &Collision<T>, directions: &[Vector<T>; 3]) {
         let Some(scale) = collision.gear_scale else {
@@ -121,7 +121,7 @@ impl<T: Number> SpeedSystem<T> {
             ..*collision
         };
         let n = collision.normal;
-        // K n of rigid bodies, and w = K n − (n·K n) n
+        // K n, with the compliance K of rigid bodies, and w = K n − (n·K n) n
         let [x, y, z] = rigid.compliance().expect("a positive definite K");
         let pushed = x * n.x + y * n.y + z * n.z;
         let w = pushed - n * n.dot(pushed);

@@ -14,8 +14,8 @@ fn free(width: f64) -> FitRange {
     }
 }
 
-/// A line fitted to values of unit uncertainty at t = 0, 1, 2; expected: (JᵀJ)⁻¹ of the normal
-/// equations, by hand. A third column proportional to the second is confounded with it, and
+/// A line is fitted to values of unit uncertainty at t = 0, 1, 2. The expected covariance is
+/// (JᵀJ)⁻¹, computed by hand. A third column proportional to the second is confounded with it, and
 /// affects neither the first parameter nor χ².
 #[test]
 fn exact_covariance_of_a_line_and_confounded_columns_named() {
@@ -78,7 +78,7 @@ fn parameters_with_as_many_values_are_determined() {
             (line.scale, line.degrees_of_freedom, line.probability),
             (scale, 0, None)
         );
-        // variance of the slope: variance of a difference of two values
+        // the slope is the difference of two values of variance 1, so its variance is 2
         assert_eq!(
             line.covariance[1][1].map(|variance| (variance - 2.0).abs() < 1e-12),
             scale.map(|_| true)
@@ -87,7 +87,7 @@ fn parameters_with_as_many_values_are_determined() {
     }
 }
 
-/// Columns that differ by 1e-4 give a standard error of 1e4/√2, which exceeds a narrow range.
+/// The columns differ by 1e-4. The standard error is then 1e4/√2, which exceeds a narrow range.
 #[test]
 fn standard_errors_beyond_the_range_are_no_answers() {
     let rows = Rows {
@@ -117,8 +117,8 @@ fn standard_errors_beyond_the_range_are_no_answers() {
     );
 }
 
-/// At a correlation of 0.6, standard errors of 1.12 and 0.56 along the two directions combine
-/// to 1.25.
+/// The columns have a correlation of 0.6. Standard errors of 1.12 and 0.56 along two directions
+/// combine to 1.25.
 #[test]
 fn standard_errors_of_two_directions_combine() {
     let rows = Rows {
@@ -149,7 +149,7 @@ fn parameters_without_influence_are_undetermined_on_a_bound_too() {
     };
     let found = of(&blind, &[free(1e9), held], SigmaOrigin::Stated);
     assert!(found.determines(0) && !found.determines(1), "{found:?}");
-    // the gradient presses this parameter against its bound
+    // the gradient presses the second parameter against its bound
     let pressed = Rows {
         residuals: vec![0.5, -0.5],
         jacobian: vec![vec![1.0, 40.0], vec![1.0, -40.0]],

@@ -100,7 +100,7 @@ fn exact_terminal_fall_from_a_hill() {
         * (100.0 * setup.flight.gravity / terminal.powi(2))
             .exp()
             .acosh();
-    // not to the last bit: the speed through the air has a lower clamp of 1e-6 m/s
+    // the error exceeds rounding, because the speed through the air has a lower clamp of 1e-6 m/s
     close(landed.flight_time, time, time, 1e-11, "time");
     close(
         landed.velocity.x,
@@ -114,8 +114,8 @@ fn exact_terminal_fall_from_a_hill() {
 
 #[test]
 fn exact_uniform_wind_is_a_moving_frame() {
-    // in the frame of the air, the ball is launched at v − w; a cross wind only shifts the landing
-    // by w t
+    // in the frame that moves with the wind w, the air is still, and the ball is launched at v − w;
+    // in time t this frame moves by w t
     let mut setup = Setup::default();
     let still = Launch {
         velocity: Vector::new(15.0, -6.0, 55.0),
@@ -171,8 +171,9 @@ fn order_of_value_and_gradient_in_the_step_is_four() {
             ]
         };
         let (coarse, fine) = (error(0.08), error(0.02));
-        // at its grid lines bearman-harvey has two continuous derivatives. The gradient depends on
-        // its first derivatives, which have one
+        // at its grid lines the law bearman-harvey has two continuous derivatives. The gradient of
+        // the flight depends on the first derivative of the law, which has one continuous
+        // derivative
         let of_gradient = if *law == "bearman-harvey" { 3.0 } else { 4.0 };
         for ((coarse, fine), exact) in coarse.into_iter().zip(fine).zip([4.0, of_gradient]) {
             let order = (coarse / fine).log(4.0);
@@ -199,8 +200,8 @@ fn same_carry_in_shorter_steps_within_a_micrometre() {
                 (wind, wind, roughness);
             let coarse = carry(&setup);
             setup.flight.step /= 8.0;
-            // the error in these steps is 4096 times smaller, so the difference is the error of the
-            // default step
+            // a step 8 times shorter has an error 4096 times smaller, so the difference is the
+            // error of the default step
             let error = (coarse - carry(&setup)).abs();
             assert!(
                 error < 1e-6,
@@ -248,7 +249,7 @@ fn a_ball_that_does_not_rise_has_no_flight_and_no_carry() {
     }
     setup.ground.height = 5.0;
     setup.air.density = 0.0;
-    // 5 m takes √(2 g 5) = 9.9 m/s
+    // a height of 5 m needs a launch speed of √(2 g · 5 m) = 9.9 m/s
     assert!(
         matches!(fly(&setup, &launch(9.9)).unwrap(), Flight::None(NoFlight::BelowGround { apex_height, .. }) if apex_height > 4.9)
     );
@@ -353,8 +354,8 @@ fn a_trajectory_starts_on_the_tee_and_ends_at_the_landing() {
     );
 }
 
-/// Still air is isotropic: aiming in another direction does not change the distance, and `carry` is
-/// its component along the target line.
+/// Still air is isotropic, so the carry distance does not depend on the direction of the aim.
+/// `carry` is the component of this distance along the target line.
 #[test]
 fn exact_carry_distance_is_the_same_in_every_direction() {
     let mut setup = Setup::default();
@@ -393,8 +394,8 @@ fn exact_carry_distance_is_the_same_in_every_direction() {
     }
 }
 
-/// After the landing, the trajectory ends at the ball's rest, and it returns to the plane of the
-/// ground after each bounce. For a ball that embeds it ends at the landing.
+/// The trajectory of a ball that bounces returns to the plane of the ground after each bounce, and
+/// ends at rest. The trajectory of a ball that embeds ends at the landing.
 #[test]
 fn same_total_by_the_trajectory_and_by_the_drive() {
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -531,7 +532,7 @@ fn unusual_values_of_a_diverging_flight_are_named_and_the_step_only_if_long() {
     let fast = launch(1e5, -280.0);
     let message = |change: &dyn Fn(&mut Setup<f64>), launch: &Launch<f64>| {
         let mut setup = usual();
-        // a step of 40 ms does not count as long: the message does not advise a shorter one
+        // a step of 40 ms is not long, so the message does not advise a shorter one
         setup.flight.step = 0.04;
         change(&mut setup);
         match fly(&setup, launch) {
@@ -576,7 +577,7 @@ fn unusual_values_of_a_diverging_flight_are_named_and_the_step_only_if_long() {
     }
 }
 
-/// Lift that turns the ball within hundredths of a second.
+/// A law with so much lift that the ball turns within hundredths of a second.
 fn steep() -> Law<f64> {
     let Law::Linear(linear) = Law::named("linear").unwrap() else {
         unreachable!()
@@ -587,8 +588,9 @@ fn steep() -> Law<f64> {
     })
 }
 
-/// A ball that hardly falls, in short steps: 10 million steps up to the time limit. The interrupt
-/// flag ends such a flight, and its row of a batch; a drive of a few hundred steps ends by itself.
+/// The ball hardly falls, and its flight has 10 million short steps up to the time limit. The
+/// interrupt flag ends this flight, and its row of a batch. A drive of a few hundred steps ends by
+/// itself.
 #[test]
 fn a_flag_ends_a_flight_of_millions_of_steps() {
     let mut endless = Setup::default();
@@ -627,7 +629,7 @@ fn a_flag_ends_a_flight_of_millions_of_steps() {
         });
         assert!(matches!(ended, Err(Error::Stopped)), "{n}: {ended:?}");
     }
-    // the flag is still set
+    // the flag is still set, but this drive has few steps
     Drive::until(&Setup::default(), &stop)
         .unwrap()
         .landed()

@@ -1,5 +1,5 @@
-//! Bounces and rolling: compared with an independent computation, closed forms and papers; smooth
-//! across numbers of bounces.
+//! Bounces and rolling: comparison with an independent computation, closed forms and papers;
+//! continuity across numbers of bounces.
 
 use crate::common::{close, data, jump, number, random_setups};
 use longdrive::derivative::check::Verdict;
@@ -122,9 +122,9 @@ fn same_flight_with_and_without_the_run() {
     }
 }
 
-/// On ground without restitution and compliance, a ball without spin keeps v = 5/7 of its velocity
-/// along the slope β; the spin takes the rest. With the rolling resistance ρ_g it then rolls
-/// v²/(2 (ρ_g g cos β + 5/7 g sin β)).
+/// A ball without spin lands on ground without restitution and compliance. It rolls at once, at the
+/// speed v, 5/7 of its velocity component along the slope β. With the rolling resistance ρ_g it
+/// rolls v²/(2 (ρ_g g cos β + 5/7 g sin β)).
 #[test]
 fn roll_on_a_slope_by_its_closed_form() {
     for degrees in [0.0_f64, 4.0, -4.0] {
@@ -177,7 +177,7 @@ fn runs_of_random_drives_are_finite() {
         };
         let Ok(landed) = drive.landed() else { continue };
         let rest = landed.rest.unwrap();
-        // roll-out if only rolling resistance takes the energy of the landing
+        // the roll-out if rolling resistance alone takes the energy of the landing
         let most = landed.velocity.dot(landed.velocity)
             / (2.0 * setup.ground.rolling * setup.flight.gravity);
         let [run, right] = [rest.downrange - landed.carry, rest.right - landed.lateral];
@@ -310,7 +310,7 @@ fn differences_confirm_the_derivatives_of_the_run() {
 }
 
 /// The run in Penner's first model (2001), on level ground: twice the length of the first bounce,
-/// which the ball begins rolling, and a roll with μ_r = 1.
+/// and a roll with μ_r = 1. Both begin with the speed of a rolling ball.
 fn penner_2001(velocity: Vector<f64>, backspin: f64, radius: f64) -> f64 {
     let g = 9.80665;
     let down = -velocity.x;
@@ -323,8 +323,9 @@ fn penner_2001(velocity: Vector<f64>, backspin: f64, radius: f64) -> f64 {
     2.0 * 2.0 * along * e * down / g + along * along.abs() / (2.0 * g)
 }
 
-/// Penner's driver (2001, eqs. 7–11) at a head speed: the head is a point mass of 200 g, the ball
-/// rolls as it leaves, the law is that of Bearman & Harvey, and the air has 1.204 kg/m³.
+/// Penner's driver (2001, eqs. 7–11) at a head speed and a loft: the head is a point mass of 200 g,
+/// the ball rolls as it leaves the face, the law is that of Bearman & Harvey, and the air has 1.204
+/// kg/m³.
 fn penner(speed: f64, degrees: f64) -> Setup<f64> {
     let mut setup = Setup::default();
     let changes = [
@@ -345,7 +346,7 @@ fn penner(speed: f64, degrees: f64) -> Setup<f64> {
     setup
 }
 
-/// The loft with the longest distance, of 8° to 20° in steps of 0.1°.
+/// The loft with the longest distance, among 8° to 20° in steps of 0.1°.
 fn best_loft(distance: impl Fn(f64) -> f64) -> f64 {
     let lofts = (0..=120).map(|k| 8.0 + 0.1 * f64::from(k));
     lofts
@@ -353,10 +354,10 @@ fn best_loft(distance: impl Fn(f64) -> f64) -> f64 {
         .unwrap()
 }
 
-/// Penner (2001): the longest carry at 45 m/s has a loft of 14.9°, the longest totals at 35, 45 and
-/// 55 m/s have 16.5, 13.1 and 10.7°. His model of the run gives these lofts within 0.4°. On the
-/// ground of this program a ball that lands flat keeps more speed, and the lofts are 1.5 to 2°
-/// lower.
+/// Penner (2001): at 45 m/s, a loft of 14.9° gives the longest carry. At 35, 45 and 55 m/s, lofts
+/// of 16.5, 13.1 and 10.7° give the longest totals. His model of the run gives these lofts within
+/// 0.4°. On the ground of this program a ball that lands flat keeps more speed, and the lofts are
+/// 1.5 to 2° lower.
 #[test]
 fn published_lofts_of_the_longest_totals() {
     let carry = best_loft(|loft| value(&penner(45.0, loft), Outcome::Carry));
@@ -381,10 +382,10 @@ fn published_lofts_of_the_longest_totals() {
     }
 }
 
-/// Runs of TrackMan's chart of 2010 (60 drives, the output of its model). On firm ground the runs
-/// of this program are within 7 yd (rms) of the chart, without bias; on average ground they are
-/// some 9 yd shorter. The drive of the PGA tour runs about 25 yd on average ground; on soft ground
-/// it runs the 10 yd of FlightScope.
+/// Runs in TrackMan's chart of 2010: 60 drives, computed by TrackMan's model. On firm ground the
+/// runs of this program are within 7 yd (rms) of the chart, without bias. On average ground they
+/// are some 9 yd shorter. The drive of the PGA TOUR runs about 25 yd on average ground. On soft
+/// ground it runs 10 yd, as in FlightScope's data.
 #[test]
 fn published_runs_of_launch_monitors() {
     let table = include_str!("../data/trackman_totals_2010.csv");

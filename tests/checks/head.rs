@@ -34,7 +34,7 @@ fn exact_head_with_a_weight_is_that_of_two_masses() {
     let [high, toe] = head.cg_offset.unwrap();
     close(high, -share * 0.018, 0.01, 1e-15, "high");
     close(toe, -share * 0.030, 0.01, 1e-15, "toe");
-    // in the head frame: pitched up by the loft
+    // components in the head frame, which is pitched up by the loft
     let (sin, cos) = setup.club.loft.sin_cos();
     let (x, y, z) = (-0.018, -0.030, -(0.095 - 0.0408));
     let s = nalgebra::Vector3::new(x * cos + z * sin, y, z * cos - x * sin);
@@ -111,8 +111,8 @@ fn exact_a_centre_of_mass_beside_the_centre_of_a_flat_face() {
     }
 }
 
-/// Compares derivatives of impact, flight and head by positions and masses of the weights and by
-/// the centre of mass with differences.
+/// Compares derivatives with differences: outcomes of impact, flight and head, by the positions and
+/// masses of the weights, and by the centre of mass.
 #[test]
 fn differences_certify_derivatives_by_weights_and_centre_of_mass() {
     let other = [
@@ -154,7 +154,7 @@ fn differences_certify_derivatives_by_weights_and_centre_of_mass() {
     }
 }
 
-/// The minors of second moments have the signs that follow from their eigenvalues.
+/// The signs of the minors of the second moments follow from the eigenvalues of the second moments.
 #[test]
 fn exact_minors_of_the_second_moments() {
     for (xz, is_body) in [

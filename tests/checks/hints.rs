@@ -119,7 +119,7 @@ fn help_that_cannot_be_written_is_an_error() {
     }
 }
 
-/// Files above the limit of the shell cannot be written, as on a full disk.
+/// The shell limits the size of a file. A write beyond this limit fails, as on a full disk.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_report_that_cannot_be_written_leaves_no_folder() {

@@ -109,7 +109,7 @@ fn exact_laws_of_mechanics() {
             "momentum",
         );
 
-        // angular momentum about the contact point, where the impulse has no arm
+        // angular momentum about the contact point, where the impulse has no lever arm
         let club = |spin, velocity: Vector<f64>| {
             turned(c.club_inertia, spin) - c.contact.cross(velocity * c.club_mass)
         };
@@ -144,7 +144,8 @@ fn exact_laws_of_mechanics() {
             "tangential restitution, no slip where 0",
         );
 
-        // the work of the impulse is J·(½ K J − u⁻): the change of energy
+        // the change of energy equals the work J·(½ K J − u⁻) of the impulse J, with the compliance
+        // K and the approach velocity u⁻
         let [x, y, z] = c.compliance().unwrap();
         let j = after.impulse;
         let yielded = x * j.x + y * j.y + z * j.z;
@@ -167,8 +168,9 @@ fn exact_laws_of_mechanics() {
 
 #[test]
 fn exact_loss_of_energy_where_both_restitutions_are_equal() {
-    // if both restitutions are e, then K J = (1 + e) u⁻, and the bodies lose the energy
-    // ½ (1 − e²) u⁻·K⁻¹u⁻ = ½ (1 − e) u⁻·J, which is 0 at e = 1
+    // K is the compliance, J the impulse, u⁻ the approach velocity. If both restitutions are e,
+    // then K J = (1 + e) u⁻, and the bodies lose the energy ½ (1 − e²) u⁻·K⁻¹u⁻ = ½ (1 − e) u⁻·J,
+    // which is 0 at e = 1
     for mut setup in random_setups(1000) {
         for e in [0.0, 0.4, 1.0] {
             (
@@ -244,8 +246,8 @@ fn exact_mirror_symmetry() {
 
 #[test]
 fn published_shot_of_winfield_and_tan() {
-    // printed: 139.16 mph downrange, 19.84 mph up, 38.57 rev/s, club 71.39 mph; the presets'
-    // rounded mass of the ball gives 139.20 and 19.85 (model page, reference setups)
+    // printed: 139.16 mph downrange, 19.84 mph up, 38.57 rev/s, club 71.39 mph. With the rounded
+    // ball mass of the preset, the first two are 139.20 and 19.85 (docs/validation.md)
     let mut setup = Setup::preset("winfield-tan").unwrap();
     setup
         .set_all([
@@ -363,7 +365,8 @@ fn exact_bend_of_the_shaft_is_a_lean_backwards_that_grows_with_the_head_speed() 
         );
         same(bent.spin, leaned.spin, norm(leaned.spin), "spin");
     }
-    // bend and droop grow with this power of the head speed: without them it has no effect
+    // bend and droop grow with this power of the head speed. Without bend and droop the power has
+    // no effect
     let mut setup = Setup::default();
     setup.swing.shaft_growth = Some(power);
     let unbent = strike(&setup).unwrap().launch.velocity;
@@ -414,8 +417,9 @@ fn exact_droop_of_the_shaft_turns_the_toe_down_and_the_loft_towards_it() {
 
 #[test]
 fn published_plate_of_penner_loses_restitution_with_speed() {
-    // Penner (2001): e = 0.86 − 0.0029 V cos θ, v_n = (1 + e) V cos θ/(1 + m/M) for a strike in
-    // front of the centre of mass
+    // Penner (2001), for a strike in front of the centre of mass: e = 0.86 − 0.0029 V cos θ and v_n
+    // = (1 + e) V cos θ/(1 + m/M), with the head speed V, the loft θ and the masses m of the ball
+    // and M of the head
     let mut setup = Setup::default();
     setup.club.cg_depth = 0.0;
     setup.swing.attack_angle = 0.0;
@@ -528,9 +532,9 @@ fn same_scaled_gear_effect_in_both_forms_of_the_collision() {
     }
 }
 
-/// The delivery is square, and the face flat and without loft. The impulse along the face, divided
-/// by the impulse along its normal, is then proportional to the scale of the gear effect: at a
-/// scale of 0 the ball has no spin. The derivative by the scale is the slope of this line.
+/// The delivery is square, and the face is flat and without loft. The impulse along the face,
+/// divided by the impulse along the normal, is then proportional to the scale of the gear effect.
+/// At a scale of 0 the ball has no spin. The derivative by the scale is constant.
 #[test]
 fn exact_gear_effect_of_a_square_strike_is_in_proportion_to_its_scale() {
     let mut setup = Setup::default();
@@ -588,8 +592,8 @@ fn exact_normal_of_a_spherical_face_points_from_its_centre() {
     setup.club.loft = 0.3;
     (setup.strike.high, setup.strike.toe) = (0.011, -0.02);
     let face = FacePoint::new(&setup.club, &setup.strike).unwrap();
-    // equal radii: the face is a sphere, whose centre is at d − R along k′ from the centre of
-    // mass
+    // bulge and roll have one radius R, so the face is a sphere. Its centre is (d − R) k′ from the
+    // centre of mass, with the depth d and the normal k′ at the centre of the face
     let (sin, cos) = setup.club.loft.sin_cos();
     let centre = setup.club.cg_depth - setup.club.bulge_radius;
     let from_centre = [

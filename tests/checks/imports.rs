@@ -53,8 +53,8 @@ struct Names {
 }
 
 impl Names {
-    /// Names in a text, without comments and unit tests. The `$crate` of a macro counts where the
-    /// macro is called.
+    /// Names in a text, without comments and unit tests. The `$crate` of a macro counts for the
+    /// file that calls the macro.
     fn of(text: &str) -> Self {
         let text = text.split("\n#[cfg(test)]\nmod tests {").next().unwrap();
         let is_use = |line: &&str| {
@@ -113,8 +113,8 @@ fn defined(files: &BTreeMap<String, Names>, module: &str, path: &str) -> String 
     if files.contains_key(&next) {
         return defined(files, &next, rest);
     }
-    // a re-export with the path sought is that of a macro which this file defines: it leads to no
-    // other file
+    // skip a re-export of the path itself: this file defines the macro that it re-exports, so the
+    // path leads to no other file
     let reexport = files[module]
         .uses
         .iter()
@@ -125,8 +125,8 @@ fn defined(files: &BTreeMap<String, Names>, module: &str, path: &str) -> String 
 /// Imports of each file.
 type Imports = BTreeMap<String, BTreeSet<String>>;
 
-/// The files of the library as modules, with the imports of each: by `use` lines, and by paths in
-/// its code. Re-exports are no imports.
+/// The imports of each file of the library, with files named as modules: `use` lines, and paths in
+/// the code. Re-exports are no imports.
 fn imports() -> Imports {
     let source = source();
     let text = |path: &PathBuf| std::fs::read_to_string(path).unwrap();
@@ -167,7 +167,7 @@ fn imports() -> Imports {
     files.iter().map(of).collect()
 }
 
-/// A circle: each imports the next, and the last the first.
+/// Finds a circle: each file imports the next, and the last file imports the first.
 fn circle(mut imports: Imports) -> Option<Vec<String>> {
     // remove files that import no remaining file, because they are in no circle, until none is left
     loop {
@@ -251,8 +251,8 @@ fn a_circle_of_any_length_is_found() {
     assert_eq!(of(&[("a", "b"), ("b", "a")]).unwrap(), ["a", "b"]);
 }
 
-/// Each number type of the core is compiled again at each level, so new number types go through one
-/// list.
+/// Each number type of the core is compiled again for each instruction set, so the types must be in
+/// one list.
 #[test]
 fn the_core_is_compiled_for_the_numbers_of_one_list() {
     let list = std::fs::read_to_string(source().join("number/compiled.rs")).unwrap();

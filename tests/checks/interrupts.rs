@@ -48,11 +48,11 @@ impl AtWork {
     }
 
     /// True if the program has ended, and its processor time in hundredths of a second; `None`
-    /// without /proc. A test must not wait for the program before this call, because the system
-    /// would forget the time.
+    /// without /proc. A test must call this before it waits for the program, because the system
+    /// forgets the time then.
     fn used(&self) -> Option<(bool, u64)> {
         let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.child.id())).ok()?;
-        // /proc/PID/stat has after the name: the state, ten numbers, and the time in user mode and
+        // after the name, /proc/PID/stat has the state, ten numbers, and the times in user mode and
         // in the kernel
         let fields: Vec<&str> = stat.rsplit(')').next()?.split_whitespace().collect();
         let used = fields[11..13]
@@ -359,7 +359,7 @@ fn shots_flown_before_the_interruption_are_counted_and_no_file_is_written() {
         format!("ball_speed [mph],launch_angle [deg],backspin [rpm]\n{rows}"),
     )
     .unwrap();
-    // rows are in a file of another name until all are flown
+    // until all rows are flown, they are in a file of another name
     let names = || -> Vec<_> {
         std::fs::read_dir(folder.path())
             .unwrap()
@@ -429,7 +429,7 @@ fn searches_over_very_many_swings_are_interrupted_within_an_evaluation() {
             .find(|(message, _)| !message.contains("before there was an answer"))
             .unwrap();
         assert!(message.contains("stopped"), "{found:#}");
-        // an unfinished point does not count
+        // a point without a value is not the optimum
         assert_eq!(
             found["optimum"].is_object(),
             found["value"].is_number(),

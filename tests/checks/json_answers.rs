@@ -9,7 +9,8 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-/// A table of three drives by the preset's own law; the carry is rounded to a tenth of a metre.
+/// A table of three drives with the law of the default preset. The carry is rounded to a tenth of a
+/// metre.
 fn shots() -> String {
     let mut table = "club.loft [deg],carry [m]\n".to_owned();
     for loft in ["9", "11", "13"] {

@@ -368,8 +368,8 @@ fn a_club_beside_a_launch_is_refused_by_name() {
             assert_eq!(printed.status, 0, "{command:?}: {}", printed.err);
         }
     }
-    // also refused: a table with two forms of the spin, and swept or fitted club parameters. Club
-    // settings of a setup file are only reported as unused
+    // also refused: a table with two forms of the spin, and swept or fitted club parameters. If a
+    // setup file has club settings, a note says that they are not used
     let both =
         "ball_speed [mph],launch_angle [deg],backspin [rpm],launch.spin [rpm]\n167,10.9,2686,1\n";
     std::fs::write(&points, both).unwrap();
@@ -503,7 +503,7 @@ fn values_replaced_by_another_form_of_the_spin_are_reported() {
     );
     assert!(!message(&["--launch", "spin=2400rpm"]).contains("replaced"));
     assert!(!message(&[]).contains("replaced"));
-    // derivatives by every given condition, also by the tilt of the spin axis
+    // the gradient has a derivative by every given condition, including the tilt of the spin axis
     let by = json(&["gradient", &file]).1.to_string();
     for name in ["ball_speed", "launch_angle", "spin", "spin_axis"] {
         assert!(by.contains(&format!("launch.{name}\"")), "{name}: {by}");
@@ -596,8 +596,8 @@ fn a_parameter_that_is_set_twice_is_refused() {
     }
 }
 
-/// A sweep over one launch condition, with the others on the command line or in a file: each row is
-/// the drive of the launch with this value.
+/// A sweep over one launch condition, with the other conditions on the command line or in a file.
+/// Each row equals a single drive with the same launch.
 #[test]
 fn same_drives_of_a_swept_launch_condition_and_alone() {
     let folder = tempfile::tempdir().unwrap();

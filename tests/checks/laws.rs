@@ -1,4 +1,4 @@
-//! The laws of drag and lift: values of their sources, joins, and the text of `laws`.
+//! The laws of drag and lift: published values, joins between pieces, and the text of `laws`.
 
 use crate::command_line::{json, longdrive, number, on_one_line};
 use longdrive::aerodynamics::{AerodynamicLaw, Coefficients, Stream};
@@ -42,7 +42,7 @@ fn rows(table: &str) -> Vec<[f64; 4]> {
     table.lines().skip(1).map(row).collect()
 }
 
-/// The coefficients are 46 and 33.4 feet a second divided by the speed, for any spin.
+/// For any spin, C_D is 46 ft/s and C_L is 33.4 ft/s, divided by the speed.
 #[test]
 fn exact_forces_of_macdonald_and_hanzely_grow_with_the_speed() {
     for speed in [20.0, 50.0, 80.0] {
@@ -56,8 +56,8 @@ fn exact_forces_of_macdonald_and_hanzely_grow_with_the_speed() {
     }
 }
 
-/// The table of the curves that Naruo, Mizota & Shimozono (2004) fitted: s, C_D, C_L, to half of
-/// the last digit.
+/// The published table of the curves that Naruo, Mizota & Shimozono (2004) fitted: s, C_D, C_L,
+/// exact to half of the last digit.
 #[test]
 fn published_values_of_naruo_mizota() {
     for [s, drag, lift, _] in rows(include_str!("../data/naruo_2004.csv")) {
@@ -160,7 +160,7 @@ fn published_drive_of_nathans_calculator() {
             "{of:?}: {found} against {computed}"
         );
     }
-    // values of the worksheet's formula above Re = 1e5
+    // values of the worksheet's formula, for a Reynolds number above 1e5
     for (s, drag, lift) in [
         (0.075, 0.148, 0.081),
         (0.15, 0.164, 0.107),
@@ -258,8 +258,8 @@ fn exact_c2_of_the_spline_across_every_line_of_the_grid() {
     }
 }
 
-/// Joins of the pieces of a law: its name, the variable (0: spin ratio, 1: Reynolds number, 2:
-/// speed), and the value of the variable.
+/// Joins between the pieces of a law: the name of the law, the variable (0: spin ratio, 1: Reynolds
+/// number, 2: speed), and the value of the variable.
 const JOINS: [(&str, usize, f64); 20] = [
     ("ferguson", 0, 0.02),
     ("ferguson", 0, 0.75),
@@ -382,8 +382,8 @@ fn every_law_has_drag_at_every_spin_ratio_and_reynolds_number() {
     }
 }
 
-/// Within the measured spin ratios the law equals its printed polynomials to the last bit; from
-/// 0.95 on it has their values at 0.85.
+/// Within the measured spin ratios, the law equals its printed polynomials to the last bit. From a
+/// spin ratio of 0.95 on, it has the values of the polynomials at 0.85.
 #[test]
 fn exact_polynomials_of_ferguson_within_their_fitted_range() {
     let drag = |s: f64| (-0.8259 * s + 0.9287) * s + 0.1304;
@@ -460,7 +460,7 @@ fn no_law_has_lift_without_spin_or_unbounded_forces() {
                 "{law}: {none:?}"
             );
         }
-        // a ball nearly at rest in the air: the forces, proportional to v² C, are finite
+        // a ball nearly at rest in the air: the forces are proportional to v² C, and must be finite
         let slow: Coefficients<f64> = at(law, [1e6, 1e-1, 1e-4]);
         assert!(
             (slow.drag * 1e-8).abs() < 1e6 && (slow.lift * 1e-8).abs() < 1e6,
@@ -588,9 +588,9 @@ fn same_curves_in_a_plot_of_laws_and_points_of_its_sources() {
         .into_iter()
         .filter(|[s, ..]| *s <= 0.4)
         .count();
-    // every point of the table is drawn as a dot, none as a mark
+    // every point of the table is drawn as a dot, and no point as a mark
     assert_eq!((names("dots").len(), names("mark").len()), (table, 0));
-    // the drag of Lyu over the Reynolds number, for any spin
+    // the curve of drag over the Reynolds number; the drag of Lyu does not depend on the spin
     let (rows, answer) =
         plotted_rows(&["--laws", "lyu", "--over", "reynolds", "--spin-ratio", "0.2"]);
     for (_, _, reynolds, drag) in rows
@@ -706,7 +706,7 @@ fn a_plot_of_laws_shows_the_law_in_use_among_the_others() {
                 .filter(|(_, node)| node.attribute("text-anchor") == Some("middle"))
                 .map(|(_, node)| number(node, "x"))
                 .fold(0.0, f64::max);
-            // a name that is wrapped has its first word beside the axes
+            // a name may be wrapped, but its first word is beside the axes
             for name in Law::NAMES {
                 let beside = texts.iter().filter(|(text, node)| {
                     !text.is_empty() && name.starts_with(text.as_str()) && number(node, "x") > right
@@ -742,7 +742,7 @@ fn a_plot_of_laws_draws_all_of_them_and_refuses_other_options() {
         .map(|row| (row.2, row.3))
         .collect();
     assert_eq!(mine, [(0.0, 0.2), (0.1, 0.25)]);
-    // beyond the nodes of a table and the clamp of a law's variable, the curves are constant
+    // curves are constant beyond the nodes of a table, and beyond the clamp of a law's variable
     std::fs::write(file("mine.csv"), "s,cd,cl\n0.1,0.25,0.15\n0.2,0.27,0.2\n").unwrap();
     let (rows, _) = plotted_rows(&["--set", &own, "--laws", "table,lyu,launch-monitor"]);
     for name in [

@@ -74,8 +74,8 @@ const SETS: [NistProblem; 3] = [
             let e = (-b[1] * x).exp();
             (b[0] * (1.0 - e), vec![1.0 - e, b[0] * x * e])
         },
-        // from (1, 1), the first published start, an unbounded search diverges to b₂ = ∞: see
-        // the test within bounds
+        // the first published start, (1, 1), is not used: from there an unbounded search diverges
+        // to b₂ = ∞. See the test within bounds
         starts: [&[100.0, 0.75], &[100.0, 0.75]],
         certified: &[2.138_094_088_9e2, 5.472_374_854_2e-1],
         sum: 1.168_008_876_6e3,
@@ -213,7 +213,7 @@ fn exact_kkt_conditions_at_an_active_bound() {
 }
 
 /// A nonlinear system with as many residuals as variables. At its solution the residuals are
-/// rounding errors, so the cosine carries no information.
+/// rounding errors, so the cosine between residuals and Jacobian columns has no meaning.
 #[test]
 fn exact_zero_of_a_square_system_is_converged() {
     let curve = |x: &[f64]| {

@@ -70,7 +70,7 @@ fn exact_derivatives_of_the_mirror_image() {
     for (of, sign) in [(Outcome::Carry, 1.0), (Outcome::Lateral, -1.0)] {
         let [right, left] =
             [setup, mirrored(&setup)].map(|setup| hessian(&setup, of, &wrt).unwrap());
-        // a wind to the right is positive for golfers of both hands
+        // a wind to the right is positive for right- and left-handed golfers
         let turned = |i: usize| {
             if names[i] == "wind.right" {
                 -sign
@@ -130,8 +130,8 @@ fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str]) -> (f64, Vec<f64>) {
     (best.value().unwrap(), best.solution.x)
 }
 
-/// With a symmetric head and symmetric strikes, drives to the right and to the left cancel for golfers
-/// of both hands.
+/// With a symmetric head and symmetric strikes, drives to the right and to the left cancel, for
+/// right- and left-handed golfers.
 #[test]
 fn exact_zero_lateral_mean_of_a_symmetric_head_and_strikes() {
     for golfer in Golfer::ALL {
@@ -144,7 +144,8 @@ fn exact_zero_lateral_mean_of_a_symmetric_head_and_strikes() {
     }
 }
 
-/// The best head of a left-hander is the mirror image of a right-hander's in a mirrored wind.
+/// The best head of a left-hander in a mirrored wind is the mirror image of the best head of a
+/// right-hander.
 #[test]
 fn exact_mirror_image_of_the_best_design() {
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -268,8 +269,9 @@ fn the_hand_is_read_written_and_compared() {
     );
 }
 
-/// For a launch monitor, path and face to the right are + for every golfer. In the recovered
-/// delivery, + is in to out and open, which is to the left for a left-hander.
+/// A launch monitor counts path and face angle as positive to the right, for every golfer. The
+/// recovered delivery counts a path from in to out and an open face as positive, and for a
+/// left-hander both of these are to the left.
 #[test]
 fn the_delivery_of_a_left_hander_is_in_left_handed_terms() {
     let folder = tempfile::tempdir().unwrap();

@@ -140,7 +140,7 @@ fn every_message_is_answered_and_the_connection_stays() {
         client.answer()["Flight"]["carry_distance"].as_f64(),
         Some(carry)
     );
-    // another client at the same time
+    // a second client connects while the first is still connected
     let mut other = Client::new(port);
     other.send(SHOT);
     assert_eq!(other.answer()["Code"], 200);

@@ -110,8 +110,8 @@ fn same_end_of_a_search_stopped_and_resumed_anywhere() {
     }
 }
 
-/// An evaluation in ten blocks, each of which reads the cancellation flag first, as an evaluation
-/// over many drives does; one block sets the flag.
+/// An evaluation in ten blocks, as over many drives. Each block first reads the cancellation flag.
+/// One block sets the flag.
 struct InBlocks {
     flag: Arc<AtomicBool>,
     /// The block that sets the flag, counted from 1.
@@ -212,7 +212,7 @@ fn no_block_starts_after_cancellation_and_the_search_ends_with_a_complete_point(
 
 #[test]
 fn no_block_of_a_fit_starts_after_cancellation() {
-    // Misra's curve through three of its points: 1 − e^(−b x), fitted in a few evaluations
+    // Misra's curve b₁ (1 − e^(−b₂ x)), fitted to three of its points in a few evaluations
     let rows = |b: &[f64]| {
         let at = |x: &f64| {
             (
@@ -324,7 +324,7 @@ fn same_optima_when_some_searches_are_resumed() {
 #[test]
 fn same_answer_of_the_program_after_repeated_kills() {
     let folder = tempfile::tempdir().unwrap();
-    // a step so short that a search takes seconds
+    // steps so short that a search takes seconds
     let arguments = |checkpoint: &str| {
         let mut all = vec![
             "optimize",
@@ -352,7 +352,8 @@ fn same_answer_of_the_program_after_repeated_kills() {
     };
     let alone = run(&folder.path().join("alone.json"));
     let killed = folder.path().join("killed.json");
-    // the first search is stopped at once, each later one after one more saved iteration
+    // the first process is killed when its file exists; each later process is killed after one more
+    // saved iteration
     for _ in 0..4 {
         let before = std::fs::read(&killed).ok();
         let mut child = program::command()
@@ -369,8 +370,8 @@ fn same_answer_of_the_program_after_repeated_kills() {
     assert_eq!(run(&killed), alone);
 }
 
-/// Nearly all of ten thousand searches have not begun when they are stopped. They are one entry of
-/// the answer: as single entries, each would be compared with all others.
+/// Nearly all of ten thousand searches have not begun when they are stopped. The answer merges them
+/// into one entry; as single entries they would all be compared with each other.
 #[test]
 fn searches_that_did_not_start_are_one_entry_with_all_their_starts() {
     let (domain, options) = (disc(), Options::default());
@@ -433,7 +434,7 @@ fn an_unwritable_checkpoint_is_an_error_before_the_search() {
 }
 
 /// Before a search, the program looks for a start that flies. Ctrl-C stops this too, and the
-/// message says so. Balls that never land make it take long.
+/// message says so. It takes long here, because the balls never land.
 #[cfg(unix)]
 #[test]
 fn a_chart_is_interrupted_in_its_first_search() {
@@ -441,8 +442,8 @@ fn a_chart_is_interrupted_in_its_first_search() {
         &["chart", "--along", "swing.speed=80mph..130mph"][..],
         &["optimize"],
     ] {
-        // a flight of ten minutes in steps of 1 ms takes a third of a second; the search for a
-        // start would fly 63 more
+        // a flight of ten minutes in steps of 1 ms takes a third of a second, and the program would
+        // try 63 more starts
         let requested = [
             "modern-driver",
             "--set",
