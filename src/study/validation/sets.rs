@@ -254,9 +254,9 @@ pub static SETS: [Set; 14] = [
     },
     Set {
         name: "chart-optima-impact",
-        title: "TrackMan's driver chart, its optima with a club of the chart's ratio of angle to spin",
-        about: "The rows of chart-optima with the club of lpga-average, whose launch angle and \
-                spin have the chart's ratio.",
+        title: "TrackMan's driver chart, its optima with the club of lpga-average",
+        about: "The rows of chart-optima with the club of lpga-average, which gives the chart's \
+                ratio of launch angle to spin.",
         air: NOT_STATED,
         misses: CHART,
         computation: Computation::Optimum,
