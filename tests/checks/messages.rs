@@ -305,7 +305,7 @@ fn a_unit_for_a_plain_number_is_refused() {
     }
 }
 
-/// Loft and shaft lean have one effect on the face: no optimum in both is isolated.
+/// Loft and shaft lean change the face in the same way, so many pairs of them are optima.
 #[test]
 fn a_reason_is_given_once_with_the_parameters_that_it_holds_for() {
     let ridge = [
@@ -337,7 +337,7 @@ fn a_reason_is_given_once_with_the_parameters_that_it_holds_for() {
             && warnings.contains("gravity"),
         "{warnings}"
     );
-    // sources of default uncertainties are given once, too
+    // the source of two default uncertainties is printed once
     let (_, text) = both_streams(&["sensitivity", "--all"]);
     assert!(
         text.contains("default of wind.downrange, wind.right: assumed"),
@@ -394,7 +394,7 @@ fn an_ellipse_that_reaches_to_infinity_is_not_shown() {
     );
 }
 
-/// The note on the uncertainty of the run is printed once, also if only a constraint needs the run.
+/// Prints the note on the uncertainty of the run once, also if the run is only in a constraint.
 #[test]
 fn a_front_has_one_note_on_the_run() {
     let distribution = "swing.attack_angle=normal(0deg,1deg)";

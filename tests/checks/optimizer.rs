@@ -227,7 +227,8 @@ fn every_start_in_a_box_twice_as_wide_ends_at_the_same_kkt_point() {
 
 #[test]
 fn independent_corner_at_zero_spin_from_every_start_in_a_wide_box() {
-    // model page: loft 0°, attack 38.53°, 170.574 m; one-sided slopes +83.7 and −29.7 m/rad
+    // the optimum of docs/model.md: loft 0°, attack angle 38.53°, carry 170.574 m. The slope of
+    // carry by loft jumps there from +83.7 to −29.7 m/rad
     for loft_range in ["club.loft=-10deg..20deg", "club.loft=0deg..20deg"] {
         for [loft, attack] in starts(40, [0.0, -5.0], [20.0, 60.0]) {
             let best = mae494(
@@ -236,8 +237,8 @@ fn independent_corner_at_zero_spin_from_every_start_in_a_wide_box() {
                 [loft_range, "swing.attack_angle=-10deg..60deg"],
             );
             let solution = &best.solution;
-            // inside the box the corner has the status stalled-at-kink; on its bound it is an
-            // optimum with a multiplier
+            // at loft 0° carry has a kink: inside the range of loft it is reported as a kink, at
+            // the end of the range as an optimum with a multiplier
             let is_inside = loft_range.contains("-10");
             let status = if is_inside {
                 Status::StalledAtKink
@@ -361,12 +362,12 @@ fn differences_confirm_optimum_and_price_of_the_default_search() {
         Drive::new(&moved).unwrap().landed().unwrap().carry
     };
     let [loft, attack] = [best.solution.x[0], best.solution.x[1]];
-    // the value of the search equals the carry of `Drive::new`, to rounding
+    // the value of the optimum equals the carry of `Drive::new`, to rounding
     assert!((carry(loft, attack) / best.value().unwrap() - 1.0).abs() < 1e-13);
     for (d_loft, d_attack) in [(0.01, 0.0), (-0.01, 0.0), (0.0, -0.01)] {
         assert!(carry(loft + d_loft, attack + d_attack) < best.value().unwrap());
     }
-    // the multiplier is the derivative by the bound
+    // the multiplier is the derivative of carry by the upper bound of the attack angle
     let gain = carry(loft, attack + 1e-6) - carry(loft, attack - 1e-6);
     close(
         best.solution.upper_multipliers[1],
@@ -397,7 +398,7 @@ fn exact_rosenbrock_free_and_against_a_bound() {
     assert_eq!(free.status, Status::Converged);
     assert!((free.x[0] - 1.0).abs() < 1e-9 && (free.x[1] - 1.0).abs() < 1e-9);
 
-    // x ≤ ½: y = ¼ and a multiplier 2 (1 − ½) = 1
+    // with x ≤ ½ the minimum is at (½, ¼), and the bound has the multiplier 2 (1 − ½) = 1
     let held = solve(rosenbrock, &[(-5.0, 0.5), (-5.0, 5.0)], &[-1.2, 1.0]);
     assert_eq!((held.status, held.x[0]), (Status::Converged, 0.5));
     assert!((held.x[1] - 0.25).abs() < 1e-10 && (held.upper_multipliers[0] - 1.0).abs() < 1e-8);
@@ -503,8 +504,8 @@ fn a_kink_is_found_beside_a_variable_with_an_undefined_side() {
 
 #[test]
 fn iterations_after_a_kink_on_a_bound_are_shown_and_counted_in_the_limit() {
-    // a smoothed kink in x at its lower bound 0; the coupling with y needs further iterations on
-    // the bound
+    // a smoothed kink at x = 0, the lower bound of x; after x reaches the bound, y needs further
+    // iterations
     let f = |v: &[f64]| {
         let (tip, d) = (v[0].hypot(1e-8), v[1] - 1.0 - v[0]);
         Ok(plain(
@@ -1069,8 +1070,8 @@ fn exact_minima_from_starts_with_zero_gradients() {
                 found.x
             );
         };
-    // y² − x² on the unit circle: from its centre, where all gradients vanish, and from its maximum
-    // on the circle
+    // y² − x² on the unit circle. All gradients vanish at the first start, (0, 0). The second
+    // start, (0, 1), is the maximum on the circle
     let saddle = |v: &[f64]| {
         vec![
             taylor(v[1] * v[1] - v[0] * v[0], [-2.0 * v[0], 2.0 * v[1]], hill),
@@ -1079,9 +1080,10 @@ fn exact_minima_from_starts_with_zero_gradients() {
     };
     ends(&saddle, &[(1.0, 1.0)], [0.0, 0.0], -1.0);
     ends(&saddle, &[(1.0, 1.0)], [0.0, 1.0], -1.0);
-    // the same function within the circle, where the start is feasible
+    // y² − x² in the unit disc: the start (0, 0) is feasible
     ends(&saddle, &[(f64::NEG_INFINITY, 1.0)], [0.0, 0.0], -1.0);
-    // x y on x² = y², from the intersection of the two lines: −4 in a corner of the box
+    // x y on the lines x² = y², from their intersection (0, 0): the minimum −4 is in a corner of
+    // the box
     let lines = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
         vec![
@@ -1176,7 +1178,7 @@ fn exact_points_of_a_restoration_within_bounds_are_evaluated_once() {
     };
     let limit = [(f64::NEG_INFINITY, 0.0)];
     let found = solve_subject_to(waves, &limit, [(-1.0, 1.0); 2], [0.8, 0.5]);
-    // the derivative of the violation is 0: 6 cos 6x = −1/2
+    // at a minimum of the violation its derivative 6 cos 6x + 1/2 is 0
     let lowest = -f64::acos(-1.0 / 12.0) / 6.0;
     assert_eq!(found.status, Status::Infeasible, "{}", found.message);
     close(found.x[0], lowest, 1.0, 1e-6, "the smallest violation");
@@ -1188,9 +1190,8 @@ fn exact_points_of_a_restoration_within_bounds_are_evaluated_once() {
     );
 }
 
-/// Without curvature the minimum is a vertex: x + y on the unit square with 1 − gap ≤ x is smallest
-/// at (1 − gap, 0). There the limit and the lower bound of y have the multiplier 1. The search
-/// starts on the upper bound of x, at the distance `gap` from the limit.
+/// x + y on the unit square with x ≥ 1 − gap is smallest at the vertex (1 − gap, 0). There the
+/// constraint and the lower bound of y have the multiplier 1. The search starts at x = 1.
 #[test]
 fn exact_vertex_beside_a_bound_without_curvature() {
     for exponent in 1..=12 {

@@ -231,8 +231,8 @@ fn a_response_is_that_of_an_optimum_with_its_own_functions() {
     let problem = Exact(Valley);
     let found = minimize(&problem, &disc(2), &[-1.2, 1.0], &Options::default()).unwrap();
     let at = problem.evaluate(&found.x).unwrap();
-    // `response` needs derivatives by a parameter after the derivatives by the variables: these
-    // functions have none
+    // the gradients of these functions end with the derivatives by the variables; `response` needs
+    // a derivative by a parameter after them
     assert!(
         response(&found, &disc(2), &at)
             .unwrap_err()

@@ -1,7 +1,7 @@
-//! Every outcome, its derivatives by every parameter and Hessians by six parameters, compared with
-//! `data/independent_drives.json`: drives in quadruple precision by `oracle/oracle.cpp`, a program
-//! without common code. The drives cover laws, decay laws, a logarithmic wind, slip, light and
-//! heavy heads, hills, and spins near zero.
+//! Outcomes, their derivatives by every parameter, and Hessians by six parameters, compared with
+//! `data/independent_drives.json`. `oracle/oracle.cpp`, which shares no code with longdrive,
+//! computed these drives in quadruple precision. They cover the laws of drag and lift, the laws of
+//! spin decay, a logarithmic wind, slip, light and heavy heads, hills, and spins near zero.
 
 use crate::common::{close, drives, gradient_of, number, outcome_of, setup_of};
 use longdrive::derivative::{Order, evaluate};
@@ -12,13 +12,13 @@ use serde_json::Value;
 
 const FILE: &str = "independent_drives.json";
 
-/// Tolerance of a derivative, relative to a scale. The scale is the size of the derivative, but at
-/// least `floor` times the outcome divided by the size of each parameter, because terms may cancel.
+/// Tolerance of a derivative, relative to its size. Its terms may cancel, so the size counts as at
+/// least `floor` times outcome / parameter.
 ///
-/// On smooth drives `floor` is a hundredth. Two kinds of drive are less smooth at the scale of a
-/// step, and have the tolerance [`ROUGH`] and a `floor` of 1: drives in a logarithmic wind, which
-/// varies within half a metre of the ground, and drives whose spin ratio decreases through a join
-/// of a law that is only C².
+/// `floor` is 0.01 for smooth drives. Drives that are less smooth within a step have the tolerance
+/// [`ROUGH`] and a `floor` of 1. In a logarithmic wind the wind speed varies fast in the lowest
+/// half metre. In the drives named "falls through", the law has a discontinuous third derivative at
+/// a spin ratio on the path.
 struct DerivativeTolerance {
     tolerance: f64,
     floor: f64,
@@ -55,7 +55,7 @@ impl DerivativeTolerance {
     }
 }
 
-/// Size of a parameter by which derivatives are scaled: its absolute value, but at least 0.1 in SI.
+/// Absolute value of a parameter, at least 0.1 in SI: scales the derivatives by this parameter.
 fn size(setup: &Setup<f64>, parameter: &Parameter) -> f64 {
     setup.value(parameter).unwrap().abs().max(0.1)
 }

@@ -44,11 +44,12 @@ fn at<D: Number>(law: Law<f64>, [s, reynolds, speed]: [D; 3]) -> Coefficients<D>
     ))
 }
 
-/// A law's values over spin ratio and Reynolds number, at 50 m/s: a node for each pair.
+/// The coefficients of a law at 50 m/s as a table, with a row for each pair of spin ratio and
+/// Reynolds number.
 fn table_of(law: &str, spin_ratios: &[f64], reynolds: &[f64]) -> String {
     let law = Law::named(law).unwrap();
     let mut text = "spin_ratio,Re,cd,cl\n".to_owned();
-    // any order of rows
+    // the rows of a table may be in any order
     for re in reynolds.iter().rev() {
         for s in spin_ratios {
             let c: Coefficients<f64> = at(law, [*s, *re, 50.0]);
@@ -64,8 +65,8 @@ fn evenly(low: f64, high: f64, steps: u32) -> Vec<f64> {
         .collect()
 }
 
-/// A table with the grid of Bearman & Harvey, in SI or in other units, gives the splines of their
-/// law.
+/// A table with the nodes of Bearman & Harvey has the splines of the law `bearman-harvey`, in any
+/// units.
 #[test]
 fn same_drives_by_a_table_of_bearman_and_harvey_and_by_their_law() {
     let grid = include_str!("../data/bearman_harvey_1976.csv");
@@ -138,15 +139,15 @@ fn order_of_a_table_of_a_smooth_law_is_four() {
     );
 }
 
-/// Compares value, first and second derivative on both sides of every grid line, of the edges, of
-/// the clamps, and of zero spin.
+/// Value, first and second derivative agree on both sides of every grid line, and of the points
+/// beyond the grid from which on the coefficients are constant.
 #[test]
 fn exact_c2_of_a_table_across_every_grid_line_and_beyond() {
     let spin_ratios = [0.05, 0.08, 0.15, 0.2, 0.31];
     let reynolds = [6e4, 1e5, 1.3e5, 2.1e5];
     let law = of_table(&table_of("usga-itr", &spin_ratios, &reynolds));
-    // the grid lines, and the points beyond the edges where a clamped variable becomes constant:
-    // half of the outermost grid interval away
+    // the grid lines, and the points from which on the coefficients are constant: they are beyond
+    // the grid by half of its outermost interval
     let lines = spin_ratios
         .into_iter()
         .chain([0.035, 0.365])
@@ -461,7 +462,7 @@ fn a_setup_with_a_table_is_written_and_read_again() {
     );
 }
 
-/// Saved work is not resumed after a change of its table.
+/// A saved search is not resumed after a change of the table of drag and lift.
 #[test]
 fn a_changed_table_is_another_sweep() {
     let table = |drag: f64| format!("s,cd,cl\n0,0.2,0\n0.1,{drag},0.15\n0.5,0.3,0.3\n");
@@ -469,7 +470,7 @@ fn a_changed_table_is_another_sweep() {
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let (set, kept) = (format!("{TABLE}={name}"), file("kept.json"));
     let search = || longdrive(&["optimize", "--set", &set, "--checkpoint", &kept]);
-    // sweeps recognize their setup by its debug form
+    // a saved sweep compares the debug text of its setup with the text of the present setup
     let identity = || {
         let mut setup = Setup::default();
         setup.set(TABLE, &name).unwrap();
@@ -502,8 +503,8 @@ fn a_changed_table_is_another_sweep() {
     );
 }
 
-/// The splines through these nodes have a negative drag below their first node. A ball can have
-/// such a spin ratio if the first node is at 0.1, but not if it is at 0.
+/// The splines through the nodes have a negative drag below the first node. Spin ratios below 0 do
+/// not exist, so this is an error only if the first node is above 0.
 #[test]
 fn drag_of_a_table_is_not_checked_below_zero_spin() {
     let law = of_table("s,cd,cl\n0,0.02,0\n0.05,0.3,0.1\n0.1,0.32,0.2\n0.2,0.33,0.3\n");

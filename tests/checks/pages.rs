@@ -1,4 +1,5 @@
-//! Pages: the answer first, then the arguments, and one frame for all pages.
+//! HTML pages that commands write: the answer precedes the arguments, and all pages have one
+//! layout.
 
 use crate::command_line::{Written, json, longdrive, number};
 use crate::program;
@@ -471,7 +472,7 @@ fn a_drive_of_a_yard_allows_a_loss_of_one_percent_and_has_no_ellipses() {
         !page.contains("for a loss of 1.00 yd")
             && page.contains("the loss that is allowed is 1 % of this carry")
     );
-    // an uncertainty of 0.5 mph is small enough for ellipses at 3 mph, but not at 1 mph
+    // no ellipses at 1 mph: the assumed uncertainty of the club speed, 0.5 mph, is too large there
     assert!(page.contains("The inner and the outer ellipse"));
     assert!(page.contains("at the edge of the searched face"));
     let (_, page) = report(&["--set", "swing.speed=1mph"]);
@@ -519,7 +520,8 @@ fn the_setup_file_of_a_report_flies_its_best_drive() {
         let (_, best) = json(&[&["optimize"], &requested[..]].concat());
         let file = folder.path().join("page/setup.toml").display().to_string();
         let (_, drive) = json(&["simulate", &file]);
-        // each command chooses its own step; the two carries differ by less than a micrometre
+        // the report, `optimize` and `simulate` choose different steps, so the carries differ by up
+        // to a micrometre
         crate::common::close(
             number(&drive["flight"]["carry"]),
             number(&best["value"]),
@@ -785,7 +787,7 @@ fn a_page_of_a_calibration_plots_measured_over_computed_values() {
         let (measured, difference) = (number(&row["measured"]), number(&row["difference"]));
         crate::common::close(drawn[i][0], measured + difference, 200.0, 1e-12, "computed");
         crate::common::close(drawn[i][1], measured, 200.0, 1e-12, "measured");
-        // the data of a bar are two points and NaN
+        // three rows draw an error bar: its two ends, and NaN after them
         let half = 0.5 * (bars[3 * i + 1][1] - bars[3 * i][1]);
         crate::common::close(
             half,

@@ -4,9 +4,8 @@ use crate::common::caught;
 use rayon::prelude::*;
 use std::fmt::Debug;
 
-/// Results of a check of each input, in parallel. If a check panics, the test fails with its
-/// message and its input. The panic itself may be printed in another test's output, whose thread
-/// started rayon's pool.
+/// Runs a check of each input in parallel, and returns the results. If a check panics, the test
+/// fails with the message and the input. The output of another test may also show the panic.
 #[track_caller]
 pub fn in_parallel<T: Debug + Sync, R: Send>(
     inputs: &[T],

@@ -1,4 +1,5 @@
-//! Parameters in library calls: of the chosen law, without duplicates, comparable.
+//! Parameters as arguments of library functions: coefficients of another law and duplicates are
+//! refused; parameters can be keys.
 
 use longdrive::batch::Batch;
 use longdrive::derivative::{Evaluator, Order, gradient, hessian};
@@ -63,8 +64,9 @@ fn a_duplicate_parameter_is_refused_by_name_for_all_derivatives() {
     assert!(gradient(&setup, Outcome::Carry, &twice[..2]).is_ok());
 }
 
-/// Two laws have an `aero.cd0` each. The coefficient of another law has no place in the setup: the
-/// drive does not change with it, and a derivative of 0 would be wrong.
+/// The laws `launch-monitor` and `robinson` each have a coefficient `aero.cd0`. A setup with the
+/// law `robinson` has no place for the coefficient of `launch-monitor`: its derivative is an error,
+/// not 0.
 #[test]
 fn a_coefficient_of_another_law_is_refused_everywhere() {
     let mut setup = Setup::default();
@@ -184,7 +186,7 @@ fn a_coefficient_of_another_law_is_refused_everywhere() {
     assert_eq!(setup, before);
 }
 
-/// The derivative by the coefficient of the chosen law agrees with differences of its drives.
+/// The derivative by a coefficient of the chosen law agrees with differences of the carry.
 #[test]
 fn differences_of_values_agree_with_the_gradient_by_a_coefficient_after_a_change_of_the_law() {
     let mut setup = Setup::default();
@@ -203,7 +205,8 @@ fn differences_of_values_agree_with_the_gradient_by_a_coefficient_after_a_change
     );
 }
 
-/// Name and law identify a row: equal rows have equal hashes, and different rows different hashes.
+/// Rows of the table of parameters are equal if name and law are equal. Different rows have
+/// different hashes.
 #[test]
 fn parameters_and_outcomes_are_keys_and_have_names() {
     let rows: Vec<&Parameter> = Setup::default()
@@ -240,7 +243,7 @@ fn parameters_and_outcomes_are_keys_and_have_names() {
     ));
 }
 
-/// A wrong range that is built in code is refused before a search uses it, with the name of its
+/// An impossible range of a `Vary` is refused before the search, and the message names the
 /// parameter.
 #[test]
 fn impossible_ranges_are_refused_by_the_name_of_the_parameter() {
@@ -278,8 +281,8 @@ fn impossible_ranges_are_refused_by_the_name_of_the_parameter() {
     );
 }
 
-/// Reading a written file gives the setup. A stated step is in the file, and the program does not
-/// choose another one. If no step is stated, the file has none, and the program may choose one.
+/// A setup equals the setup that is read from its file. The file has the step only if the setup
+/// states the step; otherwise functions of the library may choose one.
 #[test]
 fn exact_setups_are_equal_after_a_file_and_their_steps_are_written_only_where_stated() {
     let written = |setup: &Setup<f64>, preset: &str| {

@@ -91,7 +91,8 @@ fn between(functions: impl Functions, low: [f64; 2], high: [f64; 2], count: usiz
     .unwrap()
 }
 
-/// √f₁ + √f₂ = |q − p|, slope −√(f₁/f₂), the knee in the middle, and points at even distances.
+/// The front is √f₁ + √f₂ = |q − p|, with the slope −√(f₁/f₂). Its knee is in the middle, and its
+/// points are evenly spaced.
 #[test]
 fn exact_front_of_two_distances() {
     let found = between(Distances, [-5.0; 2], [5.0; 2], 12);
@@ -130,7 +131,7 @@ fn exact_front_of_two_distances() {
     for point in inner {
         let slope = -(point.values[0] / point.values[1]).sqrt();
         close(point.slope.unwrap(), slope, 1.0, 1e-7, "slope");
-        // x = t q, t = (1 + s)/2: f₁ − f₂ = 5 (2 t − 1)
+        // on the front x = t q and f₁ − f₂ = 5 (2 t − 1), so the scaled difference s is 2 t − 1
         close(point.rates[0], 1.0, 1.0, 1e-7, "dx/ds");
     }
     close(
@@ -164,8 +165,8 @@ fn exact_front_of_two_distances() {
     );
 }
 
-/// After an interrupt in any evaluation, no further evaluation begins. Before the first end of the
-/// front is found the result is an error, later it has points, all of them on the front.
+/// After an interrupt in any evaluation, no further evaluation begins. The result is an error
+/// before the first end of the front is found. Later it contains the points found so far.
 #[test]
 fn same_points_of_a_front_stopped_within_any_evaluation() {
     let free = (vec![f64::NEG_INFINITY], vec![f64::INFINITY]);
@@ -282,7 +283,7 @@ fn end_of_a_front_among_equal_minima() {
 fn concave_and_straight_fronts_have_no_knee() {
     let concave = between(Concave, [-2.0; 2], [2.0; 2], 11);
     assert_eq!((concave.points.len(), concave.knee), (11, None));
-    // the front is convex only close to its ends
+    // `relative_bulge` measures convexity: this front is convex only close to its ends
     assert!(concave.relative_bulge < 1e-3, "{}", concave.relative_bulge);
     for point in &concave.points {
         close(point.x[0], point.x[1], 1.0, 1e-7, "on the diagonal");

@@ -55,8 +55,8 @@ fn alone(setup: &Setup<f64>, k: usize, subject_to: Vec<Constraint>) -> Optimum {
     best
 }
 
-/// The spin depends only on the loft: among all drives with the smallest spin, the end of the front
-/// has the longest carry.
+/// The smallest spin fixes the loft, but not the attack angle. The end of the front has the longest
+/// carry of all drives with this spin.
 #[test]
 fn same_end_of_a_front_and_of_a_search_along_a_free_variable() {
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -103,15 +103,16 @@ fn same_end_of_a_front_and_of_a_search_along_a_free_variable() {
     }
 }
 
-/// Each end is the optimum of a search for one goal. Every point is the optimum of a search with
-/// the other goal as a constraint; the multiplier of this constraint, and differences of
-/// neighbouring optima, are the slope of the front. No point is better than another in both goals.
+/// Each end of the front is the optimum of a search for one goal. Each point between them is the
+/// optimum of a search with the other goal as a constraint. The slope of the front equals the
+/// multiplier of this constraint, and differences of neighbouring optima.
 #[test]
 fn same_front_of_carry_and_dispersion_by_single_searches() {
     let mut setup = Setup::preset("tour-average").unwrap();
     // the front and the single searches use the same drives, in large steps
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
-    // the designs on the front then form one branch, so a single search cannot end on another
+    // with a rigid impact and this strike the front has one branch of designs; otherwise a single
+    // search may find another branch
     setup.set_all(crate::common::RIGID).unwrap();
     setup.set("strike.high", "3 mm").unwrap();
     let options = Options::default();
@@ -185,8 +186,8 @@ const SWINGS: [&str; 3] = [
     "--points=4",
 ];
 
-/// The designs with little dispersion and those with a long carry are two separate parts of the
-/// front. Each part is found from its end.
+/// The front has two separate parts: designs with little dispersion, and designs with a long carry.
+/// A trace from each end finds them.
 #[test]
 fn a_front_of_two_parts_names_points_that_are_dominated() {
     let more = [
@@ -234,8 +235,7 @@ fn a_front_of_two_parts_names_points_that_are_dominated() {
     }
 }
 
-/// The setup written for a point gives the outcomes of the table. This also holds if both goals
-/// belong to a single drive.
+/// The setup file of a point gives the outcomes that the JSON answer has for this point.
 #[test]
 fn same_front_in_text_json_csv_and_setups() {
     let folder = tempfile::tempdir().unwrap();

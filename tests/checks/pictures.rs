@@ -7,7 +7,7 @@ use longdrive::report::plot::{Axis, Figure, Layer, Look, NamedQuantity, figure_s
 
 const WIDTHS: [u32; 10] = [240, 280, 320, 340, 380, 420, 480, 640, 800, 1200];
 
-/// Command lines of plots. For each kind of plot, those with the most text in the picture.
+/// Command lines of plots: for each kind of plot, the command lines that put the most text into it.
 const KINDS: &[&[&str]] = &[
     &["tornado"],
     &["tornado", "--show", "model", "--units", "metric"],
@@ -482,7 +482,7 @@ fn two_bars_on_one_side_are_both_seen() {
 
 #[test]
 fn a_price_has_its_direction_and_a_constraint_the_chosen_units() {
-    // on one line, because the program breaks long lines
+    // joins the lines, because the program breaks long ones
     let text = |args: &[&str]| on_one_line(&longdrive(&[&["optimize"], args].concat()).out);
     let bound = text(&[]);
     assert!(
@@ -626,7 +626,7 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
         .find(|(file, _)| file.ends_with("index.html"))
         .unwrap()
         .1;
-    // the switch of units applies to the setup and the limits
+    // the values that the switch of units changes, in both systems of units
     for words in [
         "110 mph",
         "49.1744 m/s",
@@ -638,8 +638,8 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
     ] {
         assert!(page.contains(words), "no '{words}'");
     }
-    // a terminal prints the same text, with hyphens that can be copied; in a file the text is as it
-    // was typed
+    // a terminal prints degree signs, and hyphens as minus signs, because hyphens can be copied.
+    // JSON repeats a limit as it was typed
     let output = longdrive(&["simulate", "--set", "swing.path=-2deg"]);
     assert!(
         output.out.contains('°') && !output.out.contains(" deg") && !output.out.contains('−'),
@@ -659,7 +659,7 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
     );
 }
 
-/// By rounding, a straight drive does not end exactly on the target line.
+/// Rounding leaves the lateral distance of a straight drive near 1e-15 m; it is printed as zero.
 #[test]
 fn rounding_is_shown_as_no_value() {
     let folder = tempfile::tempdir().unwrap();

@@ -53,7 +53,7 @@ fn differences_of_optima_are_the_price_of_a_limit_over_swings() {
         5e-3,
         "yards of carry for a yard of scatter",
     );
-    // the design of the mean swing and the design of the setup violate the limit
+    // two designs violate the limit: the optimum for the mean swing, and the design as set up
     assert_eq!(text.matches("(broken)").count(), 2, "{text}");
     assert!(
         text.contains("the design as set up violates a limit"),
@@ -136,7 +136,7 @@ fn as_text(args: &[String]) -> Vec<&str> {
 
 #[test]
 fn differences_of_the_greatest_loss_are_the_prices_of_the_active_limits_of_a_robust_design() {
-    // the apex limits one of the models only
+    // only one of the two models has an active limit of the apex height
     let limited = |limit: &str| robust(&["--subject-to", limit]);
     let (args, tight, loose) = (
         limited("apex_height <= 30 yd"),

@@ -11,8 +11,8 @@ const YARD: f64 = 0.9144;
 const RPM: f64 = std::f64::consts::TAU / 60.0;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// A published average: head speed and attack angle, mph and degrees, and ball speed, launch angle,
-/// spin, carry, apex and descent in mph, degrees, rpm and yards.
+/// A published average. Delivery: head speed, mph; attack angle, °. Drive: ball speed, mph; launch
+/// angle, °; spin, rpm; carry, yd; apex height, yd; descent angle, °.
 struct Average {
     preset: &'static str,
     delivery: [f64; 2],
@@ -72,9 +72,9 @@ fn published_average_of_the_lpga_tour_is_met_by_its_preset() {
     LPGA.compare();
 }
 
-/// TrackMan's chart states the loft at impact. With this loft, the club of the LPGA average has the
-/// chart's launch and spin, whatever the law of flight; the club of the PGA TOUR average has less
-/// spin. So the two averages differ by their impacts.
+/// TrackMan's chart states the loft at impact. With this loft the club of `lpga-average` has the
+/// launch and the spin of the chart, and the club of `tour-average` has 13 to 33 % less spin. The
+/// presets therefore differ in the impact, not only in the flight.
 #[test]
 fn published_impacts_of_trackmans_chart_are_those_of_the_club_of_the_lpga_average() {
     let rows = include_str!("../data/trackman_chart_impacts.csv")
@@ -91,8 +91,7 @@ fn published_impacts_of_trackmans_chart_are_those_of_the_club_of_the_lpga_averag
             let mut setup = Setup::preset(preset).unwrap();
             (setup.swing.shaft_bend, setup.swing.shaft_growth) = (None, None);
             (setup.swing.speed, setup.swing.attack_angle) = (speed * MPH, attack * DEGREE);
-            // loft at impact: club.loft + attack angle, and above the sweet spot the angle of the
-            // roll
+            // loft at impact = club.loft + attack angle + strike.high / roll radius
             setup.club.loft = (loft - attack) * DEGREE - setup.strike.high / setup.club.roll_radius;
             let drive = Drive::new(&setup).unwrap();
             [
@@ -152,8 +151,8 @@ fn misses_of_optima(club: &Setup<f64>) -> Vec<[f64; 3]> {
     misses
 }
 
-/// At the loft of its longest carry the preset is within 1° of launch angle, 250 rpm and 2 % of
-/// carry of the chart, on average over the 30 rows.
+/// The best club loft for carry gives a launch angle within 1°, a spin within 250 rpm and a carry
+/// within 2 % of the chart, on average over its 30 rows.
 #[test]
 fn published_optima_of_trackmans_chart_are_met_by_the_lpga_average() {
     let misses = misses_of_optima(&Setup::preset("lpga-average").unwrap());
@@ -165,8 +164,8 @@ fn published_optima_of_trackmans_chart_are_met_by_the_lpga_average() {
     );
 }
 
-/// With the chart's impact and Ferguson's law, the default club's optima are within the same bounds
-/// of the chart in each of the 30 rows.
+/// With the tangential restitution of the chart and the law `ferguson`, `modern-driver` is within
+/// 1°, 250 rpm and 2 % of the chart in each of its 30 rows.
 #[test]
 fn published_optima_of_trackmans_chart_are_met_row_by_row_with_its_impact_and_fergusons_law() {
     let mut club = Setup::preset("modern-driver").unwrap();
@@ -188,9 +187,9 @@ fn published_launch_and_carry_of_the_average_amateur_are_met_by_its_preset() {
         (Outcome::BallSpeed, MPH, 132.6, 0.1),
         (Outcome::LaunchAngle, DEGREE, 12.6, 0.1),
         (Outcome::Spin, RPM, 3275.0, 10.0),
-        // within 2 %; the preset was not fitted to the carry
+        // the bound is 2 % of the published carry, to which the preset was not fitted
         (Outcome::CarryDistance, YARD, 204.0, 4.08),
-        // published: 34.8°; docs/sources.md states the difference
+        // the computed angle; the published angle is 34.8° (docs/sources.md)
         (Outcome::DescentAngle, DEGREE, 37.5, 0.05),
     ] {
         let ours = outcome.value(&drive).unwrap() / unit;
@@ -218,6 +217,6 @@ fn published_edition_of_2019_is_met_but_for_the_launch_angle() {
     assert!((of(Outcome::ApexHeight, YARD) - 32.0).abs() <= 2.0);
     assert!((of(Outcome::DescentAngle, DEGREE) - 38.0).abs() <= 2.0);
     assert!((of(Outcome::Spin, RPM) - 2686.0).abs() <= 0.05 * 2686.0);
-    // published: 10.9°; docs/sources.md states the difference
+    // the computed angle; the published angle is 10.9° (docs/sources.md)
     assert_eq!(format!("{:.1}", of(Outcome::LaunchAngle, DEGREE)), "10.1");
 }

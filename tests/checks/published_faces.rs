@@ -1,6 +1,6 @@
-//! Published cases of off-centre strikes and of a golfer's scatter, compared with this model;
-//! docs/validation.md has the numbers. The side spin of a rigid impact is known to differ from the
-//! side spin of such strikes by 30 to 50 % (Caldwell 2023): each case is tested for its own claim.
+//! Published cases of off-centre strikes, and of the scatter of a golfer's drives, compared with
+//! this model. docs/validation.md has the numbers. For off-centre strikes, the side spin of a rigid
+//! impact is known to be wrong by 30 to 50 % (Caldwell 2023).
 
 use crate::common::changed;
 use longdrive::derivative::gradient;
@@ -19,7 +19,7 @@ fn value(setup: &Setup<f64>, of: Outcome) -> f64 {
     of.value(&Drive::new(setup).unwrap()).unwrap()
 }
 
-/// McNally et al. (2016): their nominal head. The ball rolls on the face as it leaves.
+/// The nominal head of McNally et al. (2016). The ball rolls on the face at the end of the impact.
 fn mcnally() -> Setup<f64> {
     changed(
         &Setup::default(),
@@ -42,8 +42,8 @@ fn mcnally() -> Setup<f64> {
     )
 }
 
-/// The bulge for which strikes spread evenly over ± 25 mm of the face land nearest to the target
-/// line.
+/// The bulge radius, m, with the smallest root mean square of the lateral landing, for strikes
+/// spread evenly over ± 25 mm of the face.
 fn best_bulge(setup: &Setup<f64>) -> f64 {
     let strikes = Uncertain::read(setup, "strike.toe=uniform(-25 mm, 25 mm)").unwrap();
     let swings = Swings::distributed(vec![strikes], &[]).unwrap();
@@ -70,8 +70,8 @@ fn published_side_spin_by_the_depth_of_the_centre_of_mass_and_the_best_bulge() {
             .gradient[0];
     println!("side spin by depth: {per_mm:.3} rad/s for each mm; McNally: -4.2");
     assert!((per_mm / -4.2 - 1.0).abs() < 0.1, "{per_mm}");
-    // McNally's criterion of the best bulge is unknown. This test has its own criterion, and
-    // repeats it with four laws of drag and lift
+    // McNally's criterion for the best bulge is unknown. Here it is the landing nearest to the
+    // target line, with each of four laws of drag and lift
     for law in [
         "launch-monitor",
         "smits-smith",
@@ -86,8 +86,8 @@ fn published_side_spin_by_the_depth_of_the_centre_of_mass_and_the_best_bulge() {
         );
         assert!((0.30..0.33).contains(&bulge), "{law}: {bulge}");
     }
-    // the curvature of the best bulge is proportional to the gear effect: 15 % less depth of the
-    // centre of mass gives 15 % less gear effect, and a radius of 36 cm
+    // the best curvature is proportional to the gear effect, and the gear effect to the depth of
+    // the centre of mass: 15 % less depth gives a bulge radius of 36 cm
     let shallow = best_bulge(&changed(&setup, &[("club.cg_depth", "29.5 mm")]));
     println!(
         "best bulge with 29.5 mm of depth: {:.1} cm",
@@ -98,8 +98,8 @@ fn published_side_spin_by_the_depth_of_the_centre_of_mass_and_the_best_bulge() {
 
 #[test]
 fn published_table_of_bulge_and_gear_effect() {
-    // Tutelman: 150 mph of ball speed, 11°, 12 in, 1.3 in of depth; his hook spins follow from his
-    // formula with 5150 g cm²
+    // Tutelman: ball speed 150 mph, loft 11°, bulge radius 12 in, depth of the centre of mass 1.3
+    // in. His formula for the hook spin has the moment of inertia 5150 g cm²
     let head = changed(
         &mcnally(),
         &[
@@ -139,13 +139,14 @@ fn published_table_of_bulge_and_gear_effect() {
             (by_bulge.0 - direction).abs() < 0.2 && (by_bulge.1 / slice - 1.0).abs() < 0.06,
             "{by_bulge:?}"
         );
-        // Tutelman's ball takes the whole lateral speed of the face as spin; a solid ball that may
-        // also move sideways takes 5/7 of it
+        // in Tutelman's model the ball rolls at the lateral speed of the face; a solid ball that is
+        // free to move sideways gets 5/7 of this spin
         assert!(
             (without.1 / (5.0 / 7.0 * hook) - 1.0).abs() < 0.06,
             "{without:?}"
         );
-        // the landing differs by the effects of this hook spin and of the head's rotation
+        // the landing differs from the published one, because the hook spin is smaller and because
+        // the rotation of the head changes the launch direction
         let yards = value(&bulged, Outcome::Lateral) / YARD;
         assert!((yards + left).abs() < 13.0 && yards > 0.0, "{yards}");
     }
@@ -221,7 +222,8 @@ fn scatter_over(setup: &Setup<f64>, swings: &Swings, of: &[Outcome]) -> Vec<(f64
         .collect()
 }
 
-/// The correlation of path and face that follows from the three published deviations.
+/// The correlation of path and face angle, from the published deviations of path, face angle and
+/// face to path.
 fn of_path_and_face() -> f64 {
     (PATH * PATH + FACE * FACE - FACE_TO_PATH * FACE_TO_PATH) / (2.0 * PATH * FACE)
 }
@@ -276,14 +278,14 @@ fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_sp
         (carry / CARRY - 1.0).abs() < 0.2 && (direction / DIRECTION - 1.0).abs() < 0.05,
         "{carry} {direction}"
     );
-    // a rigid head tilts the spin axis by 4° for each degree of face to path; this golfer's drives
-    // have 2°
+    // each degree of face to path tilts the spin axis by 4° if the head is rigid, and by 2° in this
+    // golfer's drives
     assert!(
         (axis / AXIS - 2.0).abs() < 0.15 && (lateral / LATERAL - 1.5).abs() < 0.15,
         "{axis} {lateral}"
     );
-    // strikes that scatter by 8.2 mm and are correlated with face to path (r = 0.6, as for other
-    // golfers); the measured face is the face at the strike
+    // strikes with a deviation of 8.2 mm, correlated with face to path (r = 0.62, as for other
+    // golfers). The published face angle is the angle at the strike
     let toe = 8.2;
     let turn = 1.0 / (305e-3 * DEGREE) * 1e-3;
     let with_face = 0.62 * toe * FACE_TO_PATH;
@@ -309,12 +311,12 @@ fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_sp
         (0.7..0.9).contains(&(off_axis / axis)) && off_lateral > 1.2 * LATERAL,
         "{off_axis} {off_lateral}"
     );
-    // whatever the correlation of path and face, lateral scatters more than the published 28.2 yd
+    // lateral scatters by more than the published 28.2 yd for every correlation of path and face
+    // angle
     assert!(scattered(0.0)[1] > lateral && scattered(0.95)[1] > 1.15 * LATERAL);
 }
 
-/// The golfer's loft at impact, and the launch: means and standard deviations of ball speed, mph;
-/// launch angle and direction, °; spin, rpm; its axis, °.
+/// Published deviation of the loft at impact, °.
 const LOFT: f64 = 2.91;
 #[expect(clippy::approx_constant, reason = "a speed of 6.28 mph, and no angle")]
 const LAUNCH: [(Outcome, f64, f64, f64); 5] = [
@@ -325,19 +327,18 @@ const LAUNCH: [(Outcome, f64, f64, f64); 5] = [
     (Outcome::SpinAxis, DEGREE, 5.82, AXIS),
 ];
 
-/// Mean and deviation of carry and of the lateral at rest, yd, for random strikes. `toe` and `high`
-/// are the mean and the deviation of the strikes towards the toe and up, mm. `with_toe` is the
-/// correlation of the measured face with the strike towards the toe. Also returns, for each number
-/// of the launch, how far its mean and its deviation differ from the published ones, in standard
-/// errors of 58 drives.
+/// Simulates swings with random strikes. Returns mean and deviation of carry and of lateral at
+/// rest, yd. Also returns the errors of mean and deviation of each number of the launch, in
+/// standard errors of 58 drives. `toe` and `high` are mean and deviation of the strike towards the
+/// toe and up, mm; `with_toe` is the correlation of face angle and `toe`.
 fn scatter_of_strikes(
     toe: (f64, f64),
     high: (f64, f64),
     with_toe: f64,
 ) -> ([(f64, f64); 2], Vec<[f64; 2]>) {
     let setup = changed(&Setup::default(), &[("swing.attack_angle", "2.73 deg")]);
-    // face and loft are measured at the strike, where bulge and roll have rotated them by this many
-    // degrees per mm
+    // the published face angle and loft are those at the strike: there bulge and roll have rotated
+    // the face by this many degrees per mm
     let turn = 1.0 / (305e-3 * DEGREE) * 1e-3;
     let yaw = (FACE * FACE - 2.0 * turn * with_toe * toe.1 * FACE + (turn * toe.1).powi(2)).sqrt();
     let lean = LOFT.hypot(turn * high.1);
@@ -399,10 +400,9 @@ fn scatter_of_strikes(
     )
 }
 
-/// The strikes of this golfer were not measured. Five numbers of the strikes, fitted by least
-/// squares to the published launch only, reproduce all ten published numbers of the launch within
-/// the error of 58 drives. Carry and lateral, which the fit does not use, then scatter as published
-/// too.
+/// The strikes of this golfer were not measured. Five numbers of the strikes were fitted to the
+/// published launches; all ten published numbers of the launch then agree within the error of 58
+/// drives. So do the deviations of carry and lateral, which the fit does not use.
 #[test]
 fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells() {
     let ([carry, rest], off) = scatter_of_strikes((6.9, 17.4), (-7.1, 5.3), 0.87);
@@ -430,7 +430,7 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
         (carry.0 / 249.4 - 1.0).abs() < 0.03 && (rest.0 - 7.28).abs() < 2.0,
         "{carry:?} {rest:?}"
     );
-    // strikes in the middle of the face do not reproduce the published numbers
+    // without a scatter of the strikes the deviations are wrong
     let ([_, centred], off) = scatter_of_strikes((0.0, 0.01), (0.0, 0.01), 0.0);
     println!(
         "struck in the middle: at rest ± {:.1} yd; off {off:.1?}",
@@ -440,8 +440,7 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
         centred.1 > 1.6 * LATERAL && off[4][1] > 8.0,
         "{centred:?} {off:?}"
     );
-    // strikes with a larger scatter also reproduce the published scatter, if strike and face are
-    // less correlated
+    // a larger scatter of the strikes with a smaller correlation gives the published scatter too
     for (toe, with_toe) in [(16.0, 0.91), (20.0, 0.83), (24.0, 0.80)] {
         let ([_, rest], _) = scatter_of_strikes((6.9, toe), (-7.1, 5.3), with_toe);
         println!(
@@ -455,7 +454,7 @@ fn published_golfer_scatters_as_published_with_the_strikes_that_his_launch_tells
     assert!(rest.1 > 1.1 * LATERAL, "{rest:?}");
 }
 
-/// The golfer as a file of swings, in docs/swings.md.
+/// docs/swings.md has the golfer as a file of swings.
 #[test]
 fn published_golfer_of_the_documents_scatters_as_published() {
     let document = include_str!("../../docs/swings.md");
@@ -503,7 +502,7 @@ fn published_golfer_scatters_as_published_where_the_launch_is_given_as_measured(
         "launch.spin=normal(3171 rpm, 694 rpm)",
         "launch.spin_axis=normal(5.82 deg, 8.17 deg)",
     ];
-    // the launch direction follows mainly the face angle; the spin axis follows face to path
+    // the launch direction follows mainly the face angle, and the spin axis follows face to path
     let (face, path) = (0.85, 0.15);
     let shared = face * (FACE * FACE - of_path_and_face() * FACE * PATH)
         + path * (of_path_and_face() * FACE * PATH - PATH * PATH);
