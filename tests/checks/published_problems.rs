@@ -4,8 +4,8 @@
 use crate::problems::{self, Case};
 use longdrive::optimize::{Domain, Options, Solution, Status, minimize};
 
-/// Problems whose search ends at another local minimum than the published one, with its value
-/// there.
+/// Problems whose search ends at another local minimum than the published one, and the value at
+/// that minimum.
 const OTHER_MINIMA: [(&str, f64); 8] = [
     ("HS2", 4.941_229_318),
     ("HS16", 23.144_660_94),
@@ -17,8 +17,9 @@ const OTHER_MINIMA: [(&str, f64); 8] = [
     ("MGH26", 2.795_056_12e-5),
 ];
 
-/// HS13 has no multipliers at its solution x₁ = 1, so that no residual can vanish there. Its
-/// constraint (1 − x₁)³ ≥ 0 holds to 1e-10 up to x₁ = 1 + 4.6e-4, where f = 1 − 9.3e-4.
+/// HS13 has no KKT multipliers at its solution x₁ = 1, so no search can end with a small KKT
+/// residual. Its constraint (1 − x₁)³ ≥ 0 holds to 1e-10 up to x₁ = 1 + 4.6e-4, where f = 1 −
+/// 9.3e-4.
 const UNSOLVED: &str = "HS13";
 
 /// The largest allowed KKT residual of a problem: 1e-8, except for MGH10 (Meyer). The residuals of
@@ -38,9 +39,9 @@ fn solve(case: &Case, start: &[f64]) -> Solution {
     minimize(&case.evaluate, &domain(case), start, &Options::default()).unwrap()
 }
 
-/// The KKT residual, computed here from the functions and the multipliers: stationarity relative to
-/// the largest of the balancing terms and of |f| (and at least 1), violations relative to the
-/// limits (and at least 1).
+/// The KKT residual, computed here from the functions and the multipliers. Stationarity is relative
+/// to the largest of its terms, |f| and 1. Violations are relative to max(|limit|, 1),
+/// complementarity to max(|f|, 1).
 fn kkt_residual(case: &Case, solution: &Solution) -> f64 {
     let at = (case.evaluate)(&solution.x).unwrap();
     let mut worst = 0.0_f64;
@@ -258,8 +259,7 @@ fn published_points_have_the_published_values() {
     }
 }
 
-/// Eight other starts around each published one: a search ends at a KKT point, or reports that it
-/// does not.
+/// Eight starts around each published start. Nearly every search ends at a KKT point.
 #[test]
 fn few_searches_fail_from_other_starts() {
     let (mut failed, mut tried) = (vec![], 0);
@@ -271,7 +271,7 @@ fn few_searches_fail_from_other_starts() {
             continue;
         }
         for k in 1..=8 {
-            // an even spread of ±30 % of each coordinate's size
+            // spread over ±30 % of the size of each coordinate
             let part = |i: usize| {
                 (f64::from(k) * (0.754_877_666 + 0.569_840_29 * (i + 1) as f64)).fract() - 0.5
             };
@@ -301,7 +301,7 @@ fn few_searches_fail_from_other_starts() {
     );
 }
 
-/// The search gets no Hessians and approximates them. The residual limit is 1e-8.
+/// All but four searches converge without Hessians.
 #[test]
 fn published_problems_are_solved_from_gradients_alone_but_for_four() {
     let cases = problems::hock_schittkowski()

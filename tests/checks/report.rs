@@ -56,7 +56,7 @@ fn words<'a>(svg: &'a roxmltree::Document<'_>) -> Vec<&'a str> {
         .collect()
 }
 
-/// The numbers of the rows of one kind in a table of data.
+/// The numbers in those rows of a data file that begin with `kind`.
 fn rows(csv: &str, kind: &str) -> Vec<Vec<f64>> {
     let rows = csv
         .lines()
@@ -200,7 +200,7 @@ fn same_positions_in_the_picture_and_in_the_data() {
         .unwrap();
         polylines(&whole(&svg))
             .into_iter()
-            // of the lines with three points, the axes are the first and the data the last
+            // the axes also have three points; the data are drawn after them
             .rfind(|points| points.len() == 3)
             .unwrap()
     };
@@ -295,7 +295,8 @@ fn every_series_differs_from_every_other_one() {
             );
         }
     }
-    // in the legend, at the top of the picture, the symbol of a line shows the bars of this line
+    // cross bars distinguish series of one colour; the legend, at the top of the picture, has them
+    // too
     let figure = |hue: usize| {
         Figure::new("n", "t", axis(), axis())
             .with(line(hue, false))
@@ -411,7 +412,7 @@ fn limits_on_a_map_are_where_the_outcome_reaches_them() {
         .filter(|row| row.starts_with("line,descent angle ≥ 38°,"))
         .collect();
     assert!(line.len() > 20, "{csv}");
-    // rows without numbers separate the pieces of the curve
+    // rows without numbers separate the pieces of a line
     for row in line.iter().filter(|row| !row.contains("°,,")).step_by(7) {
         let at: Vec<&str> = row.split(',').skip(2).take(2).collect();
         let set = [
@@ -458,7 +459,8 @@ fn same_tornado_bars_and_drives() {
         "the bar of a slower swing",
     );
 
-    // the error decreases as the square of the step, then grows as its inverse
+    // of the finite differences: the truncation error is proportional to the square of the step,
+    // the rounding error to its inverse
     let curve = rows(&figure_csv(&all[4], TableUnits::Si).unwrap(), "line");
     let error = |step: f64| {
         curve

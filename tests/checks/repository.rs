@@ -52,7 +52,7 @@ fn faults_of_commit_messages_are_found() {
     assert_eq!(faults("Subject\n\n").len(), 1);
 }
 
-/// Reads the commits after the one that added this file.
+/// Reads the commits after the commit that added this file.
 #[test]
 fn newest_commits_have_a_short_subject_and_a_body() {
     // a source archive may be unpacked inside another repository
@@ -66,7 +66,7 @@ fn newest_commits_have_a_short_subject_and_a_body() {
         "--",
         "tests/checks/repository.rs",
     ];
-    // in a shallow clone, the oldest commit present counts as the one that added the file
+    // in a shallow clone the oldest commit counts as the commit that added this file
     let Some(first) = git(&added)
         .filter(|_| is_this_repository)
         .and_then(|hashes| hashes.lines().next().map(str::to_owned))
@@ -84,11 +84,11 @@ fn newest_commits_have_a_short_subject_and_a_body() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// Names that types of several modules may have: `Args` of each command, and the status of a row
-/// and of a search.
+/// Names that may be declared twice: `Args` of each command, and `Status` in `batch` and
+/// `optimize`.
 const SHARED_NAMES: [&str; 2] = ["Args", "Status"];
 
-/// The types that the items of a file declare, without those in functions and test modules.
+/// The types that the code declares at its top level.
 fn declared_types(code: &str) -> impl Iterator<Item = &str> {
     code.lines().filter_map(|line| {
         let item = match line.strip_prefix("pub(") {
@@ -176,7 +176,8 @@ fn names_of_the_glossary_exist() {
     }
 }
 
-/// A release of the program aborts on a panic; the Python package must raise an exception.
+/// The program aborts on a panic, but the Python package must raise an exception, which needs an
+/// unwinding panic.
 #[test]
 fn a_wheel_of_the_python_package_unwinds() {
     /// Lines of a section of a TOML file.

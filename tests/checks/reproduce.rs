@@ -26,7 +26,7 @@ fn carry(loft: f64, attack: f64) -> f64 {
 #[test]
 fn published_optimum_is_the_peak_of_the_regression_with_its_slip() {
     let regression = &FOUND.regression;
-    // Table 1, at elevation 10°, to the four printed decimals
+    // table 1 of the report, at an elevation of 10°, prints the loft to four decimals
     close(
         regression.with_wrong_powers.loft.to_degrees(),
         4.4166,
@@ -41,8 +41,7 @@ fn published_optimum_is_the_peak_of_the_regression_with_its_slip() {
         5e-3,
         "as fitted",
     );
-    // for the same data, the report's regression with its slip (wrong powers) has a far larger
-    // error of the distance than the regression as fitted
+    // the report's slip, wrong powers in its regression, increases the error of the distance
     assert!(
         regression.with_wrong_powers.distance > 1000.0 && regression.as_fitted.distance < 300.0
     );
@@ -80,7 +79,7 @@ fn independent_bounds_are_active_at_eight_of_thirteen_lofts_and_all_attack_angle
             1e-12,
             "carry flown again",
         );
-        // no delivery of the row's range carries farther: by brute force
+        // no other loft or attack angle on a grid over the range of the row carries farther
         for part in 0..=40 {
             let along =
                 |low: f64, high: f64| (low + f64::from(part) / 40.0 * (high - low)).to_radians();
@@ -132,7 +131,7 @@ fn independent_bound_by_energy_and_grid_of_launches() {
         "the model page's global maximum",
     );
     assert_eq!(energy.farthest.speed, energy.fastest);
-    // no launch of a grid with at most this ball speed carries farther
+    // no launch on a grid of ball speeds up to this speed, angles and spins carries farther
     let setup = Setup::preset("mae494").unwrap();
     for (speed, angle, spin) in (1..=4).flat_map(|v| {
         (1..18).flat_map(move |a| (0..8).map(move |s| (v, f64::from(5 * a), f64::from(100 * s))))
@@ -203,8 +202,8 @@ fn independent_derivatives_of_the_loop_have_the_wrong_sign_at_every_loft() {
     close(ten.exact, 336.769_746_388_603, 1.0, 1e-8, "exact");
     close(ten.overshot, -65.0, 1.0, 1.0, "the loop's");
     for at in &noise.slopes {
-        // the loop's derivative is the derivative at a fixed time; with interpolation to the
-        // landing, it is the derivative of the landing
+        // the loop stops at the end of a step, so its derivative is the derivative at a fixed time.
+        // With an interpolation to the landing it is the derivative at the landing
         close(
             at.overshot,
             at.at_fixed_time,
@@ -229,7 +228,8 @@ fn independent_derivatives_of_the_loop_have_the_wrong_sign_at_every_loft() {
             "a shorter step does not help",
         );
     }
-    // a tooth is at most as high as the downrange distance of a step
+    // carry over loft is a sawtooth: a tooth is at most as high as the distance that the ball flies
+    // downrange in a step
     assert!(noise.teeth.count > 10 && (0.1..0.6).contains(&noise.teeth.height));
 }
 
@@ -296,7 +296,7 @@ fn sensitivities_of_the_parametric_study_predict_the_new_optimum() {
 fn published_third_study_ends_before_its_optimum() {
     let average = &FOUND.average;
     assert_eq!(average.printed.to_degrees().round(), 16.0);
-    // carry increases to the last loft of the report, 18°
+    // carry increases up to 18°, the last loft of the report
     assert!(
         average
             .rows

@@ -186,7 +186,8 @@ fn the_answer_judges_whether_one_design_suits_all_models() {
     );
 }
 
-/// The best loft of both models is at its lower bound, so a relaxed inactive limit gains nothing.
+/// The best loft of both models is at its lower bound, so relaxing a limit that is not active gains
+/// nothing.
 #[test]
 fn the_gain_of_an_inactive_limit_is_not_printed_if_it_is_zero() {
     let args = ["robust", "--minimize", "descent_angle"];
@@ -274,8 +275,8 @@ fn bad_models_are_refused_with_the_reason() {
     assert!(matches!(alone, Err(Error::Unreadable { .. })));
 }
 
-/// A goal that grows to both sides has two locally best designs, and the setup is nearer to the
-/// worse one. Several starts find the better one for every model, and for all models together.
+/// The goal rms(lateral) has a local optimum at each end of the range, and the setup is nearer to
+/// the worse one. A search from several starts finds the better one.
 #[test]
 fn several_starts_find_the_better_end_for_every_model() {
     let args = [
@@ -355,8 +356,8 @@ fn a_stopped_search_reports_its_progress() {
     );
 }
 
-/// The multiplier of a bound or limit is the decrease of the largest loss as the bound moves
-/// outwards. The best design of each model also changes with it.
+/// The multiplier of a bound or limit is the decrease of the largest loss per unit that it is
+/// relaxed. Relaxing it changes the best design of each model, too.
 #[test]
 fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
     let search = |attack: f64, limit: &str| {
@@ -379,7 +380,7 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
     let price = number(&search(3.0, limit)["multipliers"]["swing.attack_angle"]["upper"]);
     let falls = (greatest(3.0 - by, limit) - greatest(3.0 + by, limit)) / (2.0 * by).to_radians();
     close(price, falls, falls.abs(), 1e-5, "bound");
-    // a wider bound improves the best design of each single model more than the common design: the
+    // the best designs of single models gain more from a wider bound than the common design, so the
     // largest loss increases
     assert!(price < 0.0, "{price}");
     for (limit, unit, relaxed) in [
@@ -399,8 +400,8 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
             .map(|model| number(&model["constraints"][0]["multiplier"]))
             .sum();
         if unit == "deg" {
-            // the limit is not active at the common design, but at the best designs of single
-            // models: these give the price in the text
+            // the limit is not active at the common design. It is active at the best designs of
+            // single models, which give it a price
             let bests: Vec<_> = found["models"]
                 .as_array()
                 .unwrap()

@@ -67,7 +67,7 @@ fn the_rows_of_a_delivery_keep_their_numbers() {
     );
 }
 
-/// A table with the rows of a single club gives the same fit as `--only` with this club.
+/// A table that contains only the rows of one club gives the same fit as `--only` with this club.
 #[test]
 fn same_fit_as_of_a_table_of_one_club() {
     let (folder, file) = table();
@@ -124,7 +124,7 @@ fn shots_are_summarized_by_club() {
     ])
     .out;
     assert!(text.contains("carry_distance [yd] by club:"), "{text}");
-    // the table by club shows as many digits as the table by ball speed
+    // the table by club prints two decimals
     let timed = TABLE.replace("Carry [yds]", "Hang Time [s]");
     let timed = [",250", ",222", ",247", ",252", ",219"]
         .iter()

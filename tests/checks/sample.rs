@@ -90,7 +90,7 @@ fn generated(random: &mut Random) -> Option<Generated> {
         let mut values: Vec<f64> = flown.iter().map(|values| values[1 + j]).collect();
         values.sort_by(f64::total_cmp);
         let (least, most) = (*values.first()?, *values.last()?);
-        // a constraint of an outcome that no variable changes is met, or not, by rounding
+        // if no variable changes the outcome, rounding decides whether its constraint is met
         if most - least < 1e-6 * most.abs().max(1.0) {
             return None;
         }

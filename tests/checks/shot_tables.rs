@@ -1,4 +1,4 @@
-//! Tables in users' formats, after real exports: each shot equals one in a plain table.
+//! Tables of shots in the formats of real exports: each shot equals the same shot in a plain table.
 
 use crate::command_line::longdrive;
 use crate::common::close;
@@ -19,7 +19,7 @@ fn case(name: &str) -> (Shots, Vec<Flown>, ShotStatistics) {
     fly_shots(Cursor::new(bytes(name)))
 }
 
-/// The predicted carries and sides of the rows that land, m.
+/// The predicted carries and lateral distances of the rows that land, m.
 fn landed(flown: &[Flown]) -> Vec<[f64; 2]> {
     let of = |flown: &Flown| {
         let row = |row| Some([flown.predicted(row, 0)?, flown.predicted(row, 1)?]);
@@ -83,7 +83,8 @@ fn same_launches_with_heads_in_other_spellings() {
     );
 }
 
-/// A dot in a head is no decimal point: `61,468` has decimals, as the other numbers of its table.
+/// The table has decimal commas, because a dot in a head is not a decimal point: `61,468` is a
+/// fraction.
 #[test]
 fn same_launches_with_decimal_commas_below_heads_with_dots() {
     let text = "Ball Speed [m/s];Launch Ang. [deg];Launch Dir. [deg];Spin Rate [rpm];Spin Axis \
@@ -272,8 +273,8 @@ fn published_signs_of_garmin_are_turned() {
             .any(|remarks| remarks.contains("Sidespin is read with + to the left")),
         "{remarks:?}"
     );
-    // spin axis and sidespin have opposite signs; there is no note, because the measured side
-    // agrees with the spin axis
+    // Sidespin is positive to the left here, so it has the opposite sign of the spin axis. The
+    // measured side agrees with the spin axis, so there is no note
     let text = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
                 Axis [deg],Backspin [rpm],Sidespin [rpm],Carry Deviation \
                 Distance [yd]\n150,12,0,2500,10,2462,-434,12\n";
@@ -467,8 +468,8 @@ fn same_launches_in_generated_tables_and_in_a_plain_one() {
     assert_eq!(tables, 270);
 }
 
-/// A warning names the unit of a column if its carries equal the predicted ones in another unit
-/// than the head states.
+/// A warning names the unit in which a column would agree with the prediction, if it is not the
+/// unit in the head.
 #[test]
 fn implausible_units_are_warned_of() {
     let launches: Vec<[f64; 5]> = (0..6)
@@ -506,8 +507,8 @@ fn implausible_units_are_warned_of() {
         "{:?}",
         warned(text(1.0, yards, 7.0))
     );
-    // the measured values exceed the predicted ones by the ratio of metres to yards, but the column
-    // is read in yards: no warning
+    // measured carries of 1.09 times the prediction may be yards that are read as metres, but this
+    // column is read in yards: no warning
     assert!(warned(text(1.0, yards / 0.9144, 7.0)).is_empty());
     for (warnings, words) in [
         (

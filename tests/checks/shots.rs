@@ -97,7 +97,7 @@ fn same_flight_of_a_shot_in_every_makers_export() {
         );
         for (at, of) in OF.iter().enumerate() {
             let expected = of.of(&full).unwrap();
-            // sidespin and backspin are written to a thousandth
+            // the tables state sidespin and backspin to a thousandth
             close(
                 flown.predicted(0, at).unwrap(),
                 expected,
@@ -163,7 +163,7 @@ fn marks_measured_estimated_and_normalized_of_an_export_are_kept() {
         None,
         "not said"
     );
-    // values that another flight model predicted are not values of the shot
+    // the spin axis has one value: the column that TrackMan's own flight model predicted is ignored
     assert_eq!(
         flown.shots[0]
             .values
@@ -449,8 +449,8 @@ fn messages_that_cannot_be_flown_give_the_reason() {
     );
 }
 
-/// The carries of these messages are in metres, and are read in yards. Messages have no heads, so
-/// the advice names `Units`.
+/// The carries, 246, are meant in metres and read in yards. The messages have no heads that could
+/// state a unit, so the advice names their field `Units`.
 #[test]
 fn the_advice_on_a_wrong_unit_of_messages_names_their_units() {
     let message = r#"{"BallData": {"Speed": 160, "VLA": 12, "HLA": 0, "TotalSpin": 2500, "SpinAxis": 0,
@@ -818,7 +818,7 @@ fn the_command_writes_rows_and_their_prediction_errors() {
         "{}",
         standard.err
     );
-    // with the setup's own air
+    // `--of carry` warns that the measured carry is a distance from the tee
     let carry = on_one_line(&longdrive(&["fly", &shots, "--of", "carry"]).err);
     assert!(
         carry.contains("the measured carry is not compared: it is the distance from the tee"),

@@ -1,5 +1,5 @@
-//! Shots written by this program and read again; totals; and their files in `calibrate`, `delivery`
-//! and `sweep`.
+//! Tables that `fly` wrote are read again by `fly`, `calibrate`, `delivery` and `sweep`; measured
+//! totals.
 
 use crate::command_line::{file_with, json, longdrive, number, on_one_line};
 use longdrive::Setup;
@@ -43,7 +43,7 @@ fn same_json_lines_after_reading_and_writing() {
         let (first, second) = (lines(&first), lines(&second));
         assert!(!first.is_empty() && first.len() == second.len(), "{name}");
         for (at, (mut one, mut other)) in first.into_iter().zip(second).enumerate() {
-            // the line number refers to the input file
+            // `line` is the line of the input file, which differs between the two
             assert_eq!(other["line"], at + 1);
             (one["line"], other["line"]) = (Value::Null, Value::Null);
             assert_eq!(one, other, "{name}");
@@ -349,8 +349,8 @@ fn same_rows_of_a_table_flown_again() {
         .replace("150,abc", "150,11");
     let (_, answer) = json(&["fly", &file_with(folder.path(), "mended.csv", &mended)]);
     assert_eq!(answer["flown"], 2, "{answer}");
-    // columns named Notes and Line that the user has written are not taken for columns of this
-    // program
+    // the program has columns named Notes and Line, too; it keeps the user's columns with these
+    // names
     let own =
         "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Notes,Line\n150,12,2700,windy,3\n";
     assert_eq!(

@@ -12,8 +12,8 @@ use serde_json::Value;
 use std::fs;
 use std::io::Cursor;
 
-/// A table that repeats the shot of Garmin's sample for each item of `air`: the cells of its last
-/// four columns.
+/// A table with the shot of Garmin's sample, once for each item of `air`. An item replaces the last
+/// four cells of the shot, which describe the air.
 fn garmin_with_air(air: &[&str]) -> String {
     let text = include_str!("../data/shots/garmin.csv");
     let (heads, row) = text.trim_end().rsplit_once('\n').unwrap();
@@ -23,8 +23,8 @@ fn garmin_with_air(air: &[&str]) -> String {
     })
 }
 
-/// A section with that shot whose air column is not recognized, then a section with the shot in air
-/// of 0.9 kg/m³.
+/// Two sections with the shot of Garmin's sample. In the first one, the head of the air density is
+/// not recognized; in the second one, the air density is 0.9 kg/m³.
 fn air_in_second_section() -> String {
     let with_air = garmin_with_air(&["0.9,77,77.0,50"]);
     let without_air = with_air.replace("Air Density", "Note 2");
@@ -42,7 +42,7 @@ fn read_both_ways(text: &str) -> [ShotTable; 2] {
     })
 }
 
-/// The carry of that shot in air of this density.
+/// The carry of the shot of Garmin's sample at an air density, m.
 fn carry(density: f64) -> f64 {
     let mut setup = Setup::default();
     setup.air.density = density;

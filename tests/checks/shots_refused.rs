@@ -118,7 +118,7 @@ fn delivery_omits_the_incomplete_launches_that_fly_refuses() {
             remarks(&table)
         );
     }
-    // the launches of a table without spin are incomplete, so no row is refused for its launch
+    // without a column of spin no launch is complete, so no row is refused for its launch
     let file = file_with(
         folder.path(),
         "slow.csv",
@@ -164,7 +164,8 @@ fn an_impossible_measured_value_is_not_compared() {
         "{}",
         remarks(&table)
     );
-    // a table that measures only launches has nothing to fit
+    // this table has no column of the club, so a row whose carry is refused has no other value to
+    // fit
     let alone = read(
         "Ball Speed [mph],Launch Angle [deg],Total Spin [rpm],Carry \
          [yd]\n150,12,2600,245\n150,12,2600,9999\n",

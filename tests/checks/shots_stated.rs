@@ -195,8 +195,8 @@ fn lateral_is_not_fitted_where_the_direction_or_the_tilt_is_not_measured() {
             && remarks.contains(": row 2, row 3"),
         "{remarks}"
     );
-    // a table without columns of direction and axis has no comparison of lateral either, and no
-    // remark on its uncertainty, which is not used
+    // without direction and spin axis, lateral is not compared, and the answer does not mention its
+    // uncertainty
     let table = read(
         "ball_speed [mph],launch_angle [deg],spin [rpm],carry [yd],lateral \
               [yd]\n150,12,2500,240,5\n",

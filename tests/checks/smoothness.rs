@@ -35,8 +35,9 @@ fn change_between(setup: &Setup<f64>, low: f64, high: f64) -> [f64; 2] {
             ends[usize::from(found.1.0 != few)] = found;
         }
     };
-    // the number of steps changes where the flight time, nearly linear in the loft, is a whole
-    // number of steps: move the ends close to both sides of this loft
+    // the number of steps changes at the loft whose flight time is a whole number of steps; the
+    // flight time is nearly linear in the loft, so an interpolation moves both ends close to this
+    // loft
     for _ in 0..4 {
         let [(low, (_, first)), (high, (_, last))] = ends;
         let whole = setup.flight.step
@@ -140,8 +141,8 @@ fn exact_continuity_of_the_apex_across_steps() {
     }
 }
 
-/// The number of lofts at which the apex moves to another step, and the largest relative jumps
-/// there, of the value and of the first and second derivative by loft.
+/// The number of lofts at which the step that contains the apex changes. Also the largest relative
+/// jumps there of the outcome and of its first and second derivatives.
 fn apex_jumps(setup: &Setup<f64>, of: Outcome) -> (usize, [f64; 3]) {
     let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
     let apex_step = |loft: f64| {

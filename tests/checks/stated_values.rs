@@ -87,7 +87,8 @@ fn a_stated_value_is_held_in_every_search() {
     assert_eq!(names(&chart["points"][0]["optimum"]), ["club.loft"]);
 }
 
-/// Over swings the default search varies the loft alone, so a stated attack angle is not held.
+/// A search over swings varies only the loft by default. A stated attack angle is therefore not
+/// listed in `held`.
 #[test]
 fn over_swings_a_stated_attack_angle_is_no_held_parameter() {
     let words = [
@@ -298,7 +299,8 @@ fn a_sweep_has_the_derivatives_of_gradient_and_of_wrt() {
     }
 }
 
-/// In the drive before the search, a varied weight that the setup does not have weighs nothing.
+/// A search may vary a weight that the setup does not have. In the drive as set up this weight is
+/// unset.
 #[test]
 fn same_drive_as_set_up_by_a_search_and_by_simulate() {
     let (_, searched) = json(&["optimize", "--vary", "club.weight_1.mass=0g..40g"]);
@@ -314,7 +316,7 @@ fn same_drive_as_set_up_by_a_search_and_by_simulate() {
     assert!(before.is_null(), "{before}");
 }
 
-/// A map at the best speed has no place for the drive as set up, which has another speed.
+/// A map of the best speed does not mark the drive as set up, because this drive has another speed.
 #[test]
 fn a_map_of_another_speed_has_no_mark_of_the_drive_as_set_up() {
     let folder = tempfile::tempdir().unwrap();
@@ -336,7 +338,7 @@ fn a_map_of_another_speed_has_no_mark_of_the_drive_as_set_up() {
     assert!(!marks(&vary));
 }
 
-/// A note names the columns of a table of swings that are not read, as for a table of points.
+/// A note names the columns of a table of swings that are not read.
 #[test]
 fn columns_of_a_table_of_swings_that_are_not_read_are_named() {
     let folder = tempfile::tempdir().unwrap();

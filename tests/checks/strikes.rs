@@ -11,8 +11,8 @@ use longdrive::study::Face;
 use longdrive::units::{System, TableUnits};
 use longdrive::{Outcome, Setup};
 
-/// Each node of a map of strikes is a drive. Maps of one outcome for two designs have the same
-/// contour levels, and the data name every map.
+/// Each node of a map of strikes is the outcome of a drive. The maps of one outcome for two designs
+/// have the same contour levels.
 #[test]
 fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -95,7 +95,7 @@ fn contours_over_the_face_have_no_corners() {
     let setup = Setup::preset("modern-driver").unwrap();
     let face = Face::of(&setup).unwrap();
     let figure = strikes_figure(&[("", &face)], System::Us).unwrap();
-    // without the fourth view: contours of the spin axis cross at a saddle
+    // not the fourth view, the spin axis: its contours cross at a saddle point
     let views = std::iter::once(&figure).chain(&figure.panels).take(3);
     let (mut contours, mut sharpest_on_nodes) = (0, 0.0_f64);
     for view in views {

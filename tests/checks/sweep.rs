@@ -161,7 +161,7 @@ fn drives_of_every_kind_have_a_status_and_no_nan() {
             (Status::Landed, vec![true; 4])
         ]
     );
-    // a square face strikes the ball; the drive with a face angle of 89.9° is not compared
+    // only the status of the drive with a square face is checked, not that of the drive at 89.9°
     assert_eq!(
         status(&setup, "swing.face_angle=0deg..89.9deg:2")[0].0,
         Status::Landed
@@ -174,7 +174,7 @@ fn drives_of_every_kind_have_a_status_and_no_nan() {
             (Status::NoStrike, vec![false; 4])
         ]
     );
-    // a tensor that no body has
+    // no body has this tensor of inertia
     assert_eq!(
         status(&setup, "club.inertia.xz=0..0.5kg m^2:2"),
         [

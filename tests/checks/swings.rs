@@ -40,8 +40,8 @@ fn searched(setup: &Setup<f64>, goal: &str, vary: &[&str], scenarios: Scenarios)
     optimum(setup, search, Observer::default()).unwrap()
 }
 
-/// Value, gradient and Hessian of a mean at the optimum, compared with the weighted sums of single
-/// drives.
+/// Compares value, gradient and Hessian of mean(carry) at its optimum with weighted sums over
+/// single drives.
 #[test]
 fn same_mean_and_derivatives_by_sums_over_single_drives() {
     let setup = Setup::preset("mae494").unwrap();
@@ -137,7 +137,7 @@ fn independent_best_loft_of_the_average_over_attack_angles_by_simpsons_rule() {
 #[test]
 fn order_of_quadrature_and_of_sequences() {
     let mut setup = Setup::preset("mae494").unwrap();
-    // the mean is over the computed drives, so large steps do not change the order of convergence
+    // large steps take less time, and change the mean only slightly: not its order of convergence
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let all = swings(
         &setup,
@@ -289,7 +289,7 @@ fn independent_moments_of_a_truncated_distribution_by_its_quantiles() {
 #[test]
 fn sampled_interval_of_the_best_loft_from_recorded_swings() {
     let mut setup = Setup::preset("mae494").unwrap();
-    // the carry to 1e-8 m, with a tenth of the evaluations
+    // large steps take a tenth of the time, and have an error of carry of 1e-8 m
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let all = swings(&setup, &["swing.attack_angle=uniform(-6deg, 6deg)"]);
     let truth = searched(
@@ -400,8 +400,8 @@ fn same_bits_of_a_resumed_search_over_swings() {
     assert_eq!(whole, json(&[&args[..], &kept].concat()));
 }
 
-/// A goal that grows to both sides has a local optimum at each end of the range. A single search
-/// finds only the nearer end. In a mirrored range, the optimum is the mirror image.
+/// The goal rms(lateral) has a local optimum at each end of the range. A search from a single start
+/// finds the nearer one. If setup and range are mirrored, the optimum is mirrored, too.
 #[test]
 fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
     let requested = |set: &str, vary: &str, starts: &str| {
@@ -514,8 +514,8 @@ fn several_starts_find_both_ends_of_a_goal_that_grows_to_both_sides() {
     );
 }
 
-/// Value, gradient and Hessian of goals as functions, compared with the problem of a search and
-/// with sums over single drives. If no swing varies, they are compared with the drive.
+/// Compares value, gradient and Hessian of a [`GoalFunction`] with the objective of a search and
+/// with sums over single drives. Without random swings it equals the outcome of the drive.
 #[test]
 fn same_goals_by_sums_over_single_drives() {
     let setup = Setup::preset("mae494").unwrap();
@@ -787,13 +787,13 @@ fn the_error_of_a_smooth_goal_is_known_if_only_the_sequences_contain_a_swing_wit
     );
 }
 
-/// The fewer yards remain after a drive, the fewer strokes to the hole. If the hole is straight and
-/// out of reach, the loft with the fewest strokes is the loft with the longest carry.
+/// Expected strokes increase with the remaining distance. If the hole is straight ahead and out of
+/// reach, the loft with the fewest strokes is the loft with the longest carry.
 #[test]
 fn fewest_strokes_are_the_longest_drive_if_only_distance_counts() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("strokes.csv");
-    // strokes proportional to the distance: the goal is the remaining distance
+    // strokes proportional to the remaining distance
     std::fs::write(&file, "distance [yd],strokes\n0,0\n1000,10\n").unwrap();
     let file = file.display().to_string();
     let speed = ["--distribution", "swing.speed=normal(100mph,2mph)"];
@@ -828,8 +828,8 @@ fn fewest_strokes_are_the_longest_drive_if_only_distance_counts() {
     );
 }
 
-/// Three kinds of extreme requests have an answer: the lowest share of a normal distribution,
-/// correlations of ±1, and goals whose printed value must be within its interval.
+/// Searches over wide or dependent distributions converge: `lowest` over a normal distribution, and
+/// correlations of ±1.
 #[test]
 fn swings_that_reach_far_have_an_answer() {
     let attack = ["--distribution", "swing.attack_angle=normal(-1deg,2deg)"];
@@ -851,7 +851,7 @@ fn swings_that_reach_far_have_an_answer() {
             json(&[&["optimize"][..], &both, &["--correlation", &correlation]].concat());
         assert_eq!(status, 0, "{coefficient}: {found}");
     }
-    // a printed value is within its own interval, and a share between 0 and 1
+    // the value of a goal is within its interval; the interval of a share is within 0 and 1
     let goals = [
         "lowest(carry, 10%)",
         "within(lateral, 15m)",
@@ -1144,8 +1144,8 @@ fn the_share_of_swings_beyond_a_limit_is_a_share_of_those_that_land() {
     );
 }
 
-/// With one node, the finer rule must have another number of nodes: with the same one, the error
-/// would be 0.
+/// The error of a quadrature is its difference from a rule with more nodes. A rule with one node
+/// would have the error 0 if the other rule also had one node.
 #[test]
 fn the_error_of_a_goal_over_one_node_is_above_0() {
     let setup = Setup::default();

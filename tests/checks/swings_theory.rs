@@ -1,5 +1,5 @@
-//! Theory of goals over many swings: their derivatives, and the convergence of the optimum over a
-//! sample to that over all swings.
+//! Derivatives of goals over many swings, and convergence of the optimum over a sample of swings to
+//! the optimum over all swings.
 
 use crate::common::close;
 use crate::random::Random;
@@ -13,7 +13,7 @@ use longdrive::{Outcome, Setup};
 #[test]
 fn differences_certify_every_goal_and_their_weighted_sum() {
     let mut setup = Setup::preset("tour-average").unwrap();
-    // derivatives belong to the drive as computed, in large steps too
+    // large steps take less time; derivatives belong to the drive in its own steps
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let all = swings(
         &setup,
@@ -129,7 +129,7 @@ fn order(points: &[(f64, f64)]) -> f64 {
 #[test]
 fn order_of_the_error_of_the_optimum_over_a_sample() {
     let mut setup = Setup::preset("mae494").unwrap();
-    // the carry to 1e-8 m, with a tenth of the evaluations
+    // large steps take a tenth of the time, and have an error of carry of 1e-8 m
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let all = swings(
         &setup,

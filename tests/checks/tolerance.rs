@@ -1,5 +1,5 @@
-//! The tolerance of many drives: every length of every row, compared with flights in much shorter
-//! steps.
+//! Sweeps and functions with a tolerance: the lengths of every drive are compared with those of
+//! flights in much shorter steps.
 
 use crate::common::{RIGID, random_setups};
 use crate::parallel::in_parallel;
@@ -29,16 +29,17 @@ fn rows(batch: &Batch, ranges: &[Vary], count: u64) -> Block {
     batch.evaluate(0, points)
 }
 
-/// The errors of the rows of a sweep that land.
+/// The errors of those rows of a sweep that land.
 #[derive(Clone, Copy, Debug, Default)]
 struct Errors {
     landed: usize,
-    /// Rows flown again, in shorter steps than the sweep's.
+    /// Number of rows that the sweep flew again in shorter steps.
     again: usize,
-    /// Number of rows with an error above a micrometre, and the largest error, m, with the step
-    /// that the sweep chose before its rows were checked.
+    /// With the step that the sweep chose, before it checked its rows: number of rows with an error
+    /// above a micrometre, and largest error, m.
     unchecked: (usize, f64),
-    /// Number of rows and largest error, m, in the result of the sweep.
+    /// In the result of the sweep: number of rows with an error above a micrometre, and largest
+    /// error, m.
     checked: (usize, f64),
 }
 
@@ -128,9 +129,9 @@ fn range(setup: &Setup<f64>, name: &str, low: f64, high: f64) -> Vary {
     Vary::new(setup.variable(name).unwrap(), low, high).unwrap()
 }
 
-/// Random setups in space, of all laws, some in a wind that increases with height; each swept over
-/// one to four parameters, by a fifth or a half of their values to both sides. `LONGDRIVE_SWEEPS`
-/// sets their number. docs/model.md (16a) has the printed results.
+/// Sweeps around random setups, some of them in a wind that increases with height, over one to four
+/// parameters. `LONGDRIVE_SWEEPS` sets the number of sweeps. docs/model.md (16a) has the printed
+/// results.
 #[test]
 fn same_lengths_of_random_sweeps_in_shorter_steps_within_a_micrometre() {
     within_a_micrometre(&[0.2, 0.5], |setup, ranges| {
@@ -138,7 +139,7 @@ fn same_lengths_of_random_sweeps_in_shorter_steps_within_a_micrometre() {
     });
 }
 
-/// Random functions of parameters, with the step that [`StepChoice`] chooses for the setup only.
+/// Functions of random parameters, with the step that [`StepChoice`] chooses for the setup.
 #[test]
 fn same_lengths_of_random_functions_in_shorter_steps_within_a_micrometre() {
     within_a_micrometre(&[0.2, 0.5], |setup, ranges| {
@@ -152,7 +153,8 @@ fn same_lengths_of_random_functions_in_shorter_steps_within_a_micrometre() {
     });
 }
 
-/// Ranges around a random setup: `part` of its values to both sides, of one to four parameters.
+/// Ranges of one to four parameters around their values in a random setup. `part` is the half-width
+/// of a range as a fraction of the value.
 fn random_ranges(n: usize, setup: &Setup<f64>, part: f64) -> Vec<Vary> {
     let names = [
         "club.loft",
@@ -163,7 +165,7 @@ fn random_ranges(n: usize, setup: &Setup<f64>, part: f64) -> Vec<Vary> {
         "wind.downrange",
         "gravity",
     ];
-    // a stride of 1 to 6 visits each of the seven names once
+    // each stride from 1 to 6 visits all seven names, because 7 is prime
     let by = (0..=n % 4).map(|i| names[(n / 4 + i * (1 + n / 28 % 6)) % 7]);
     by.map(|name| {
         let value = setup.value(setup.variable(name).unwrap()).unwrap();
@@ -178,8 +180,8 @@ fn random_ranges(n: usize, setup: &Setup<f64>, part: f64) -> Vec<Vary> {
 }
 
 /// Asserts that the errors of all drives are at most a micrometre. `errors` returns the errors of
-/// drives with a setup's parameters varied over ranges. Each range extends to both sides of the
-/// setup's value, by one of the fractions `parts` of it.
+/// drives with parameters in ranges around the values of a setup. `parts` are the half-widths of
+/// these ranges, as fractions of the values.
 fn within_a_micrometre(
     parts: &[f64; 2],
     errors: impl Fn(&Setup<f64>, &[Vary]) -> Option<Errors> + Sync,
@@ -222,9 +224,9 @@ fn within_a_micrometre(
     assert_eq!(checked.0, 0, "{checked:?}");
 }
 
-/// Sweeps with rows whose errors were up to 266 times the tolerance before rows were flown again:
-/// their step was chosen from other drives. The rows are at the ends of the ranges, and near drives
-/// without a flight.
+/// A sweep chooses its step from a few drives, so that other rows may have larger errors: here up
+/// to 266 times the tolerance, at the ends of the ranges and near drives without a flight. The
+/// sweep flies these rows again.
 #[test]
 fn same_rows_in_shorter_steps_after_a_retry() {
     let mut low = Setup::default();
@@ -250,7 +252,7 @@ fn same_rows_in_shorter_steps_after_a_retry() {
         let found = sweep(setup, ranges, &[Outcome::Carry, Outcome::Lateral], 1024).unwrap();
         assert!(found.checked.0 == 0 && found.landed > 500, "{found:?}");
     }
-    // a step chosen for one loft, and rows of all lofts
+    // the step is chosen for a narrow range of lofts, but the rows have all lofts
     let found = accuracy(
         &low,
         &[range(&low, "club.loft", 0.17, 0.18)],
@@ -275,9 +277,9 @@ fn same_rows_in_shorter_steps_after_a_retry() {
     );
 }
 
-/// Flights of half a second in one step, with a descent of half a degree: the interpolation within
-/// the last step has a larger error than the steps. Among 4000 rows some had an error of 5 µm
-/// before the defect of the last step got a larger weight.
+/// Flights of half a second in one step that descend at half a degree. The interpolation within the
+/// last step has a larger error than the step. The check of a row therefore gives the defect of the
+/// last step a larger weight; without it, some of 4000 rows had an error of 5 µm.
 #[test]
 fn same_short_and_flat_flights_in_shorter_steps_after_a_retry() {
     let setup = Setup::default();
@@ -293,8 +295,8 @@ fn same_short_and_flat_flights_in_shorter_steps_after_a_retry() {
     );
 }
 
-/// Low shots whose path is nearly straight at the apex, where lift carries most of the weight: an
-/// error of the velocity moves the apex by up to a hundred times as much as usual.
+/// Low shots with nearly straight paths at the apex, where lift carries most of the weight. There
+/// an error of the velocity moves the apex up to a hundred times as far as usual.
 #[test]
 fn same_positions_of_flat_apexes_in_shorter_steps_within_a_micrometre() {
     let setup = Setup::default();
@@ -316,9 +318,9 @@ fn same_positions_of_flat_apexes_in_shorter_steps_within_a_micrometre() {
     );
 }
 
-/// A light ball whose airspeed decreases to 0.5 m/s at its apex, where |v| v varies within a step.
-/// The step of a sweep is chosen from a few drives. This row has an error of 8.6 µm in this step,
-/// and the error estimate of a row (docs/model.md, eq. 16a) does not show it.
+/// A light ball whose airspeed falls to 0.5 m/s at the apex, where the drag, proportional to |v| v,
+/// is not smooth. Its row has an error of 8.6 µm in the step of the sweep. The error estimate of a
+/// row (docs/model.md, eq. 16a) is too small there.
 #[test]
 fn same_row_that_nearly_stops_at_its_apex_in_shorter_steps_after_a_retry() {
     let setup = random_setups(158).last().unwrap();
@@ -339,7 +341,7 @@ fn same_row_that_nearly_stops_at_its_apex_in_shorter_steps_after_a_retry() {
     );
 }
 
-/// A row that no step computes within the tolerance has no outcomes.
+/// A row whose error exceeds the tolerance in every step has no outcomes.
 #[test]
 fn a_row_beyond_the_tolerance_in_every_step_diverges() {
     let setup = Setup::default();
@@ -375,7 +377,8 @@ fn a_drive_beyond_the_tolerance_in_every_step_is_an_error_of_its_integration() {
     );
 }
 
-/// NaN would disable the check, and no drive has a defect of 0 or less.
+/// A largest defect of NaN would disable the check of the rows. Defects are above 0, so a largest
+/// defect of 0 or less would refuse every row.
 #[test]
 fn an_impossible_largest_defect_is_refused() {
     let setup = Setup::default();
@@ -399,7 +402,8 @@ fn an_impossible_largest_defect_is_refused() {
     }
 }
 
-/// A request without ranges checks one drive, and gives the step that a very narrow range gives.
+/// Without ranges, `accuracy` checks one drive, and finds the step that it finds for a very narrow
+/// range.
 #[test]
 fn one_drive_alone_is_checked_once() {
     let setup = Setup::preset("modern-driver").unwrap();
@@ -469,8 +473,8 @@ fn same_derivatives_in_shorter_steps_within_the_documented_error() {
         let within = accuracy(&setup, &[], &[Outcome::Carry], MICROMETRE)
             .unwrap()
             .applied_to(&setup);
-        // the reference: its derivatives differ from those in steps of 1 ms by at most a
-        // thousandth of the bound
+        // the reference: its derivatives differ from those in steps of 1 ms by at most a thousandth
+        // of the tolerance of this test
         let mut fine = setup;
         (fine.method, fine.flight.step) = (Method::Rk4, 4e-3);
         // each derivative times the size of its parameter

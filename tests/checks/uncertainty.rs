@@ -1,4 +1,5 @@
-//! Uncertainty: known shares of known functions, moments of known distributions, and drives.
+//! The uncertainty of outcomes: shares of the variance of known functions, moments of known
+//! distributions, ellipses and gusts, and messages.
 
 use crate::command_line::WHOLE;
 use crate::common::{LARGE_STEPS, close, panic_of};
@@ -34,7 +35,8 @@ fn ishigami(x: &[f64]) -> Option<f64> {
     Some(x[0].sin() + 7.0 * x[1].sin().powi(2) + 0.1 * x[2].powi(4) * x[0].sin())
 }
 
-/// Variance of Ishigami's function, and the first-order and total shares of the variance, by hand.
+/// Variance of Ishigami's function, and the first-order and total shares of its parameters, by
+/// hand.
 fn ishigami_shares() -> (f64, [f64; 3], [f64; 3]) {
     let (a, b) = (7.0_f64, 0.1_f64);
     let alone = [0.5 * (1.0 + b * PI.powi(4) / 5.0).powi(2), a * a / 8.0, 0.0];
@@ -123,7 +125,7 @@ fn sampled_shares_of_the_g_function_lie_within_their_intervals() {
         close(indices.first.value, first, 1.0, 0.03, "first");
         close(indices.total.value, total, 1.0, 0.03, "total");
     }
-    // each interval of 95 % may miss the exact share: allow one of ten
+    // a 95 % interval may miss the exact share: one of the ten may do so
     assert!(
         held.iter().filter(|is_within| !**is_within).count() <= 1,
         "{held:?} {found:?}"
@@ -163,14 +165,15 @@ fn sampled_coverage_of_95_percent_intervals_of_shares() {
             all += 1;
         });
     }
-    // 480 intervals, some dependent: three standard deviations of 480 independent ones are 3 %
+    // 480 intervals, some of them dependent. Three standard deviations of 480 independent ones are
+    // 3 %
     let share = f64::from(u32::try_from(within).unwrap()) / f64::from(u32::try_from(all).unwrap());
     assert!((0.92..=0.98).contains(&share), "{within} of {all}");
 }
 
-/// The upper bound C E(∂f/∂xᵢ)²/V of a total share, by hand. For Ishigami's function the Poincaré
-/// constant C is (b − a)²/π² = 4. For a linear function of a normal number, C is the variance of
-/// the number, and the bound is 1.
+/// The upper bound C E(∂f/∂xᵢ)²/V of a total share, by hand; V is the variance of f. For Ishigami's
+/// function the Poincaré constant C is (b − a)²/π² = 4, with the range b − a of xᵢ. For a linear
+/// function of a normal variable, C is the variance of the variable, and the bound is 1.
 #[test]
 fn sampled_coverage_of_95_percent_intervals_of_upper_bounds() {
     let (variance, _, total) = ishigami_shares();
@@ -246,7 +249,7 @@ fn sampled_coverage_of_95_percent_intervals_of_upper_bounds() {
         within += held.iter().filter(|is_within| **is_within).count();
         all += held.len();
     }
-    // 240 intervals: three standard deviations are 4 %
+    // 240 intervals: three standard deviations of the share that contains the exact value are 4 %
     let share = within as f64 / all as f64;
     assert!((0.91..=0.99).contains(&share), "{within} of {all}");
 }
@@ -312,8 +315,8 @@ fn sampled_moments_are_those_of_the_distributions() {
             indices.first.contains(1.0) || (indices.first.value - 1.0).abs() < 0.02,
             "{indices:?}"
         );
-        // Poincaré: the variance of x itself is at most the constant, and equal for a normal
-        // distribution
+        // a Poincaré constant is at least the variance of its distribution; for a normal
+        // distribution they are equal
         assert!(
             distribution.deviation().powi(2) <= distribution.poincare() * (1.0 + 1e-15),
             "{distribution:?}"
@@ -542,7 +545,8 @@ fn exact_effects_are_gradients_times_uncertainties_ranked_by_size() {
             1e-13,
             effect.parameter.name,
         );
-        // compared with two terms of Taylor's series, to third order
+        // the flown change agrees with Taylor's polynomial of degree 2, to a remainder of third
+        // order
         let third = 0.1 * (bar.first_order.abs() + bar.second_order.unwrap().abs()) * 0.2 + 1e-9;
         for (flown, sign) in bar.flown.into_iter().zip([-1.0, 1.0]) {
             close(
@@ -728,9 +732,9 @@ fn a_constant_with_rounding_is_a_constant() {
     assert!(varies.indices[0].is_some() && varies.deviation.value > 0.0);
 }
 
-/// The deviation of an outcome that remains if its dominant parameter is known, compared with the
-/// mean of the variance at fixed values of that parameter (Gauss's three nodes of a normal
-/// distribution). Computed from 1 − S₁, it would be 0 with one seed and four times too large with
+/// The remaining deviation of an outcome if its dominant parameter is known, compared with the root
+/// of the mean variance at three fixed values of this parameter (Gauss's nodes of a normal
+/// distribution). The difference 1 − S₁ would be 0 with one seed, and four times too large with
 /// another.
 #[test]
 fn independent_remaining_deviation_where_one_parameter_dominates() {
@@ -848,8 +852,8 @@ fn exact_gusts_in_the_uncertainty_of_the_wind() {
     assert_eq!(sigma(&rough, "wind.speed"), 1.0_f64.hypot(8.0));
 }
 
-/// If the height of the centre of mass is stated, strikes are measured from the face centre, with
-/// the uncertainty of the ball's mark only. If not, the uncertainty of the sweet spot is added.
+/// If the height of the centre of mass is stated, a strike is measured from the face centre: only
+/// the mark of the ball is uncertain. If it is not stated, the sweet spot is uncertain, too.
 #[test]
 fn the_uncertainty_of_a_strike_has_the_source_of_its_size() {
     let sigma = |setup: &Setup<f64>| {
@@ -1055,9 +1059,9 @@ fn impossible_distributions_are_refused() {
     }
 }
 
-/// The tail of a normal distribution from 9 to 10 standard deviations above its mean, and from 9 to
-/// 10 below: mean, central moments and quantiles by mpmath with 40 digits. In the upper tail the
-/// distribution function rounds to 1.
+/// A normal distribution truncated to 9 to 10 standard deviations above its mean, and to 9 to 10
+/// below it. Mean, central moments and quantiles are from mpmath with 40 digits. In the upper tail
+/// the distribution function rounds to 1.
 #[test]
 fn independent_both_tails_of_a_truncated_normal_distribution_are_those_of_40_digits() {
     let setup = Setup::default();
@@ -1085,8 +1089,8 @@ fn independent_both_tails_of_a_truncated_normal_distribution_are_those_of_40_dig
             high,
         };
         tail.check().unwrap();
-        // a probability in the tail has a relative error of 1e-10, and central moments are small
-        // differences of moments about 0
+        // a probability in the tail has a relative error of 1e-10. A central moment is a small
+        // difference of moments about 0, so its relative error is larger
         close(tail.mean(), side * mean, 1.0, 1e-9, "mean");
         let [second, third, fourth] = tail.central_moments();
         close(second, moments[0], moments[0], 1e-6, "second");

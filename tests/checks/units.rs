@@ -72,7 +72,7 @@ fn exact_zeros_of_temperatures_and_none_of_their_differences() {
         Quantity::SPEED.read_difference("110 mph"),
         Quantity::SPEED.read("110 mph")
     );
-    // a temperature scale with its own zero is not a factor
+    // degC and degF have their own zero, so they cannot be factors of another unit
     for text in ["2 degC^1 1", "2 1/degC", "2 degF^2", "2 K degC/K"] {
         assert!(
             matches!(

@@ -1,5 +1,5 @@
-//! `validate`: every law compared with published drives, its numbers computed in another way, and
-//! their statements in the documents.
+//! `validate`: every law compared with published drives. Its numbers are computed here in another
+//! way, and the documents have the same numbers.
 
 use crate::command_line::{Output, WHOLE, Written, json, longdrive, written};
 use crate::common::{close, number};
@@ -11,7 +11,7 @@ use serde_json::Value;
 use std::sync::LazyLock;
 
 static FOUND: LazyLock<Vec<SetScores>> = LazyLock::new(|| validation(None).unwrap());
-/// Output and files of `validate`, which takes seconds: in a folder, as rows, and in JSON.
+/// Output and files of `validate` in a folder.
 pub static VALIDATED: LazyLock<Written> =
     LazyLock::new(|| written(&["validate", "--units", "metric"]));
 static ROWS: LazyLock<Output> = LazyLock::new(|| longdrive(&["validate", "--csv"]));
@@ -221,8 +221,8 @@ fn same_mean_of_scattered_drives_and_of_uncertainty() {
     );
 }
 
-/// The bounds on average: 1° of launch angle, 250 rpm, 2 % of carry. `published.rs` has these
-/// bounds for the preset too.
+/// With an impact like the chart's, the law `ferguson` has mean errors of at most 1° of launch
+/// angle, 250 rpm and 2 % of carry. `published.rs` has these bounds for `lpga-average`.
 #[test]
 fn published_optima_of_trackmans_chart_are_met_by_an_impact_like_the_charts() {
     let of = set("chart-optima-impact");
@@ -248,7 +248,7 @@ fn published_optima_of_trackmans_chart_are_met_by_an_impact_like_the_charts() {
     assert!(mean(of_default(Compared::Spin)) * 60.0 / std::f64::consts::TAU < -500.0);
 }
 
-/// The text about the other clubs agrees with the table.
+/// The sentences of `validate` about the sets of other clubs agree with its numbers.
 #[test]
 fn misses_of_the_other_clubs_in_the_text_are_those_of_the_table() {
     for name in ["pga-clubs", "lpga-clubs"] {
@@ -390,7 +390,7 @@ fn a_name_that_ends_in_csv_gets_the_rows_and_other_files_are_refused() {
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 
-/// A user's table, here without drag and lift, is compared like the laws.
+/// A user's table of drag and lift is compared like the laws.
 #[test]
 fn a_users_table_is_compared_and_listed_with_the_laws() {
     let folder = tempfile::tempdir().unwrap();

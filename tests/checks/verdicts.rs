@@ -1,5 +1,5 @@
-//! Verdicts of the optimizer on small problems after public bug reports of solvers: each true value
-//! is a closed form, or known to many digits.
+//! Status and result of the optimizer on small problems from public bug reports of other solvers.
+//! Each solution is known in closed form, or to many digits.
 
 use longdrive::number::Number;
 use longdrive::optimize::{
@@ -110,8 +110,8 @@ impl Functions for Parabola {
     }
 }
 
-/// At (0, 1) the gradients of x² + y = 1 and of the bound y ≤ 1 are parallel. Near this point, huge
-/// multipliers of the two balance any gradient of the objective.
+/// At (0, 1) the gradients of the constraint x² + y = 1 and of the bound y ≤ 1 are parallel. Near
+/// this point, huge multipliers of constraint and bound can balance any gradient of the objective.
 #[test]
 fn exact_minima_beyond_a_point_where_a_constraint_touches_a_bound() {
     let limits = [(1.0, 1.0), (-10.0, f64::INFINITY)];
@@ -262,7 +262,8 @@ fn minimum_of_a_function_with_a_large_constant() {
     }
 }
 
-/// Objective √(w'Qw), constraint functions Σw and r'w: a portfolio of a bug report.
+/// Objective √(w'Qw), constraint functions Σw and r'w: the weights of a portfolio, from a bug
+/// report.
 struct Portfolio;
 
 const RETURNS: [f64; 5] = [0.129_64, 0.110_86, 0.034_39, 0.115_94, 0.064_68];
@@ -359,9 +360,9 @@ fn exact_minima_on_oblique_corners() {
     }
 }
 
-/// Objective t, the largest loss of three models; a constraint function for each model: its loss
-/// c (x − mₖ)² − sₖ (y − 0.087), less t. As for losses of carry, this is computed as the difference
-/// of two numbers near 275.
+/// The largest loss t of three models: the objective is t, and each model has the constraint
+/// function c (x − mₖ)² − sₖ (y − 0.087) − t. The code adds and subtracts 275, because a loss of
+/// carry is a difference of two carries.
 struct GreatestLoss {
     curvature: f64,
     bests: [f64; 3],
@@ -383,9 +384,9 @@ impl Functions for GreatestLoss {
     }
 }
 
-/// The problem [`GreatestLoss`]. Its closed form: y is at its bound 0.087, x is in the middle between
-/// the smallest and the largest of `bests`, and the greatest loss is `curvature` times the square of
-/// half their difference.
+/// The problem [`GreatestLoss`] in closed form: y is at its bound 0.087, and x is in the middle
+/// between the smallest and the largest of `bests`. The largest loss is `curvature` times the
+/// square of half the difference of these two.
 #[test]
 fn exact_smallest_greatest_losses_from_three_starts() {
     for k in 0..100 {

@@ -108,7 +108,8 @@ fn differences_certify_every_derivative_of_every_preset_and_catch_every_planted_
         }
         assert_eq!(certificate.landing.len(), 3 * setup.variables().len());
         assert!(!certificate.continuity.is_empty() && !certificate.convergence.is_empty());
-        // the orders of Taylor's remainders: at least 1 and 2 where they exceed rounding
+        // Taylor's remainders have order 1 without, and order 2 with the gradient. An order is
+        // missing if rounding is larger
         let slopes = |k: usize| certificate.rows.iter().filter_map(move |row| row.slopes[k]);
         assert!(slopes(0).count() > 200 && slopes(0).all(|slope| slope > 0.9));
         assert!(slopes(1).count() > 200 && slopes(1).all(|slope| slope > 1.9));
@@ -136,8 +137,8 @@ fn differences_certify_a_launch_without_a_club() {
 
 #[test]
 fn differences_certify_two_hundred_random_drives() {
-    // number of parameters checked for each drive; the next drive checks the next parameters. All
-    // parameters of all drives were checked once (docs/verification.md)
+    // a drive is checked by four parameters, and the next drive by the next four. A separate run
+    // checked all parameters of all drives (docs/verification.md)
     const AT_A_TIME: usize = 4;
     let flies = |setup: &Setup<f64>| Drive::new(setup).is_ok_and(|drive| drive.landed().is_ok());
     let setups: Vec<_> = random_setups(220)
@@ -162,8 +163,8 @@ fn differences_certify_two_hundred_random_drives() {
     );
 }
 
-/// A question of a user: a usual drive, and the index of the parameter to differentiate by. The
-/// drives have every law; some are in wind, and some have a parameter at the end of its range.
+/// A request of a user: a usual drive, and the index of the parameter to differentiate by. The
+/// drives have all laws; some have wind, and some a parameter at the end of its range.
 fn any_request() -> impl Strategy<Value = (Setup<f64>, usize)> {
     let deg = std::f64::consts::PI / 180.0;
     let swing = (27.0..58.0, -8.0..8.0, -8.0..8.0, -10.0..10.0);
@@ -176,7 +177,7 @@ fn any_request() -> impl Strategy<Value = (Setup<f64>, usize)> {
         prop::option::weighted(0.1, 0.003..0.03),
     );
     let at_an_end = prop::option::weighted(0.2, 0..7_usize);
-    // some without a friction limit, some in long steps, of every method
+    // friction limit (often none), log₁₀ of the step in s (or the default step), and method
     let how = (
         prop::option::weighted(0.3, 0.0..0.3),
         of_half(-3.0..-1.0),
@@ -198,7 +199,7 @@ fn any_request() -> impl Strategy<Value = (Setup<f64>, usize)> {
             s.set_law(Law::NAMES[law]).unwrap();
             (s.swing.speed, s.swing.attack_angle, s.club.loft) =
                 (swing.0, swing.1 * deg, loft * deg);
-            // half of the drives are struck square
+            // half of the drives have a centred strike and a square face
             if let Some((toe, high)) = strike {
                 (
                     s.strike.toe,
@@ -304,9 +305,9 @@ fn differences_certify_random_derivatives_by_one_parameter() {
     );
 }
 
-/// Correct derivatives that an earlier check rejected: of a lateral distance of a few metres, which
-/// has the rounding error of the carry; and of drives whose error from the time step changes its
-/// sign between two steps, although its order is as expected.
+/// Correct derivatives that an earlier version rejected. The lateral distance of one drive is a few
+/// metres, but it has the rounding error of the carry. In other drives the error from the time step
+/// changes sign between two steps, although it has the expected order.
 #[test]
 fn correct_derivatives_that_an_earlier_version_rejected_pass() {
     let of = [
@@ -341,8 +342,8 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
         assert!(certificate.passed(), "{:?}", failures(&certificate));
         assert!(!certificate.continuity.is_empty() && !certificate.convergence.is_empty());
     }
-    // the descent angle of a parabola does not depend on gravity: the difference is the rounding of
-    // the longest flight
+    // the descent angle of a parabola does not depend on gravity, so its difference quotient is
+    // only the rounding error of the longest flight
     let mut vacuum = Setup::default();
     vacuum
         .set_all([
@@ -357,8 +358,8 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
         &[vacuum.variable("gravity").unwrap()],
     );
     assert!(certificate.passed(), "{:?}", failures(&certificate));
-    // at the end of the range of spin decay, on a flight so high that it amplifies the rounding of
-    // its beginning
+    // the spin decay is at the end of its range, and the flight is so high that it amplifies
+    // rounding errors of its beginning
     let mut high = Setup::default();
     let settings = [
         ("aero.law", "linear"),
@@ -396,9 +397,9 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
 }
 
 /// A symmetric drive: flight and run move the ball sideways by 127 m and −131 m per metre of
-/// off-centre strike, and nearly cancel. At the centre, where both are 0, and very near to it,
-/// their rounding error is not visible. An earlier check took this rounding error, farther from the
-/// centre, for a remainder of order 1 and for a kink.
+/// off-centre strike, and nearly cancel. Near the centre of the face both are so small that their
+/// rounding errors vanish. An earlier version took the rounding errors farther from the centre for
+/// a remainder of order 1, or for a kink.
 #[test]
 fn order_of_remainders_of_two_cancelling_parts_in_any_time_step() {
     for step in ["5 ms", "10 ms", "15 ms", "20 ms", "30 ms", "50 ms"] {
@@ -452,8 +453,8 @@ fn order_of_the_flight_is_not_one_more() {
     }
 }
 
-/// Correct drives that an earlier version rejected: their errors change sign from step to step,
-/// since their steps cross the joins of the spline of `bearman-harvey`.
+/// Correct drives that an earlier version rejected: the errors of successive steps have different
+/// signs, because the path crosses joins of the spline of `bearman-harvey`.
 #[test]
 fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
     type Settings = &'static [(&'static str, &'static str)];
@@ -527,9 +528,9 @@ fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
     }
 }
 
-/// docs/model.md, eq. 17: in the logarithmic wind the errors of landing speed and angle decrease
-/// with h⁷ once a step is shorter than the path through the lowest half metre above the ground, and
-/// with h² where the error of the jerk dominates. The error of the jerk does not decrease with h.
+/// docs/model.md, eq. 17, for steps h that are shorter than the path through the lowest half metre
+/// of the logarithmic wind. The errors of landing speed and angle decrease with h⁷, and with h²
+/// where the error of the jerk dominates; the error of the jerk does not depend on h.
 #[test]
 fn order_of_landing_in_a_logarithmic_wind() {
     let mut setup = Setup::default();
@@ -568,7 +569,7 @@ fn order_of_landing_in_a_logarithmic_wind() {
     }
 }
 
-/// A derivative over num-dual with a relative error of a millionth fails the certificate, with both
+/// A certificate fails if the derivative by num-dual differs by a millionth. The message has both
 /// numbers.
 #[test]
 fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
@@ -674,7 +675,7 @@ fn differences_with_the_time_step_are_reported_in_a_logarithmic_wind() {
                 .contains("landing_speed by club."),
         "{speed:?}"
     );
-    // measured again here, by the gradients of flights in these steps and in eighths of them
+    // the expected error: from gradients in this step and in an eighth of it
     let parameter = speed.parameter.unwrap();
     let error = speed.derivative_error.unwrap();
     let slope = |step: f64| {
@@ -702,7 +703,7 @@ fn differences_with_the_time_step_are_reported_in_a_logarithmic_wind() {
 #[test]
 fn differences_show_the_size_of_the_landing_term() {
     // the while-loop of the report ends at the end of a step, so its derivative is the derivative
-    // at a fixed time. At an attack angle of 0° this has the wrong sign
+    // at a fixed time, which has the wrong sign at an attack angle of 0°
     let setup = Setup::preset("mae494").unwrap();
     let loft = [setup.variable("club.loft").unwrap()];
     let certificate = certificate(&setup, &[Outcome::Carry], &loft);
@@ -729,7 +730,7 @@ fn differences_show_the_size_of_the_landing_term() {
 
 #[test]
 fn independent_one_sided_slopes_at_the_corner_at_zero_spin() {
-    // mae494's global optimum at the kink: one-sided slopes +83.7 and −29.7 m/rad
+    // the global optimum of `mae494` is at a kink: the one-sided slopes are +83.7 and −29.7 m/rad
     let mut setup = Setup::preset("mae494").unwrap();
     setup
         .set_all([("club.loft", "0 deg"), ("swing.attack_angle", "38.53 deg")])
@@ -863,8 +864,8 @@ fn differences_to_one_side_certify_at_the_end_of_a_range() {
     );
 }
 
-/// docs/validation.md: on the report's loop a small difference gives −65 m/rad at 10° of loft, and
-/// the derivative of carry is +337.
+/// At 10° of loft, a small difference of the report's loop gives a slope of −65 m/rad. The
+/// derivative of carry is +337 m/rad (docs/validation.md).
 #[test]
 fn published_while_loop_has_derivatives_of_the_wrong_sign() {
     let setup = Setup::preset("mae494").unwrap();

@@ -43,7 +43,7 @@ fn faults(certificate: &Certificate) -> String {
     format!("{rows:?} {landing:?} {continuity:?} {convergence:?} {planted:?}")
 }
 
-/// A setup that flies with a parameter at an end of its range, if there is one.
+/// large steps take less time; derivatives belong to the drive in its own steps
 fn at_the_end(law: &str, parameter: &'static Parameter, end: f64) -> Option<Setup<f64>> {
     let mut setup = Setup::default();
     setup.set_law(law).unwrap();
@@ -133,8 +133,8 @@ fn differences_certify_derivatives_at_both_ends_of_every_range() {
     }
 }
 
-/// At the end of its range a parameter has only a one-sided slope. The derivative at a kink is the
-/// mean of the slopes at both sides, so the check does not compare the two.
+/// At the end of its range a parameter has only a one-sided slope. At other kinks the derivative is
+/// the mean of both one-sided slopes, so it is not compared with the one-sided slope here.
 #[test]
 fn differences_confirm_the_one_sided_slope_of_a_corner_at_the_end_of_a_range() {
     let mut setup = Setup::default();
@@ -232,9 +232,8 @@ fn a_spin_that_cancels_has_a_correct_derivative() {
     }
 }
 
-/// The check at the landing adjusts the time step so that a step ends at the landing. If steps are
-/// coarse, the adjustment shifts the landing: the check iterates the adjustment, and the
-/// differences agree.
+/// The check of the landing adjusts the time step so that a step ends at the landing. In coarse
+/// steps this shifts the landing, so the check repeats the adjustment; then the differences agree.
 #[test]
 fn differences_at_the_landing_agree_at_coarse_steps() {
     let mut setup = Setup::preset("winfield-tan").unwrap();
@@ -248,7 +247,7 @@ fn differences_at_the_landing_agree_at_coarse_steps() {
         setup.set("flight.step", step).unwrap();
         let found = certificate(&setup, &[Outcome::Carry], "swing.face_angle");
         assert!(found.passed(), "{step}: {}", faults(&found));
-        // the errors are far below the tolerance: they are rounding
+        // the errors are only rounding errors
         let worst = found
             .landing
             .iter()

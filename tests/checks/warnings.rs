@@ -1,5 +1,5 @@
-//! Warnings about a drive: a law beyond its fitted range, a strike beside the face; and none about
-//! usual drives.
+//! Warnings about a drive beyond the fitted range of its law or with a strike beside the face.
+//! Usual drives have no warning.
 
 use crate::command_line::{json, longdrive, on_one_line};
 use crate::common::{RIGID, SET_RIGID_TOUR};
@@ -53,8 +53,8 @@ fn a_wind_profile_without_effect_has_a_warning() {
     }
     let sound = warnings_of_wind(&["wind.roughness=30mm", blows]);
     assert!(!sound.contains("wind."), "{sound}");
-    // no warning: the roughness has an effect if there is wind in some drives, and the reference
-    // height if the roughness is varied
+    // no warning: a wind is swept, so the roughness has an effect; a roughness is swept, so the
+    // reference height has an effect
     let (rough, high) = ("wind.roughness=30mm", "wind.reference_height=3m");
     for args in [
         &[
@@ -172,9 +172,9 @@ fn presets_and_their_longest_drives_have_no_warning() {
     }
 }
 
-/// With nearly no air and no decay of the spin, the path is a parabola. Its spin ratio s = Rω/v(t)
-/// is below 0.02 while v > v* = Rω/0.02. This is the fraction 1 − √(v*² − v_h²)/v_v of the time,
-/// with the horizontal and the vertical velocity v_h and v_v at launch.
+/// With nearly no air and no spin decay, the path is a parabola. The spin ratio s = Rω/v is below
+/// 0.02 while v > v* = Rω/0.02. That is the fraction 1 − √(v*² − v_h²)/v_v of the flight time,
+/// where v_h and v_v are the horizontal and the vertical velocity at launch.
 #[test]
 fn share_of_the_flight_outside_the_fitted_range_of_the_law() {
     let (ahead, up, at_edge) = (50.0_f64, 30.0_f64, 53.0_f64);
@@ -197,12 +197,13 @@ fn share_of_the_flight_outside_the_fitted_range_of_the_law() {
     for (flown, exact) in spin_ratio.flown.into_iter().zip([low, high]) {
         assert!((flown - exact).abs() < 1e-4 * exact, "{spin_ratio:?}");
     }
-    // in so thin an air the law hardly changes the carry, so that its range needs no warning
+    // in such thin air the law hardly changes the carry, so there is no warning about its range
     assert!(drive.warnings_about(&setup, &[]).is_empty());
     assert!(drive.extrapolated_carry(&setup).is_none());
 }
 
-/// The law lyu is extrapolated below its range of the spin ratio, and clamps it above.
+/// The law `lyu` is extrapolated below its fitted range of the spin ratio. Above the range, the
+/// spin ratio is held at its end.
 #[test]
 fn a_range_exceeded_at_both_ends_has_the_carry_from_its_extrapolated_end() {
     let found = warnings(
@@ -323,8 +324,8 @@ fn a_strike_beside_the_face_has_a_warning_on_standard_error_and_in_json() {
     }
 }
 
-/// The spin ratio s = Rω/v at launch is 0.06 for v = Rω/0.06: s of faster balls is below the range
-/// of the law.
+/// The spin ratio at launch is s = Rω/v. Faster balls than v = Rω/0.06 have an s below 0.06, the
+/// lower end of the fitted range of the law.
 #[test]
 fn same_count_of_a_sweep_for_any_threads() {
     let folder = tempfile::tempdir().unwrap();
@@ -368,8 +369,8 @@ fn same_count_of_a_sweep_for_any_threads() {
     }
 }
 
-/// The validity limits of a batch (spin ratio, Reynolds number and speed) follow from their
-/// definitions: in lanes and in single drives, in wind, for values and for gradients.
+/// The validity limits of a batch agree with the spin ratio, the Reynolds number and the speed of
+/// single drives. The drives are in lanes or single, in wind, with and without gradients.
 #[test]
 fn exact_validity_limits_of_a_batch_by_their_definitions() {
     let mut setup = Setup::default();
@@ -658,7 +659,7 @@ fn share_outside_the_range_of_a_law_is_in_the_answer() {
     }
 }
 
-/// Without air a ball lands at its launch angle; ground that rises by 4° adds 4°.
+/// Without air a ball lands at its launch angle, and 4° steeper on ground that rises by 4°.
 #[test]
 fn exact_angle_of_a_landing_flatter_than_measured_bounces() {
     let notes = |settings: &[&str], of: &str| {
@@ -718,7 +719,7 @@ fn a_flat_landing_has_a_warning_with_the_total_and_at_an_optimum() {
         "{}",
         text.err
     );
-    // a search for carry shows the total of both drives too
+    // a search for carry also shows the total of both drives
     let is_told = |of, range, set: &[&str]| {
         let search = ["optimize", "--maximize", of, "--vary", range];
         let (_, answer) = json(&[&search[..], set].concat());
@@ -910,7 +911,8 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
     assert_eq!(json(&models).1["warnings"], serde_json::json!([]));
 }
 
-/// The deflection of the shaft grows with the head speed: without a deflection nothing grows.
+/// `swing.shaft_growth` describes how the bend of the shaft grows with the head speed: without a
+/// bend it has no effect.
 #[test]
 fn a_growth_of_a_rigid_shaft_is_warned_of() {
     let warned = |settings: &[(&str, &str)]| {
@@ -929,8 +931,8 @@ fn a_growth_of_a_rigid_shaft_is_warned_of() {
     assert!(!warned(&[]));
 }
 
-/// A law extrapolates beyond its range, or holds a variable at the end of the range. The warning
-/// about many drives names the criterion of each.
+/// Some laws are extrapolated beyond their range, others are held at its end. The warning about
+/// many drives names the criterion for each kind.
 #[test]
 fn a_warning_about_many_drives_names_the_criterion_of_laws_that_hold_a_variable() {
     let mut table = tempfile::Builder::new().suffix(".csv").tempfile().unwrap();

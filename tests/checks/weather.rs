@@ -1,5 +1,5 @@
-//! Air from the weather, and wind by speed and direction: published densities and pressures, their
-//! drives, and contradictory settings.
+//! Air from the weather, and wind from speed and direction: compared with published densities and
+//! pressures, in drives, and with contradictory settings.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::{changed, close};
@@ -251,8 +251,8 @@ fn differences_certify_every_derivative_by_weather_and_wind() {
             certificate.passed() && certificate.rows.len() == 4 * wrt.len(),
             "{weather:?}"
         );
-        // derivatives by all parameters are chained through the inputs of the flight; by these few
-        // they are not
+        // derivatives by all parameters are computed through the inputs of the flight (chain rule);
+        // derivatives by these few parameters are computed directly
         let (all, found) = (
             setup.variables(),
             evaluate(&setup, &of, &wrt, Order::Second).unwrap(),
@@ -717,7 +717,7 @@ fn contradictory_weather_settings_are_refused() {
         "{}",
         idle.err
     );
-    // a setting of the temperature is also the weather of a drive that is differentiated by it
+    // the temperature is set and differentiated by; the weather then replaces the density
     let vary = [
         "gradient",
         &dense,
