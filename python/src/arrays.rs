@@ -11,11 +11,11 @@ use numpy::{PyArray1, PyArrayDescrMethods, PyArrayMethods, PyUntypedArray, PyUnt
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyList, PyMapping, PyString, PyTuple};
 
-/// Number of rows that are copied from the arrays in one block; other threads of Python wait
-/// meanwhile.
+/// Number of rows that are copied from the arrays in one block. During the copy, other threads of
+/// Python wait.
 const GATHERED: usize = 65_536;
 
-/// Number of rows that are checked before other threads of Python may run.
+/// Number of rows that are scanned before other threads of Python may run.
 const ROWS_PER_CHECK: usize = 1 << 20;
 
 /// Imports NumPy's functions at the start. Otherwise the first use of an array would import them,

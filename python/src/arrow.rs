@@ -33,8 +33,8 @@ fn lent<T: Element + arrow_buffer::ArrowNativeType>(
         .map_err(|_| Failure::Input("a column of a table is not contiguous in memory".into()))?;
     let (bytes, length) = (NonNull::from(values).cast::<u8>(), size_of_val(values));
     let owner: Arc<dyn Allocation> = Arc::new(AssertUnwindSafe(array.clone().unbind()));
-    // SAFETY: the bytes belong to the array, which `owner` keeps; longdrive.table makes the arrays
-    // of a table read-only
+    // SAFETY: the bytes belong to the array, which `owner` keeps alive. longdrive.table makes the
+    // arrays of a table read-only
     let buffer = unsafe { Buffer::from_custom_allocation(bytes, length, owner) };
     Ok(ScalarBuffer::from(buffer))
 }
@@ -47,9 +47,8 @@ fn numbers(array: &Bound<'_, PyArray1<f64>>) -> Answer<Float64Array> {
     Ok(Float64Array::new(values, nulls))
 }
 
-/// The capsule of `__arrow_c_stream__`: columns of numbers with their units. `status`, if given,
-/// has a status number for each row, and becomes a column of words before column `at`; `names` has
-/// the word of each number.
+/// The capsule for `__arrow_c_stream__`. Each column has a name, numbers and a unit. `status`, if
+/// given, becomes a column of words before column `at`: `names` has the word of each status number.
 #[pyfunction]
 pub fn arrow_stream<'py>(
     py: Python<'py>,

@@ -144,11 +144,11 @@ impl Request {
 /// A batch for Python.
 #[pyclass(get_all, frozen, module = "longdrive._longdrive")]
 pub struct BatchResult {
-    /// Status of each row. After an interruption, this array and the others have unused space
-    /// behind the `done` computed rows.
+    /// Status of each row. After an interruption, only the first `done` rows of this array,
+    /// `columns` and `hessians` are results.
     status: Py<PyArray1<i8>>,
-    /// The columns of the table, as rows of this array: parameters of the points, outcomes,
-    /// derivatives.
+    /// The table, transposed: each row of this array is a column of the table. The columns are the
+    /// parameters of the points, the outcomes, and the derivatives.
     columns: Py<PyArray2<f64>>,
     /// Second derivatives, shape (rows, outcomes, parameters, parameters); None if not requested.
     hessians: Option<Py<PyArray4<f64>>>,
@@ -188,8 +188,8 @@ impl Work {
         self.arrays.len() - self.first_row
     }
 
-    /// True if the step is known and the drives are so few that Python need not check for Ctrl-C
-    /// meanwhile.
+    /// True if the step is known and the drives are few: then Python need not check for Ctrl-C
+    /// while they are computed.
     fn is_short(&self) -> bool {
         let chosen = self.chosen.as_ref();
         let setup = chosen.map_or(&self.request.setup, |chosen| &chosen.setup);
@@ -313,8 +313,7 @@ pub fn batch<'py>(
         setup.setup.refuse_replaced(&names(&request.points))?;
         let choice = step_choice(tolerance, own_step)?;
         let shared = Arc::new(Shared::new(request.results(arrays.len() - first_row)?));
-        // examine the values last: this takes long, and would be in vain if the allocation above
-        // fails
+        // scan the values only after the allocation has succeeded, because the scan takes long
         arrays.scan(py, ranges.is_none())?;
         let (whole, in_degrees) = (arrays.len(), arrays.in_degrees());
         let work = Work {
@@ -358,8 +357,8 @@ fn refuse_first_row(first_row: usize, rows: usize) -> Answer<()> {
     )))
 }
 
-/// The ranges for which a sweep chooses its step, from the names with both ends in `given`. A part
-/// of a sweep has the ranges of the whole sweep, although its own points may cover less.
+/// The ranges for which a sweep chooses its step, from names and ends in `given`. A part of a sweep
+/// has the ranges of the whole sweep, although its own points may cover less.
 fn given_ranges(setup: &PySetup, given: &[(String, f64, f64)]) -> Answer<Vec<Vary>> {
     let range = |(name, low, high): &(String, f64, f64)| {
         Ok(Vary {
@@ -388,7 +387,7 @@ fn by_names(
         return variables(&setup.setup, of, Some(wrt));
     }
     refuse_repeated("wrt", names.iter().map(String::as_str))?;
-    // `setup` may have no value for a parameter of the points
+    // a parameter of the points need not have a value in the setup
     let row = |name: &String| of_point(name).map_or_else(|| setup.setup.variable(name), Ok);
     Ok(names.iter().map(row).collect::<longdrive::Result<_>>()?)
 }

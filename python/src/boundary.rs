@@ -96,9 +96,9 @@ pub fn answer<T>(work: impl FnOnce() -> Answer<T>) -> PyResult<T> {
     Ok(unpanicked(work)??)
 }
 
-/// Runs work; its panic becomes a failure.
+/// Runs work, and converts a panic to a failure.
 pub fn unpanicked<T>(work: impl FnOnce() -> T) -> Answer<T> {
-    // unwind safe: results reach Python only when they are complete
+    // AssertUnwindSafe: Python gets results only when they are complete
     catch_unwind(AssertUnwindSafe(work)).map_err(|panic| {
         let text = panic
             .downcast_ref::<String>()

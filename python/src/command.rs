@@ -22,8 +22,8 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// Time for stopped work to answer with its result so far. The work stops only between two drives,
-/// and a single drive may take long.
+/// Time for stopped work to return its result so far. Work checks for a stop only between two
+/// drives, and a drive may take longer than this.
 const ANSWER_TIME: Duration = Duration::from_secs(2);
 
 /// A program in Python that calls a command: the `Host` of the command.
@@ -46,7 +46,7 @@ struct HostState {
     answer: String,
     messages: Vec<(&'static str, String)>,
     stop: Option<Arc<AtomicBool>>,
-    /// True once interruptible work has ended: the rest of the command only makes the answer.
+    /// True after interruptible work has ended. Then the command only has to write its answer.
     has_ended: bool,
     /// The last progress that the command showed.
     bar: Option<Arc<Bar>>,
@@ -98,7 +98,7 @@ impl Progress for Bar {
     }
 }
 
-/// The files of a command; locked while a file is written.
+/// The files of a command. Its lock is held while a file is written.
 #[derive(Default)]
 struct Files {
     /// Names of the complete files.
@@ -134,8 +134,8 @@ impl Caller {
         state.messages.push(("note", message));
     }
 
-    /// Stops the current work. Returns the time to wait for its answer: zero, unless the work can
-    /// stop or has ended, so that only the answer is left to make.
+    /// Stops the current work. Returns the time to wait for the answer: zero if the work can
+    /// neither be stopped nor has ended.
     fn stop(&self) -> Duration {
         let state = self.state();
         if let Some(stop) = &state.stop {
@@ -227,9 +227,9 @@ impl Host for Caller {
     }
 }
 
-/// The result of a command: exit status (`None` for an abandoned command), answer (for an abandoned
-/// command, the names of the files that it had written), output files in memory, and the exception
-/// that interrupted the command.
+/// The result of a command: exit status, answer, output files in memory, and the exception that
+/// interrupted the command. An abandoned command has the exit status `None`, and the names of the
+/// files that it had written as its answer.
 type Ran<'py> = (
     Option<u8>,
     Bound<'py, PyAny>,

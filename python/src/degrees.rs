@@ -3,12 +3,12 @@
 use longdrive::parameters::Parameter;
 use longdrive::units::{Quantity, counted_of};
 
-/// Number and extent of the values of an angle that are outside of its range.
+/// Number, smallest and largest of those values of an angle that are outside of its range.
 #[derive(Default)]
 pub struct Degrees {
     range: Option<(f64, f64)>,
     count: u64,
-    /// True if a counted value is outside of the range in degrees too, not only in radians.
+    /// True if a counted value would be outside of the range in degrees, too.
     is_beyond: bool,
 }
 
@@ -25,8 +25,8 @@ impl Degrees {
         self.is_beyond |= !parameter.range.contains(value.to_radians());
     }
 
-    /// The warning about values outside of a parameter's range, if all of them are within the range
-    /// when they are read in degrees. `all` is the number of all values of the parameter.
+    /// The warning about values in radians outside of a parameter's range, if all of them would be
+    /// within the range in degrees. `all` is the number of all values of the parameter.
     pub fn warning(&self, parameter: &Parameter, all: u64) -> Option<String> {
         let (low, high) = self.range.filter(|_| !self.is_beyond)?;
         let name = parameter.name;

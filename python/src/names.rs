@@ -15,7 +15,7 @@ use pyo3::types::{PyDict, PyList, PySequence, PyString};
 
 /// The names in `given`: one, or several. `what` is the name of the argument in messages.
 pub fn listed(what: &str, given: &Bound<'_, PyAny>) -> Answer<Vec<String>> {
-    // an array of NumPy is not a sequence
+    // a NumPy array is no `Sequence` of Python, but its list is one
     if given.hasattr("dtype")? && given.hasattr("tolist")? && !given.is_instance_of::<PyString>() {
         return listed(what, &given.call_method0("tolist")?);
     }

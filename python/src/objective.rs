@@ -156,14 +156,15 @@ impl SwingArguments {
         wrt: Option<&Bound<'_, PyAny>>,
     ) -> Answer<Vec<&'static Parameter>> {
         if wrt.is_none() && self.is_given() && !setup.launch.is_given() {
-            // only the loft: the attack angle belongs to the golfer, and varies from swing to swing
+            // over swings only the loft varies by default: the attack angle belongs to the golfer,
+            // and varies from swing to swing
             return Ok(vec![setup.variable("club.loft")?]);
         }
         let outcomes = match self.is_given() {
             true => self.goal(of).map(|goal| goal.outcomes()),
             false => outcomes_named(&[of.to_owned()]),
         };
-        // an invalid goal is refused where the function is made, with the swings that it needs
+        // an invalid goal is refused later, where the function is made
         variables(setup, &outcomes.unwrap_or_default(), wrt)
     }
 
@@ -250,8 +251,9 @@ pub struct PyObjective {
     choice: StepChoice,
     function: ObjectiveKind,
     swing_arguments: SwingArguments,
-    /// The argument `sense`; `sign` is the factor that turns a maximum into a minimum.
+    /// The argument `sense`.
     sense: Option<String>,
+    /// −1 for `sense="max"`, else 1: the factor of the outcome in the function.
     sign: f64,
     /// True if a point without a value gives NaN; false if it gives an error.
     gives_nan: bool,
@@ -347,8 +349,7 @@ impl PyObjective {
                     .getattr("point_in_si")?
                     .call1((x, units))?;
                 let array = floats(&x, "", &refuse)?;
-                // a search along one variable, as minimize_scalar of SciPy, gives a number, not an
-                // array
+                // `minimize_scalar` of SciPy gives x as a number: convert it to an array
                 let array = if wanted == 1 {
                     py.import("numpy")?.call_method1("atleast_1d", (array,))?
                 } else {
@@ -379,8 +380,8 @@ impl PyObjective {
     }
 }
 
-/// True for a masked array. NumPy's own class has no mask: looking for one would raise an exception
-/// at each call.
+/// True for a masked array. NumPy's plain arrays have no attribute `mask`: the search for one would
+/// raise and catch an exception at each call.
 fn is_masked(array: &Bound<'_, PyArray1<f64>>) -> PyResult<bool> {
     Ok(!array.is_exact_instance_of::<PyUntypedArray>() && array.hasattr("mask")?)
 }
@@ -528,7 +529,7 @@ impl PyObjective {
         &self.of
     }
 
-    /// The setup, whose parameters x changes.
+    /// The setup. A point x replaces the values of its parameters.
     #[getter]
     fn setup(&self) -> PySetup {
         self.setup.clone()

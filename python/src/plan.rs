@@ -1,4 +1,4 @@
-//! The points of a sweep as arrays. They equal the points of `longdrive sweep`, number for number.
+//! The points of a sweep as arrays. The numbers are exactly those of `longdrive sweep`.
 
 use crate::boundary::{Answer, Failure, answer};
 use crate::setup::PySetup;

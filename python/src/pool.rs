@@ -12,7 +12,8 @@ use std::time::{Duration, Instant};
 /// Time between two checks for Ctrl-C.
 const CHECK_INTERVAL: Duration = Duration::from_millis(20);
 
-/// The threads of one process. A forked child has a copy of this value, but not the threads.
+/// The threads of one process. After a fork, the child process has a copy of this struct, but not
+/// its threads.
 struct Own {
     process: u32,
     pool: ThreadPool,
@@ -81,7 +82,8 @@ pub fn run<R: Send + 'static>(
     }
 }
 
-/// Number of time steps that take tenths of a second. One step advances all lanes at once.
+/// Number of time steps that take tenths of a second to compute. A time step of all lanes counts
+/// once.
 const LONG: f64 = 3e5;
 
 /// True if these drives may take so long that Python has to check for Ctrl-C meanwhile.
@@ -104,9 +106,8 @@ pub fn run_drive<R: Send + 'static>(
     unpanicked(|| py.detach(|| work(&AtomicBool::new(false))))
 }
 
-/// Like `run`, for work that can answer with its result so far. After an interruption, `patience`
-/// stops the work and returns the time to wait for its answer. A second Ctrl-C ends the waiting at
-/// once.
+/// Like `run`, for work that can return its result so far. After an interruption, `patience` stops
+/// the work, and returns the time to wait for the result. A second Ctrl-C ends the wait.
 pub fn run_to_answer<R: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send + 'static,
@@ -121,8 +122,7 @@ pub fn run_to_answer<R: Send + 'static>(
         // sending fails if the caller waits no more
         let _ = finished.send(unpanicked(|| work(&stopped)));
     });
-    // the exception of the first interruption, and the time at which the waiting for the answer
-    // ends
+    // the exception of the first interruption, and the end of the wait for the answer
     let mut ending: Option<(PyErr, Instant)> = None;
     loop {
         let heard;

@@ -98,7 +98,7 @@ impl Results {
             );
             return Err(Failure::Input(message));
         };
-        // the system allocates the memory of these zeros only at the first access
+        // the system allocates memory for zeros only when they are first accessed
         let (columns, hessians, status) =
             (vec![0.0; of_columns], vec![0.0; of_hessians], vec![0; room]);
         Ok(Self {

@@ -18,8 +18,8 @@ use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// Longest `flight.time_limit` for which a step is chosen on the thread of Python, s: the choice
-/// then takes at most tenths of a second.
+/// Largest `flight.time_limit`, s, for which the step is chosen on the thread of Python. Up to this
+/// limit, the choice takes at most tenths of a second.
 const LONG_FLIGHT: f64 = 600.0;
 
 /// Number of changes that `repr` shows.
@@ -104,8 +104,8 @@ impl Hash for PySetup {
 impl PySetup {
     /// The setup of a preset.
     pub fn of_preset(name: &str) -> Answer<Self> {
-        // one setup for each preset, so that its step is chosen once. The thread that holds this
-        // lock also holds the interpreter's lock, so no process forks meanwhile
+        // one setup for each preset, so that its step is chosen only once. The thread that holds
+        // this lock also holds Python's lock, so no other thread can fork the process meanwhile
         static KNOWN: Mutex<Vec<PySetup>> = Mutex::new(vec![]);
         let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(read) = known.iter().find(|read| read.file.preset.name == name) {
@@ -198,15 +198,15 @@ impl PySetup {
     ) -> Answer<(Self, Vec<BareAngle>)> {
         let mut setup = self.setup;
         let bare_angles = given::apply(&mut setup, given, angles)?;
-        // refuse a stated value without an effect: other parameters (the weather, for example)
-        // would replace it
+        // refuse a stated value that has no effect because other parameters, such as the weather,
+        // replace it
         let base = longdrive::Setup::preset(self.file.preset.name)?;
         let of_base = base.parameters();
         let is_given = |row: &&&'static Parameter| {
             given.iter().any(|given| given.name == row.name)
                 || base.value(row) != setup.value(row) && of_base.contains(row)
         };
-        // a parameter unset by "none" has no stated value
+        // a parameter that the call sets to "none" is not stated
         let is_back = |row: &Parameter| {
             given
                 .iter()
@@ -428,7 +428,7 @@ impl PySetup {
     fn read(path: &Bound<'_, PyAny>) -> PyResult<Self> {
         answer(|| {
             if let Ok(name) = path.cast::<PyString>() {
-                // a lone surrogate is an error, except those that stand for a byte of a file name
+                // `fsencode` refuses a lone surrogate that does not stand for a byte of a file name
                 path.py()
                     .import("os")?
                     .getattr("fsencode")?
@@ -619,8 +619,8 @@ impl PySetup {
         self.file.preset.name
     }
 
-    /// The setup for a command: the name of its preset or the text of a setup file, and true for a
-    /// text. The text has method and step if they were stated.
+    /// The setup as an argument of a command: the name of its preset and false, or the text of a
+    /// setup file and true. The text has method and step only if the setup states them.
     fn _for_command(&self) -> PyResult<(String, bool)> {
         answer(|| {
             if self.setup == longdrive::Setup::preset(self.file.preset.name)? {

@@ -4,8 +4,8 @@ use rand_xoshiro::rand_core::{RngCore, SeedableRng};
 /// Choices determined by a seed.
 pub struct Choices {
     random: Xoshiro256PlusPlus,
-    /// True if the question may have mistakes. Each of its choices is then a mistake with
-    /// probability 0.1: more would be useless, because the program reports only the first mistake.
+    /// True if the question may have mistakes. Each choice is then a mistake with probability 0.1:
+    /// more mistakes would be useless, because the program reports only the first one.
     is_careless: bool,
     /// True if the drives of the question are given by their launch.
     pub is_launched: bool,
@@ -32,7 +32,7 @@ impl Choices {
         choices
     }
 
-    /// Chooses whether to make a mistake here.
+    /// Decides whether the next choice is a mistake.
     pub fn makes_mistake(&mut self) -> bool {
         self.is_careless && self.is(0.1)
     }

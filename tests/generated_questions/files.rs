@@ -161,8 +161,8 @@ pub fn binary(choices: &mut Choices) -> (String, Vec<u8>) {
     (name, bytes)
 }
 
-/// An export of a launch monitor. It has heads, units in the heads or in a line of their own,
-/// letters for the sides, and rows that sum up others.
+/// An export of a launch monitor: heads, units in the heads or in their own line, letters for the
+/// sides, and rows with averages of other rows.
 pub fn export(choices: &mut Choices) -> Vec<u8> {
     let all = [
         ("Club Speed", "mph", 105.0, 10.0),
@@ -178,7 +178,7 @@ pub fn export(choices: &mut Choices) -> Vec<u8> {
         ("Landing Angle", "deg", 38.0, 5.0),
         ("Hang Time", "s", 6.2, 0.4),
     ];
-    // rarely, a necessary column is missing
+    // the ball speed, which is necessary, is rarely missing
     let columns: Vec<_> = all
         .iter()
         .filter(|(name, ..)| choices.is(if name.contains("ll S") { 0.97 } else { 0.85 }))

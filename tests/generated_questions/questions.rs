@@ -604,7 +604,7 @@ impl Question {
         self.files.push(("shots.csv".into(), text));
         self.push(choices.good_or_bad(&["shots.csv"], &["none.csv", "mine.txt", "."]));
         for _ in 0..1 + choices.below(2) {
-            // mostly parameters of the flight: a row that is a launch does not use parameters of
+            // mostly parameters of the flight: rows that state a launch do not use parameters of
             // the club
             let rows = [
                 "air.density",

@@ -16,7 +16,7 @@ const LONGEST: Duration = Duration::from_secs(120);
 /// Endings of the files that the program writes beside a named output.
 const COMPANIONS: [&str; 2] = [".part", ".resume"];
 
-/// Statuses in JSON of an answer whose exit status is 0.
+/// Values of `status` in JSON for the exit status 0.
 const FOUND: [&str; 4] = ["done", "landed", "converged", "passed"];
 
 /// Runs a question: exit status and faults of the output.
@@ -83,8 +83,8 @@ fn wait(child: &mut Child) -> Option<ExitStatus> {
     None
 }
 
-/// A fault that quotes the first line with NaN or infinity. `None` if there is no such line, or if
-/// the question itself may be the reason for it.
+/// A fault with the first line of the output that has NaN or infinity. `None` without such a line,
+/// or if the question itself may cause one.
 fn numbers(question: &Question, out: &str) -> Option<String> {
     let words = |line: &str| -> Vec<String> {
         line.split(|c: char| !(c.is_alphanumeric() || c == '_'))
@@ -167,8 +167,8 @@ fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     found
 }
 
-/// Faults of the files after a question: new files that no output names, and files that are lost or
-/// changed.
+/// Faults of the files after a question: new files that no output names, and missing or changed
+/// files.
 fn touched(
     question: &Question,
     before: &BTreeMap<String, Vec<u8>>,

@@ -226,7 +226,7 @@ pub fn value(parameter: &Parameter, choices: &mut Choices) -> String {
     }
 }
 
-/// NAME=VALUE.
+/// A setting for `--set`: NAME=VALUE.
 pub fn setting(choices: &mut Choices) -> String {
     if choices.makes_mistake() {
         return choices
@@ -258,7 +258,7 @@ pub fn setting(choices: &mut Choices) -> String {
     }
 }
 
-/// NAME=LOW..HIGH about a parameter's default.
+/// A range for `--vary`: NAME=LOW..HIGH around the parameter's default.
 pub fn range(parameter: &Parameter, choices: &mut Choices) -> String {
     let middle = near(parameter, 0.05, choices);
     let reach = if middle == 0.0 {

@@ -9,7 +9,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, SQRT_2};
 
 const INF: f64 = f64::INFINITY;
 
-/// Nos. 51–53: the objective, in which x₁ has this factor.
+/// The objective of Nos. 51–53; `factor` is the factor of x₁.
 fn least_squares<T: Number>(factor: f64, x: &[T]) -> T {
     (x[0] * factor - x[1]).powi(2)
         + (x[1] + x[2] - 2.0).powi(2)
@@ -21,7 +21,7 @@ fn three_equations<T: Number>(x: &[T]) -> Vec<T> {
     vec![x[0] + x[1] * 3.0, x[2] + x[3] - x[4] * 2.0, x[1] - x[4]]
 }
 
-/// No. 56: the start, arcsin √(1/4.2) and arcsin √(5/7.2), and the solution, arcsin √(4/7) and
+/// Coordinates of No. 56. Start: arcsin √(1/4.2) and arcsin √(5/7.2). Solution: arcsin √(4/7) and
 /// arcsin √(2/7).
 const START_A: f64 = 0.509739678831507;
 const START_B: f64 = 0.9851107833377457;

@@ -74,7 +74,7 @@ fn three_generators<T: Number>(x: &[T]) -> (T, Vec<T>) {
     (cost, balance)
 }
 
-/// The product of five variables, and the three equations of Nos. 78, 80 and 81.
+/// Objective and equations of Nos. 78, 80 and 81.
 fn product_of_five<T: Number>(x: &[T]) -> (T, Vec<T>) {
     let squares = sum(x.iter().map(|&x| x * x));
     let equations = vec![
@@ -124,12 +124,12 @@ pub const COLVILLE_C: [[f64; 5]; 5] = [
 pub const COLVILLE_D: [f64; 5] = [4.0, 8.0, 10.0, 6.0, 2.0];
 pub const COLVILLE_E: [f64; 5] = [-15.0, -27.0, -36.0, -18.0, -12.0];
 
-/// Nos. 88–92: a heating process with switching times. The double sum of the book over pairs of
-/// eigenfunctions is left out: they are orthogonal, so it is zero.
+/// Nos. 88–92: a heating process with switching times. The book's double sum over pairs of
+/// eigenfunctions is omitted: it is zero, because the eigenfunctions are orthogonal.
 fn heating<T: Number>(x: &[T]) -> (T, Vec<T>) {
     let mut miss = T::constant(2.0 / 15.0);
     for j in 0..30 {
-        // µ tan µ = 1
+        // fixed-point iteration for the root of µ tan µ = 1 above `whole`
         let whole = PI * f64::from(j);
         let mu = (0..80).fold(whole + 0.5, |mu, _| whole + (1.0 / mu).atan());
         let (sin, cos) = mu.sin_cos();

@@ -212,8 +212,8 @@ problems! {
             (f, g)
         }
     }
-    /// No. 105. The book prints 250 for the two largest values; its f(x₀) and f(x*) belong to 260.
-    /// Its 1138.416240 is not quite optimal.
+    /// No. 105. The book prints 250 for the two largest values, but its f(x₀) and f(x*) belong to
+    /// 260. Its optimal value, 1138.416240, is not quite optimal.
     HS105 {
         start: [0.1, 0.2, 100.0, 125.0, 175.0, 11.2, 13.2, 15.8],
         low: [0.001, 0.001, 100.0, 130.0, 170.0, 5.0, 5.0, 5.0],

@@ -27,8 +27,9 @@ fn equilibrium<T: Number>(moles: &[T], logs: &[T]) -> (T, Vec<T>) {
     (f, g)
 }
 
-/// No. 119: for each variable, the variables with which the objective pairs it (numbered from 0).
-/// Below: coefficients and right sides of the equations.
+/// No. 119: for each variable, the variables (numbered from 0) that a term of the objective
+/// contains together with it. The next tables have the coefficients and right sides of the
+/// equations.
 const PAIRED: [&[usize]; 16] = [
     &[0, 3, 6, 7, 15],
     &[1, 2, 6, 9],

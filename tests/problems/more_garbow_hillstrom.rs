@@ -41,7 +41,7 @@ const MEYER: [f64; 16] = [
     34780.0, 28610.0, 23650.0, 19630.0, 16370.0, 13720.0, 11540.0, 9744.0, 8261.0, 7030.0, 6005.0,
     5147.0, 4427.0, 3820.0, 3307.0, 2872.0,
 ];
-/// No. 15: y and u.
+/// No. 15: pairs of y and u.
 const KOWALIK_OSBORNE: [(f64, f64); 11] = [
     (0.1957, 4.0),
     (0.1947, 2.0),
@@ -100,7 +100,7 @@ fn watson<T: Number>(x: &[T]) -> (T, Vec<T>) {
     squares(fit.chain([x[0], x[1] - x[0] * x[0] - 1.0]))
 }
 
-/// Nos. 28 and 29: the pairs of t and (x + t + 1)³ at the ten points.
+/// Nos. 28 and 29: for each variable x at its point t, the pair of t and (x + t + 1)³.
 fn cubes<T: Number>(x: &[T]) -> Vec<(f64, T)> {
     let h = 1.0 / (x.len() as f64 + 1.0);
     to(u32::MAX)
@@ -109,7 +109,7 @@ fn cubes<T: Number>(x: &[T]) -> Vec<(f64, T)> {
         .collect()
 }
 
-/// Nos. 28 and 29: t (t − 1).
+/// Nos. 28 and 29: the start t (t − 1) at the points t = 1/11, …, 10/11.
 const PARABOLA: [f64; 10] = [
     -10.0 / 121.0,
     -18.0 / 121.0,
@@ -168,7 +168,7 @@ problems! {
         start: [-1.0, 0.0, 0.0], low: [-INF; 3], high: [INF; 3], least: [], most: [],
         optimum: 0.0, at: [1.0, 0.0, 0.0],
         |x| {
-            // in turns, from −1/4 to 3/4
+            // the angle of (x₁, x₂) in turns, from −1/4 to 3/4
             let turn = if x[0].re() < 0.0 { (-x[1]).atan2(-x[0]) / TAU + 0.5 } else { x[1].atan2(x[0]) / TAU };
             squares([(x[2] - turn * 10.0) * 10.0, ((x[0] * x[0] + x[1] * x[1]).sqrt() - 1.0) * 10.0, x[2]])
         }
@@ -197,8 +197,8 @@ problems! {
         optimum: 87.9458, at: [],
         |x| squares(numbered(&MEYER).map(|(i, y)| x[0] * (x[1] / (x[2] + (45.0 + 5.0 * i))).exp() - y))
     }
-    /// No. 11, Gulf research and development, m = 99. The paper has a misprint: |yᵢ − x₂| is
-    /// correct.
+    /// No. 11, Gulf research and development, m = 99, with |yᵢ − x₂|: the paper has a misprint
+    /// there.
     MGH11 {
         start: [5.0, 2.5, 0.15], low: [-INF; 3], high: [INF; 3], least: [], most: [],
         optimum: 0.0, at: [50.0, 25.0, 1.5],

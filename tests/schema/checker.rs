@@ -35,7 +35,7 @@ pub fn faults(command: &str, answer: &Value) -> Vec<String> {
 }
 
 /// Place and text of a violation. If an object matches none of several alternatives of a schema,
-/// the violations of only one alternative: the one with the fewest violations at the object itself.
+/// these are the violations of the alternative with the fewest violations at the object itself.
 fn causes(fault: &ValidationError<'_>) -> Vec<String> {
     let place = fault.instance_path();
     let wrong_keys = |shape: &&Vec<ValidationError<'_>>| {
