@@ -14,8 +14,8 @@ use problems::Case;
 use std::cell::{Cell, RefCell};
 use std::time::{Duration, Instant};
 
-/// Number of timed searches of each problem. The fastest counts, because other programs disturb the
-/// machine.
+/// Number of timed searches of each problem. The fastest time is kept, because other programs slow
+/// down some of the searches.
 const TIMES: u32 = 30;
 /// Largest number of variables of a small problem.
 const FEW: usize = 4;

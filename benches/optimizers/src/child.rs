@@ -10,10 +10,10 @@ use std::process::{Command, Stdio};
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
-/// Time limit of a repetition. A solver that exceeds it in the first repetition counts as failed;
-/// in a later one, its earlier outcome counts.
+/// Time limit of a repetition. A solver that exceeds it in the first repetition counts as failed.
+/// Later, the outcome of an earlier repetition counts.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Number of times that a solver solves a problem; the fastest counts.
+/// Number of times that a solver solves a problem. The fastest time is kept.
 const REPETITIONS: usize = 3;
 
 /// The work of the child process: prints the outcome of each repetition as a line of JSON.

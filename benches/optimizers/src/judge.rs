@@ -1,8 +1,9 @@
-//! One judge for all solvers: does x meet the KKT conditions? It uses only x and the problem.
+//! Judges the results of all solvers in one way: does x meet the KKT conditions? The judge reads
+//! only x and the problem.
 //!
-//! Bounds and constraint limits are active within 1e-6, relative to max(|limit|, 1). Their
-//! multipliers come from nonnegative least squares. Stationarity is relative, in each component, to
-//! the largest of the balancing terms, |f| and 1. Violations are relative to max(|limit|, 1),
+//! A bound or limit is active if x is within 1e-6 · max(|limit|, 1) of it. Multipliers of active
+//! bounds and limits are computed by nonnegative least squares. Each component of the stationarity
+//! is relative to its largest term, |f| and 1. A violation is relative to max(|limit|, 1),
 //! complementarity to max(|f|, 1).
 
 use crate::nnls;
@@ -120,9 +121,9 @@ fn active_set(case: &Case, x: &[f64], at: &Evaluation) -> (Vec<Active>, f64) {
     (active, worst)
 }
 
-/// Stationarity and complementarity with the best multipliers of three passes of least squares.
-/// Each pass divides every component of the balance by the size of its largest term in the previous
-/// pass. The pass with the smallest residual counts.
+/// Stationarity and complementarity with the best multipliers of three least-squares fits. Each fit
+/// scales the components of the stationarity by their largest terms in the previous fit. The fit
+/// with the smallest residual is kept.
 fn multipliers_fit(active: &[Active], gradient: &[f64], value: f64) -> (f64, f64) {
     let n = gradient.len();
     let least = value.abs().max(1.0);
@@ -177,14 +178,14 @@ mod tests {
         assert!(residual("HS35", &[at[0], at[1], at[2] + 1e-4]) > 1e-5);
     }
 
-    /// HS4: f = (x₁ + 1)³/3 + x₂ increases from its lower bounds (1, 0), so only this point has
-    /// multipliers of the right sign for both bounds.
+    /// HS4 minimizes f = (x₁ + 1)³/3 + x₂, which increases with both variables. Only at both lower
+    /// bounds, (1, 0), are the multipliers nonnegative.
     #[test]
     fn multipliers_of_the_wrong_sign_do_not_pass() {
         assert!(residual("HS4", &[1.0, 0.0]) < 1e-14);
         assert!(residual("HS4", &[2.0, 0.0]) > 0.1);
         assert!(residual("HS4", &[1.0, 1.0]) > 0.1);
-        // HS45: f = 2 − Πx/120 is minimal at the upper bounds, and decreases from the lower bounds
+        // HS45: f = 2 − Πx/120 decreases with every variable, so the minimum is at the upper bounds
         assert!(residual("HS45", &[1.0, 2.0, 3.0, 4.0, 5.0]) < 1e-14);
         assert!(residual("HS45", &[0.0, 2.0, 3.0, 4.0, 5.0]) > 0.1);
     }

@@ -27,7 +27,7 @@ pub fn solve(a: &DMatrix<f64>, b: &DVector<f64>, free: &[bool]) -> DVector<f64> 
         if (b - &unit * &z).norm() < before {
             refused.fill(false);
         } else {
-            // rounding: this column does not reduce the residual
+            // rounding: the column does not reduce the residual, although its gradient says so
             (z, passive) = (kept, kept_passive);
             refused[next] = true;
         }

@@ -51,7 +51,8 @@ impl Record<'_> {
             .sum()
     }
 
-    /// Median over `problems` of the ratio of `of(outcome)` of this solver to that of `other`.
+    /// Median of the ratio `of(outcome)` of this solver to `of(outcome)` of the solver `other`,
+    /// over `problems`.
     fn ratio(&self, other: &Self, problems: &[&str], of: impl Fn(&Outcome) -> f64) -> f64 {
         let both = problems
             .iter()
@@ -167,7 +168,7 @@ fn solvers(records: &[Record]) -> Result<String, Box<dyn Error>> {
     Ok(table)
 }
 
-/// A ratio with two significant digits, if it is between 0.1 and 100.
+/// A ratio as text: without decimals from 10, with one decimal from 1, else with two.
 fn digits(ratio: f64) -> String {
     match ratio.abs() {
         size if size >= 10.0 => format!("{ratio:.0}"),

@@ -7,12 +7,12 @@ use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::{Outcome, Result};
 use serde_json::{Value, json};
 
-/// Loft and attack angle, deg, of the drives whose errors are measured: the peers' drive, and the
-/// optimum.
+/// Loft and attack angle, deg, of two drives whose errors are measured: the drive of the
+/// comparison, and the drive with the longest carry.
 const PLACES: [[f64; 2]; 2] = [[10.0, 0.0], [14.682_922_531_9, 10.0]];
-/// Methods of the work–precision table.
+/// Methods of the table of computation time over error.
 const METHODS: [&str; 2] = ["rk4", "dp8"];
-/// Steps of the work–precision table, s, by method.
+/// Steps of the table of computation time over error, s, for each method.
 const LADDERS: [[f64; 7]; 2] = [
     [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3],
     [0.05, 0.1, 0.2, 0.4, 0.8, 1.2, 1.6],
@@ -74,8 +74,9 @@ fn times(by: &Discretization, budget: f64) -> Result<[f64; 3]> {
     Ok(seconds)
 }
 
-/// The methods, fastest first, each with its largest step for which it and all shorter tried steps
-/// have errors of at most 1 µm. A method without such a step is omitted.
+/// The methods in the order of their times, fastest first. Each has its largest step with an error
+/// of at most 1 µm, for which all shorter tried steps also have such errors. A method without such
+/// a step is omitted.
 fn choose(
     error: impl Fn(&Discretization) -> Result<f64>,
     time: impl Fn(&Discretization) -> Result<f64>,
@@ -105,8 +106,8 @@ fn choose(
         .collect())
 }
 
-/// The methods and steps with an error of carry of at most 1 µm, fastest first: in the list
-/// `single` for the drives of `PLACES`, in the list `grid` for the points of task T6.
+/// The methods and steps with an error of carry of at most 1 µm, fastest first: the list `single`
+/// is for the drives of `PLACES`, the list `grid` for the points of task T6.
 pub fn one_micrometre() -> Result<Value> {
     let exact = taylors(&reference(), Order::Value)?;
     let single = choose(
@@ -120,7 +121,8 @@ pub fn one_micrometre() -> Result<Value> {
     )
 }
 
-/// Calls `row` with the errors and times of each method and step of the work–precision table.
+/// Calls `row` with errors and times of each method and step in the table of computation time over
+/// error.
 pub fn work_precision(mut row: impl FnMut(Value)) -> Result<()> {
     let exact = taylors(&reference(), Order::Second)?;
     for (method, ladder) in METHODS.iter().zip(LADDERS) {

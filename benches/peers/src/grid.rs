@@ -43,9 +43,9 @@ fn at(block: &Block, row: usize) -> [f64; 3] {
 #[derive(Clone, Copy, Default)]
 pub struct Sums {
     pub all: f64,
-    /// Sums without the row of loft 0. There the ball does not spin and the drag has a kink, so
-    /// carry has no derivative by loft: the peers compute the slope from above, longdrive computes
-    /// a slope between the two one-sided slopes.
+    /// Sums without the row of loft 0. There the ball does not spin, and the drag has a kink. Carry
+    /// then has two one-sided slopes by loft: the peers compute the slope from above, longdrive a
+    /// value between both.
     pub spinning: f64,
 }
 

@@ -150,9 +150,9 @@ impl Aim {
         self.search(best, MOST_DRIVES)
     }
 
-    /// Starts of the search: the points that land on the target if landings are interpolated
-    /// linearly in the triangles of a grid. The last start is the node that lands nearest to the
-    /// target.
+    /// Starts of the search. In each triangle of a grid, the landing is interpolated linearly: its
+    /// start is the point that lands on the target, if there is one. The last start is the node
+    /// that lands nearest to the target.
     fn starts(&self, from: [f64; 2]) -> Result<Vec<[f64; 2]>, Error> {
         let [across, up] = self.vary;
         let plane = Plane::fly(&self.setup, &LANDING, across, up, NODES, Order::Value)?;
@@ -177,7 +177,7 @@ impl Aim {
             let y = corner[1] + t * (above[1] - corner[1]);
             starts.push((zero.is_outside, self.change(from, [x, y]), [x, y]));
         }
-        // begin with the start that is nearest to the setup's own values
+        // starts inside of their triangles come first; among these, the start nearest to `from`
         starts.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
         let mut starts: Vec<_> = starts.into_iter().map(|(.., start)| start).collect();
         let distance = |node: &usize| misses[*node][0].hypot(misses[*node][1]);
@@ -226,9 +226,9 @@ impl Aim {
         })
     }
 
-    /// The point in the ranges where the model of the landing at `here` is nearest to the target.
-    /// The minimization starts at `here` and at both ends of the ranges: where carry is at its
-    /// maximum, `here` is a saddle point of the distance.
+    /// The point within the ranges where the quadratic model of the landing, expanded at `here`, is
+    /// nearest to the target. The minimization starts at `here`, at both low ends, and at both high
+    /// ends. At a maximum of carry, `here` alone could be a saddle point of the distance.
     fn nearest(&self, here: &Point) -> Result<[f64; 2], Error> {
         let model = Exact(Model(here));
         let bounds = &self.domain.variables;
@@ -264,7 +264,7 @@ impl Point {
     }
 }
 
-/// Half of the squared distance from the target, m², for the landing of the quadratic model.
+/// Half of the squared distance between the target and the quadratic model of the landing, m².
 struct Model<'a>(&'a Point);
 
 impl Functions for Model<'_> {
@@ -282,7 +282,7 @@ impl Functions for Model<'_> {
     }
 }
 
-/// The triangles of the grid, two in each cell. Each triangle lists the corner at its right angle,
+/// The triangles of the grid, two in each cell. A triangle lists its corner with the right angle,
 /// the node beside this corner, and the node above or below this corner.
 fn triangles() -> impl Iterator<Item = [usize; 3]> {
     let [columns, rows] = NODES;
@@ -293,7 +293,7 @@ fn triangles() -> impl Iterator<Item = [usize; 3]> {
     })
 }
 
-/// The point at which both components of the miss are 0, if they are linear in a triangle.
+/// The point of a triangle at which a linear interpolation of the miss is 0 in both components.
 struct Zero {
     /// Position along the two sides that meet in the first corner of the triangle, as fractions of
     /// their lengths.
@@ -303,8 +303,8 @@ struct Zero {
 }
 
 impl Zero {
-    /// The zero for these misses in the corners. `None` if it is farther outside of the triangle
-    /// than `SLACK`. Zeros slightly outside count, because the miss is not exactly linear.
+    /// The zero for these misses at the corners; `None` if it is farther from the triangle than
+    /// `SLACK`. Zeros slightly outside count, because the miss is not exactly linear.
     fn of([corner, side, above]: [[f64; 2]; 3]) -> Option<Self> {
         const SLACK: f64 = 0.1;
         let [a, b] = [side, above].map(|end| [end[0] - corner[0], end[1] - corner[1]]);

@@ -23,7 +23,8 @@ pub type ShowProgress = fn(done: f64, of: f64);
 /// The largest answer, bytes.
 const MOST_BYTES: usize = 64_000_000;
 
-/// The head of a request: a command line, and the names and sizes of the files in the block.
+/// The head of a request: a command line, and the names and sizes of the files. The block of the
+/// request has their contents.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Request {
@@ -53,7 +54,7 @@ enum Mentions {
     /// Options, as on the command line.
     #[default]
     Program,
-    /// Names of fields, without hyphens.
+    /// Labels of the fields of the page, without hyphens.
     Page,
 }
 

@@ -113,8 +113,8 @@ struct Iterate<'a> {
     /// Number of the search to which the iteration belongs.
     search: usize,
     iteration: &'a Iteration,
-    /// The next iteration, which tells whether the step was accepted, and the reductions. `None`
-    /// for the last iteration of a search.
+    /// The next iteration. It states whether the step was accepted, and its predicted and actual
+    /// reductions. `None` for the last iteration of a search.
     next: Option<&'a Iteration>,
     vary: &'a [Vary],
     sign: f64,

@@ -27,7 +27,8 @@ impl Refusal {
     }
 
     /// The refusal with the message of an error, and with the parameters that the message mentions.
-    /// Only parameters of the setup and the names `stated` in the request are found.
+    /// It searches the message for the parameters of the setup, and for the names `stated` in the
+    /// request.
     pub fn of<'a>(
         error: &Error,
         system: System,

@@ -47,7 +47,7 @@ pub fn solve(oracle: &Oracle) -> Result<End, String> {
         low: case.low.to_vec(),
         high: case.high.to_vec(),
     };
-    // the tolerance on the decrease of f keeps its default, 10 ε
+    // the tolerance for the decrease of f is the solver's default, 10 ε
     let solver = Lbfgsb::new().with_absolute_projected_gradient_tolerance(TOLERANCE);
     let result = Executor::new(problem, solver, FirstOrderState::new(start(case)))
         .max_iter(ITERATIONS)

@@ -11,8 +11,8 @@ use crate::problems::Case;
 
 /// Tolerance of gradients, KKT residuals and steps, for every solver with such an option.
 pub const TOLERANCE: f64 = 1e-10;
-/// Tolerance for solvers that stop when the decrease of f is small. The decrease is of second order
-/// in the error of x.
+/// Tolerance for the decrease of f, for solvers that stop at a small decrease. It is smaller,
+/// because near a minimum f − f* is proportional to the square of the error of x.
 pub const FALL: f64 = 1e-14;
 pub const ITERATIONS: u64 = 1000;
 
