@@ -1,5 +1,5 @@
-//! Tables for pandas, polars, pyarrow and others, by Arrow's C stream interface. The readers share
-//! the memory of the columns.
+//! Tables as a stream of Arrow's C interface, which pandas, polars, pyarrow and others read. They
+//! share the memory of the columns.
 #![expect(
     unsafe_code,
     reason = "Arrow reads the memory of NumPy arrays; the arrays are kept as long as Arrow uses it"

@@ -1,5 +1,5 @@
-//! Tests of the library and the program against papers, closed forms, independent computations and
-//! orders of convergence. CONTRIBUTING.md lists the prefixes of their names.
+//! Tests of the library and the program: comparisons with papers, closed forms and independent
+//! computations, and orders of convergence. CONTRIBUTING.md lists the prefixes of the tests' names.
 
 mod analysis;
 mod answers;

@@ -81,7 +81,7 @@ fn ask(command: &str, arguments: &[(&str, ArgumentValue)], host: &Arc<InMemory>)
     host.answer()
 }
 
-/// The answer to an unknown command has `null` for the command.
+/// An answer to an unknown command has `null` as its `command`.
 #[test]
 fn exact_command_of_an_answer_to_an_unknown_request() {
     let host = InMemory::new(&[], &[]);

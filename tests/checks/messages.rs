@@ -67,7 +67,7 @@ fn one_thing_is_in_the_singular() {
         let (ended, text) = both_streams(args);
         assert_eq!(ended, status, "{args:?}: {text}");
         assert!(text.contains(says), "{args:?}: no '{says}': {text}");
-        // no plural after 1 in all output, such as "1 rows"
+        // "1 rows" and other plurals after 1 are wrong
         let words: Vec<_> = text.split(' ').collect();
         let wrong = words.windows(2).find(|pair| {
             pair[0] == "1"

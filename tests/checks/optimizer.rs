@@ -48,7 +48,7 @@ fn mae494(attack: f64, loft: f64, ranges: [&str; 2]) -> Optimum {
 
 /// Starts that are spread evenly over a box.
 fn starts(count: u32, low: [f64; 2], high: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
-    // multiples of powers of the inverse plastic number
+    // a quasi-random sequence: fractions of multiples of two powers of the inverse plastic number
     (0..count).map(move |k| {
         let part =
             |step: f64, i: usize| low[i] + (f64::from(k) * step + 0.5).fract() * (high[i] - low[i]);
@@ -485,7 +485,7 @@ fn a_search_at_the_corner_of_an_absolute_value_ends_as_a_kink() {
 
 #[test]
 fn a_kink_is_found_beside_a_variable_with_an_undefined_side() {
-    // x² + |y − 0.3|, undefined just below the minimum over x
+    // x² + |y − 0.3|, undefined for x < 0: the minimum x = 0 is at the edge
     let f = |v: &[f64]| {
         if v[0] < -1e-9 {
             return Err("x is negative".into());
@@ -538,7 +538,7 @@ fn iterations_after_a_kink_on_a_bound_are_shown_and_counted_in_the_limit() {
             (Status::IterationLimit, limit)
         );
     }
-    // interrupted before the last iteration, which is on the bound
+    // interrupt before the last iteration, in which x stays on its bound
     let (flag, last) = (Arc::new(AtomicBool::new(false)), whole.iterations);
     let stop = flag.clone();
     let observer = Observer {
@@ -622,7 +622,7 @@ fn functions_of_wrong_dimensions_are_refused_at_the_first_evaluation() {
 
 #[test]
 fn exact_badly_scaled_quadratic() {
-    // curvatures 1e-9 and 1e9, in variables of matching sizes
+    // curvatures 1e-9 and 1e9, and a minimum at (2e4, 3e-5)
     let f = |v: &[f64]| {
         let (a, b) = (v[0] - 2e4, v[1] - 3e-5);
         Ok(plain(
@@ -1092,8 +1092,8 @@ fn exact_minima_from_starts_with_zero_gradients() {
         ]
     };
     ends(&lines, &[(0.0, 0.0)], [0.0, 0.0], -4.0);
-    // y with x − y² = 0 and x + y² = 2, from y = 0, where the linearized equations are dependent
-    // and contradictory; both equations hold at x = 1, y = ±1
+    // y with x − y² = 0 and x + y² = 2, which both hold at (1, ±1). At the start y = 0 the
+    // linearized equations are dependent, and contradict each other
     let parabolas = |v: &[f64]| {
         let (x, y) = (v[0], v[1]);
         let bend = |bend: f64| {

@@ -28,7 +28,6 @@ fn of_table(text: &str) -> Law<f64> {
     setup.law
 }
 
-/// C_D and C_L at a spin ratio, Reynolds number and speed.
 fn at<D: Number>(law: Law<f64>, [s, reynolds, speed]: [D; 3]) -> Coefficients<D> {
     let law = Setup {
         law,
@@ -182,8 +181,7 @@ fn exact_c2_of_a_table_across_every_grid_line_and_beyond() {
     assert!(none.re == 0.0 && none.v1 > 0.0 && none.v2.is_finite());
 }
 
-/// Tables with a single axis: spin ratio, Reynolds number, speed or spin. Over every axis, lift
-/// vanishes without spin.
+/// Tables over spin ratio, Reynolds number, speed or spin alone. Without spin there is no lift.
 #[test]
 fn exact_a_table_along_one_axis_and_no_lift_without_spin() {
     for (text, place) in [

@@ -244,7 +244,7 @@ fn exact_zero_uncertainty_of_the_change_to_an_equal_drive() {
     let mut other = setup;
     other.set("club.loft", "14 deg").unwrap();
     let there = of(&other);
-    // by hand: √Σ(σ times the difference of the derivatives)²
+    // expected: √Σ(σ Δ)² over the parameters, with the difference Δ of the two derivatives
     let slope = |of: &longdrive::study::Effects, name: &str| {
         of.effects
             .iter()
@@ -264,7 +264,7 @@ fn exact_zero_uncertainty_of_the_change_to_an_equal_drive() {
         1e-12,
         "the change",
     );
-    // a parameter may have an uncertainty in one of the drives only
+    // the second drive has the uncertainties of only three parameters
     let few = effects(&other, &[Outcome::Carry], &sigmas[..3], &mut |_, _| ()).unwrap();
     let ways = [
         here.uncertainty_of_change(&few[0]),
@@ -485,7 +485,7 @@ fn a_drive_of_a_yard_allows_a_loss_of_one_percent_and_has_no_ellipses() {
 #[test]
 fn the_setup_file_of_a_report_flies_its_best_drive() {
     let folder = tempfile::tempdir().unwrap();
-    // a table of drag and lift is found in any folder
+    // the table of drag and lift is in a folder of its own
     let table = folder.path().join("mine.csv");
     std::fs::write(
         &table,
@@ -676,7 +676,7 @@ fn all_pages_have_one_frame() {
         ] {
             assert_eq!(page.matches(once).count(), 1, "{requested:?}: {once}");
         }
-        // a table may be wider than a phone: it scrolls by keys, and has a name for screen readers
+        // a table that is wider than a phone scrolls by keys, and has a name for screen readers
         let tables = page.matches("<table").count();
         let labels: Vec<&str> = page
             .split("<section class=\"wide\" tabindex=\"0\" aria-label=\"")

@@ -10,7 +10,7 @@ use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// |x − p|² and |x − q|², p = 0, q = (2, 1).
+/// |x|² and |x − q|² with q = (2, 1).
 struct Distances;
 
 impl Functions for Distances {
@@ -23,7 +23,7 @@ impl Functions for Distances {
     }
 }
 
-/// x² + (y − 3)², and (x − 1)², which does not depend on y.
+/// f₁ = x² + (y − 3)² and f₂ = (x − 1)².
 struct IndependentOfY;
 
 impl Functions for IndependentOfY {
@@ -49,7 +49,7 @@ impl Functions for Concave {
     }
 }
 
-/// x + y and −x: a straight front, with ends at vertices.
+/// f₁ = x + y and f₂ = −x: the front is straight, and its ends are vertices.
 struct Straight;
 
 impl Functions for Straight {
@@ -253,8 +253,8 @@ fn exact_event_where_a_bound_becomes_active_on_a_front() {
     close(found.points.last().unwrap().x[1], 1.0, 1.0, 1e-9, "end");
 }
 
-/// The front ends at the corner (1, 1) along x = 1, where f₁ = 1 + 2 y² and f₂ = −1 − y. At the
-/// corner the bound of y becomes active, so that the slope −4 y there is one-sided.
+/// The front ends at the corner (1, 1). Near the corner x = 1, f₁ = 1 + 2 y² and f₂ = −1 − y. At
+/// the corner the bound of y becomes active, so the slope −4 y is one-sided there.
 #[test]
 fn exact_slope_at_an_end_where_a_bound_begins() {
     let found = between(Corner, [-5.0; 2], [1.0; 2], 5);

@@ -156,7 +156,7 @@ fn same_front_of_carry_and_dispersion_by_single_searches() {
         let best = held(spread);
         close(best.value().unwrap(), carry, 200.0, 1e-8, "carry");
         let price = best.solution.constraints[0].multiplier;
-        // where one bound becomes active as another becomes inactive, there is no single slope
+        // the slope is not unique where one bound becomes active and another one inactive
         let Some(slope) = point.slope else { continue };
         checked += 1;
         close(slope, price, 1.0, 1e-5, "multiplier");
@@ -429,7 +429,7 @@ fn bad_goals_of_a_front_have_a_message() {
             "{args:?}: {message}"
         );
     }
-    // `optimize` names the limits that cannot be met, with the remaining violation
+    // `optimize` names the limits that cannot be met, and their violations
     let limits = [
         "--subject-to",
         "descent_angle >= 80 deg",
@@ -443,7 +443,7 @@ fn bad_goals_of_a_front_have_a_message() {
         ("descent_angle >= 80 deg", 80.0),
         ("carry >= 400 yd", 400.0),
     ] {
-        // the message has the value, and by how much it is outside of the range
+        // the message has the value of the outcome, and its distance from the allowed range
         let output = message
             .split(&format!("{expression} (its value is "))
             .nth(1)

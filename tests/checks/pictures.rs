@@ -205,15 +205,15 @@ fn fills(svg: &str) -> Vec<[String; 2]> {
         .collect()
 }
 
-/// In a map, the region of small loss lies over the colours of the map; in the legend, its symbol
-/// lies over the page. Both look equal, because both are opaque and have one colour.
+/// The region of small loss has the same opaque colour in a map, where it covers other colours, and
+/// in the legend, where it covers the page.
 #[test]
 fn the_legend_of_a_map_has_the_colour_of_its_region() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.svg").display().to_string();
     for more in [&[][..], &["--dark"]] {
         let svg = drawn(&[&["contour"], more].concat(), &file, 480);
-        // the symbol is the last polygon before its name
+        // the symbol is the last polygon before its label
         let (before, _) = svg.split_once("at most 1.00 yd lost</text>").unwrap();
         let [symbol, opacity] = fills(&format!("{before}</text></svg>")).pop().unwrap();
         assert_eq!(opacity, "1");
@@ -224,7 +224,7 @@ fn the_legend_of_a_map_has_the_colour_of_its_region() {
     }
 }
 
-/// The points, pixels, of lines with at least `least` points in the first view.
+/// Points, in pixels, of those lines in the first view that have at least `least` points.
 fn long_lines(svg: &str, least: usize) -> Vec<[f64; 2]> {
     let first = svg
         .split_once("<g transform")
@@ -256,7 +256,7 @@ fn a_trajectory_names_its_flight_and_no_label_covers_the_landing() {
             }
             let label = found.iter().find(|words| words.text.starts_with("carry"));
             let [left, top, right, bottom] = label.unwrap().place;
-            // apex and landing have marks; the landing is the one farther downrange
+            // apex and landing have a mark; the landing is farther downrange
             let landing = marks(&svg).into_iter().map(|(at, _)| at);
             let landing = landing.max_by(|a, b| a[0].total_cmp(&b[0])).unwrap();
             let near = |[x, y]: &[f64; 2]| (x - landing[0]).hypot(y - landing[1]) < 40.0;

@@ -10,7 +10,7 @@ use longdrive::report::{SweepCsv, SweepJsonLines};
 use longdrive::units::TableUnits;
 use longdrive::{Error, Outcome, Result, Setup};
 
-/// A faulty source of points: it appends `appended` values for each row, and up to `more` rows more
+/// A faulty source of points. It appends `appended` values for each row, and up to `more` rows more
 /// than requested.
 struct CustomPoints {
     parameters: Vec<&'static Parameter>,
@@ -64,7 +64,7 @@ fn loft_and_speed(setup: &Setup<f64>) -> [&'static Parameter; 2] {
     ["club.loft", "swing.speed"].map(|name| setup.variable(name).unwrap())
 }
 
-/// Values of one parameter in place of another would give wrong drives.
+/// Values of other parameters would give wrong drives.
 #[test]
 fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
     let setup = Setup::default();
@@ -109,7 +109,7 @@ fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
     );
 }
 
-/// If values were missing, all following ones would belong to wrong parameters.
+/// After a missing value, all later values would belong to wrong parameters.
 #[test]
 fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
     let setup = Setup::default();
@@ -189,7 +189,7 @@ fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
     );
 }
 
-/// A batch that starts after its last point delivers no block, and returns its first row.
+/// A batch whose first row is after the last point delivers no block, and returns this row.
 #[test]
 fn a_batch_that_starts_after_its_last_point_has_no_blocks() {
     let setup = Setup::default();

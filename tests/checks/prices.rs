@@ -1,5 +1,4 @@
-//! Bounds and limits in answers: which are active, their multipliers, and designs that violate
-//! them.
+//! Bounds and limits in answers: active ones, their multipliers, and designs that violate them.
 
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
@@ -45,7 +44,7 @@ fn differences_of_optima_are_the_price_of_a_limit_over_swings() {
     );
     let best = |limit: &str| number(&json(&over_swings(limit)).1["value"]);
     let slope = (best("std(carry) <= 4.52yd") - best("std(carry) <= 4.48yd")) / (0.04 * 0.9144);
-    // the multiplier is printed to three digits
+    // the text has three digits of the multiplier
     close(
         price,
         slope,
@@ -167,7 +166,7 @@ fn differences_of_the_greatest_loss_are_the_prices_of_the_active_limits_of_a_rob
         "{text}"
     );
 
-    // by default the attack angle is at its upper bound
+    // the best attack angle is at the upper end of the default range
     let of_attack = |high: &str| {
         let attack = format!("swing.attack_angle=-5deg..{high}");
         let args = [

@@ -1,5 +1,5 @@
-//! Presets of averages compared with the published averages: `docs/sources.md` says which values
-//! the presets were fitted to.
+//! Presets of averages compared with the published averages. `docs/sources.md` lists the published
+//! values to which the presets were fitted.
 
 use longdrive::optimize::Observer;
 use longdrive::parameters::Vary;
@@ -31,8 +31,8 @@ const LPGA: Average = Average {
 };
 
 impl Average {
-    /// Asserts the bounds: 1 % of ball speed, 0.5°, 5 % of spin, 2 % of carry, 2 yd of apex, 2° of
-    /// descent.
+    /// Asserts deviations of at most 1 % of ball speed, 0.5° of launch angle, 5 % of spin, 2 % of
+    /// carry, 2 yd of apex height, and 2° of descent angle.
     fn compare(&self) {
         let setup = Setup::preset(self.preset).unwrap();
         let [speed, attack] = self.delivery;

@@ -318,6 +318,7 @@ fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_sp
 
 /// Published deviation of the loft at impact, °.
 const LOFT: f64 = 2.91;
+/// The published launch: outcome, unit in SI, mean and deviation in this unit.
 #[expect(clippy::approx_constant, reason = "a speed of 6.28 mph, and no angle")]
 const LAUNCH: [(Outcome, f64, f64, f64); 5] = [
     (Outcome::BallSpeed, 0.44704, 153.82, 6.28),

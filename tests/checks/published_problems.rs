@@ -18,13 +18,13 @@ const OTHER_MINIMA: [(&str, f64); 8] = [
 ];
 
 /// HS13 has no KKT multipliers at its solution x₁ = 1, so no search can end with a small KKT
-/// residual. Its constraint (1 − x₁)³ ≥ 0 holds to 1e-10 up to x₁ = 1 + 4.6e-4, where f = 1 −
-/// 9.3e-4.
+/// residual. Its constraint (1 − x₁)³ ≥ 0 holds to 1e-10 up to x₁ = 1 + 4.6e-4, where f is smaller
+/// than its minimum 1 by 9.3e-4.
 const UNSOLVED: &str = "HS13";
 
-/// The largest allowed KKT residual of a problem: 1e-8, except for MGH10 (Meyer). The residuals of
-/// MGH10 are differences of numbers near 3e4, with a rounding error of 4e-12; its gradient
-/// multiplies sixteen of these differences by 6e6.
+/// The largest allowed KKT residual of a problem: 1e-8, except for MGH10 (Meyer). The least-squares
+/// residuals of MGH10 are differences of numbers near 3e4, with a rounding error of 4e-12. Its
+/// gradient multiplies sixteen of these differences by 6e6.
 fn tolerance(case: &Case) -> f64 {
     if case.name == "MGH10" { 1e-4 } else { 1e-8 }
 }
@@ -222,8 +222,8 @@ fn published_optima_of_more_garbow_and_hillstrom() {
     cases.iter().for_each(check);
 }
 
-/// Printed published points meet the constraints and have the published value: a check of the coded
-/// problems, not of the optimizer.
+/// Published points that are printed meet the constraints and have the published value. This checks
+/// the code of the problems, not the optimizer.
 #[test]
 fn published_points_have_the_published_values() {
     for case in problems::hock_schittkowski()

@@ -28,7 +28,7 @@ fn independent_values_of_every_outcome() {
             let expected = outcome_of(&drive, *outcome);
             let what = format!("{name}: {}", outcome.name());
             match outcome {
-                // +π and −π are one direction; without spin the axis has no direction
+                // +π and −π are the same direction, and without spin the axis has no direction
                 Outcome::SpinAxis if number(&theirs["spin"]) > 1e-6 => {
                     let value = outcome.value(&ours).unwrap();
                     close((value - expected).sin(), 0.0, 1.0, 1e-10, &what);
@@ -77,8 +77,8 @@ fn independent_gradients_by_every_parameter() {
             let ours = derivative::gradient(&setup, of, &wrt).unwrap();
             for (parameter, derivative) in wrt.iter().zip(ours.gradient) {
                 let expected = number(&theirs[parameter.name]);
-                // the error is relative to the derivative; for a small derivative, to 1e-4 of the
-                // outcome divided by the size of the parameter
+                // the error is relative to the derivative, or to 1e-4 · outcome / parameter if that
+                // is larger
                 let change = setup.value(parameter).unwrap().abs().max(1e-3);
                 let scale = expected
                     .abs()

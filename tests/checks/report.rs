@@ -1,5 +1,5 @@
-//! Plots and the page of `report`: pictures agree with the computed data, a file needs no other
-//! file, and bad input is refused.
+//! Plots and the page of `report`: pictures agree with the computed data, each file is complete
+//! without other files, and bad input is refused.
 
 use crate::command_line::{json, longdrive, number};
 use crate::common::close;
@@ -181,8 +181,8 @@ fn a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
 
 #[test]
 fn same_positions_in_the_picture_and_in_the_data() {
-    // both axes have exact limits: a diagonal line from corner to corner ends in the corners of the
-    // frame, in metres and in yards
+    // the limits of both axes are exact: a diagonal line ends in the corners of the frame, in
+    // metres and in yards
     let length = || Axis::linear(NamedQuantity::outcome(Outcome::Carry)).exactly(0.0, 91.44);
     let figure = Figure::new("n", "t", length(), length()).with(Layer::line(
         "",
@@ -227,7 +227,7 @@ fn same_positions_in_the_picture_and_in_the_data() {
     );
 }
 
-/// A digit of the widest common font (DejaVu Sans, Verdana) is 0.636 of its size wide.
+/// In the widest common fonts (DejaVu Sans, Verdana) a digit is as wide as 0.636 of the font size.
 #[test]
 fn a_label_at_the_end_of_an_axis_lies_within_the_picture() {
     for (low, high) in [(4e4, 2.4e5), (0.0, 12.0), (1e6, 3e6), (0.0, 0.0004)] {
@@ -420,7 +420,7 @@ fn limits_on_a_map_are_where_the_outcome_reaches_them() {
             format!("swing.attack_angle={}rad", at[1]),
         ];
         let (_, drive) = json(&["simulate", "--set", &set[0], "--set", &set[1]]);
-        // between nodes a map is linear
+        // a map is linear between its nodes
         close(
             number(&drive["flight"]["descent_angle"]).to_degrees(),
             38.0,
@@ -633,7 +633,7 @@ fn a_png_has_its_size_and_its_words() {
             600_u32.to_be_bytes().as_slice()
         )
     );
-    // a title makes the file larger; if no font were found, its letters would be missing
+    // a file with a title is larger; without a font the letters would be missing
     let setup = Setup::default();
     let figure = trajectory_figure(
         &[NamedDrive::new("", &setup).unwrap()],
@@ -737,7 +737,7 @@ fn the_page_is_self_contained_and_describes_its_content() {
         [count("-us.svg"), count("-metric.svg"), count(".csv")],
         [figures; 3]
     );
-    // a figure is drawn in two widths, and in two systems of units if it has units
+    // each figure is drawn in two widths, and, unless it has no units, in two systems of units
     let drawn = |class: &str| page.matches(&format!("<div class=\"{class}")).count();
     assert!(
         pictures.len() == drawn("broad") + drawn("narrow") && drawn("broad us") + 1 == figures,

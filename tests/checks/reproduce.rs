@@ -1,4 +1,4 @@
-//! The published studies, reproduced.
+//! The results of the published studies, recomputed.
 
 use crate::command_line::{Written, json, longdrive, number, written};
 use crate::common::close;
@@ -131,7 +131,7 @@ fn independent_bound_by_energy_and_grid_of_launches() {
         "the model page's global maximum",
     );
     assert_eq!(energy.farthest.speed, energy.fastest);
-    // no launch on a grid of ball speeds up to this speed, angles and spins carries farther
+    // no launch carries farther, on a grid of angles, spins and ball speeds up to `energy.fastest`
     let setup = Setup::preset("mae494").unwrap();
     for (speed, angle, spin) in (1..=4).flat_map(|v| {
         (1..18).flat_map(move |a| (0..8).map(move |s| (v, f64::from(5 * a), f64::from(100 * s))))

@@ -1,4 +1,4 @@
-//! Requests of programs that embed the library, as command lines.
+//! Requests of a program that uses the library, converted to command lines.
 
 use longdrive::command::{ArgumentValue, Call, quantity_of_goal};
 use longdrive::units::Quantity;

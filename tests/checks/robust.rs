@@ -1,5 +1,5 @@
-//! One design for several models: compared with the best design of each model, and with a search of
-//! every design.
+//! One design for several models, compared with the best design of each model and with a grid of
+//! designs.
 
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::{SET_RIGID, close};
@@ -32,7 +32,7 @@ fn found(setup: &Setup<f64>, changes: &[&str]) -> Robust {
 }
 
 /// Two models with different best lofts: at the minimax design both have equal losses, and no loft
-/// of a fine grid loses less.
+/// of a fine grid has a smaller largest loss.
 #[test]
 fn independent_loft_of_the_smallest_greatest_loss_of_two_models_by_a_grid() {
     let mut setup = Setup::preset("modern-driver").unwrap();
@@ -116,7 +116,7 @@ fn independent_loft_of_the_smallest_greatest_loss_of_two_models_by_a_grid() {
     }
 }
 
-/// A model whose loss is never the largest does not limit the design.
+/// A model limits the design only if its loss is the largest.
 #[test]
 fn exact_zero_loss_for_a_model_equal_to_the_setup() {
     let setup = Setup::preset("mae494").unwrap();

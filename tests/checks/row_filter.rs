@@ -1,5 +1,4 @@
-//! `--only COLUMN=VALUE` selects rows of a table of shots; residuals are also summed up for each
-//! club.
+//! `--only COLUMN=VALUE` selects rows of a table of shots, and residuals are also listed by club.
 
 use crate::command_line::{json, longdrive, number, on_one_line};
 use serde_json::Value;
@@ -188,8 +187,8 @@ fn dots_follow_the_values_of_a_column_only_if_there_are_more() {
     }
 }
 
-/// A club value on the command line has the uncertainty of an instrument, like a column of the
-/// table.
+/// A club value on the command line has the uncertainty of an instrument, as the values in a table
+/// do.
 #[test]
 fn a_stated_club_value_of_a_delivery_has_the_uncertainty_of_an_instrument() {
     let launch = [

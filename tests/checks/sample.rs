@@ -9,7 +9,7 @@ use longdrive::parameters::PRESETS;
 use longdrive::study::{Constraint, Search, Vary, optimum};
 use longdrive::{Outcome, Setup};
 
-/// Parameters, each with the widest range over which it is searched, SI.
+/// Parameters that are varied, each with its widest range, SI.
 const VARIED: [(&str, f64, f64); 10] = [
     ("club.loft", 0.0, 0.45),
     ("swing.attack_angle", -0.2, 0.2),
@@ -43,15 +43,15 @@ const LAWS: [&str; 6] = [
 ];
 
 /// A search, and the best objective of random points that meet its constraints. The objective is
-/// the outcome times the sign of the sense.
+/// the outcome, or its negative if the search minimizes.
 struct Generated {
     setup: Setup<f64>,
     search: Search,
     best: f64,
 }
 
-/// A search over random ranges with up to two constraints, each met by at least one of 760 random
-/// points; `None` if no point meets them all.
+/// A search over random ranges, with up to two constraints. Each constraint is met by at least one
+/// of 760 random points; `None` if no point meets all constraints.
 fn generated(random: &mut Random) -> Option<Generated> {
     let mut setup = Setup::preset(PRESETS[random.below(PRESETS.len())].name).unwrap();
     setup
@@ -129,8 +129,8 @@ fn generated(random: &mut Random) -> Option<Generated> {
     })
 }
 
-/// Few generated searches end more than half a metre below the best of 760 random points of their
-/// ranges, and none reports that no point meets the constraints.
+/// Few searches end more than half a metre below the best of 760 random points of their ranges. No
+/// search reports that the constraints cannot be met.
 #[test]
 fn sampled_points_are_rarely_better_than_optima() {
     let mut random = Random::seeded(51);
@@ -169,8 +169,8 @@ fn sampled_points_are_rarely_better_than_optima() {
     );
 }
 
-/// 47 of 2,000 random points meet these constraints, but the search from the preset's own values
-/// ends where none is met.
+/// Only 47 of 2,000 random points meet these constraints. The search from the preset's values ends
+/// where they are not met.
 #[test]
 fn a_small_feasible_region_is_found() {
     let requested = [
@@ -199,7 +199,7 @@ fn a_small_feasible_region_is_found() {
         "{}",
         found["message"]
     );
-    // expected: the best value of searches from eight starts
+    // expected: the best value of eight searches from different starts
     assert!(number(&found["value"]) > 181.36, "{}", found["value"]);
     assert_eq!(found["sample"]["improved"], true);
     assert_eq!(found["optima"].as_array().unwrap().len(), 2);

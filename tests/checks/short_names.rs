@@ -79,7 +79,7 @@ fn a_short_name_is_refused_without_a_unit_and_beside_a_setting() {
     }
 }
 
-/// The short names of the help are in one group, a line each.
+/// The help lists the short names in one group, each in its own line.
 #[test]
 fn every_command_with_a_setup_lists_the_short_names_together() {
     for command in [

@@ -70,7 +70,7 @@ fn same_launches_in_number_formats_of_spreadsheets_and_countries() {
 fn same_launches_with_heads_in_other_spellings() {
     same("heads-camel-case.csv", &[FIRST]);
     same("line-break-in-heads.csv", &[STRAIGHT]);
-    // a table with German heads: its speed is in km/h (257.495), and a column states the density of
+    // a table with German heads: the speed is in km/h (257.495), and a column has the density of
     // the air (1.184 kg/m³)
     let (shots, found, _) = case("garmin-german.csv");
     assert_eq!(shots.maker(), Some("Garmin"));
@@ -121,7 +121,8 @@ fn same_launches_with_units_in_cells() {
             .any(|remarks| remarks.contains("Windows-1252")),
         "{remarks:?}"
     );
-    // a cell without a unit among cells with units, and a cell that contradicts its head
+    // a cell without a unit in a column with units, and a cell that contradicts the unit of its
+    // head
     for (text, says) in [
         (
             "Ball Speed,Launch Angle,Spin Rate\n160 mph,12,2500\n70,12,2500\n",
@@ -273,7 +274,7 @@ fn published_signs_of_garmin_are_turned() {
             .any(|remarks| remarks.contains("Sidespin is read with + to the left")),
         "{remarks:?}"
     );
-    // Sidespin is positive to the left here, so it has the opposite sign of the spin axis. The
+    // sidespin is positive to the left here, so it has the opposite sign of the spin axis. The
     // measured side agrees with the spin axis, so there is no note
     let text = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
                 Axis [deg],Backspin [rpm],Sidespin [rpm],Carry Deviation \
@@ -284,7 +285,7 @@ fn published_signs_of_garmin_are_turned() {
         "{:?}",
         found[0].shots[0].notes
     );
-    // axis and sidespin agree, but the balls curve to the other side
+    // spin axis and sidespin agree, but the measured sides are opposite
     let row = "150,12,0,2500,10,2462,434,240,-12\n";
     let heads = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
                  Axis [deg],Backspin [rpm],Sidespin [rpm],Carry \
@@ -325,8 +326,8 @@ fn a_section_is_interpreted_by_its_own_rows() {
     );
 }
 
-/// At 1135 ft and 77 °F the density is 1.1367 kg/m³, by the pressure of the standard atmosphere and
-/// the gas law of dry air.
+/// At 1135 ft and 77 °F the density is 1.1367 kg/m³, from the pressure of the standard atmosphere
+/// and the gas law of dry air.
 #[test]
 fn independent_air_of_an_altitude_and_a_temperature() {
     let (shots, found, _) = case("trackman-short-heads.csv");
@@ -379,13 +380,13 @@ fn every_shot_is_explained_by_its_stated_values() {
     assert!(remarks.iter().any(|remarks| remarks == says), "{remarks:?}");
 }
 
-/// Twelve launches, in tables with many kinds of heads, units, sides and decimal marks.
+/// Twelve launches, written in tables with many heads, units, letters of sides and decimal marks.
 #[test]
 fn same_launches_in_generated_tables_and_in_a_plain_one() {
     let launches: Vec<[f64; 5]> = (0..12)
         .map(|k| {
             let part = |i: u32| (f64::from(k) * (0.754_877_666 + 0.1 * f64::from(i))).fract();
-            // no −0
+            // + 0.0 avoids −0
             let one = |low: f64, high: f64, i| {
                 (10.0 * (low + (high - low) * part(i))).round() / 10.0 + 0.0
             };
@@ -525,7 +526,7 @@ fn implausible_units_are_warned_of() {
             warned(text(1.609_344, yards, 7.0)),
             "as if the speeds were in km/h and read in mph",
         ),
-        // no other unit of the ball speed would explain the carries: the warning names none
+        // no unit of the ball speed would explain the carries, so the warning names no unit
         (
             warned(text_with_head("Ball Speed [m/s]", 0.719_435, yards, 7.0)),
             "Ball Speed: the balls carry less far than such speeds give; check the unit in \

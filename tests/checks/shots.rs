@@ -117,7 +117,8 @@ fn same_flight_of_a_shot_in_every_makers_export() {
             name,
         );
     }
-    // without a direction nothing sideways is compared, and the row states the assumption
+    // without a launch direction no lateral outcome is compared, and a note of the row states the
+    // assumed direction
     let (_, flown, _) = file("mevo.csv");
     let straight = Outcome::CarryDistance.of(&sample(0.0, 0.0)).unwrap();
     close(
@@ -261,7 +262,7 @@ fn same_table_in_windows_1252_whose_first_other_character_is_far_from_the_beginn
     );
 }
 
-/// Rows that cannot be flown, each with the kind and some words of its reason.
+/// Rows that cannot be flown: the row, the kind of the reason, and words of the reason.
 const BAD: [(&str, &str, &str); 13] = [
     (
         ",12,2500,3,262",
@@ -579,7 +580,7 @@ fn tables_without_a_launch_name_the_nearest_head() {
 
 #[test]
 fn ambiguous_decimal_and_thousands_marks_are_refused() {
-    // a comma that separates no thousands, in a table with commas as separators
+    // in a table with commas between the cells, a comma in a number can only separate thousands
     let quoted =
         "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n\"165,5\",\"11,2\",\"2,600\"\n";
     let (_, all, _) = fly_shots(quoted.as_bytes());
@@ -614,7 +615,7 @@ fn marks_of_parameters_and_of_the_club_are_read_as_those_of_the_launch() {
         let text = format!("{heads}{cells}\n");
         fly_shots(io::Cursor::new(text)).1.remove(0)
     };
-    // points are decimals here, so that a comma separates thousands
+    // this table has decimal points, so a comma separates thousands
     let found = rows("160.5;12.1;2500;45,930;46,000");
     let expected = rows("160.5;12.1;2500;45930;46000");
     assert_eq!(found.predicted(0, 0), expected.predicted(0, 0));
@@ -746,8 +747,8 @@ fn same_streamed_rows_for_any_number_of_threads() {
             )
             .unwrap();
         assert_eq!(taken, rows);
-        // however long the file is, only its beginning and a few chunks are in memory: rows that
-        // are read, but not yet written
+        // only the beginning of the file and a few chunks of rows that are read but not yet written
+        // are in memory
         assert!(
             most < 24_000,
             "{most} rows at a time with {threads} threads"
@@ -801,7 +802,7 @@ fn the_command_writes_rows_and_their_prediction_errors() {
             "{name}"
         );
     }
-    // the rows of the export, unchanged, and the predictions beside them
+    // the written rows begin with the rows of the export
     let (own, written) = (
         fs::read_to_string(&shots).unwrap(),
         fs::read_to_string(to("a.csv")).unwrap(),

@@ -1,5 +1,5 @@
-//! Tables that `fly` wrote are read again by `fly`, `calibrate`, `delivery` and `sweep`; measured
-//! totals.
+//! Tables that `fly` wrote, read again by `fly`, `calibrate`, `delivery` and `sweep`. Also measured
+//! totals, which are compared only on a named ground.
 
 use crate::command_line::{file_with, json, longdrive, number, on_one_line};
 use longdrive::Setup;
@@ -300,14 +300,14 @@ fn assumed_values_of_a_launch_are_not_measured_when_read_again() {
             "spin axis is missing: 0 deg is assumed",
         ];
         assert_eq!(again["notes"], serde_json::json!(notes), "{name}");
-        // the numbers of a message for a simulator are rounded
+        // the message for a simulator has rounded numbers
         let predicted = |line: &Value| number(&line["predicted"]["carry_distance"]);
         assert!(
             (predicted(again) / predicted(&lines(&place("a.csv.jsonl"))[0]) - 1.0).abs() < 1e-9,
             "{name}"
         );
     }
-    // a message for a simulator has every number of a launch
+    // the message for a simulator has the assumed direction and spin axis, too
     let message = &lines(&place("d.json"))[0];
     assert!(
         message["BallData"]["HLA"] == 0.0 && message["BallData"]["SpinAxis"] == 0.0,
@@ -587,7 +587,7 @@ fn text_shows_the_run_beside_a_total_and_the_air_that_the_weather_gives() {
         "--set",
         "air.humidity=0",
     ]);
-    // CIPM-2007: dry air of 10 °C at 101 325 Pa
+    // CIPM-2007 for dry air at 10 °C and 101 325 Pa
     assert!(output.out.contains("air: density 1.247"), "{}", output.out);
     assert!(!longdrive(&["simulate"]).out.contains("weather"));
 }

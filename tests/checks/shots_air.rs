@@ -31,7 +31,7 @@ fn air_in_second_section() -> String {
     format!("{without_air}{with_air}").replace('\u{feff}', "")
 }
 
-/// The shots of a table, in the air that the table states and in the air of the setup.
+/// The shots of a table: in the air that the table states, and in the air of the setup.
 fn read_both_ways(text: &str) -> [ShotTable; 2] {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.csv");
@@ -184,7 +184,7 @@ fn the_air_that_only_a_second_section_states_is_reported_and_overridden() {
     assert!(remarks(&given).contains(says), "{}", remarks(&given));
 }
 
-/// The first section has no air column: it flies in the air of the setup.
+/// The first section has no column of the air, so its shot flies in the air of the setup.
 #[test]
 fn same_flight_in_the_air_of_a_second_section_and_in_that_air_set() {
     let (shots, all, _) = fly_shots(Cursor::new(air_in_second_section()));

@@ -31,7 +31,7 @@ fn rows(table: &ShotTable) -> Vec<usize> {
     table.shots.iter().map(|shot| shot.row).collect()
 }
 
-/// Numbers of the rows that `fly` flies, counted from 1, and its reasons for refusing the others.
+/// The rows that `fly` flies, counted from 1, and the reasons for refusing the others.
 fn of_fly(text: &str) -> (Vec<usize>, Vec<String>) {
     let (_, all, _) = fly_shots(Cursor::new(text.to_owned()));
     let (mut rows, mut reasons) = (vec![], vec![]);
@@ -236,7 +236,7 @@ fn no_spin_and_topspin_are_out_of_range_in_every_format() {
             "{text}: {refusal:?}"
         );
     }
-    // a ball that spins about the vertical only has spin, but no backspin
+    // a ball that spins only about the vertical axis has no backspin
     assert_eq!(
         of_fly(&of_cells("Back Spin [rpm],Side Spin [rpm]", "0,800")).0,
         [1, 2]

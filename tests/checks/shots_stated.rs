@@ -1,5 +1,5 @@
-//! Values stated by rows of shots: a spin in several forms, missing values, known but unused
-//! columns.
+//! Values that rows of shots state: several forms of spin, missing values, and columns that are
+//! known but not used.
 
 use crate::common::close;
 use crate::shots::fly_shots;
@@ -246,7 +246,7 @@ fn assumed_uncertainties_of_every_section_are_reported() {
     );
 }
 
-/// Speeds without a unit are in mph and angles in degrees, also those of the club.
+/// Speeds without a unit are in mph and angles in degrees. This also holds for values of the club.
 #[test]
 fn assumed_units_of_the_club_are_reported() {
     let text = "Ball Speed,Launch Angle,Spin Rate,Club Speed,Attack Angle\n150,12,2500,103,-1\n";

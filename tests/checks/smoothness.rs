@@ -1,5 +1,5 @@
-//! Continuity of value, gradient and Hessian along lines of lofts that cross many changes of the
-//! number of steps, measured at each change between the two adjacent floating-point lofts.
+//! Continuity of value, gradient and Hessian along lines of lofts. The jumps are measured between
+//! the two adjacent floating-point lofts at each change of the number of steps.
 
 use crate::common::jump;
 use longdrive::derivative::{Order, evaluate, hessian};
@@ -24,7 +24,8 @@ fn at(setup: &Setup<f64>, loft: f64) -> Setup<f64> {
     moved
 }
 
-/// Adjacent lofts between `low` and `high` that differ in the number of steps.
+/// The two adjacent floating-point lofts between `low` and `high` at which the number of steps
+/// changes.
 fn change_between(setup: &Setup<f64>, low: f64, high: f64) -> [f64; 2] {
     let flown = |loft: f64| (loft, flight(&at(setup, loft)));
     let mut ends = [low, high].map(flown);

@@ -1,5 +1,5 @@
-//! Answers keep to the request: stated values are held, there is one default preset, and no number
-//! is accepted without a unit.
+//! Answers follow the request: stated values are held, all commands have one default preset, and a
+//! number needs a unit.
 
 use crate::command_line::{file_with, json, longdrive, number, on_one_line};
 use crate::common::close;
@@ -81,7 +81,7 @@ fn a_stated_value_is_held_in_every_search() {
         json(&[&["optimum-sensitivity", "--wrt", "swing.speed"], &loft[..]].concat());
     assert_eq!(names(&sensitivity["optimum"]), ["swing.attack_angle"]);
     assert_eq!(sensitivity["held"], Value::from(vec!["club.loft"]));
-    // the parameter of a chart is not varied by default
+    // by default a chart does not vary its own parameter
     let (status, chart) = json(&["chart", "--along", "swing.attack_angle", "--at=-2deg,0deg"]);
     assert_eq!(status, 0);
     assert_eq!(names(&chart["points"][0]["optimum"]), ["club.loft"]);
@@ -109,7 +109,7 @@ fn over_swings_a_stated_attack_angle_is_no_held_parameter() {
     assert!(robust.get("held").is_none());
 }
 
-/// The default ranges of a design include the loft. A stated loft is held.
+/// By default a design varies the loft, unless the loft is stated.
 #[test]
 fn a_design_holds_a_stated_loft() {
     let words = ["design", "--set", "club.loft=12deg", "--scenarios", "64"];
@@ -156,7 +156,7 @@ fn a_search_with_nothing_to_vary_is_refused_with_advice() {
     );
 }
 
-/// A search begins at the values of a setup file.
+/// A setup file gives the start of a search, and does not hold its values.
 #[test]
 fn a_setup_file_states_the_start_and_holds_nothing() {
     let folder = tempfile::tempdir().unwrap();
@@ -374,8 +374,8 @@ fn coefficients_that_the_law_of_a_model_does_not_have_are_named() {
     );
 }
 
-/// A fit notes that it does not use the uncertainties of measured launches, and that it compares
-/// totals on an assumed ground if none is stated.
+/// A fit notes that it does not use the uncertainties of measured launches. If no ground is stated,
+/// it notes that it compares totals on an assumed ground.
 #[test]
 fn what_a_fit_assumes_or_does_not_use_is_named() {
     let folder = tempfile::tempdir().unwrap();
@@ -439,7 +439,7 @@ fn a_stated_uncertainty_without_an_effect_has_a_row() {
     assert!(found.to_string().contains("ground.friction"));
 }
 
-/// The summary on the screen has a column for the user's own table of drag and lift.
+/// The summary in the terminal has a column for the user's table of drag and lift.
 #[test]
 fn a_table_of_ones_own_is_in_the_summary_of_a_validation() {
     let folder = tempfile::tempdir().unwrap();
@@ -482,7 +482,8 @@ fn the_column_of_strokes_has_exactly_this_name() {
     assert!(answer["message"].to_string().contains("is there twice"));
 }
 
-/// Lines of answers that state an assumption, and arguments whose answers have the line or not.
+/// Sentences about an assumption, each with arguments whose answers have the sentence, and
+/// arguments whose answers do not.
 #[test]
 fn answers_state_an_assumption_where_it_applies_alone() {
     let folder = tempfile::tempdir().unwrap();

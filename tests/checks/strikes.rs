@@ -88,8 +88,8 @@ fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
     }
 }
 
-/// A contour is as smooth as the function, although the nodes are 5 mm apart. Within 1 mm its
-/// direction changes by at most 1 mm/r, where r is the contour's smallest radius of curvature.
+/// A contour is smooth, although the nodes are 5 mm apart. Its direction changes by at most 1 mm/r
+/// over 1 mm, where r is its smallest radius of curvature.
 #[test]
 fn contours_over_the_face_have_no_corners() {
     let setup = Setup::preset("modern-driver").unwrap();
@@ -118,7 +118,7 @@ fn contours_over_the_face_have_no_corners() {
         }
     }
     assert_eq!(contours, 18);
-    // contours that are straight between the nodes would have corners
+    // straight pieces between the nodes would form corners
     assert!(sharpest_on_nodes > 20.0, "{sharpest_on_nodes}");
 }
 
@@ -129,7 +129,7 @@ fn sharpest(line: &[[f64; 2]]) -> f64 {
     turns.fold(0.0, f64::max)
 }
 
-/// Points of a line at least this far apart, m.
+/// Points of a line that are at least `step` apart, m.
 fn in_steps(line: &[[f64; 2]], step: f64) -> Vec<[f64; 2]> {
     let mut points: Vec<[f64; 2]> = vec![];
     for at in line {
@@ -221,7 +221,7 @@ fn exact_sweet_spot_normal_passes_through_the_centre_of_mass() {
             .note
             .contains("The strike is at the centre of the face")
     );
-    // a movable weight moves the sweet spot too; without weights and offsets the sweet spot is the
+    // a movable weight moves the sweet spot; without weights and offsets the sweet spot is the
     // origin of strikes
     let mut weighted = Setup::preset("tour-average").unwrap();
     assert_eq!(Face::of(&weighted).unwrap().sweet_spot, Some([0.0; 2]));

@@ -220,7 +220,7 @@ fn blocks(run: &Run<'_>) -> Vec<Block> {
     blocks
 }
 
-/// The content of blocks, to the last bit, missing values included.
+/// All numbers of blocks, with missing values, as a text that differs if a bit differs.
 fn bits(blocks: &[Block]) -> String {
     format!("{blocks:?}")
 }
@@ -289,7 +289,7 @@ fn a_batch_stops_on_request_and_at_an_error_of_the_sink() {
                 Ok(())
             },
         );
-    // only the chunks that were in progress at the stop are delivered
+    // only chunks that were being computed at the stop are delivered
     assert_eq!(done.unwrap(), rows);
     assert!(rows >= CHUNK as u64 && rows <= 10 * CHUNK as u64, "{rows}");
 

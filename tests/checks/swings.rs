@@ -1,4 +1,4 @@
-//! Goals over many swings, and their best designs.
+//! Searches for goals over many swings.
 
 use crate::command_line::{file_with, json, longdrive, number, on_one_line};
 use crate::common::close;
@@ -124,8 +124,8 @@ fn independent_best_loft_of_the_average_over_attack_angles_by_simpsons_rule() {
     let slope = (mean(loft + h) - mean(loft - h)) / (2.0 * h);
     let bend = (mean(loft + h) - 2.0 * mean(loft) + mean(loft - h)) / (h * h);
     assert!((slope / bend).abs() < 1e-6, "{} rad off", slope / bend);
-    // the paper's polynomial through five lofts has its maximum at 10.68°; the average itself has
-    // its maximum at a loft that is a third of a degree smaller
+    // the paper's polynomial through five lofts is largest at 10.68°; the average itself is largest
+    // at 10.32°
     assert!(
         (loft.to_degrees() - 10.32).abs() < 0.01,
         "{}",
@@ -133,7 +133,8 @@ fn independent_best_loft_of_the_average_over_attack_angles_by_simpsons_rule() {
     );
 }
 
-/// Gauss's rules converge faster than any power; a quasi-random sequence faster than 1/√n.
+/// Gauss's rules converge faster than any power of the number of nodes, and a quasi-random sequence
+/// faster than 1/√n.
 #[test]
 fn order_of_quadrature_and_of_sequences() {
     let mut setup = Setup::preset("mae494").unwrap();
@@ -162,7 +163,7 @@ fn order_of_quadrature_and_of_sequences() {
         errors[1] < 1e-3 * errors[0] && errors[2] < 1e-8,
         "{errors:?}"
     );
-    // the root mean square of the error over four seeds, with 32 points and with 16 times as many
+    // root mean square error of four seeds, with 32 and with 512 points
     let off = |count: usize| {
         let squares = (0..4).map(|seed| (mean(Rule::Sequence { count, seed }).0 - exact).powi(2));
         (squares.sum::<f64>() / 4.0).sqrt()
@@ -200,7 +201,7 @@ fn exact_zero_lateral_mean_of_symmetric_swings() {
     assert!(best.value().unwrap().abs() < 1e-9, "{:?}", best.value());
 }
 
-/// Correlated normal numbers have the given moments, and keep their distributions.
+/// Correlated normal variables have the requested correlation, and their own means and deviations.
 #[test]
 fn exact_correlation_of_normal_swings() {
     let setup = Setup::default();
@@ -222,8 +223,8 @@ fn exact_correlation_of_normal_swings() {
             .map(|(point, weight)| weight * f(point[0].to_degrees(), point[1].to_degrees()))
             .sum::<f64>()
     };
-    // a normal distribution between ± 4 σ keeps this fraction of its variance: 1 − 8 φ(4)/(2 Φ(4) −
-    // 1)
+    // truncation at ± 4 σ reduces the variance of a normal distribution by this factor: 1 − 8
+    // φ(4)/(2 Φ(4) − 1)
     let kept = 0.9989292903724738;
     close(moment(&|x, _| x), 1.0, 1.0, 1e-12, "mean path");
     close(
@@ -249,8 +250,8 @@ fn exact_correlation_of_normal_swings() {
     );
 }
 
-/// A normal distribution between two ends: its quantiles agree with its moments, and `uncertainty`
-/// samples it.
+/// A truncated normal distribution: its quantiles agree with its moments, and with the sample of
+/// `uncertainty`.
 #[test]
 fn independent_moments_of_a_truncated_distribution_by_its_quantiles() {
     let read = |text: &str| Uncertain::read(&Setup::default(), text);
@@ -285,7 +286,7 @@ fn independent_moments_of_a_truncated_distribution_by_its_quantiles() {
 }
 
 /// The recorded swings are a sample of a known distribution. The interval of the best loft contains
-/// the best loft for the whole distribution, and more swings make it narrower.
+/// the best loft for this distribution. More swings narrow the interval.
 #[test]
 fn sampled_interval_of_the_best_loft_from_recorded_swings() {
     let mut setup = Setup::preset("mae494").unwrap();
@@ -300,7 +301,7 @@ fn sampled_interval_of_the_best_loft_from_recorded_swings() {
     );
     let parameter = setup.variable("swing.attack_angle").unwrap();
     let widths = [12, 108].map(|count| {
-        // a fixed sequence in the unit interval, spread no more evenly than random numbers
+        // a fixed sequence, spread no more evenly than random numbers
         let rows = (0..count)
             .map(|k| vec![((f64::from(k * k) * 0.618_034).fract() * 12.0 - 6.0).to_radians()]);
         let recorded = Swings::recorded(vec![parameter], rows.collect()).unwrap();
@@ -366,7 +367,7 @@ fn the_best_loft_over_swings_has_its_price_and_its_diagnostics() {
         "{answer}"
     );
     assert!(number(&swings["quadrature_error"]) < 1e-3);
-    // the same swings give the same answer, to the last bit
+    // repeated requests give the same answer, to the last bit
     let many = [&args[..], &["--scenarios", "64", "--seed", "7"]].concat();
     assert_eq!(json(&many), json(&many));
     let (_, sampled) = json(&many);
@@ -558,7 +559,7 @@ fn same_goals_by_sums_over_single_drives() {
     let carry = mean(&|drive| drive.value);
     let slope = [0, 1].map(|i| mean(&|drive| drive.gradient[i]));
     let deviation = mean(&|drive| (drive.value - carry).powi(2)).sqrt();
-    // derivatives of σ² = E f² − (E f)², and of its root
+    // derivatives of the variance σ² = E f² − (E f)², and of σ
     let of_variance =
         [0, 1].map(|i| 2.0 * mean(&|drive| (drive.value - carry) * (drive.gradient[i] - slope[i])));
     let bent = |i: usize, j: usize| {
@@ -723,7 +724,7 @@ fn too_many_recorded_swings_are_refused_with_their_number() {
     );
 }
 
-/// A single swing has no scatter, so that no design of the mean swing meets the limit.
+/// The mean swing alone has no scatter, so no design for it meets the limit on the deviation.
 #[test]
 fn a_search_for_the_mean_swing_that_does_not_converge_gives_no_nominal_design() {
     let limit = [
@@ -1120,7 +1121,7 @@ fn recorded_swings_without_one_value_for_each_parameter_are_refused() {
     }
 }
 
-/// Two swings with the same strike, outside of every face. The ball of the second does not land.
+/// Two swings with the same strike, beside the face. Only the ball of the first swing lands.
 #[test]
 fn the_share_of_swings_beyond_a_limit_is_a_share_of_those_that_land() {
     let mut setup = Setup::default();

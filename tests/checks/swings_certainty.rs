@@ -12,7 +12,7 @@ use longdrive::{Outcome, Setup};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// The drives of a setup with some swings.
+/// Outcomes of a setup over some swings.
 struct Flown {
     outcomes: Vec<Outcome>,
     /// A column for each outcome.
@@ -250,9 +250,9 @@ fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
     assert!(parts[parts.len() / 2] < 0.01, "{}", parts[parts.len() / 2]);
 }
 
-/// An earlier version printed the smoothed values of these three goals: 9.440° for a descent angle
-/// of 9.254°, 12.11° for a launch angle of 12.71°, which every drive has, and 224.743 m for a carry
-/// of 224.628 m. The correct values come from sorting 16,384 drives.
+/// An earlier version printed smoothed values of these goals. It printed 9.440° for a descent angle
+/// of 9.254°, 12.11° for a launch angle of 12.71°, and 224.743 m for a carry of 224.628 m. The
+/// correct values are from sorting 16,384 drives.
 #[test]
 fn independent_shares_of_sorted_drives_are_within_the_error_estimate() {
     let distributions = [

@@ -9,7 +9,8 @@ use longdrive::study::swings::{Rule, Scenarios, Strokes, Swings};
 use longdrive::study::{Goal, Search, Sense, Vary, optimum};
 use longdrive::{Outcome, Setup};
 
-/// The derivatives of every goal, compared with differences of the goal's values and gradients.
+/// The derivatives of every goal and of their sum agree with differences of values and of
+/// gradients.
 #[test]
 fn differences_certify_every_goal_and_their_weighted_sum() {
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -124,8 +125,8 @@ fn order(points: &[(f64, f64)]) -> f64 {
         / logs.iter().map(|p| (p.0 - x).powi(2)).sum::<f64>()
 }
 
-/// The best loft over a sample of swings: its error decreases as the inverse root of the number of
-/// random swings, and faster for the sequence.
+/// The error of the best loft over a sample of swings decreases with 1/√n for n random swings, and
+/// faster for a quasi-random sequence.
 #[test]
 fn order_of_the_error_of_the_optimum_over_a_sample() {
     let mut setup = Setup::preset("mae494").unwrap();

@@ -2,7 +2,7 @@
 
 use crate::command_line::{json, longdrive, number, on_one_line};
 
-/// The head of a CSV text, and the numbers of its first row; NaN for words.
+/// The head of a CSV text, and the numbers of its first row. A cell with words is NaN.
 fn csv(text: &str) -> (Vec<String>, Vec<f64>) {
     let mut lines = text.lines();
     let mut cells = || {
@@ -66,7 +66,7 @@ fn an_altitude_without_a_temperature_has_a_note_on_the_standard_temperature() {
     assert!(!on_one_line(&longdrive(&whole).err).contains("without air.temperature"));
 }
 
-/// The columns in the chosen units are the columns in SI, converted.
+/// The columns in other units have the converted values of the columns in SI.
 #[test]
 fn exact_sweeps_in_the_stated_units() {
     let words = [
@@ -119,7 +119,7 @@ fn exact_sweeps_in_the_stated_units() {
     }
 }
 
-/// A sweep in stated units is read again as the same points.
+/// A sweep written in other units has the same points when it is read again.
 #[test]
 fn same_points_from_a_sweep_in_the_stated_units() {
     let folder = tempfile::tempdir().unwrap();
@@ -190,7 +190,7 @@ fn exact_slope_of_a_front_in_the_stated_units() {
             .enumerate()
             .find(|(_, head)| head.starts_with("slope"))
             .unwrap();
-        // the slope is 0 at the largest carry, and undefined where a bound becomes active
+        // omits slopes of 0, at the largest carry, and missing slopes, where a bound becomes active
         let slopes = table.lines().skip(1).filter_map(|row| {
             let slope: f64 = row.split(',').nth(at).unwrap().parse().ok()?;
             (slope != 0.0).then_some(slope)

@@ -112,7 +112,7 @@ fn independent_ends_of_every_kind_of_number() {
         ("swing.path", -128.0, 127.0),
         ("swing.face_angle", -32_768.0, 32_767.0),
         ("swing.shaft_lean", -2_147_483_648.0, 2_147_483_647.0),
-        // an integer of 64 bits becomes the nearest f64, as its digits do in CSV
+        // a 64-bit integer becomes the nearest f64, as in CSV
         (
             "swing.attack_angle",
             -9_223_372_036_854_775_808.0,
@@ -156,8 +156,8 @@ fn independent_tables_without_rows_are_read() {
     }
 }
 
-/// NaN, as NumPy writes it, counts as a missing value, like an empty cell and null. This row
-/// reports the missing value, and the other rows are flown.
+/// NaN from NumPy counts as a missing value, like an empty cell and null. The row reports the
+/// missing value; the other rows are flown.
 #[test]
 fn rows_with_a_nan_value_have_no_drive() {
     let (_folder, path) = table(
@@ -328,7 +328,7 @@ fn bad_parquet_files_are_refused_in_plain_words() {
     );
 }
 
-/// The metadata of the file are changed to claim compression by GZIP, which this program cannot
+/// Changes the metadata of the file so that they state GZIP compression, which this program cannot
 /// read.
 #[test]
 fn an_unsupported_compression_is_named_with_the_supported_ones() {

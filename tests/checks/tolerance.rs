@@ -19,7 +19,7 @@ const LENGTHS: [Outcome; 5] = [
     Outcome::ApexDownrange,
 ];
 
-/// The rows of a sweep with this many points over these ranges.
+/// Evaluates a batch at `count` points of a quasi-random sequence over ranges.
 fn rows(batch: &Batch, ranges: &[Vary], count: u64) -> Block {
     let mut points = vec![];
     Sequence::new(ranges.to_vec(), count, 7)
@@ -477,7 +477,7 @@ fn same_derivatives_in_shorter_steps_within_the_documented_error() {
         // of the tolerance of this test
         let mut fine = setup;
         (fine.method, fine.flight.step) = (Method::Rk4, 4e-3);
-        // each derivative times the size of its parameter
+        // each derivative is multiplied by the size of its parameter
         let sized = |Taylor {
                          gradient, hessian, ..
                      }: Taylor| {

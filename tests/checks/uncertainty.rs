@@ -84,7 +84,8 @@ fn sampled_shares_of_ishigamis_function_lie_within_their_intervals() {
 
 #[test]
 fn sampled_shares_of_the_g_function_lie_within_their_intervals() {
-    // Π (|4 x − 2| + a)/(1 + a) on the unit cube: V_i = 1/(3 (1 + a_i)²) (Saltelli & Sobol' 1995)
+    // Π (|4 xᵢ − 2| + aᵢ)/(1 + aᵢ) on the unit cube; the variance of a factor is 1/(3 (1 + aᵢ)²)
+    // (Saltelli & Sobol' 1995)
     let a = [0.0, 1.0, 4.5, 9.0];
     let alone = a.map(|a: f64| 1.0 / (3.0 * (1.0 + a).powi(2)));
     let variance = alone.iter().map(|v| 1.0 + v).product::<f64>() - 1.0;
@@ -368,7 +369,7 @@ fn missing_values_are_counted_and_not_replaced() {
 
 fn drive() -> (Setup<f64>, Vec<Uncertain>) {
     let mut setup = Setup::default();
-    // gradients and samples use the same integration step, so both are of the same drives
+    // gradients and samples use the same integration step, so that they belong to the same drives
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     setup.set_all(crate::common::RIGID).unwrap();
     let sigmas = [
@@ -412,7 +413,7 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
             outcome.of.name()
         );
         for one in &outcome.indices {
-            // the bound is at least the total share, except for the sampling error of both
+            // the bound is at least the total share, except for sampling errors
             let (total, bound) = (one.total.unwrap(), one.bound.unwrap());
             assert!(
                 bound.high >= total.low,
@@ -448,7 +449,7 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
         6 * 2048
     );
 
-    // an equal seed gives equal bits, another seed others
+    // an equal seed gives equal bits, another seed other bits
     let again = uncertainty(&setup, &of, &inputs, plan, &|_, _| ()).unwrap();
     assert_eq!(
         format!("{:?}", again.outcomes),
@@ -494,7 +495,7 @@ fn drives_that_do_not_fly_are_counted() {
             .unwrap()
             .1
     };
-    // a third of the range launches downwards
+    // in a third of the range of attack angles the ball is launched downwards
     assert!(
         count(Status::NoFlight) > 200 && count(Status::NoFlight) < 400,
         "{:?}",
@@ -645,8 +646,8 @@ fn mistakes_in_uncertainties_are_named() {
     ));
 }
 
-/// Ball speed does not depend on the air: it is equal in every drive, has no shares of a variance,
-/// and no measurement would improve it.
+/// Ball speed does not depend on the air: its variance is 0 and has no shares, and no measurement
+/// would improve it.
 #[test]
 fn an_outcome_without_uncertain_parameters_says_so() {
     let setup = Setup::default();
@@ -1110,8 +1111,8 @@ fn independent_both_tails_of_a_truncated_normal_distribution_are_those_of_40_dig
     }
 }
 
-/// Wrong lengths are programming errors: they panic, with both lengths. A non-finite value counts
-/// as missing.
+/// Wrong lengths are programming errors: they panic with a message that has both lengths. An
+/// infinite value or NaN counts as missing.
 #[test]
 fn statistics_of_other_lengths_panic_with_both_and_leave_no_nan() {
     let inputs = [Distribution::Normal {

@@ -88,7 +88,7 @@ fn number_of_published_drives_of_every_set() {
             set.set.name
         );
         assert_eq!(set.laws.len(), longdrive::parameters::Law::NAMES.len());
-        // every published value is computed, by every law
+        // every law has a computed value for every published value
         for law in &set.laws {
             for score in &law.scores {
                 let published = set
@@ -239,7 +239,7 @@ fn published_optima_of_trackmans_chart_are_met_by_an_impact_like_the_charts() {
         carry < 0.02 * carries && launch < 1.0 && spin < 250.0,
         "{carry} m, {launch} deg, {spin} rpm"
     );
-    // the default club gives too little spin at the impact: its optimum has the launch angle of the
+    // the impact of the default club gives too little spin: its optimum has the launch angle of the
     // chart, but less spin
     let of = set("chart-optima");
     let of_default = |compared| differences(of, "launch-monitor", compared);

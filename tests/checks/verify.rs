@@ -1,4 +1,4 @@
-//! Certificates of derivatives: correct ones pass, wrong ones fail, kinks are named.
+//! Certificates of derivatives: correct derivatives pass, wrong ones fail, and kinks are reported.
 
 use crate::command_line::{WHOLE, on_one_line};
 use crate::common::{RIGID, close, in_large_steps, random_setups};

@@ -43,11 +43,11 @@ fn faults(certificate: &Certificate) -> String {
     format!("{rows:?} {landing:?} {continuity:?} {convergence:?} {planted:?}")
 }
 
-/// large steps take less time; derivatives belong to the drive in its own steps
+/// A setup with `parameter` at the end `end` of its range; `None` if the ball does not land.
 fn at_the_end(law: &str, parameter: &'static Parameter, end: f64) -> Option<Setup<f64>> {
     let mut setup = Setup::default();
     setup.set_law(law).unwrap();
-    // derivatives belong to the drive as computed, in large steps too
+    // large steps take less time; derivatives belong to the drive in its own steps
     setup.set("flight.step", "50 ms").unwrap();
     if parameter.is_of_launch() {
         let spin = if parameter.name.contains("launch.spin") {

@@ -369,8 +369,8 @@ fn same_count_of_a_sweep_for_any_threads() {
     }
 }
 
-/// Which validity limits (spin ratio, Reynolds number, speed) a row of a batch exceeds, compared with
-/// values computed from its launch: in wind, with and without gradients.
+/// Compares the validity limits (spin ratio, Reynolds number, speed) that a row of a batch exceeds
+/// with values from its launch: in wind, with and without gradients.
 #[test]
 fn exact_validity_limits_of_a_batch_by_their_definitions() {
     let mut setup = Setup::default();
