@@ -14,8 +14,8 @@ use std::cell::RefCell;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// The twelve parameters by which the peer programs differentiate. There they are lam, eps, M, m,
-/// R, Ib, d, Iyy, e, V, rho, delta.
+/// The twelve parameters by which the other programs differentiate. Their names there are lam, eps,
+/// M, m, R, Ib, d, Iyy, e, V, rho, delta.
 const TWELVE: [&str; 12] = [
     "club.loft",
     "swing.attack_angle",

@@ -142,8 +142,8 @@ fn the_loop(loops: &[LoopRow]) {
     println!("![V-curves of the smooth landing and of the loop](pictures/vcurve.svg)\n");
 }
 
-/// Prints the table of jumps, orders of convergence and errors from the time step. Each number is
-/// the worst over all outcomes of a preset.
+/// Prints the table of jumps, orders of convergence and errors from the time step: the worst over
+/// all outcomes of a preset.
 fn smoothness(certificates: &[(&str, Certificate)]) {
     println!(
         "## Steps\n\nThe worst of all outcomes of each preset, in the step of the preset.\n\n\

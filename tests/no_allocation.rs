@@ -1,5 +1,6 @@
-//! A flight allocates no heap memory, for any number type; an iteration of the optimizer allocates
-//! little. This test is a program of its own, because it counts every allocation of the process.
+//! A flight allocates no heap memory with any number type, and an iteration of the optimizer
+//! allocates little. This test is a program of its own, because it counts all allocations of its
+//! process.
 
 use longdrive::flight::fly;
 use longdrive::impact::strike;
@@ -52,8 +53,8 @@ fn bowl(at: &[f64]) -> Result<Evaluation, String> {
     Ok(Evaluation::unconstrained(objective))
 }
 
-/// Largest number of allocations in an iteration: the active set with its equations and their
-/// factors, the step, the point, and argmin's copy of the best point.
+/// Largest number of allocations in an iteration. They are for the active set with its equations
+/// and factors, the step, the point, and argmin's copy of the best point.
 const PER_ITERATION: u64 = 24;
 
 #[test]

@@ -33,8 +33,8 @@ pub fn command() -> Command {
     program
 }
 
-/// The program, if it is built from the present source with the features of the tests; else the
-/// reason.
+/// Path of the program. An error if it was not built from the present source with the features of
+/// this test.
 fn find() -> Result<PathBuf, String> {
     // this test is a program in the folder `deps`, one level below the program under test
     let deps = std::env::current_exe()

@@ -49,9 +49,9 @@ pub struct Arrays {
 }
 
 impl Arrays {
-    /// The points of a dict of names with arrays or numbers. Arrays of 64-bit floats are not
-    /// copied, whatever their strides; other floats and whole numbers are converted. A value out of
-    /// range is no error here.
+    /// The points of a dict from names to arrays or numbers. Arrays of 64-bit floats are not
+    /// copied, whatever their strides; other floats and whole numbers are converted. The values are
+    /// not checked here.
     pub fn of(setup: &Setup<f64>, points: &Bound<'_, PyAny>) -> Answer<Self> {
         let Ok(points) = points.cast::<PyMapping>() else {
             let kind = kind_of(points);
@@ -227,7 +227,7 @@ fn column(parameter: &'static Parameter, given: &Bound<'_, PyAny>) -> Answer<Col
 }
 
 /// Converts whole numbers and floats to an array of 64-bit floats of any shape. `refuse` makes the
-/// error for other values; `missing` is the advice on missing values in the message of this error.
+/// error for other values. `missing` is advice on missing values for its message.
 pub fn floats<'py>(
     given: &Bound<'py, PyAny>,
     missing: &str,
@@ -260,7 +260,7 @@ pub fn floats<'py>(
     let kind = array.dtype().kind();
     // only whole numbers and floats are quantities
     if !matches!(kind, b'i' | b'u' | b'f') {
-        // an array of numbers and None has Python objects as elements
+        // an array with None has Python objects as elements
         let objects = if kind == b'O' { missing } else { "" };
         return Err(refuse(format!("has dtype {}{objects}", array.dtype())));
     }

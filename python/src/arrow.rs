@@ -23,7 +23,7 @@ use std::panic::AssertUnwindSafe;
 use std::ptr::NonNull;
 use std::sync::Arc;
 
-/// A buffer of Arrow that shares the memory of an array.
+/// An Arrow buffer that shares the memory of an array.
 fn lent<T: Element + arrow_buffer::ArrowNativeType>(
     array: &Bound<'_, PyArray1<T>>,
 ) -> Answer<ScalarBuffer<T>> {
@@ -39,7 +39,7 @@ fn lent<T: Element + arrow_buffer::ArrowNativeType>(
     Ok(ScalarBuffer::from(buffer))
 }
 
-/// A column in which a NaN is a missing value.
+/// A column of numbers. NaN is a missing value.
 fn numbers(array: &Bound<'_, PyArray1<f64>>) -> Answer<Float64Array> {
     let values = lent(array)?;
     let there = BooleanBuffer::collect_bool(values.len(), |row| !values[row].is_nan());

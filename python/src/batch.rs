@@ -1,4 +1,4 @@
-//! Batches of drives at the points of arrays.
+//! Batches of drives at points from arrays.
 
 use crate::arrays::Arrays;
 use crate::boundary::{Answer, Failure, answer};
@@ -107,8 +107,8 @@ impl Request {
         warnings
     }
 
-    /// The warning of a batch in which no drive has a requested outcome: the number of drives by
-    /// status, and the reason for row 0.
+    /// The warning of a batch without any requested outcome: the number of drives by status, and
+    /// the reason for row 0.
     fn without_outcomes(&self, results: &Results) -> String {
         let which = if self.of.len() == 1 {
             "the requested outcome"
@@ -233,8 +233,8 @@ impl Work {
         Ok(in_units(warnings.iter().chain(&integration.warning)))
     }
 
-    /// Computes the rows and appends them to the shared results. Rows that are computed after
-    /// Python took the results are dropped.
+    /// Computes the rows, and appends them to the shared results. Rows are dropped if Python has
+    /// already taken the results.
     fn fill(
         mut self,
         batch: &Batch,
@@ -336,7 +336,7 @@ pub fn batch<'py>(
             Err(other) => return Err(other),
         };
         if let (Some(progress), None, true) = (progress, &raised, rows > 0) {
-            // a Ctrl-C in this call does not discard the rows
+            // Ctrl-C in this call does not discard the rows
             raised = progress.call1((rows, rows)).err();
         }
         let results = shared.end()?;

@@ -18,7 +18,7 @@ pub enum Failure {
     Key(String),
     /// An exception of Python.
     Python(PyErr),
-    /// A bug in longdrive: a panic, or results that do not fit together.
+    /// A bug in longdrive: a panic, or inconsistent results.
     Internal(String),
 }
 

@@ -213,8 +213,8 @@ impl Host for Caller {
         let mut files = self.lock_files();
         if files.is_abandoned {
             drop(files);
-            // end this thread, without the message of a panic: the call has returned, and its
-            // caller expects no more files
+            // the call has returned, and its caller expects no more files: end this thread without
+            // the message of a panic
             resume_unwind(Box::new("abandoned"));
         }
         Box::new(move |path| files.written.push(path.display().to_string()))
@@ -310,7 +310,7 @@ fn ran<'py>(
     let watch = || pass_on(&caller, say).and_then(|()| shown(&caller, progress));
     let patience = |raised: &PyErr| {
         let time = caller.stop();
-        // wait for the answer only after Ctrl-C: other exceptions come from `say` or `progress`
+        // wait for the answer after Ctrl-C, but not after an exception of `say` or `progress`
         if raised.is_instance_of::<PyKeyboardInterrupt>(py) {
             time
         } else {

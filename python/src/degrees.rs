@@ -13,8 +13,8 @@ pub struct Degrees {
 }
 
 impl Degrees {
-    /// Counts a value that is outside of the range of its parameter. NaN is a missing value and
-    /// does not count.
+    /// Counts a value that is outside of its parameter's range. NaN is a missing value and is not
+    /// counted.
     pub fn count(&mut self, parameter: &Parameter, value: f64) {
         if parameter.quantity != Quantity::ANGLE || value.is_nan() {
             return;

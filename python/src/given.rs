@@ -18,8 +18,8 @@ pub const PRESET: &str = "preset";
 /// Parameters whose values are names.
 const CHOICES: [&str; 6] = [LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF];
 
-/// Limit of the nesting of dicts, against a dict within itself. Names such as `club.inertia.xx`
-/// need three levels.
+/// Largest depth of nested dicts, because a dict may contain itself. Names such as
+/// `club.inertia.xx` need three levels.
 const DEEPEST: usize = 4;
 
 /// The unit of angles that are given as numbers.

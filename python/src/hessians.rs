@@ -45,7 +45,7 @@ impl Hessians {
         })
     }
 
-    /// Number of second derivatives in a row: outcomes × parameters × parameters.
+    /// Number of second derivatives in a row.
     pub fn width(&self) -> usize {
         self.of.len() * self.wrt.len() * self.wrt.len()
     }

@@ -38,7 +38,7 @@ pub fn listed(what: &str, given: &Bound<'_, PyAny>) -> Answer<Vec<String>> {
     names.to_list()?.iter().enumerate().map(named).collect()
 }
 
-/// The outcomes of these names; "all" means all outcomes of a drive. A repeated name is an error.
+/// The outcomes with these names. "all" means all outcomes of a drive. A repeated name is an error.
 pub fn outcomes_named(names: &[String]) -> Answer<Vec<Outcome>> {
     let mut of = vec![];
     for name in names {

@@ -197,7 +197,7 @@ impl SwingArguments {
         Ok(Scenarios::new(&swings, rule)?)
     }
 
-    /// The goal over the swings, parsed from `of`; errors point to the position in `of`.
+    /// Parses the goal over the swings from `of`. Errors state the position in `of`.
     fn goal(&self, of: &str) -> Answer<Goal> {
         let strokes = self
             .strokes
@@ -264,13 +264,13 @@ const ORDERS: [Order; 3] = [Order::Value, Order::First, Order::Second];
 
 impl PyObjective {
     /// The derivatives at a point, up to `order`. Optimizers request value, gradient and Hessian of
-    /// a point one after the other. So, at a new point, all orders that were requested at the
-    /// previous point are computed at once and cached.
+    /// a point one after the other. At a new point, all orders that were requested at the previous
+    /// point are therefore computed together, and cached.
     fn at(&self, x: &Bound<'_, PyAny>, order: Order) -> Answer<Option<Taylor>> {
         let (py, x) = (x.py(), self.point(x)?);
         let mut to = order;
         let mut requested = order;
-        // release the lock before the computation: other code of Python may call this method
+        // release the lock before the computation, because other Python code may call this method
         // meanwhile
         if let Some(point) = &mut *self.last() {
             if point.x == x {
@@ -321,8 +321,7 @@ impl PyObjective {
         }
     }
 
-    /// Reads a point, with a value for each parameter, from any one-dimensional array or sequence
-    /// of numbers.
+    /// Reads a point from any one-dimensional array or sequence, with a value for each parameter.
     fn point(&self, x: &Bound<'_, PyAny>) -> Answer<Vec<f64>> {
         let wanted = self.wrt().len();
         let refuse = |found: String| {

@@ -21,9 +21,9 @@ struct Own {
 
 static OWN: AtomicPtr<Own> = AtomicPtr::new(std::ptr::null_mut());
 
-/// The thread pool of this process, with a thread for each processor that the process may use
-/// (`available_parallelism` knows the quota of a container). The function uses no lock: if another
-/// thread held the lock at the moment of a fork, the child would wait for it forever.
+/// The thread pool of this process. It has a thread for each processor that the process may use;
+/// `available_parallelism` respects the quota of a container. The function uses no lock: if another
+/// thread held a lock during a fork, the child process would wait for it forever.
 fn pool() -> std::io::Result<&'static ThreadPool> {
     let process = std::process::id();
     let known = OWN.load(Ordering::Acquire);
@@ -38,7 +38,7 @@ fn pool() -> std::io::Result<&'static ThreadPool> {
         .build()
         .map_err(std::io::Error::other)?;
     let made = Box::into_raw(Box::new(Own { process, pool }));
-    // never free the pool of a parent process: its threads do not exist in this process
+    // the pool of a parent process is never freed: its threads do not exist in this process
     let kept = match OWN.compare_exchange(known, made, Ordering::AcqRel, Ordering::Acquire) {
         Ok(_) => made,
         // another thread created a pool first
@@ -93,8 +93,8 @@ pub fn is_long(setup: &Setup<f64>, drives: usize) -> bool {
     flight.time_limit / flight.step * (drives as f64 / LANES).max(1.0) > LONG
 }
 
-/// Runs the work of one drive. Long work runs on another thread, as in [`run`]. Short work runs on
-/// this thread, while other threads of Python run.
+/// Runs the work of one drive: long work on another thread, as [`run`] does, and short work on this
+/// thread. Other threads of Python run meanwhile.
 pub fn run_drive<R: Send + 'static>(
     py: Python<'_>,
     is_long: bool,
@@ -154,7 +154,7 @@ pub fn run_to_answer<R: Send + 'static>(
     }
 }
 
-/// Runs pending handlers of signals, and raises exceptions that other threads sent to this one.
+/// Runs pending signal handlers, and raises exceptions that other threads have sent to this thread.
 pub fn check_signals(py: Python<'_>) -> PyResult<()> {
     py.check_signals()?;
     py.run(c"pass", None, None)

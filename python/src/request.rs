@@ -18,7 +18,7 @@ pub fn value_of(given: &Bound<'_, PyAny>) -> Answer<ArgumentValue> {
         return Ok(ArgumentValue::Number(given.extract()?));
     }
     if given.is_instance_of::<PyInt>() {
-        // a number beyond 64 bits stays a text, which the command refuses
+        // a whole number beyond 64 bits stays a text, which the command refuses
         return Ok(match given.extract() {
             Ok(number) => ArgumentValue::Whole(number),
             Err(_) => ArgumentValue::Text(given.str()?.extract()?),

@@ -6,8 +6,8 @@ use longdrive::batch::{Block, Status, StatusCounts};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// The status number of a drive that landed without a requested outcome or derivative: the first
-/// number after the numbers of `longdrive::batch::Status`.
+/// Status number of a drive that landed, but lacks a requested outcome or derivative. It follows
+/// the numbers of `longdrive::batch::Status`.
 const UNDEFINED: i8 = Status::ALL.len() as i8;
 
 /// The results of a batch, column after column.
@@ -83,7 +83,7 @@ impl Chunk {
 }
 
 impl Results {
-    /// Allocates memory for `room` rows, each with `width` numbers in the columns and
+    /// Allocates memory for `room` rows. Each row has `width` numbers in the columns and
     /// `of_hessians` second derivatives.
     pub fn new(room: usize, width: usize, of_hessians: usize) -> Answer<Self> {
         let numbers = room.checked_mul(width).zip(room.checked_mul(of_hessians));

@@ -252,7 +252,7 @@ impl PySetup {
                 let row = setup
                     .parameter(name)
                     .map_err(|error| Failure::Key(error.to_string()))?;
-                // the weather, or speed and direction of the wind, determine the value
+                // the weather, or the wind's speed and direction, determine the value
                 let is_replaced = setup.why_replaced(row).is_some();
                 let value = if is_replaced {
                     in_effect(setup).value(row)
@@ -278,13 +278,13 @@ impl PySetup {
             .into_iter()
             .chain(table)
             .chain(used)
-            // an unstated step is chosen anew for each request
+            // an unstated step is not part of the setup: each request chooses it again
             .filter(|name| self.setup.states_step || !is_of_step(name))
             .collect()
     }
 
-    /// Hash of the content of the user's own table of drag and lift. Setup files contain only the
-    /// name of its file.
+    /// Hash of the user's table of drag and lift. A setup file contains only the name of this
+    /// table's file.
     fn table(&self) -> Option<String> {
         self.setup.law.table().map(|table| format!("{table:?}"))
     }
@@ -323,8 +323,8 @@ impl PySetup {
         if let Some(table) = table {
             differences.set_item(TABLE, table.display().to_string())?;
         }
-        // if the law differs from the preset's law, show only the coefficients that differ from the
-        // published coefficients of this setup's law
+        // if the preset has another law, show only coefficients that differ from the published
+        // coefficients of this setup's law
         base.law = if own.law.name() == base.law.name() {
             base.law
         } else {

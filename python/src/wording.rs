@@ -59,7 +59,8 @@ fn replacing(value: Option<&str>) -> String {
     }
 }
 
-/// A value as Python writes it: a placeholder such as FILE, a number, or a text in quotes.
+/// A value in Python's syntax: a placeholder such as FILE and a number stay, and a text gets
+/// quotes.
 fn literal(value: &str) -> String {
     let is_placeholder = value.chars().all(|c| c.is_ascii_uppercase() || c == '_');
     if is_placeholder || value.starts_with('"') || value.parse::<f64>().is_ok() {

@@ -12,7 +12,7 @@ use longdrive::units::{System, TableUnits};
 use longdrive::{Outcome, Setup};
 
 /// Each node of a map of strikes is the outcome of a drive. The maps of one outcome for two designs
-/// have the same contour levels.
+/// have the same contour levels. The data file names the design of each map.
 #[test]
 fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
     let mut setup = Setup::preset("tour-average").unwrap();

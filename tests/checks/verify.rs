@@ -229,7 +229,7 @@ fn any_request() -> impl Strategy<Value = (Setup<f64>, usize)> {
                 s.set(name, value).unwrap();
             }
             let all = s.variables();
-            // parameters at the end of their ranges are more frequent than others
+            // a parameter at the end of its range is chosen more often than others
             let at_the_end = end
                 .filter(|_| parameter % 2 == 0)
                 .and_then(|end| all.iter().position(|row| row.name == end.0));
@@ -289,8 +289,7 @@ fn differences_certify_random_derivatives_by_one_parameter() {
         certificates.len(),
         failed.join("\n")
     );
-    // most questions give a drive that lands, and many of their certificates find the planted
-    // errors
+    // most requests give a drive that lands, and many of the certificates find the planted errors
     assert!(certificates.len() > count / 2);
     let caught = |which: usize| {
         certificates
@@ -409,7 +408,7 @@ fn order_of_remainders_of_two_cancelling_parts_in_any_time_step() {
         let certificate = certificate(&setup, &[Outcome::Lateral, Outcome::LateralTotal], &wrt);
         assert!(certificate.passed(), "{step}: {:?}", failures(&certificate));
         for row in &certificate.rows {
-            // by symmetry the series has only odd powers
+            // by symmetry Taylor's series has only odd powers
             let expected = [1.0, 3.0, 3.0];
             for (slope, expected) in row.slopes.into_iter().zip(expected) {
                 close(
@@ -430,7 +429,7 @@ fn order_of_remainders_of_two_cancelling_parts_in_any_time_step() {
     }
 }
 
-/// A method of order 4, and its derivatives, fail a test for order 5.
+/// The flight has order 4, and so have its derivatives: a test for order 5 fails.
 #[test]
 fn order_of_the_flight_is_not_one_more() {
     let mut setup = Setup::default();
@@ -506,7 +505,7 @@ fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
             found.convergence.iter().all(|it| it.expected == [4, 3]),
             "{preset} by {by}"
         );
-        // most outcomes would fail a test for one order more
+        // most outcomes fail a test for the next order
         let shown = found
             .convergence
             .iter()
@@ -581,7 +580,7 @@ fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
     );
     assert!(found.passed());
     let row = &mut found.rows[0];
-    // both derivatives come from the same equations, and differ by rounding
+    // num-dual and this library differentiate the same equations, so they differ only by rounding
     close(
         row.num_dual.num_dual,
         336.769746388603,
@@ -619,8 +618,8 @@ fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
 }
 
 /// In a logarithmic wind, derivatives have an error from the time step. Differences of drives in
-/// this step have the same error, so they cannot show it: the certificate measures and reports it.
-/// In still air the answer reports no such error.
+/// this step have the same error, so the certificate measures it with other steps, and reports it.
+/// In still air the answer has no such error.
 #[test]
 fn differences_with_the_time_step_are_reported_in_a_logarithmic_wind() {
     let mut setup = Setup::default();
@@ -756,7 +755,7 @@ fn independent_one_sided_slopes_at_the_corner_at_zero_spin() {
     assert_eq!(carry("ball.mass").verdict(), Verdict::Pass);
     assert!(certificate.passed(), "{:?}", failures(&certificate));
     assert_eq!(certificate.corners.len(), 1);
-    // an axis without spin has no direction: omitted, with the reason
+    // without spin the axis has no direction: it is missing, with the reason
     assert_eq!(certificate.missing[0].of, Outcome::SpinAxis);
 }
 
@@ -827,7 +826,7 @@ fn derivatives_of_a_users_function_pass_and_errors_are_found() {
             .all(|check| check.verdict == Verdict::Pass)
     );
     assert_eq!(wrong.hessian[0][1].verdict, Verdict::Fail);
-    // |x| at 0 has a kink; a function without values cannot be certified
+    // |x| has a kink at 0; a function without a value has no certificate
     let corner = check(
         &|x| {
             Some(Taylor {
@@ -887,7 +886,7 @@ fn published_while_loop_has_derivatives_of_the_wrong_sign() {
     assert!(longdrive::reproduce::while_loop(&windy, &certificate.rows).is_empty());
 }
 
-/// The loop begins with the strike, which a stated launch replaces.
+/// The loop of the report computes the strike, which a stated launch replaces.
 #[test]
 fn the_while_loop_is_not_compared_with_a_stated_launch() {
     let mut setup = Setup::preset("mae494").unwrap();
@@ -904,8 +903,8 @@ fn the_while_loop_is_not_compared_with_a_stated_launch() {
     assert!(longdrive::reproduce::while_loop(&setup, &certificate.rows).is_empty());
 }
 
-/// At zero spin carry has a kink, and lateral has none. The first derivatives of lateral are
-/// correct, although the second derivatives jump.
+/// At zero spin carry has a kink. Lateral has none: its first derivatives are correct, although its
+/// second derivatives jump.
 #[test]
 fn derivatives_beside_a_corner_pass() {
     let mut setup = Setup::preset("mae494").unwrap();

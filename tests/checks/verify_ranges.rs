@@ -1,5 +1,4 @@
-//! Certificates at the ends of ranges, at coarse steps and where numbers cancel: correct
-//! derivatives pass.
+//! Correct derivatives pass at the ends of ranges, in coarse steps, and where numbers cancel.
 
 use crate::common::close;
 use longdrive::derivative::check::Verdict;
@@ -77,7 +76,8 @@ fn differences_certify_derivatives_at_both_ends_of_every_range() {
     let all = Law::NAMES.iter().flat_map(|law| {
         let mut setup = Setup::default();
         setup.set_law(law).unwrap();
-        // each coefficient is checked with its own law, all other parameters with the default law
+        // the coefficients of a law are checked with this law, all other parameters with the
+        // default law
         let is_asked = |row: &&&Parameter| {
             row.law
                 .map_or(*law == Setup::default().law.name(), |owner| owner == *law)
@@ -118,7 +118,7 @@ fn differences_certify_derivatives_at_both_ends_of_every_range() {
         failed.join("\n")
     );
     assert!(judged.len() > 40, "{} ends were checked", judged.len());
-    // drives with zero spin have a kink, also if zero spin is at the end of a range
+    // a drive with zero spin has a kink, also at the end of a range
     for name in [
         "impact.friction",
         "impact.tangential_restitution",
@@ -148,7 +148,7 @@ fn differences_confirm_the_one_sided_slope_of_a_corner_at_the_end_of_a_range() {
     let [None, Some(above)] = carry.rows[0].first.sides.unwrap() else {
         panic!("{:?}", carry.rows[0].first.sides)
     };
-    // by hand: the carry with a little friction
+    // expected: the difference between the carries with a little friction and without
     let [none, little] = [0.0, 1e-6].map(|friction| {
         let mut setup = setup;
         setup.impact.friction = Some(friction);
@@ -186,7 +186,7 @@ fn differences_to_one_side_show_a_small_derivative() {
     assert!(found.rows[0].first.exact.abs() < 0.01 && found.rows[0].first.curve.is_empty());
 }
 
-/// The total spin has a kink at zero spin, also if the law has none.
+/// At zero spin the total spin has a kink, even if the law has none.
 #[test]
 fn a_corner_of_the_spin_itself_is_no_failure() {
     let mut setup = Setup::default();
@@ -209,7 +209,7 @@ fn a_corner_of_the_spin_itself_is_no_failure() {
     );
 }
 
-/// Without friction there is no spin except the rounding of cancelling numbers.
+/// Without friction the spin is only the rounding error of numbers that cancel.
 #[test]
 fn a_spin_that_cancels_has_a_correct_derivative() {
     let mut square = Setup::default();

@@ -350,7 +350,7 @@ fn same_count_of_a_sweep_for_any_threads() {
     for threads in ["1", "2"] {
         let output = folder.path().join(format!("{threads}.csv"));
         let (table, output) = (table.to_str().unwrap(), output.to_str().unwrap());
-        // air so viscous that all Reynolds numbers are within the range of the law
+        // this air is so viscous that all Reynolds numbers are within the range of the law
         let thick = [
             "--set",
             "air.viscosity=3e-5 Pa.s",
@@ -494,7 +494,7 @@ fn charts_and_calibrations_count_drives_beyond_the_law() {
     );
 }
 
-/// Drives launched downwards have no carry, but a ball speed.
+/// Drives that are launched downwards have a ball speed, but no carry.
 #[test]
 fn drives_without_a_landing_have_a_warning_if_the_flight_is_requested() {
     let spread = [
@@ -539,8 +539,8 @@ fn a_warning_of_a_chart_names_each_part() {
     assert!(err.contains("; swing.speed = 50 mph, and 140 mph"), "{err}");
 }
 
-/// The optima of plots and pages are checked like the optima of `chart`: one warning of each kind,
-/// with its positions.
+/// The optima in plots and pages are checked as in `chart`: each kind of warning appears once, with
+/// its positions.
 #[test]
 fn plots_and_reports_of_optima_warn_once_for_each_kind() {
     let folder = tempfile::tempdir().unwrap();
@@ -607,8 +607,8 @@ fn plots_and_reports_of_optima_warn_once_for_each_kind() {
     );
 }
 
-/// The answer has the numbers of a warning: the fitted range, the extremes of the flight, and the
-/// share of the flight outside. So has the answer about an optimum.
+/// The answer has the numbers of a warning: the fitted range, the extremes in the flight, and the
+/// share of the flight outside of the range. The answer about an optimum has them, too.
 #[test]
 fn share_outside_the_range_of_a_law_is_in_the_answer() {
     let slow = ["--set", "swing.speed=30mph"];
@@ -905,7 +905,7 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
             .contains(" points of the front, for at least 1 % of their swings: more than 0.3 yd"),
         "{message}"
     );
-    // at usual speeds there is no warning
+    // usual speeds give no warning
     let usual = json(&[&front[..], &["--vary", "club.loft=8deg..11deg"]].concat()).1;
     assert_eq!(usual["warnings"], serde_json::json!([]));
     assert_eq!(json(&models).1["warnings"], serde_json::json!([]));

@@ -27,14 +27,14 @@ const DENVER: [(&str, &str); 3] = [
 #[test]
 fn published_densities_of_moist_air_within_1e_4() {
     for (temperature, pressure, humidity, published) in [
-        // Gupta, Mass Metrology, the table of air densities by CIPM's equation
+        // Gupta, Mass Metrology: table of air densities from CIPM's equation
         ("10 degC", "730 mmHg", "40 %", 1.19569),
         ("40 degC", "760 mmHg", "40 %", 1.11497),
-        // ASHRAE's real-gas formulation (Hyland & Wexler 1983), dry and moist: another equation of
-        // state, another vapour pressure
+        // ASHRAE's real-gas formulation (Hyland & Wexler 1983), dry and moist, with its own
+        // equation of state and vapour pressure
         ("20 degC", "1013.25 hPa", "0", 1.204_477_7),
         ("20 degC", "1013.25 hPa", "70 %", 1.197_143_6),
-        // dry air at 0 degC, Regnault's litre as used since 1908
+        // dry air at 0 degC: mass of a litre by Regnault, as used since 1908
         ("0 degC", "760 mmHg", "0", 1.2930),
     ] {
         let weather = [
@@ -94,7 +94,7 @@ fn independent_molar_form_of_cipm_2007_in_all_its_terms() {
 
 #[test]
 fn published_pressures_of_the_standard_atmosphere_and_viscosities() {
-    // ∫ dh/T by Simpson's rule, for the barometric formula in the form p = p₀ exp(−g/R ∫ dh/T)
+    // the barometric formula p = p₀ exp(−g/R ∫ dh/T), with ∫ dh/T by Simpson's rule
     let simpson = |height: f64| {
         let n = 200;
         let at = |k: i32| 1.0 / (288.15 - 0.0065 * height * f64::from(k) / f64::from(n));
@@ -147,7 +147,7 @@ fn published_pressures_of_the_standard_atmosphere_and_viscosities() {
             temperature,
         );
     }
-    // the defaults: 25 degC, sea level, dry, which is the air of the default drive
+    // dry air with the default weather, 25 degC at sea level, is the air of the default drive
     let usual = state(&[("air.humidity", "0")]);
     close(usual.density, 1.184, 1.184, 3e-4, "density of the default");
     close(
@@ -594,7 +594,7 @@ fn contradictory_weather_settings_are_refused() {
             output.status
         );
     }
-    // the advice of each error names the setting that is in the way, and works
+    // each error advises to unset the setting that contradicts the options, and the advice works
     let presets = longdrive(&["presets", "tour-average"]).out;
     let printed = file("printed.toml", &presets);
     let (air, wind) = (
@@ -649,13 +649,13 @@ fn contradictory_weather_settings_are_refused() {
         let back = remedy.split(" or ").last().unwrap().split(' ');
         let followed = longdrive(&args.iter().copied().chain(back).collect::<Vec<_>>());
         assert_eq!(followed.status, 0, "{args:?}: {}", followed.err);
-        // after the remedy, the drive has only the air and wind of the options
+        // with the advised options, the drive has only the air and wind of the options
         if *setup == printed {
             let requested: Vec<&str> = ["simulate"]
                 .into_iter()
                 .chain(args[2..].iter().copied())
                 .collect();
-            // the first lines name the setup
+            // skips the first lines, which name the setup
             let drive = |out: &str| out.split_once("\n\n").unwrap().1.to_owned();
             assert_eq!(drive(&followed.out), drive(&longdrive(&requested).out));
         }
@@ -732,7 +732,8 @@ fn contradictory_weather_settings_are_refused() {
         longdrive(&[&vary[..], &["--set", "air.density=none"]].concat()).status,
         0
     );
-    // accepted: one of the two forms is unset, in the setup or by the command
+    // accepted: one of the two forms of the air or the wind is unset, in the setup or by the
+    // command
     for args in [
         &[
             "simulate",

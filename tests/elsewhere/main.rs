@@ -1,6 +1,6 @@
-//! Checks that run on any processor: drives and derivatives compared with independent ones, and
-//! drives in vector registers with scalar ones. CONTRIBUTING.md says how to run them for another
-//! processor.
+//! Checks that run on any processor: drives and derivatives compared with an independent
+//! computation, and drives in vector registers compared with scalar ones. CONTRIBUTING.md says how
+//! to run them for another processor.
 
 #[path = "../checks/common.rs"]
 #[expect(dead_code, reason = "other checks use the rest of it")]

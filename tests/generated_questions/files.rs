@@ -84,7 +84,7 @@ pub fn points(choices: &mut Choices) -> Vec<u8> {
     } else {
         choices.of(&[";", "\t"])
     };
-    // columns written by a sweep, and by launch monitors
+    // columns that a sweep or a launch monitor writes
     let others = [
         ("status", "landed"),
         ("carry [m]", "200.5"),
@@ -365,7 +365,7 @@ pub fn shots(choices: &mut Choices) -> Vec<u8> {
     with_damage(text, choices)
 }
 
-/// The bytes of a text. By mistake, a random place of it is damaged.
+/// The bytes of a text. A mistake damages them at a random place.
 fn with_damage(text: String, choices: &mut Choices) -> Vec<u8> {
     let mut bytes = text.into_bytes();
     if !(choices.makes_mistake() || choices.makes_mistake()) {

@@ -22,7 +22,7 @@ use std::fmt::Write;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Number of questions of a normal run.
+/// Number of questions, if `LONGDRIVE_QUESTIONS` is not set.
 const FEW: u64 = 300;
 /// Number of failures that ends the run.
 const MAX_FAILURES: usize = 20;
@@ -101,7 +101,7 @@ fn the_program_answers_every_generated_request_in_order() {
         failed.len(),
         numbers.end - numbers.start
     );
-    // the run would be useless if all questions were refused
+    // a run with mostly refused questions would be useless
     for (command, [found, none, refused, _]) in ended {
         let (computed, all) = (found + none, found + none + refused);
         assert!(

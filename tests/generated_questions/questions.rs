@@ -82,7 +82,7 @@ impl Question {
         if choices.is(0.5) && !OF_THE_PROGRAM.contains(&command) {
             question.push("--json");
         }
-        // these options may also come before the command
+        // these options may come before or after the command
         for (option, probability) in [("--units", 0.15), ("--quiet", 0.1)] {
             if choices.is(probability) {
                 let at = if choices.is(0.3) {
@@ -850,7 +850,8 @@ impl Question {
         }
     }
 
-    /// An output: a new file, an existing one, one in a missing folder, or an input.
+    /// An option for an output: a new file, an existing file, a file in a missing folder, or an
+    /// input file.
     fn output(&mut self, option: &str, names: &[&str], choices: &mut Choices) {
         let name = choices.of(names).to_owned();
         let name = match choices.below(40) {

@@ -57,7 +57,7 @@ pub fn ask(question: &Question) -> (Option<i32>, Vec<String>) {
     if status.code() == Some(2) && err.trim().is_empty() {
         wrong.push("status 2 without a message".into());
     }
-    // with exit status 2, the output may quote a NaN of the input in an error message
+    // with exit status 2, an error message may quote NaN from the input
     if status.code() != Some(2) {
         wrong.extend(numbers(question, &out));
     }
@@ -91,8 +91,8 @@ fn numbers(question: &Question, out: &str) -> Option<String> {
             .map(str::to_lowercase)
             .collect()
     };
-    // a flat face has an infinite radius, and some ranges of parameters are infinite; "inf" may
-    // also be part of an argument that the answer quotes
+    // a flat face has an infinite radius, and some parameters have infinite ranges; an answer may
+    // also quote "inf" from an argument
     let has_infinities = matches!(
         question.command(),
         "parameters" | "presets" | "laws" | "compare"

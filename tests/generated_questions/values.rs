@@ -1,10 +1,10 @@
-//! Names and values, correct and wrong.
+//! Names and values for command lines, correct and wrong.
 
 use crate::choices::Choices;
 use longdrive::parameters::{Kind, Law, PRESETS, Parameter};
 use longdrive::{Outcome, Setup};
 
-/// Texts that are no value, or an unusual one.
+/// Texts that are not values, or unusual values.
 const ODD: [&str; 25] = [
     "",
     " ",
@@ -67,7 +67,7 @@ fn launched() -> Setup<f64> {
     setup
 }
 
-/// A parameter that searches and derivatives accept.
+/// A parameter that a search may vary, and by which a derivative may be taken.
 pub fn variable(choices: &mut Choices) -> &'static Parameter {
     if choices.is_launched {
         let mut all = launched().variables();
@@ -103,8 +103,8 @@ pub fn variable(choices: &mut Choices) -> &'static Parameter {
     }
 }
 
-/// One of `all`. Only by mistake a launch parameter, or the wind's speed or direction, which must
-/// be given together.
+/// One of `all`. A launch parameter is a mistake, and so is the speed or the direction of the wind,
+/// which must be given together.
 fn usual_or_mistaken(all: &[&'static Parameter], choices: &mut Choices) -> &'static Parameter {
     let struck: Vec<_> = all
         .iter()
@@ -178,7 +178,7 @@ pub fn with_unit(value: f64, parameter: &Parameter, choices: &mut Choices) -> St
     let text = format!("{:?}{space}{unit}", value / size)
         .trim_end()
         .to_owned();
-    // if the parameter does not accept this text: a number in SI without a unit
+    // a number in SI without a unit, if the parameter does not accept the text
     if parameter.quantity.read(&text).is_ok() {
         text
     } else {
@@ -298,7 +298,7 @@ pub fn range(parameter: &Parameter, choices: &mut Choices) -> String {
     }
 }
 
-/// Name of an outcome; sometimes another text.
+/// Name of an outcome, or by mistake another text.
 pub fn outcome(choices: &mut Choices) -> String {
     if choices.makes_mistake() {
         return choices.of(&["cary", "", "Carry", "club.loft"]).into();
@@ -310,7 +310,7 @@ pub fn outcome(choices: &mut Choices) -> String {
     }
 }
 
-/// The goal of an outcome: its mean in a question over many swings.
+/// The goal of an outcome: in a question over many swings, its mean.
 pub fn statistic(outcome: &str, choices: &Choices) -> String {
     if choices.is_over_swings {
         format!("mean({outcome})")

@@ -1,6 +1,6 @@
 //! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
-//! in Economics and Mathematical Systems 187, Springer; Nos. 41–62. Inequalities have the printed
-//! form g(x) ≥ 0, or the constant of g is moved into the limit; the names of variables are ours.
+//! in Economics and Mathematical Systems 187, Springer; Nos. 41–62. An inequality has the book's
+//! form g(x) ≥ 0, or the constant of g is its limit. The book has other names of the variables.
 //! There is no No. 58.
 
 use super::hock_schittkowski_2::{dot, sum};

@@ -1,7 +1,7 @@
 //! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
-//! in Economics and Mathematical Systems 187, Springer; Nos. 63–92. Inequalities have the printed
-//! form g(x) ≥ 0, or the constant of g is moved into the limit; signs and the names of variables
-//! are ours. Optima have the digits of the authors' own test programs. Two problems are omitted:
+//! in Economics and Mathematical Systems 187, Springer; Nos. 63–92. An inequality has the book's
+//! form g(x) ≥ 0, or the constant of g is its limit. The book has other signs and names of the
+//! variables. Optima have the digits of the authors' own test programs. Two problems are omitted:
 //! No. 67 (an inner iteration without a fixed point in parts of the box) and No. 87 (a
 //! discontinuous objective). There is no No. 82.
 
@@ -20,8 +20,8 @@ pub fn dot<T: Number>(a: &[f64], x: &[T]) -> T {
     sum(x.iter().zip(a).map(|(&x, &a)| x * a))
 }
 
-/// The distribution function of the standard normal distribution: by its series for |t| ≤ 4, by its
-/// continued fraction beyond.
+/// The distribution function of the standard normal distribution: by a series for |t| ≤ 4, else by
+/// a continued fraction.
 fn normal<T: Number>(t: T) -> T {
     let density = (t * t * -0.5).exp() * (0.5 * FRAC_2_SQRT_PI * FRAC_1_SQRT_2);
     if t.re() < -4.0 {
@@ -85,8 +85,8 @@ fn product_of_five<T: Number>(x: &[T]) -> (T, Vec<T>) {
     (x[0] * x[1] * x[2] * x[3] * x[4], equations)
 }
 
-/// No. 84: the coefficients a. The objective and the three constraint functions follow from x₁ (a ·
-/// (1, x₂, …, x₅)).
+/// No. 84: coefficients aₖ. Objective and constraint functions are computed from the four numbers
+/// x₁ (aₖ · (1, x₂, …, x₅)).
 const SUGAR: [[f64; 5]; 4] = [
     [
         -8720288.849,
@@ -100,7 +100,7 @@ const SUGAR: [[f64; 5]; 4] = [
     [-326669.5104, 7390.68412, -27.8986976, 16643.076, 30988.146],
 ];
 
-/// Nos. 86 and 117: Colville's primal and dual problem.
+/// The coefficients of Nos. 86 and 117, Colville's primal and dual problem.
 pub const COLVILLE_A: [[f64; 5]; 10] = [
     [-16.0, 2.0, 0.0, 1.0, 0.0],
     [0.0, -2.0, 0.0, 0.4, 2.0],

@@ -1,7 +1,7 @@
 //! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
-//! in Economics and Mathematical Systems 187, Springer; Nos. 93–110. Inequalities have the printed
-//! form g(x) ≥ 0, or the constant of g is moved into the limit; signs and the names of variables
-//! are ours. Optima have the digits of the authors' own test programs. There is no No. 94.
+//! in Economics and Mathematical Systems 187, Springer; Nos. 93–110. An inequality has the book's
+//! form g(x) ≥ 0, or the constant of g is its limit. The book has other signs and names of the
+//! variables. Optima have the digits of the authors' own test programs. There is no No. 94.
 
 use super::hock_schittkowski_2::{dot, sum};
 use longdrive::number::Number;
@@ -29,7 +29,7 @@ fn linear_cost<T: Number>(x: &[T]) -> (T, Vec<T>) {
     (dot(&[4.3, 31.8, 63.3, 15.8, 68.5, 4.7], x), g)
 }
 
-/// Nos. 101–103: terms of the constraints, as factor and exponents.
+/// Nos. 101–103: the terms of the constraints, each with its factor and its exponents.
 const FIRST: [(f64, [f64; 7]); 3] = [
     (0.5, [0.5, 0.0, -1.0, 0.0, 0.0, -2.0, 1.0]),
     (0.7, [3.0, 1.0, -2.0, 0.0, 0.0, 1.0, 0.5]),

@@ -1,7 +1,7 @@
 //! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
-//! in Economics and Mathematical Systems 187, Springer; Nos. 111–119. Inequalities have the printed
-//! form g(x) ≥ 0, or the constant of g is moved into the limit; signs and the names of variables
-//! are ours. Optima have the digits of the authors' own test programs. There is no No. 115.
+//! in Economics and Mathematical Systems 187, Springer; Nos. 111–119. An inequality has the book's
+//! form g(x) ≥ 0, or the constant of g is its limit. The book has other signs and names of the
+//! variables. Optima have the digits of the authors' own test programs. There is no No. 115.
 
 use super::hock_schittkowski_2::{
     COLVILLE_A, COLVILLE_B, COLVILLE_C, COLVILLE_D, COLVILLE_E, dot, sum,
@@ -10,8 +10,8 @@ use longdrive::number::Number;
 
 const INF: f64 = f64::INFINITY;
 
-/// Nos. 111 and 112: a mixture at chemical equilibrium. These are the coefficients of its free
-/// energy, which `equilibrium` computes from the mole numbers and their logarithms.
+/// Nos. 111 and 112, a mixture at chemical equilibrium: the coefficients of its free energy.
+/// `equilibrium` computes the free energy from the mole numbers and their logarithms.
 const FREE_ENERGY: [f64; 10] = [
     -6.089, -17.164, -34.054, -5.914, -24.721, -14.986, -24.1, -10.708, -26.662, -22.179,
 ];

@@ -1,4 +1,4 @@
-//! Published test problems of nonlinear programming, each written once, generic over the number.
+//! Published test problems of nonlinear programming, generic over the number type.
 
 #[macro_use]
 mod case;

@@ -21,7 +21,7 @@ fn numbered(measured: &[f64]) -> impl Iterator<Item = (f64, f64)> {
     (1..).map(f64::from).zip(measured.iter().copied())
 }
 
-/// 1, …, n
+/// The numbers 1, …, n.
 fn to(n: u32) -> impl Iterator<Item = f64> + Clone {
     (1..=n).map(f64::from)
 }
@@ -452,7 +452,7 @@ problems! {
                     (before, now) = (now, y * now * 2.0 - before);
                 }
             }
-            // the integral over [0, 1] of the polynomial of degree i is −1 / (i² − 1) if i is even
+            // the integral of the polynomial of degree i over [0, 1] is −1/(i² − 1) for even i
             squares((1..).zip(means).map(|(i, mean)| if i % 2 == 0 { mean + 1.0 / f64::from(i * i - 1) } else { mean }))
         }
     }

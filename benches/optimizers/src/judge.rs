@@ -41,8 +41,8 @@ impl Judgement {
     }
 }
 
-/// An active bound or limit. Its multiplier times `slope` is one of the terms whose sum balances
-/// ∇f. The multiplier is ≥ 0; for an equality it has any sign.
+/// An active bound or limit. The sum of ∇f and of every multiplier times its `slope` is 0 at a KKT
+/// point. A multiplier is ≥ 0; the multiplier of an equality may have any sign.
 struct Active {
     slope: Vec<f64>,
     is_equality: bool,

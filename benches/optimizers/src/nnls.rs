@@ -1,4 +1,4 @@
-//! Nonnegative least squares (Lawson & Hanson 1974), with some unknowns of any sign.
+//! Nonnegative least squares (Lawson & Hanson 1974); some unknowns may have any sign.
 
 use nalgebra::{DMatrix, DVector};
 

@@ -9,8 +9,8 @@ use std::collections::HashMap;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-/// A problem, with a count of the points at which it is evaluated: all functions and derivatives at
-/// one x count once.
+/// A problem that counts the points at which it is evaluated. All functions and derivatives at one
+/// x count once.
 pub struct Oracle<'a> {
     pub case: &'a Case,
     known: RefCell<HashMap<Vec<u64>, Rc<Evaluation>>>,
@@ -78,8 +78,8 @@ pub fn start(case: &Case) -> Vec<f64> {
         .collect()
 }
 
-/// A limit of a constraint c for solvers without two-sided limits: sign · (c − limit) = 0 for an
-/// equality, ≤ 0 for an inequality.
+/// A limit of a constraint function c, for solvers with one-sided limits: sign · (c − limit) is 0
+/// for an equality, and ≤ 0 for an inequality.
 #[derive(Clone, Copy)]
 pub struct Row {
     pub constraint: usize,

@@ -1,4 +1,5 @@
-//! Timing as in the C++ peers (cpp/harness.hpp): CPU time, the fastest of many batches.
+//! Measures times as the C++ programs do (cpp/harness.hpp): CPU time of the fastest of many
+//! batches.
 
 use std::hint::black_box;
 

@@ -19,8 +19,7 @@ const LADDERS: [[f64; 7]; 2] = [
 ];
 /// Largest allowed error of carry, m, in the rows 'at 1 µm' of docs/performance.md.
 const MICROMETRE: f64 = 1e-6;
-/// Number of steps that are tried for the rows 'at 1 µm': the multiples of `LONGEST_STEP`/`STEPS`
-/// up to `LONGEST_STEP`.
+/// Number of tried steps for the rows 'at 1 µm': the multiples of `LONGEST_STEP`/`STEPS`.
 const STEPS: u32 = 200;
 /// Longest tried step, s.
 const LONGEST_STEP: f64 = 2.0;

@@ -1,5 +1,5 @@
-//! T6: the grid of 1000 lofts (0–25°) by 1000 attack angles (−10…10°), carry and its gradient at
-//! every point, on one thread.
+//! Task T6: carry and its gradient at each point of a grid of 1000 lofts (0 to 25°) by 1000 attack
+//! angles (−10 to 10°), on one thread.
 
 use crate::clock;
 use crate::tasks::{Discretization, mae494, two};
@@ -12,7 +12,7 @@ const AXES: [&str; 2] = [
     "swing.attack_angle=-10deg..10deg:1000",
 ];
 const SIDE: u64 = 1000;
-/// Every 25th row is timed. Every 25th column of these rows enters the check sum.
+/// Every 25th row of the grid is timed. The check sum has every 25th column of these rows.
 const EVERY: u64 = 25;
 /// The rows of the grid for which valgrind counts instructions.
 const COUNTED: [u64; 2] = [250, 750];

@@ -1,4 +1,4 @@
-//! longdrive's side of the comparison. See run.sh.
+//! longdrive's part of the comparison with other programs. See run.sh.
 
 mod clock;
 mod discretization;

@@ -1,4 +1,4 @@
-//! T7: a process from its start to its result.
+//! Task T7: the time of a process from its start to its result.
 
 use std::error::Error;
 use std::process::{Command, Stdio};

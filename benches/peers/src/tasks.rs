@@ -30,7 +30,7 @@ const TWELVE: [&str; 12] = [
     "aero.spin_decay",
 ];
 
-/// Step and method of the flight, in place of the preset's.
+/// Method and step of the flight; `None` keeps those of the preset.
 #[derive(Clone, Debug, Default)]
 pub struct Discretization {
     pub method: Option<String>,
@@ -88,10 +88,10 @@ const TABLE_2: [f64; 13] = [
     -10.0, -5.0, -4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 10.0,
 ];
 
-/// The task that computes the 23 optima of Winfield & Tan: those of their two tables, then the
-/// optimum over both angles, searched from 10° of loft and 0° of attack angle. Each search of a
-/// table starts from the previous optimum. `within` is a tolerance of carry, m, for which method
-/// and step are chosen; without it they are the preset's.
+/// The task that computes 23 optima: those of the two tables of Winfield & Tan, and the optimum
+/// over both angles, searched from 10° of loft and 0° of attack angle. Each search of a table
+/// starts from the previous optimum. `within` is a tolerance of carry, m: method and step are
+/// chosen for it. Without a tolerance they are those of the preset.
 fn winfield_tan(within: Option<f64>) -> Result<Operation> {
     let mut setup = Setup::preset("winfield-tan")?;
     let vary = ["club.loft=2deg..18deg", "swing.attack_angle=-10deg..30deg"];
@@ -141,8 +141,8 @@ pub enum Answer {
 }
 
 impl Answer {
-    /// Value, derivatives and a note. The derivatives are the gradient, then the upper triangle of
-    /// the Hessian; for an optimum, they are replaced by its position, deg.
+    /// Value, derivatives and a note. The derivatives of a drive are the gradient and the upper
+    /// triangle of the Hessian. An optimum has its position, deg, in their place.
     pub fn parts(self) -> (f64, Vec<f64>, String) {
         match self {
             Self::Drive(taylor) => {
@@ -170,11 +170,11 @@ impl Answer {
     }
 }
 
-/// Computes a task once. Timing calls it repeatedly.
+/// Computes a task once. The clock calls it repeatedly.
 type Operation = Box<dyn Fn() -> Result<Answer>>;
 
-/// The operation of a task of a single drive; `None` for any other task. Arguments are checked
-/// here, so that the operation does not check them at each repetition.
+/// The operation of a task of a single drive; `None` for another task. Arguments are checked here,
+/// and not at each repetition.
 pub fn operation(task: &str, by: &Discretization) -> Result<Option<Operation>> {
     match task {
         "W&T" => return winfield_tan(None).map(Some),

@@ -23,13 +23,13 @@ const REACHED: f64 = 1e-3;
 /// Distance between landing and target, m, that a few steps of Newton's method can close.
 const NEAR: f64 = 10.0;
 
-/// Smallest step, as a fraction of each range; a smaller step ends the search.
+/// Smallest step of the search, as a fraction of each range. A smaller step ends the search.
 const SHORTEST: f64 = 1e-7;
 
-/// The largest number of drives of the last search, which begins at the best point so far.
+/// Largest number of drives of the last search, which continues from the best point so far.
 const MOST_DRIVES: u64 = 20;
-/// The largest number of drives of the first search from each start. A few drives reach the target,
-/// unless a maximum of carry lies between the start and the target.
+/// Largest number of drives of the first search from each start. A few drives are enough, unless a
+/// maximum of carry lies between start and target.
 const FIRST_DRIVES: u64 = 3;
 
 /// The largest number of halvings of a step.
@@ -188,8 +188,8 @@ impl Aim {
         Ok(starts)
     }
 
-    /// Continues a search until it lands within half of [`REACHED`], until no step lands nearer to
-    /// the target, or for this number of drives.
+    /// Continues a search: until the ball lands within half of [`REACHED`], until no step lands
+    /// nearer to the target, or for `drives` drives.
     fn search(&self, mut best: Point, drives: u64) -> Result<Point, Error> {
         let last = self.drives.get() + drives;
         while best.distance() > 0.5 * REACHED && self.drives.get() < last {

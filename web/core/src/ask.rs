@@ -23,8 +23,7 @@ pub type ShowProgress = fn(done: f64, of: f64);
 /// The largest answer, bytes.
 const MOST_BYTES: usize = 64_000_000;
 
-/// The head of a request: a command line, and the names and sizes of the files. The block of the
-/// request has their contents.
+/// The head of a request: a command line, and the names and sizes of the files in the block.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Request {

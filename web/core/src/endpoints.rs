@@ -24,8 +24,8 @@ unsafe extern "C" {
     safe fn progress(done: f64, of: f64);
 }
 
-/// Must be called once, before any other function. Without this function, each call of an exported
-/// function would run the constructors of the C library.
+/// The page must call this function once, before any other function. Without this function, each
+/// call of an exported function would run the constructors of the C library.
 #[unsafe(no_mangle)]
 extern "C" fn _initialize() {
     __wasm_call_ctors();

@@ -78,8 +78,8 @@ struct Searches {
     iterations: Vec<Iterations>,
 }
 
-/// The search from the setup's own values, and, if a sample of the ranges led to a better drive,
-/// the search from that point of the sample.
+/// The search from the setup's values. If a sample of the ranges led to a better drive, also the
+/// search from that point of the sample.
 fn searches(setup: &Setup<f64>, search: &Search) -> Result<Searches, Error> {
     let (optimum, first) = observed(setup, search)?;
     let mut iterations = vec![first];
@@ -155,7 +155,7 @@ impl Iterate<'_> {
     }
 }
 
-/// The bound at which a value is: −1 for the lower, 1 for the upper, 0 for none.
+/// −1 if a value is at the lower end of its range, 1 at the upper end, else 0.
 fn side(vary: &Vary, x: f64) -> f64 {
     f64::from(i8::from(x >= vary.high) - i8::from(x <= vary.low))
 }

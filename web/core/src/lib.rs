@@ -22,7 +22,7 @@ use message::Message;
 use refusal::Refusal;
 use serde::de::DeserializeOwned;
 
-/// The functions of the core.
+/// The functions that the core offers to the page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Endpoint {
     /// A command of the program.

@@ -1,4 +1,4 @@
-//! Answers without numbers: the status and the message of the program.
+//! Requests without an answer: the status and the message of the program.
 
 use crate::words::in_page_words;
 use longdrive::units::System;
@@ -51,8 +51,8 @@ impl Refusal {
     }
 }
 
-/// Index of the byte at which a message mentions a parameter; `None` if it does not. A message may
-/// name a launch condition without its group `launch`.
+/// Index of the byte at which a message mentions a parameter; `None` without a mention. A message
+/// may omit the group `launch` of a launch condition.
 fn place(message: &str, name: &str) -> Option<usize> {
     let is_of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
     let whole = |name: &str| {

@@ -1,4 +1,4 @@
-//! The longest integration step with which all drives in the ranges of a request are accurate.
+//! The longest integration step in which all drives within the ranges of a request are accurate.
 
 use crate::message;
 use crate::refusal::Refusal;

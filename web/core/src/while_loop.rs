@@ -88,7 +88,7 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
     Ok(message::with_numbers(&head, &numbers))
 }
 
-/// The loop's landing with another value of the parameter; NaN if the ball does not land.
+/// The landing of the loop at another value of the parameter; NaN if the ball does not land.
 fn landed(setup: &Setup<f64>, parameter: &Parameter, x: f64, step: f64) -> LoopLanding {
     let mut moved = *setup;
     let landing = moved

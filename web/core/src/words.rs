@@ -2,7 +2,7 @@
 
 use longdrive::command::{Mention, with_mentions};
 
-/// A message with arguments in the syntax of the page: fields, without hyphens.
+/// A message whose arguments are named like the fields of the page, without hyphens.
 pub fn in_page_words(message: &str) -> String {
     with_mentions(message, page_words)
 }

@@ -35,7 +35,7 @@ pub fn solve(oracle: &Oracle) -> Result<End, String> {
         ftol_rel: FALL,
         ..StopTols::default()
     };
-    // slsqp limits evaluations, not iterations: allow ten for each iteration
+    // slsqp limits evaluations instead of iterations: ten evaluations for each iteration
     let most = 10 * ITERATIONS as usize;
     let (status, x) = match minimize(
         objective,
