@@ -58,7 +58,7 @@ mod tests {
 
     #[test]
     fn exact_solution_of_a_symmetric_system_and_a_pivot_that_is_none() {
-        // A (1, 2, 3) = b by hand
+        // the right-hand side is the matrix times (1, 2, 3), computed by hand
         let factors = SymmetricFactors::new([4.0, 2.0, 5.0, 1.0, 3.0, 6.0]);
         let x: [f64; 3] = factors.solve([11.0, 21.0, 25.0]);
         for (x, expected) in x.iter().zip([1.0, 2.0, 3.0]) {

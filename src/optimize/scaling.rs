@@ -80,8 +80,8 @@ pub(super) struct Outward {
     pub at: f64,
     /// Distance from 0, in units of the variable's scale.
     pub distance: f64,
-    /// Reduction of the Lagrangian, to first order and relative to φ, if the variable moves by |x|,
-    /// or to its bound if the bound is nearer.
+    /// First-order reduction of the Lagrangian if the variable moves by |x|, or to a nearer bound,
+    /// divided by the size φ of the objective.
     pub rate: f64,
     /// True if the Lagrangian falls as the variable moves away from 0, and no bound lies ahead.
     pub is_open: bool,

@@ -258,7 +258,7 @@ fn definition_of_most(
     found: &[(String, Footer)],
     wanted: Option<&SweepDefinition>,
 ) -> Option<SweepDefinition> {
-    // `wanted`, with the number of parts, the instruction set and the C library of a file
+    // `wanted`, but with three values of a file: number of parts, instruction set, C library
     let wanted_as = |of: &SweepDefinition| {
         wanted.map(|wanted| SweepDefinition {
             parts: of.parts,

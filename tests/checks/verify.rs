@@ -163,8 +163,8 @@ fn differences_certify_two_hundred_random_drives() {
     );
 }
 
-/// A request of a user: a usual drive, and the index of the parameter to differentiate by. The
-/// drives have all laws; some have wind, and some a parameter at the end of its range.
+/// A usual drive, and the index of the parameter to differentiate by. The aerodynamic law varies
+/// over all laws. Some drives have wind, and some a parameter at the end of its range.
 fn any_request() -> impl Strategy<Value = (Setup<f64>, usize)> {
     let deg = std::f64::consts::PI / 180.0;
     let swing = (27.0..58.0, -8.0..8.0, -8.0..8.0, -10.0..10.0);

@@ -45,7 +45,8 @@ pub(super) struct FrontPlane<'a> {
 }
 
 impl FrontPlane<'_> {
-    /// The problem that minimizes a + b, and optionally constrains a − b.
+    /// The problem that minimizes the sum of the two functions, each relative to its span, and
+    /// optionally constrains their difference.
     fn combined(&self, is_constrained: bool) -> Combined<'_> {
         let [a, b] = self.span.map(|span| 1.0 / span);
         Combined {

@@ -204,7 +204,8 @@ fn trace(plane: &FrontPlane<'_>, from: Compromise, end: f64) -> TracedPath {
 }
 
 /// Locates the point between two compromises where the active set changes. Returns this point with
-/// its event. A backward trace has the point twice, once with each of the two active sets.
+/// its event. A trace towards the first function's minimum gets the point twice, once with each of
+/// the two active sets.
 fn locate_event(
     plane: &FrontPlane<'_>,
     here: &Compromise,

@@ -124,7 +124,7 @@ fn corner(row: &DerivativeRow) -> String {
         .map(|side| side.map(|slope| significant(slope, 7)));
     let (of, parameter) = (row.of.name(), row.parameter.name);
     let slopes = match sides {
-        [Some(below), Some(above)] => format!("its slope is {below} below and {above} above (SI)"),
+        [Some(below), Some(above)] => format!("its slope changes from {below} to {above} (SI)"),
         [below, above] => {
             let (slope, side) = if below.is_some() {
                 (below, "below")
@@ -133,8 +133,8 @@ fn corner(row: &DerivativeRow) -> String {
             };
             let slope = slope.unwrap_or(shown::NONE.into());
             format!(
-                "its slope is {slope} {side} (SI); the other side is out of the range of \
-                 {parameter}"
+                "its slope {side} the value is {slope} (SI); the other side is out of the range \
+                 of {parameter}"
             )
         }
     };

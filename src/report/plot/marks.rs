@@ -224,7 +224,7 @@ fn lines(area: &PlotArea, figure: &Figure) -> Vec<[f64; 2]> {
 
 /// The middle of a label at the free position with the lowest cost: beside, above or below its
 /// mark. The cost grows with the covered points of lines, and with the distance from the mark.
-/// `None` if a label at any free position could belong to another mark.
+/// `None` if every free position is as near to another mark.
 fn beside(
     labels: &Labels<'_>,
     area: &PlotArea,

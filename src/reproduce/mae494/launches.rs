@@ -40,8 +40,8 @@ impl Launched {
     }
 }
 
-/// Checks the report's distances by energy: the maximum ball speed, and the maximum carry at this
-/// speed.
+/// Limits that the laws of impact set to the report's distances: the maximum ball speed, and the
+/// maximum carry at this speed.
 ///
 /// e is the coefficient of restitution, m the mass of the ball, M the mass of the club head, V the
 /// club speed and v the ball speed.

@@ -58,7 +58,8 @@ pub struct Recovered {
     pub deviation_error: f64,
 }
 
-/// An outcome over the shots, measured and computed from the distribution.
+/// Moments of an outcome: those of the measured shots, and those that the estimated distribution
+/// of deliveries gives.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[cfg_attr(test, schemars(rename = "LaunchMoments"))]

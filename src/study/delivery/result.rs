@@ -160,9 +160,9 @@ pub struct Unidentified {
     /// The fraction of the prior variance that the shot removes, 0 to 1.
     #[serde(rename = "told")]
     pub variance_removed: f64,
-    /// The change of each parameter, SI; together they are a step of one prior standard uncertainty
-    /// along the direction.
-    // the first change is positive
+    /// The change of each parameter, SI: a component of the unit vector along the direction, times
+    /// the prior standard uncertainty of the parameter. Small components are omitted. The first
+    /// change is positive.
     #[serde(serialize_with = "by_name")]
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, f64>"))]
     pub changes: Vec<(&'static Parameter, f64)>,

@@ -129,8 +129,8 @@ impl<P: ColumnarFile> PointRows for ColumnarRows<P> {
     }
 }
 
-/// A value of a row; NaN if it is missing. Refuses infinity, unless the parameter allows it (a flat
-/// face).
+/// A value of a row; NaN if it is missing. Refuses infinity, unless the parameter allows it: the
+/// radius of a flat face is infinite.
 fn checked(parameter: &Parameter, value: Option<f64>) -> Result<f64, String> {
     let Some(value) = value else {
         return Ok(f64::NAN);
