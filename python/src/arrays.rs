@@ -16,7 +16,7 @@ use pyo3::types::{PyBool, PyList, PyMapping, PyString, PyTuple};
 const GATHERED: usize = 65_536;
 
 /// Number of rows that are scanned before other threads of Python may run.
-const ROWS_PER_CHECK: usize = 1 << 20;
+const ROWS_PER_SCAN: usize = 1 << 20;
 
 /// Imports NumPy's functions at the start. Otherwise the first use of an array would import them,
 /// and a Ctrl-C during that import would panic. If NumPy is missing, the first use of an array
@@ -123,11 +123,11 @@ impl Arrays {
         for (parameter, column) in self.parameters.iter().zip(&self.columns) {
             let mut range = None::<(f64, f64)>;
             let mut degrees = Degrees::default();
-            for first in (0..self.rows).step_by(ROWS_PER_CHECK) {
+            for first in (0..self.rows).step_by(ROWS_PER_SCAN) {
                 check_signals(py)?;
                 column.each(
                     py,
-                    first..self.rows.min(first + ROWS_PER_CHECK),
+                    first..self.rows.min(first + ROWS_PER_SCAN),
                     &mut |value| {
                         if parameter.range.contains(value) && value.is_finite() {
                             let (low, high) = range.unwrap_or((value, value));

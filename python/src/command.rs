@@ -47,7 +47,7 @@ struct HostState {
     messages: Vec<(&'static str, String)>,
     stop: Option<Arc<AtomicBool>>,
     /// True after interruptible work has ended. Then the command only has to write its answer.
-    has_ended: bool,
+    only_answer_is_left: bool,
     /// The last progress that the command showed.
     bar: Option<Arc<Bar>>,
 }
@@ -141,7 +141,7 @@ impl Caller {
         if let Some(stop) = &state.stop {
             stop.store(true, Ordering::Relaxed);
         }
-        if state.stop.is_some() || state.has_ended {
+        if state.stop.is_some() || state.only_answer_is_left {
             ANSWER_TIME
         } else {
             Duration::ZERO
@@ -206,7 +206,7 @@ impl Host for Caller {
 
     fn cannot_stop(&self) {
         let mut state = self.state();
-        state.has_ended |= state.stop.take().is_some();
+        state.only_answer_is_left |= state.stop.take().is_some();
     }
 
     fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {

@@ -5,7 +5,7 @@ use crate::command::output::{Answer, note, warn};
 use crate::command::ranges::DefaultRanges;
 use crate::command::search::write;
 use crate::optimize::Status;
-use crate::report::{OptimumReport, OverSwings, Surroundings, optimize_document};
+use crate::report::{OptimumReport, OptimumWindows, OverSwings, optimize_document};
 use crate::study::{club_alone, usual_loss, windows};
 use std::sync::atomic::AtomicBool;
 
@@ -45,7 +45,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         true => club_alone(best)?,
         false => None,
     };
-    let around = windows.as_deref().map(|windows| Surroundings {
+    let around = windows.as_deref().map(|windows| OptimumWindows {
         loss,
         windows,
         club_alone: club.as_ref(),

@@ -17,7 +17,7 @@ pub(super) enum Entries {
     /// Second derivatives ∂²/∂x² by each variable x.
     Diagonal,
     /// Last row: second derivatives ∂²/∂x∂y by each variable x and the last variable y.
-    Last,
+    LastRow,
 }
 
 /// List of the two variables of each requested entry of a Hessian, one pair after the other. Only
@@ -32,7 +32,7 @@ pub(super) fn pairs(variables: &[usize], entries: Entries) -> Vec<usize> {
     match entries {
         Entries::All => rows.flat_map(row).collect(),
         Entries::Diagonal => variables.iter().flat_map(|&alone| [alone; 2]).collect(),
-        Entries::Last => rows.last().into_iter().flat_map(row).collect(),
+        Entries::LastRow => rows.last().into_iter().flat_map(row).collect(),
     }
 }
 

@@ -84,12 +84,12 @@ pub fn evaluate(
 ///
 /// # Errors
 /// The errors of [`evaluate`].
-pub(crate) fn towards_last(
+pub(crate) fn last_hessian_row(
     setup: &Setup<f64>,
     of: &[Outcome],
     wrt: &[&'static Parameter],
 ) -> Result<Vec<Taylor>> {
     Evaluator::new(setup, of, wrt, Order::Second)?
-        .with_entries(Entries::Last)
+        .with_entries(Entries::LastRow)
         .at_setup(None, &mut |_, _| ())
 }

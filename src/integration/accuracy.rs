@@ -56,10 +56,10 @@ const TESTED_FIRST: usize = 16;
 const CORNER_PARAMETERS: usize = 4;
 /// Number of steps tested per drive: the step itself and slightly shorter steps, because the error
 /// depends on the position of the landing within the last step.
-const PHASES: u32 = 8;
-/// Difference between a step and the next shorter step of these [`PHASES`] steps, as a fraction of
-/// the longest step. The shortest step is a quarter shorter than the longest step.
-const PHASE_DIFFERENCE: f64 = 0.035;
+const STEPS_PER_TRIAL: u32 = 8;
+/// Difference between a step and the next shorter one of these steps, as a fraction of the longest
+/// step. The shortest step is a quarter shorter than the longest step.
+const STEP_DIFFERENCE: f64 = 0.035;
 /// Smallest value of [`Accuracy::largest_defect`], m. Smaller defects are rounding (for example in
 /// a flight almost without air).
 const ROUNDING: f64 = 1e-12;
@@ -258,8 +258,8 @@ impl<'s> TestedDrives<'s> {
             (None, Some(row)) => return failing(format!("{} diverges", self.drive(row))),
             _ => {}
         }
-        for phase in 0..PHASES {
-            let flown = self.flown(step * (1.0 - PHASE_DIFFERENCE * f64::from(phase)))?;
+        for shortening in 0..STEPS_PER_TRIAL {
+            let flown = self.flown(step * (1.0 - STEP_DIFFERENCE * f64::from(shortening)))?;
             for row in (0..flown.rows()).filter(|&row| self.reference.status(row) == Status::Landed)
             {
                 match self.largest_error(&flown, row, limit) {
@@ -267,7 +267,7 @@ impl<'s> TestedDrives<'s> {
                     Err(what) => return failing(what),
                 }
             }
-            if phase == 0 {
+            if shortening == 0 {
                 found.largest_defect = flown.defects().fold(ROUNDING, f64::max);
             }
         }

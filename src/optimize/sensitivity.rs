@@ -344,7 +344,7 @@ pub fn first_event(
     variable_margins(solution, domain, response, &active_set)
         .into_iter()
         .chain(constraint_margins(solution, domain, response, &active_set))
-        .filter_map(|margin| Some((margin.used_up_after(delta)?, margin.event)))
+        .filter_map(|margin| Some((margin.fraction_to_zero(delta)?, margin.event)))
         .min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
@@ -360,7 +360,7 @@ struct Margin {
 impl Margin {
     /// Fraction of the parameter change `delta` after which `distance` is 0, to first order; `None`
     /// if `distance` stays positive.
-    fn used_up_after(&self, delta: f64) -> Option<f64> {
+    fn fraction_to_zero(&self, delta: f64) -> Option<f64> {
         let reduction = -self.rate * delta;
         let is_used_up = reduction > 0.0 && self.distance.is_finite() && self.distance <= reduction;
         is_used_up.then(|| self.distance.max(0.0) / reduction)

@@ -2,7 +2,8 @@ use super::document::{Detail, Document, DocumentTable, Line};
 use super::json::JsonNumber;
 use super::limits::{change_of, ended_at};
 use super::optimum::{
-    DesignReport, LimitReport, OptimumReport, add_convergence, bound_in_words, ended_line, place,
+    DesignReport, LimitReport, OptimumReport, add_convergence, bound_in_words, ended_line,
+    varied_table,
 };
 use super::reply::Reply;
 use super::shown;
@@ -95,7 +96,11 @@ impl Designed<'_> {
         );
         let mut ranges = Document::default();
         ranges.add(goals(self.best, over.analysis.as_ref(), system));
-        ranges.add(place(self.best, nominal(over.analysis.as_ref()), system));
+        ranges.add(varied_table(
+            self.best,
+            nominal(over.analysis.as_ref()),
+            system,
+        ));
         document.append_detail(ranges, Detail::WithAll);
         if is_converged {
             add_convergence(&mut document, self.best, system);

@@ -66,7 +66,7 @@ pub use lines::{by_reason, remark, wrapped};
 pub use mae494::Mae494Report;
 pub use optimum::{
     ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimumReport,
-    Surroundings, iteration_line, optima_document, optimize_document, optimum_document,
+    OptimumWindows, iteration_line, optima_document, optimize_document, optimum_document,
     optimum_toml,
 };
 pub use origin::SetupOrigin;

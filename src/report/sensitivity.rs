@@ -2,7 +2,8 @@ use super::document::{Detail, Document, DocumentTable, Line};
 use super::json::{ByName, JsonNumber};
 use super::lines::by_reason;
 use super::optimum::{
-    OptimumReport, Surroundings, add_convergence, add_place, drive_lines, gain_lines,
+    OptimumReport, OptimumWindows, add_convergence, add_varied_and_constraints, drive_lines,
+    gain_lines,
 };
 use super::reply::Reply;
 use super::shown;
@@ -116,7 +117,7 @@ impl SensitivityReport {
         warnings: Vec<Message>,
     ) -> Reply<Self> {
         let best = &optima.best;
-        let around = analysis.map(Analysis::surroundings);
+        let around = analysis.map(Analysis::windows);
         let optimum =
             OptimumReport::reply(optima, &OverSwings::default(), around.as_ref(), warnings);
         let sensitivity = analysis.map(|analysis| {
@@ -199,8 +200,8 @@ impl Analysis {
         self.sensitivities.is_empty() || all.any(|(_, sensitivity)| sensitivity.is_ok())
     }
 
-    fn surroundings(&self) -> Surroundings<'_> {
-        Surroundings {
+    fn windows(&self) -> OptimumWindows<'_> {
+        OptimumWindows {
             loss: self.flatness.loss,
             windows: &self.flatness.windows,
             club_alone: None,
@@ -213,7 +214,7 @@ impl Analysis {
         if let Some(drive) = &best.drive {
             document.list(gain_lines(best, drive, system));
         }
-        add_place(&mut document, best, Some(&self.surroundings()), system);
+        add_varied_and_constraints(&mut document, best, Some(&self.windows()), system);
         document.list(flatness_lines(best, &self.flatness, system));
         for changed in &self.changes {
             document.add(change(best, changed, system));

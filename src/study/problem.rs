@@ -177,7 +177,7 @@ impl SearchProblem {
     /// those that involve the additional parameter are computed; the others are 0.
     pub fn evaluate_with(&self, x: &[f64], parameter: &'static Parameter) -> Result<Evaluation> {
         let wrt: Vec<_> = self.vary.iter().copied().chain([parameter]).collect();
-        let goals = derivative::towards_last(&self.setup_at(x)?, &self.outcomes, &wrt)?;
+        let goals = derivative::last_hessian_row(&self.setup_at(x)?, &self.outcomes, &wrt)?;
         Ok(self.as_functions(goals))
     }
 

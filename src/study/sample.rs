@@ -31,14 +31,14 @@ const AT_ONCE: usize = 16;
 /// Largest number of searches from points of a sample.
 const SEARCHES: usize = 3;
 
-/// If fewer than one in this number of points are feasible, a search starts at the best point even
-/// if this point is no better than the optimum. The feasible region may be disconnected.
-const ONE_IN: usize = 8;
+/// If a smaller fraction of the points is feasible, a search starts at the best point even if this
+/// point is no better than the optimum. The feasible region may be disconnected.
+const LEAST_FEASIBLE: f64 = 1.0 / 8.0;
 
 /// Compares the end of a search with a sample of the ranges. `search` starts from the points that
 /// are better than the best solution so far. If few points are feasible, it starts from the best
-/// point in any case (see [`ONE_IN`]). `end` becomes the best solution. `None` if the search was
-/// interrupted before all points were evaluated.
+/// point in any case (see [`LEAST_FEASIBLE`]). `end` becomes the best solution. `None` if the
+/// search was interrupted before all points were evaluated.
 pub(super) fn compare_with_sample(
     problem: &SearchProblem,
     end: &mut Solution,
@@ -59,7 +59,7 @@ pub(super) fn compare_with_sample(
     });
 
     let feasible = ranked.iter().filter(|(merit, _)| merit.is_feasible).count();
-    let is_in_parts = feasible > 0 && ONE_IN * feasible < POINTS;
+    let is_in_parts = feasible > 0 && (feasible as f64) < LEAST_FEASIBLE * POINTS as f64;
     let (mut best, mut improved) = (scale.of_solution(end), false);
     for (at, (merit, point)) in ranked.iter().take(SEARCHES).enumerate() {
         if !(scale.is_better(merit, &best) || is_in_parts && at == 0) {

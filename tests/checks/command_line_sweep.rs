@@ -55,7 +55,7 @@ fn finish(child: Child) -> (Option<i32>, String) {
     )
 }
 
-fn sidecar(file: &Path) -> PathBuf {
+fn journal(file: &Path) -> PathBuf {
     PathBuf::from(format!("{}.resume", file.display()))
 }
 
@@ -66,12 +66,12 @@ fn unfinished_file(file: &Path) -> PathBuf {
 
 /// Waits until some rows are written, or the program ends.
 fn wait_for_rows(child: &mut Child, file: &Path) {
-    wait_until(child, || announced_rows(file) > 1);
+    wait_until(child, || journal_lines(file) > 1);
 }
 
-/// Number of complete lines of the sidecar file. Each line after the first announces written rows.
-fn announced_rows(file: &Path) -> usize {
-    fs::read_to_string(sidecar(file)).map_or(0, |text| text.matches('\n').count())
+/// Number of complete lines of the journal file. Each line after the first announces written rows.
+fn journal_lines(file: &Path) -> usize {
+    fs::read_to_string(journal(file)).map_or(0, |text| text.matches('\n').count())
 }
 
 /// The sweep over the points of a table.
@@ -101,7 +101,7 @@ impl Uninterrupted {
         let file = folder.path().join(format!("whole.{format}"));
         let (status, printed) = finish(start(many, &file, &["--threads", "1"]));
         assert_eq!(status, Some(0), "{printed}");
-        assert!(!sidecar(&file).exists());
+        assert!(!journal(&file).exists());
         Self {
             bytes: fs::read(file).unwrap(),
             beyond: beyond(&printed).unwrap_or_else(|| panic!("{printed}")),
@@ -132,8 +132,8 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
     child.kill().unwrap();
     child.wait().unwrap();
     let mut announced_row = None;
-    if sidecar(&part).exists() {
-        // a kill may truncate a row, a row group or a line of the sidecar
+    if journal(&part).exists() {
+        // a kill may truncate a row, a row group or a line of the journal
         let append = |path: &Path, bytes: &[u8]| {
             fs::OpenOptions::new()
                 .append(true)
@@ -147,7 +147,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
             "an incomplete file has the name of a complete one"
         );
         append(&unfinished_file(&part), b"0.1,0.2,lan");
-        append(&sidecar(&part), b"{\"rows\":99");
+        append(&journal(&part), b"{\"rows\":99");
 
         // a started sweep is refused without --resume, and with --resume if other arguments differ
         let (status, printed) = finish(start(many, &part, &[]));
@@ -168,9 +168,9 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
         assert!(printed.contains("the derivatives differ"), "{printed}");
 
         // Ctrl-C after more rows are written, unless the sweep has ended
-        let before = announced_rows(&part);
+        let before = journal_lines(&part);
         let mut child = start(many, &part, &["--resume"]);
-        wait_until(&mut child, || announced_rows(&part) > before);
+        wait_until(&mut child, || journal_lines(&part) > before);
         if child.try_wait().unwrap().is_none() {
             interrupt(&child);
         }
@@ -192,7 +192,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
             readable(&unfinished_file(&part), format);
         }
     }
-    if sidecar(&part).exists() {
+    if journal(&part).exists() {
         let (status, printed) = finish(start(many, &part, &["--resume", "--threads", "3"]));
         assert_eq!(status, Some(0), "{printed}");
         assert!(printed.contains("resuming after "), "{printed}");
@@ -209,7 +209,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
             );
         }
     }
-    assert!(!sidecar(&part).exists() && !unfinished_file(&part).exists());
+    assert!(!journal(&part).exists() && !unfinished_file(&part).exists());
     assert!(
         fs::read(&part).unwrap() == whole.bytes,
         "the file differs from an uninterrupted run"
@@ -578,7 +578,7 @@ fn of_two_sweeps_at_once_into_one_file_one_is_refused_and_the_other_is_whole() {
             "{printed}"
         );
         assert!(fs::read(&file).unwrap() == wholes[winner]);
-        assert!(!unfinished_file(&file).exists() && !sidecar(&file).exists());
+        assert!(!unfinished_file(&file).exists() && !journal(&file).exists());
     }
 }
 

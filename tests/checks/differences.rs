@@ -1,10 +1,10 @@
 //! Finite differences of known functions by `derivative::check`: samples, error estimates, and the
 //! verdict on remainders.
 
-use longdrive::derivative::check::{Ladder, STEPS, Side, taylor_slopes};
+use longdrive::derivative::check::{Ladder, STEP_EXPONENTS, Side, taylor_slopes};
 
 fn ladder(at: f64, scale: f64, f: impl Fn(f64) -> f64) -> Ladder {
-    Ladder::sample(at, scale, STEPS, &mut |x| vec![f(x)])
+    Ladder::sample(at, scale, STEP_EXPONENTS, &mut |x| vec![f(x)])
         .pop()
         .unwrap()
 }

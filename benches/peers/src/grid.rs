@@ -13,7 +13,7 @@ const AXES: [&str; 2] = [
 ];
 const SIDE: u64 = 1000;
 /// Every 25th row of the grid is timed. The check sum has every 25th column of these rows.
-const EVERY: u64 = 25;
+const STRIDE: u64 = 25;
 /// The rows of the grid for which valgrind counts instructions.
 const COUNTED: [u64; 2] = [250, 750];
 /// Number of repetitions of a row; the fastest counts.
@@ -54,7 +54,7 @@ impl Sums {
         for row in 0..block.rows() {
             let number = block.first_row() + row as u64;
             let (i, j) = (number / SIDE, number % SIDE);
-            if i.is_multiple_of(EVERY) && j.is_multiple_of(EVERY) {
+            if i.is_multiple_of(STRIDE) && j.is_multiple_of(STRIDE) {
                 let [carry, by_loft, by_attack] = at(block, row);
                 let term = carry + 1e-3 * (by_loft + by_attack);
                 self.all += term;
@@ -106,7 +106,7 @@ impl Rows {
     /// several repetitions of each row counts.
     pub fn time(&self) -> (f64, Sums) {
         let (mut seconds, mut sums, mut rows) = (0.0, Sums::default(), 0.0);
-        for row in (0..SIDE).step_by(EVERY as usize) {
+        for row in (0..SIDE).step_by(STRIDE as usize) {
             let mut best = f64::INFINITY;
             let begun = clock::thread();
             for repeat in 0..REPEATS {
@@ -154,7 +154,7 @@ pub fn whole(by: &Discretization) -> Result<(f64, Sums)> {
 pub fn carries(by: &Discretization) -> Result<Vec<f64>> {
     let (setup, axes) = (mae494(by)?, axes(by)?);
     let batch = Batch::new(&setup, &two(&setup)?, &[Outcome::Carry], &[])?;
-    let every = || (0..SIDE).step_by(EVERY as usize);
+    let every = || (0..SIDE).step_by(STRIDE as usize);
     let points = every().flat_map(|i| every().flat_map(move |j| [(i, 0), (j, 1)]));
     let points = points
         .map(|(number, axis)| axes[axis].value(number))

@@ -2,11 +2,11 @@ use super::estimate::{DerivativeEstimate, DifferenceQuotient, Side, estimate};
 
 /// Values of k for the steps of a ladder. A step is 10^(-k/2) times the scale: from 1e-1 down to
 /// 1e-13, two steps per decade.
-pub const STEPS: std::ops::RangeInclusive<i32> = 2..=26;
+pub const STEP_EXPONENTS: std::ops::RangeInclusive<i32> = 2..=26;
 
 /// Values of k for expensive functions: steps from 1e-1 to 1e-5, and three small steps that measure
 /// the rounding error.
-pub const FEW_STEPS: [i32; 12] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 19, 20, 21];
+pub const FEW_STEP_EXPONENTS: [i32; 12] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 19, 20, 21];
 
 /// Smallest step used in an extrapolation, relative to the scale. Features of a function within a
 /// smaller interval, such as a rounded kink, are not resolved.
@@ -51,8 +51,8 @@ pub struct Ladder {
 
 impl Ladder {
     /// Samples several functions at once around `at`, at the steps 10^(-k/2) of the scale for each
-    /// k of `steps` ([`STEPS`] or [`FEW_STEPS`]). Values that are missing or not finite become
-    /// `None`.
+    /// k of `steps` ([`STEP_EXPONENTS`] or [`FEW_STEP_EXPONENTS`]). Values that are missing or not
+    /// finite become `None`.
     pub fn sample(
         at: f64,
         scale: f64,

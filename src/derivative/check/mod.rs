@@ -30,7 +30,7 @@ mod remainder;
 mod verdict;
 
 pub use estimate::{DerivativeEstimate, Side};
-pub use ladder::{FEW_STEPS, Ladder, Rung, STEPS};
+pub use ladder::{FEW_STEP_EXPONENTS, Ladder, Rung, STEP_EXPONENTS};
 pub(crate) use remainder::line_slope;
 pub use remainder::taylor_slopes;
 pub use verdict::{Check, Curve, CurvePoint, Demand, NEGLIGIBLE, TOLERANCE_FACTOR, Verdict};
@@ -87,7 +87,7 @@ pub fn check(f: &dyn Fn(&[f64]) -> Option<Taylor>, x: &[f64], scale: &[f64]) -> 
     };
     for i in 0..x.len() {
         let mut values = |value: f64| vec![along(i, value).map_or(f64::NAN, |taylor| taylor.value)];
-        for ladder in Ladder::sample(x[i], scale[i], STEPS, &mut values) {
+        for ladder in Ladder::sample(x[i], scale[i], STEP_EXPONENTS, &mut values) {
             let second = exact.hessian.get(i).map_or(0.0, |row| row[i]);
             checked
                 .gradient
@@ -99,7 +99,7 @@ pub fn check(f: &dyn Fn(&[f64]) -> Option<Taylor>, x: &[f64], scale: &[f64]) -> 
         if let Some(row) = exact.hessian.get(i) {
             let mut gradients =
                 |value: f64| along(i, value).map_or(vec![], |taylor| taylor.gradient);
-            let ladders = Ladder::sample(x[i], scale[i], FEW_STEPS, &mut gradients);
+            let ladders = Ladder::sample(x[i], scale[i], FEW_STEP_EXPONENTS, &mut gradients);
             let judged = |(j, ladder): (usize, Ladder)| {
                 ladder
                     .with_least_size(exact.value.abs() / scale[j])

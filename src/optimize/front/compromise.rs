@@ -1,6 +1,6 @@
 //! Compromises, which are the points of a front, and the step from one compromise to the next.
 
-use super::context::{Combined, FrontContext, with_limit};
+use super::context::{FrontContext, WeightedSums, with_limit};
 use super::result::{FrontEvent, FrontPoint};
 use crate::error::{Error, Result};
 use crate::number::Taylor;
@@ -47,9 +47,9 @@ pub(super) struct FrontPlane<'a> {
 impl FrontPlane<'_> {
     /// The problem that minimizes the sum of the two functions, each relative to its span, and
     /// optionally constrains their difference.
-    fn combined(&self, is_constrained: bool) -> Combined<'_> {
+    fn combined(&self, is_constrained: bool) -> WeightedSums<'_> {
         let [a, b] = self.span.map(|span| 1.0 / span);
-        Combined {
+        WeightedSums {
             problem: self.context.problem,
             zero: self.zero,
             objective: [a, b],

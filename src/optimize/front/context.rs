@@ -26,7 +26,7 @@ pub(super) const PART_MISSING: &str = "interrupted: a part of the front is missi
 
 /// Problem made from another problem. Its two functions, the objective and the last constraint, are
 /// replaced by weighted sums of both. The other constraints are kept.
-pub(super) struct Combined<'a> {
+pub(super) struct WeightedSums<'a> {
     pub problem: &'a dyn Problem,
     /// Value subtracted from each function before the weighting.
     pub zero: [f64; 2],
@@ -36,7 +36,7 @@ pub(super) struct Combined<'a> {
     pub constraint: Option<[f64; 2]>,
 }
 
-impl<'a> Combined<'a> {
+impl<'a> WeightedSums<'a> {
     /// Problem that minimizes the sum with the weights `objective`, without the last constraint.
     pub fn minimized(problem: &'a dyn Problem, objective: [f64; 2]) -> Self {
         Self {
@@ -48,7 +48,7 @@ impl<'a> Combined<'a> {
     }
 }
 
-impl Problem for Combined<'_> {
+impl Problem for WeightedSums<'_> {
     fn evaluate(&self, x: &[f64]) -> std::result::Result<Evaluation, String> {
         let functions = self.problem.evaluate(x)?;
         functions.check_dimensions(x.len(), functions.constraints.len())?;
@@ -106,7 +106,7 @@ impl FrontContext<'_> {
 
     /// Minimizes one function and ignores the other.
     pub fn minimum_of(&self, function: usize, start: &[f64]) -> Result<Solution, FrontError> {
-        let problem = Combined::minimized(self.problem, weights_of(function));
+        let problem = WeightedSums::minimized(self.problem, weights_of(function));
         let found = self.search(&problem, &self.domain, start, self.options)?;
         match found.status {
             Status::Converged => Ok(found),
@@ -213,10 +213,10 @@ impl FrontContext<'_> {
         }
         // the first search is without the limit on function `k`, which is not needed if active
         // bounds determine the minimum
-        let other = Combined::minimized(self.problem, weights_of(1 - k));
-        let limited = Combined {
+        let other = WeightedSums::minimized(self.problem, weights_of(1 - k));
+        let limited = WeightedSums {
             constraint: Some(weights_of(k)),
-            ..Combined::minimized(self.problem, weights_of(1 - k))
+            ..WeightedSums::minimized(self.problem, weights_of(1 - k))
         };
         let within = with_limit(&domain, f64::NEG_INFINITY, most);
         for (problem, domain) in [(&other, &domain), (&limited, &within)] {

@@ -14,7 +14,7 @@ use crate::parameters::SetupFile;
 use crate::study::calibrate::{Calibration, Estimate, FitResidual, HeldOut, ShotTable, Starts};
 use crate::units::{Message, System, counted, counted_of, typed};
 use serde::Serialize;
-use text::{by_outcome, to_its_error};
+use text::{by_outcome, rounded_to_error};
 
 /// A calibration, SI and radians.
 #[derive(Clone, Debug, Serialize)]
@@ -218,7 +218,8 @@ impl<'a> CalibrationReport<'a> {
             let (quantity, unit) = (parameter.quantity, parameter.unit);
             let value = match standard_error {
                 Some(error) => {
-                    let number = |value: f64| to_its_error(quantity, unit, value, standard_error);
+                    let number =
+                        |value: f64| rounded_to_error(quantity, unit, value, standard_error);
                     let show = |value: f64| typed(&number(value), unit);
                     format!("{} ± {}", show(value), show(error))
                 }

@@ -149,7 +149,7 @@ pub(super) fn held_out(document: &mut Document, held_out: &[(String, HeldOut)], 
 
 /// A value in a unit, rounded at the second significant digit of its standard error. Without a
 /// standard error, the value has seven significant digits.
-pub(super) fn to_its_error(
+pub(super) fn rounded_to_error(
     quantity: Quantity,
     unit: &str,
     value: f64,
@@ -184,7 +184,12 @@ fn estimated(estimate: &Estimate, system: System) -> Vec<String> {
     } = estimate;
     let (quantity, unit) = (parameter.quantity, system.unit(parameter.unit));
     let size = DisplayUnit::from(*parameter).size_in(system);
-    let show = |value: f64| with_unit(&to_its_error(quantity, unit, value, *standard_error), unit);
+    let show = |value: f64| {
+        with_unit(
+            &rounded_to_error(quantity, unit, value, *standard_error),
+            unit,
+        )
+    };
     let (error, interval) = match standard_error.zip(*interval_95) {
         Some((error, ends)) => (significant(error / size, 2), ends.map(&show).join(" .. ")),
         None if !is_determined => (shown::NONE.into(), "not determined by the data".into()),

@@ -91,7 +91,7 @@ fn continuity(found: &Continuity, system: System) -> String {
         found.steps[1],
         found.of.name(),
         show(found.jumps),
-        show(found.bars),
+        show(found.tolerances),
     )
 }
 

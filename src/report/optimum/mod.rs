@@ -4,8 +4,8 @@ mod best_drive;
 mod bounds;
 mod report;
 mod setup_file;
-mod surroundings;
 mod text;
+mod windows;
 
 pub(super) use best_drive::{drive_lines, gain_lines};
 pub(super) use bounds::bound_in_words;
@@ -13,7 +13,7 @@ pub use report::{
     ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimumReport,
 };
 pub use setup_file::optimum_toml;
-pub use surroundings::Surroundings;
-pub(super) use surroundings::window_end;
-pub(super) use text::{add_convergence, add_place, ended_line, place};
+pub(super) use text::{add_convergence, add_varied_and_constraints, ended_line, varied_table};
 pub use text::{iteration_line, optima_document, optimize_document, optimum_document};
+pub use windows::OptimumWindows;
+pub(super) use windows::window_end;

@@ -5,7 +5,7 @@ use super::super::drive::{LaunchReport, LawRanges, flight, launch, law_range};
 use super::super::json::{ByName, JsonNumber, Settings, settings};
 use super::super::limits::ConstraintAtEnd;
 use super::super::swings::{OverSwings, StudiesReport};
-use super::surroundings::Surroundings;
+use super::windows::OptimumWindows;
 use crate::drive::Outcome;
 use crate::optimize::Effort;
 #[cfg(test)]
@@ -184,7 +184,7 @@ impl OptimumReport {
     pub fn reply(
         optima: &Optima,
         over: &OverSwings,
-        around: Option<&Surroundings<'_>>,
+        around: Option<&OptimumWindows<'_>>,
         warnings: Vec<Message>,
     ) -> Reply<Self> {
         let best = &optima.best;

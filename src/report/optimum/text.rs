@@ -6,7 +6,7 @@ use super::super::shown;
 use super::super::swings::{OverSwings, goals, nominal, notes};
 use super::best_drive::{drive_lines, gain_lines};
 use super::bounds::bound_in_words;
-use super::surroundings::Surroundings;
+use super::windows::OptimumWindows;
 use crate::optimize::{Iteration, Status};
 use crate::study::swings::Nominal;
 use crate::study::{Optima, Optimum, Sample, Search};
@@ -18,7 +18,7 @@ use crate::units::{DisplayUnit, System, counted, counted_of, fixed, with_unit};
 pub fn optimize_document(
     optima: &Optima,
     over: &OverSwings,
-    around: Option<&Surroundings<'_>>,
+    around: Option<&OptimumWindows<'_>>,
     system: System,
 ) -> Document {
     // with one start, `optimum_document` already reports an interruption
@@ -40,7 +40,7 @@ pub fn optimize_document(
 pub fn optimum_document(
     optimum: &Optimum,
     over: &OverSwings,
-    around: Option<&Surroundings<'_>>,
+    around: Option<&OptimumWindows<'_>>,
     system: System,
 ) -> Document {
     let mut document = Document::default();
@@ -57,11 +57,15 @@ pub fn optimum_document(
         if is_converged {
             document.list(gain_lines(optimum, drive, system));
         }
-        add_place(&mut document, optimum, around, system);
+        add_varied_and_constraints(&mut document, optimum, around, system);
         document.list(drive_lines(optimum, value, drive, system));
     } else {
         document.add(goals(optimum, over.analysis.as_ref(), system));
-        document.add(place(optimum, nominal(over.analysis.as_ref()), system));
+        document.add(varied_table(
+            optimum,
+            nominal(over.analysis.as_ref()),
+            system,
+        ));
         add_constraints(&mut document, optimum, system);
         document.list(notes(optimum, over, system));
     }
@@ -71,28 +75,28 @@ pub fn optimum_document(
     document
 }
 
-/// For the optimum of a single drive: adds the varied parameters with remarks on the surroundings,
+/// For the optimum of a single drive: adds the varied parameters with remarks on the windows,
 /// and the constraints.
-pub(in crate::report) fn add_place(
+pub(in crate::report) fn add_varied_and_constraints(
     document: &mut Document,
     optimum: &Optimum,
-    around: Option<&Surroundings<'_>>,
+    around: Option<&OptimumWindows<'_>>,
     system: System,
 ) {
-    let mut place = place(optimum, None, system);
+    let mut table = varied_table(optimum, None, system);
     for text in around
         .iter()
         .flat_map(|around| around.lines(optimum, system))
     {
-        place.remark(text);
+        table.remark(text);
     }
-    document.add(place);
+    document.add(table);
     add_constraints(document, optimum, system);
 }
 
 /// The varied parameters as a table. For swings, a column has the design that is best for the mean
 /// swing.
-pub(in crate::report) fn place(
+pub(in crate::report) fn varied_table(
     optimum: &Optimum,
     nominal: Option<&Nominal>,
     system: System,

@@ -3,7 +3,7 @@
 
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::atmosphere::{AirState, in_effect};
-use crate::derivative::check::{Check, Curve, Demand, Ladder, STEPS};
+use crate::derivative::check::{Check, Curve, Demand, Ladder, STEP_EXPONENTS};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::impact::strike;
@@ -191,7 +191,8 @@ pub fn while_loop(setup: &Setup<f64>, rows: &[DerivativeRow]) -> Vec<LoopRow> {
                     .and_then(|()| fly_past_the_ground(&moved, setup.flight.step));
                 vec![flown.map_or(f64::NAN, |stop| stop.overshot)]
             };
-            let ladder = Ladder::sample(setup.value(parameter)?, scale, STEPS, &mut carry).pop()?;
+            let ladder =
+                Ladder::sample(setup.value(parameter)?, scale, STEP_EXPONENTS, &mut carry).pop()?;
             let check = ladder.judge(row.first.exact, Demand::FIRST);
             Some(LoopRow::new(parameter, scale, check))
         })

@@ -138,7 +138,8 @@ impl ShotResiduals<'_> {
                 .chain([stationary.parameter])
                 .collect();
             let last = self.fitted.len();
-            let carry = derivative::towards_last(&setup, &[Outcome::Carry], &wrt)?.swap_remove(0);
+            let carry =
+                derivative::last_hessian_row(&setup, &[Outcome::Carry], &wrt)?.swap_remove(0);
             let per = 1.0 / (curvature.max(f64::MIN_POSITIVE) * stationary.sigma);
             rows.residuals.push(carry.gradient[last] * per);
             let row = carry.hessian[last][..last].iter().map(|d| d * per);

@@ -50,8 +50,7 @@ pub struct Continuity {
     pub jumps: [f64; 3],
     /// Tolerances of the jumps of value, gradient and Hessian: 1e-13, 1e-12 and 1e-10, or more if
     /// rounding makes the samples scatter more.
-    #[serde(rename = "tolerances")]
-    pub bars: [f64; 3],
+    pub tolerances: [f64; 3],
     /// `pass` or `fail`.
     pub verdict: Verdict,
 }
@@ -109,7 +108,7 @@ pub(super) fn continuity(
             at: low,
             steps,
             jumps: pairs.map(|(jump, _)| jump),
-            bars: pairs.map(|(_, bar)| bar),
+            tolerances: pairs.map(|(_, tolerance)| tolerance),
             verdict: Verdict::of(pairs.iter().all(|(jump, bar)| jump <= bar)),
         }
     };

@@ -34,7 +34,7 @@ const REFERENCE: u32 = 4096;
 
 /// Number of steps of a second reference flight, which differs from the first mainly by rounding.
 /// Errors below `ROUNDING_FACTOR` times this difference count as rounding.
-const BESIDE_THE_REFERENCE: u32 = 2048;
+const SECOND_REFERENCE: u32 = 2048;
 const ROUNDING_FACTOR: f64 = 10.0;
 
 /// Reason for no result in a logarithmic wind.
@@ -133,7 +133,7 @@ pub(super) fn convergence(
     // landing
     let step = |steps: u32| time / (f64::from(steps) - 0.5);
     let is_short = |steps: u32| step(steps) <= 1.0 && step(steps) * decay_rate <= 1.0;
-    if !is_short(BESIDE_THE_REFERENCE) {
+    if !is_short(SECOND_REFERENCE) {
         return Ok(Err(STEPS_TOO_LONG));
     }
     let at = |level: usize, steps: u32| {
@@ -179,7 +179,7 @@ struct StepComparison<'a> {
     scales: Vec<f64>,
     reference: Vec<Taylor>,
     /// Outcomes of a second reference flight, which differ from `reference` mainly by rounding.
-    beside: Vec<Taylor>,
+    second_reference: Vec<Taylor>,
     flown: Vec<SteppedDrive>,
     measure: fn(&[Errors], u32, f64, f64) -> Option<MeasuredOrder>,
 }
@@ -197,7 +197,7 @@ impl<'a> StepComparison<'a> {
         fly: &dyn Fn(usize, u32) -> Option<SteppedDrive>,
     ) -> std::result::Result<Self, &'static str> {
         let reference = fly(0, REFERENCE).ok_or(NO_REFERENCE)?.taylors;
-        let beside = fly(0, BESIDE_THE_REFERENCE).ok_or(NO_REFERENCE)?.taylors;
+        let second_reference = fly(0, SECOND_REFERENCE).ok_or(NO_REFERENCE)?.taylors;
         let has_joins = setup.law.properties().continuous_derivatives.is_some();
         let levels = if has_joins {
             LEVELS_ACROSS_JOINS
@@ -217,7 +217,7 @@ impl<'a> StepComparison<'a> {
             drive,
             scales,
             reference,
-            beside,
+            second_reference,
             flown,
             measure: if has_joins { measure_largest } else { measure },
         })
@@ -235,8 +235,8 @@ impl<'a> StepComparison<'a> {
             })
         };
         let samples: Vec<[Errors; 2]> = self.flown.iter().map(sample).collect();
-        let rounding =
-            errors_of(&self.beside).map(|errors| ROUNDING_FACTOR * largest_magnitude(&errors));
+        let rounding = errors_of(&self.second_reference)
+            .map(|errors| ROUNDING_FACTOR * largest_magnitude(&errors));
         let of_smooth_law = orders_of_smooth_law(self.setup, of);
         let law_derivatives = self.setup.law.properties().continuous_derivatives;
         // a step across a join has an error of h^(k+2) times a function of the join's position in
@@ -345,7 +345,7 @@ mod tests {
             StepComparison::new(&setup, &drive, vec![], fly).err()
         };
         let reference_only = |level: usize, steps: u32| {
-            (steps >= BESIDE_THE_REFERENCE).then(|| SteppedDrive {
+            (steps >= SECOND_REFERENCE).then(|| SteppedDrive {
                 level,
                 step: 1.0 / f64::from(steps),
                 taylors: vec![],

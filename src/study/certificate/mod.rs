@@ -157,7 +157,7 @@ impl Certificate {
         work: &CertificateProgress<'_>,
     ) -> Result<()> {
         // skip these checks at a corner: no outcome is smooth there, and the rows report the corner
-        let goes_on = || !has_corner && !work.is_stopped();
+        let goes_on = || !has_corner && !work.report_progress();
         let pair = &wrt[..wrt.len().min(2)];
         if goes_on() {
             self.landing = landing::at_landing(setup, wrt)?;
@@ -172,7 +172,7 @@ impl Certificate {
                 Err(reason) => no_convergence = reason,
             }
         }
-        if !work.is_stopped() {
+        if !work.report_progress() {
             self.step = step::step_errors(setup, of, wrt)?;
         }
         let prevented = match (work.is_interrupted(), has_corner) {
@@ -314,7 +314,7 @@ struct CertificateProgress<'a> {
 
 impl CertificateProgress<'_> {
     /// Reports the progress; true once the work is stopped.
-    fn is_stopped(&self) -> bool {
+    fn report_progress(&self) -> bool {
         let done = self.done.load(Ordering::Relaxed);
         // once stopped, stay stopped
         if !self.is_interrupted() && !(self.progress)(done, self.all) {
@@ -337,18 +337,17 @@ fn rows_by_parameter(
 ) -> Result<Vec<DerivativeRow>> {
     let exact = evaluate(setup, of, wrt, Order::First)?;
     let by_parameter = wrt.par_iter().enumerate().map(|(k, parameter)| {
-        if work.is_stopped() {
+        if work.report_progress() {
             return Ok(vec![]);
         }
         let slopes: Vec<f64> = exact.iter().map(|taylor| taylor.gradient[k]).collect();
-        let is_stopped = || work.is_stopped();
+        let is_stopped = || work.report_progress();
         let rows = rows::rows(setup, drive, of, parameter, &slopes, &is_stopped)?;
         let Some(rows) = rows else {
             return Ok(vec![]);
         };
         work.done.fetch_add(1, Ordering::Relaxed);
-        // report the progress
-        work.is_stopped();
+        work.report_progress();
         Ok(rows)
     });
     Ok(by_parameter.collect::<Result<Vec<_>>>()?.concat())

@@ -1,7 +1,9 @@
 use super::agreement::{Agreement, by_num_dual};
 use super::scale::{scale, size_of_terms};
 use crate::aerodynamics::AerodynamicLaw;
-use crate::derivative::check::{Check, Demand, FEW_STEPS, Ladder, STEPS, Verdict, taylor_slopes};
+use crate::derivative::check::{
+    Check, Demand, FEW_STEP_EXPONENTS, Ladder, STEP_EXPONENTS, Verdict, taylor_slopes,
+};
 use crate::derivative::{Evaluator, Order, Taylor, evaluate};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
@@ -177,7 +179,7 @@ impl Neighbours<'_> {
             .iter()
             .map(|of| of.value(self.drive).unwrap_or_default())
             .collect();
-        let ladders = Ladder::sample(self.at, self.scale, STEPS, &mut |x| {
+        let ladders = Ladder::sample(self.at, self.scale, STEP_EXPONENTS, &mut |x| {
             self.sample(&self.values, x, |i, taylor| {
                 self.of[i].unwrap_angle(taylor.value, own[i])
             })
@@ -236,9 +238,9 @@ pub(super) fn in_few_steps<T>(
             .map(&judge)
             .collect::<Vec<T>>()
     };
-    let few = by(FEW_STEPS.to_vec());
+    let few = by(FEW_STEP_EXPONENTS.to_vec());
     if few.iter().any(fails) {
-        by(STEPS.collect())
+        by(STEP_EXPONENTS.collect())
     } else {
         few
     }

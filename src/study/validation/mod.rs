@@ -234,7 +234,7 @@ impl SetScores {
         let less = self
             .cases
             .iter()
-            .map(|case| predicted::of_averaging(case, law))
+            .map(|case| predicted::mean_carry_change_by_scatter(case, law))
             .collect::<Option<Vec<_>>>()?;
         Some(bias + less.iter().sum::<f64>() / less.len() as f64)
     }

@@ -98,7 +98,7 @@ pub const SCATTER: [(&str, f64); 6] = [
 /// Mean carry, m, of drives scattered by [`SCATTER`], minus the carry of the average launch. To
 /// second order, this is half the sum of second derivative × variance. `None` if the derivatives do
 /// not exist.
-pub(super) fn of_averaging(case: &Case, law: Law<f64>) -> Option<f64> {
+pub(super) fn mean_carry_change_by_scatter(case: &Case, law: Law<f64>) -> Option<f64> {
     let mut setup = launched(in_air_of(case, Setup::default(), None), case);
     setup.law = law;
     setup.launch.spin_axis = Some(0.0);

@@ -1,6 +1,6 @@
 //! basin's SLSQP.
 
-use super::{End, FALL, ITERATIONS};
+use super::{DECREASE_TOLERANCE, End, ITERATIONS};
 use crate::oracle::{Oracle, Row, rows, start};
 use ::basin::{
     BoxBounds, ConstraintDescription, ConstraintJacobian, ConstraintSet, ConstraintSolveError,
@@ -113,7 +113,7 @@ pub fn solve(oracle: &Oracle) -> Result<End, String> {
         equalities,
         inequalities,
     };
-    let solver = Slsqp::new().with_absolute_accuracy_tolerance(FALL);
+    let solver = Slsqp::new().with_absolute_accuracy_tolerance(DECREASE_TOLERANCE);
     let result = Executor::new(problem, solver, SelectedFirstOrderState::new(start(case)))
         .max_iter(ITERATIONS)
         .run_with_solver()

@@ -13,7 +13,7 @@ use crate::problems::Case;
 pub const TOLERANCE: f64 = 1e-10;
 /// Tolerance for the decrease of f, for solvers that stop at a small decrease. It is smaller,
 /// because near a minimum f − f* is proportional to the square of the error of x.
-pub const FALL: f64 = 1e-14;
+pub const DECREASE_TOLERANCE: f64 = 1e-14;
 pub const ITERATIONS: u64 = 1000;
 
 /// Last point of a solver.

@@ -1,7 +1,7 @@
 //! slsqp: NLopt's SLSQP in Rust. Its interface has inequalities only; an equality becomes two
 //! inequalities.
 
-use super::{End, FALL, ITERATIONS};
+use super::{DECREASE_TOLERANCE, End, ITERATIONS};
 use crate::oracle::{Oracle, Row, rows, start};
 use crate::problems::Case;
 use ::slsqp::{Func, StopTols, minimize};
@@ -32,7 +32,7 @@ pub fn solve(oracle: &Oracle) -> Result<End, String> {
         .zip(case.high.iter().copied())
         .collect();
     let stop = StopTols {
-        ftol_rel: FALL,
+        ftol_rel: DECREASE_TOLERANCE,
         ..StopTols::default()
     };
     // slsqp limits evaluations instead of iterations: ten evaluations for each iteration

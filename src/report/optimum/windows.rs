@@ -6,7 +6,7 @@ use crate::units::{System, signed};
 
 /// The windows of an optimum of a single drive, and the optimum of the club alone.
 #[derive(Clone, Copy, Debug)]
-pub struct Surroundings<'a> {
+pub struct OptimumWindows<'a> {
     /// The allowed loss, SI.
     pub loss: f64,
     /// For each varied parameter: the range in which the drive loses at most `loss` while the other
@@ -17,7 +17,7 @@ pub struct Surroundings<'a> {
     pub club_alone: Option<&'a ClubAlone>,
 }
 
-impl Surroundings<'_> {
+impl OptimumWindows<'_> {
     /// A line with the windows of all varied parameters, then a line with the gain of the club
     /// alone.
     pub(super) fn lines(&self, optimum: &Optimum, system: System) -> Vec<String> {
