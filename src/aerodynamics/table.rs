@@ -38,10 +38,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
                 held: [[true; 2]; 4],
             },
             continuous_derivatives: Some(2),
-            // `lift_onset` is `None` for a table that begins at zero spin. In other tables the spin
-            // is clamped, so C_D has no slope at zero spin (if the clamp is narrower than the least
-            // spin).
-            has_corner_at_zero_spin: self.table.grid.lift_onset.is_none(),
+            has_corner_at_zero_spin: self.table.grid.has_slope_at_zero_spin(),
         }
     }
 }

@@ -523,6 +523,45 @@ fn drag_of_a_table_is_not_checked_below_zero_spin() {
     );
 }
 
+/// Zero spin is a corner if the drag has a slope there. The clamp below the least spin is half of
+/// the first interval wide. If it ends above zero spin, the drag at zero spin is constant. The
+/// slopes are difference quotients.
+#[test]
+fn zero_spin_is_a_corner_if_the_drag_of_the_table_has_a_slope_there() {
+    let table = |spins: [f64; 3]| {
+        let mut text = "spin [rad/s],cd,cl\n".to_owned();
+        for (spin, drag) in spins.into_iter().zip([0.2, 0.25, 0.32]) {
+            let lift = if spin == 0.0 { 0.0 } else { 0.1 };
+            writeln!(text, "{spin},{drag},{lift}").unwrap();
+        }
+        text
+    };
+    let launch = [
+        ("launch.ball_speed", "67 m/s"),
+        ("launch.launch_angle", "12 deg"),
+        ("launch.spin", "0 rpm"),
+    ];
+    for (text, is_corner) in [
+        (table([0.0, 150.0, 400.0]), true),
+        (table([20.0, 150.0, 400.0]), true),
+        (table([150.0, 300.0, 400.0]), false),
+        (
+            "speed [mph],cd,cl\n100,0.25,0.15\n150,0.24,0.16\n".into(),
+            false,
+        ),
+    ] {
+        let law = of_table(&text);
+        let drag = |s: f64| at(law, [s, 1e5, 50.0]).drag;
+        let slope = (drag(1e-6) - drag(0.0)) / 1e-6;
+        assert_eq!(slope.abs() > 1e-3, is_corner, "{text}: {slope}");
+        let mut setup = Setup::default();
+        setup.set_all(launch).unwrap();
+        setup.law = law;
+        let corners = Drive::new(&setup).unwrap().corners(&setup);
+        assert_eq!(corners.len(), usize::from(is_corner), "{text}: {corners:?}");
+    }
+}
+
 /// The fitted range of a table is the range of its nodes.
 #[test]
 fn a_drive_beyond_its_table_has_a_warning() {

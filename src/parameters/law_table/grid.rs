@@ -66,3 +66,14 @@ pub(crate) struct CoefficientGrid {
     pub lift_onset: Option<(AxisVariable, f64)>,
     pub surface: Surface,
 }
+
+impl CoefficientGrid {
+    /// True if C_D depends on the spin at zero spin. It does not if the table has no spins, or one,
+    /// or if the clamp below the least spin ends above zero spin.
+    pub fn has_slope_at_zero_spin(&self) -> bool {
+        self.spin.is_some_and(|axis| {
+            let [least, most] = axis.ends;
+            least < most && least < axis.over[0]
+        })
+    }
+}
