@@ -6,6 +6,7 @@ use crate::command::host::Progress;
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, bar, command_line, note, system, warn, warnings};
 use crate::command::plot::{counted_points, limits};
+use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::search::of_a_drive;
@@ -104,7 +105,15 @@ pub fn run(args: &Args) -> Result<Answer> {
         args.output.join("index.html").display(),
         counted(files.len() as u64, "file")
     ));
-    let origin = request.origin();
+    let origin = match &inputs.search {
+        Some(search) => request.origin_with_held(
+            &args.search.vary,
+            &search.vary,
+            &inputs.stated,
+            DefaultRanges::longest_drive,
+        )?,
+        None => request.origin(),
+    };
     let names = files.iter().map(|(name, _)| *name).collect();
     Ok(answer(args, &origin, &findings, names))
 }

@@ -1,6 +1,7 @@
 use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::{outcomes, sigmas};
 use crate::command::output::{Answer, note, system, warn, with_bar};
+use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::optimize::Observer;
 use crate::parameters::Parameter;
@@ -50,6 +51,15 @@ pub fn run(args: &Args) -> Result<Answer> {
     let of = outcomes(&args.of)?;
     let given = sigmas(&setup, &args.sigma)?;
     let best = find_optimum(args, &request, &setup)?;
+    let origin = match &best {
+        Some(best) => request.origin_with_held(
+            &args.search.vary,
+            &best.search.vary,
+            &setup,
+            DefaultRanges::longest_drive,
+        )?,
+        None => request.origin(),
+    };
     if let Some(best) = &best {
         setup = best.setup;
     }
@@ -70,7 +80,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(slopes.iter().flat_map(|slopes| missing_slopes(slopes)));
     let totals = slopes.as_deref().unwrap_or_default();
     let report = EffectsReport::new(&found, best.as_ref(), totals);
-    let origin = request.origin();
     Ok(Answer::report(&report, &origin, request.is_json))
 }
 

@@ -81,6 +81,12 @@ fn a_stated_value_is_held_in_every_search() {
         json(&[&["optimum-sensitivity", "--wrt", "swing.speed"], &loft[..]].concat());
     assert_eq!(names(&sensitivity["optimum"]), ["swing.attack_angle"]);
     assert_eq!(sensitivity["held"], Value::from(vec!["club.loft"]));
+    let (_, effects) = json(&[&["sensitivity", "--at-optimum"], &attack[..]].concat());
+    assert_eq!(effects["held"], is_held);
+    let folder = tempfile::tempdir().unwrap();
+    let pages = folder.path().join("report").display().to_string();
+    let (_, report) = json(&[&["report", "-o", &pages], &attack[..]].concat());
+    assert_eq!(report["held"], is_held);
     // by default a chart does not vary its own parameter
     let (status, chart) = json(&["chart", "--along", "swing.attack_angle", "--at=-2deg,0deg"]);
     assert_eq!(status, 0);
