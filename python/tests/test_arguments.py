@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import longdrive
-from longdrive import InputError
+from longdrive import InputError, LongdriveWarning
 
 YARD = 0.9144
 SPREAD = "swing.path=normal(0deg,2deg)"
@@ -237,6 +237,21 @@ def test_a_launch_of_a_dict_and_of_the_arguments_is_refused() -> None:
         match=r"^launch\.ball_speed, .* of the setup: ball_speed give the measured launch",
     ):
         longdrive.delivery(setup, ball_speed="160 mph")
+
+
+def test_a_club_value_of_a_dict_counts_as_measured() -> None:
+    found = longdrive.delivery(
+        {"swing.speed": "95 mph"}, ball_speed="140 mph", launch_angle="12 deg", backspin="2600 rpm"
+    )
+    known = {row["parameter"]: row for row in found["rows"][0]["known"]}
+    assert "the error of a launch monitor's club values" in known["swing.speed"]["source"]
+    assert "how golfers differ" in known["swing.attack_angle"]["source"]
+
+
+def test_a_coefficient_of_a_dict_that_another_law_lacks_is_named() -> None:
+    lost = "the stated aero.cd0 has no effect in the model 'aero.law=ferguson'"
+    with pytest.warns(LongdriveWarning, match=lost):
+        longdrive.robust({"aero.cd0": 0.2})
 
 
 DEGREES: list[Callable[[], Any]] = [

@@ -106,7 +106,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         Some(path) => Some(swings_destination(&rule, path)?),
         None => None,
     };
-    let setup = requests.setup_of_club()?;
+    let setup = requests.club.setup()?;
     let launched = requests.setup_of_launch(args)?;
     warn(setup.warnings());
     warn(idle_settings_warning(args, &requests.club));
@@ -247,7 +247,7 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
     let is_varied = unknowns
         .iter()
         .any(|unknown| unknown.parameter.name == LOFT);
-    let is_stated = club.stated().any(|name| name == LOFT);
+    let is_stated = club.states(LOFT);
     if is_varied || is_stated || !club.source.is_average() {
         return vec![];
     }
@@ -271,7 +271,7 @@ fn idle_settings_warning(args: &Args, club: &Request) -> Option<Message> {
     }
     // the parameters of strike and ball determine the impact
     let is_idle = |name: &&str| !is_of_strike(name) && !name.starts_with("ball.");
-    let idle: Vec<&str> = club.stated().filter(is_idle).collect();
+    let idle: Vec<_> = club.stated().filter(is_idle).collect();
     (!idle.is_empty()).then(|| {
         let idle = idle.join(", ");
         Message::from(format!(
@@ -286,10 +286,8 @@ fn idle_settings_warning(args: &Args, club: &Request) -> Option<Message> {
 fn read_unknowns(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Vec<Unknown>> {
     let vary = varied(&args.vary, setup, || Ok(vec![]))?;
     let sigmas = sigmas(setup, &args.sigma)?;
-    let is_setting =
-        |unknown: &Unknown| request.stated().any(|name| name == unknown.parameter.name);
     let measured = |unknown: Unknown| match setup.value(unknown.parameter) {
-        Some(value) if is_setting(&unknown) => Unknown {
+        Some(value) if request.states(unknown.parameter.name) => Unknown {
             range: unknown.range,
             ..unknown.with_measured_prior(value)
         },
@@ -450,7 +448,17 @@ struct Requests {
 
 impl Requests {
     fn new(args: &Args) -> Result<Self> {
-        let source = Source::read(&args.drive.setup)?;
+        let mut source = Source::read(&args.drive.setup)?;
+        let mut club = source.clone();
+        (source.stated, club.stated) = source
+            .stated
+            .into_iter()
+            .partition(|name| name.starts_with("launch."));
+        source.content.given.retain(|row| !is_of_strike(row.name));
+        let own = &mut club.content.setup;
+        for condition in own.given_launch_conditions() {
+            own.set_value(condition, None)?;
+        }
         let (mut of_launch, of_club): (Vec<_>, Vec<_>) = args
             .drive
             .settings()?
@@ -471,35 +479,19 @@ impl Requests {
             }
         }
         Ok(Self {
-            club: Request::of_drive(source.clone(), of_club)?,
+            club: Request::of_drive(club, of_club)?,
             launched: Request::of_drive(source, of_launch)?,
         })
     }
 
-    /// The setup of the club, without a launch.
-    fn setup_of_club(&self) -> Result<Setup<f64>> {
-        let mut setup = self.club.setup()?;
-        for condition in setup.given_launch_conditions() {
-            setup.set_value(condition, None)?;
-        }
-        Ok(setup)
-    }
-
-    /// The setup with the measured launch. A launch in the arguments is an error with `--shots`,
-    /// because each shot has its own launch.
+    /// The setup with the measured launch. A launch condition in the arguments is an error with
+    /// `--shots`, because each shot has its own launch.
     fn setup_of_launch(&self, args: &Args) -> Result<Setup<f64>> {
-        let options: Vec<_> = self
-            .launched
-            .settings
-            .iter()
-            .filter(|setting| setting.replaces_launch())
-            .map(CommandSetting::to_string)
-            .collect();
-        if args.shots.is_some() && !options.is_empty() {
-            return Err(Error::unreadable(
-                format!("`shots` with {}", options.join(", ")),
+        if args.shots.is_some() {
+            self.launched.refuse_launch(
+                &self.launched.partial_setup,
                 "each shot has its own launch; give the shots or a launch, not both",
-            ));
+            )?;
         }
         let launched = self.launched.setup()?;
         if args.shots.is_none() && !launched.launch.is_given() {

@@ -83,7 +83,7 @@ impl DefaultRanges {
     pub fn new(ranges: Vec<Vary>, request: &Request) -> Self {
         let (kept, vary): (Vec<_>, Vec<_>) = ranges
             .into_iter()
-            .partition(|range| request.states(range.parameter));
+            .partition(|range| request.states(range.parameter.name));
         Self {
             vary,
             kept: kept.into_iter().map(|range| range.parameter).collect(),

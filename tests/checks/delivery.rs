@@ -628,6 +628,18 @@ fn bad_arguments_of_delivery_are_refused_with_advice() {
             "give the shots or a launch, not both",
         ),
         (
+            [
+                "delivery",
+                "--shots",
+                "none.csv",
+                "--set",
+                "launch.launch_direction=2deg",
+            ]
+            .map(String::from)
+            .to_vec(),
+            "--set launch.…: each shot has its own launch",
+        ),
+        (
             given(&["--own-step"]),
             "this command has no option '--own-step'",
         ),
@@ -641,6 +653,25 @@ fn bad_arguments_of_delivery_are_refused_with_advice() {
             ran.err
         );
     }
+}
+
+/// A delivery is found from the launch and the club of a setup file, so it uses both.
+#[test]
+fn a_delivery_uses_the_club_and_the_launch_of_a_file_but_no_launch_beside_shots() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("both.toml").display().to_string();
+    let text = "[swing]\nspeed = \"95 mph\"\n[launch]\nball_speed = \"140 mph\"\n\
+                launch_angle = \"12 deg\"\nspin = \"2600 rpm\"\n";
+    std::fs::write(&file, text).unwrap();
+    let found = longdrive(&["delivery", &file]);
+    assert_eq!(found.status, 0, "{}", found.err);
+    assert!(found.err.contains("swing.speed = 95 mph"), "{}", found.err);
+    assert!(!found.err.contains("not used"), "{}", found.err);
+    let drive = longdrive(&["simulate", &file]);
+    assert!(drive.err.contains("not used"), "{}", drive.err);
+    let both = longdrive(&["delivery", &file, "--shots", "none.csv"]);
+    let says = "both.toml: each shot has its own launch";
+    assert!(both.status == 2 && both.err.contains(says), "{}", both.err);
 }
 
 /// Air, wind, ground and law have no effect on the impact. A file has the whole setup.

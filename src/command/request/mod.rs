@@ -12,7 +12,6 @@ pub use source::Source;
 
 use crate::command::args::{DriveArgs, OwnLaw, SetupArgs};
 use crate::command::output::{note, system};
-use crate::command::running::running;
 use crate::integration::StepChoice;
 use crate::parameters::{
     Law, Parameter, TABLE, Vary, follows_from, is_of_strike, is_reset, is_unset,
@@ -235,27 +234,19 @@ impl Request {
         Ok(setup)
     }
 
-    /// The names of the parameters that the command line states, in the order of its options.
+    /// The names of the parameters that the host states, then of those that the command line
+    /// states.
     pub fn stated(&self) -> impl Iterator<Item = &str> {
-        self.settings
-            .iter()
-            .map(|setting| setting.parameter.as_str())
+        let by_host = &self.source.stated;
+        let by_setting = self.settings.iter().map(|setting| &setting.parameter);
+        let only_by_setting = by_setting.filter(|name| !by_host.contains(name));
+        by_host.iter().chain(only_by_setting).map(String::as_str)
     }
 
     /// True if the command line or the host states the parameter. A search over the default ranges
     /// does not vary stated parameters.
-    pub fn states(&self, parameter: &Parameter) -> bool {
-        let is = |name: &str| name == parameter.name;
-        self.stated().any(is) || self.stated_by_host().iter().any(|name| is(name))
-    }
-
-    /// Names of the parameters that the host states in the setup named `-`; empty for another
-    /// setup.
-    fn stated_by_host(&self) -> Vec<String> {
-        if self.source.has_name() {
-            return vec![];
-        }
-        running().host.stated()
+    pub fn states(&self, name: &str) -> bool {
+        self.stated().any(|stated| stated == name)
     }
 
     /// The setup as a title: "tour-average, swing.speed=95mph".
@@ -279,8 +270,7 @@ impl Request {
     /// Advice if the loft is that of an average golfer, but the speed is not: at another speed,
     /// another loft carries farther.
     pub fn loft_advice(&self) -> Option<String> {
-        let is_stated = self.stated().any(|stated| stated == "club.loft");
-        if is_stated || !self.source.is_average() {
+        if self.states("club.loft") || !self.source.is_average() {
             return None;
         }
         let own = Setup::preset(&self.source.argument).ok()?;
@@ -337,9 +327,9 @@ impl Request {
             .collect()
     }
 
-    /// Refuses a setup that gives the launch; `why` is the reason, with advice.
+    /// Refuses a setup that gives a launch condition; `why` is the reason, with advice.
     pub fn refuse_launch(&self, setup: &Setup<f64>, why: &str) -> Result<()> {
-        if !setup.launch.is_given() {
+        if setup.given_launch_conditions().is_empty() {
             return Ok(());
         }
         let of_launch = || {
@@ -431,7 +421,7 @@ impl Request {
         if let Some(setting) = setting {
             return Some(setting.named());
         }
-        let name = self.stated_by_host().into_iter().find(|name| is(name))?;
+        let name = self.source.stated.iter().find(|name| is(name))?;
         Some(format!("{name} of the setup"))
     }
 

@@ -17,6 +17,9 @@ pub struct Source {
     pub argument: String,
     /// The content of the file; for a preset, only its setup.
     pub content: SetupFile,
+    /// The names of the parameters that the host states in the setup named `-`. They count as
+    /// settings.
+    pub stated: Vec<String>,
 }
 
 impl Source {
@@ -39,9 +42,15 @@ impl Source {
         } else {
             read_preset(argument)?
         };
+        let stated = if argument == STANDARD_INPUT {
+            running().host.stated()
+        } else {
+            vec![]
+        };
         Ok(Self {
             argument: argument.into(),
             content,
+            stated,
         })
     }
 
