@@ -41,7 +41,8 @@ pub struct Args {
     #[command(flatten)]
     pub pair: PairArgs,
 
-    /// The outcomes whose difference is split, separated by commas; "all" for every one.
+    /// The outcomes whose difference is split, separated by commas; "all" for every outcome of a
+    /// drive.
     #[arg(
         long,
         value_name = "OUTCOME,…",

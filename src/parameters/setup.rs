@@ -261,6 +261,9 @@ impl Setup<f64> {
     /// quantity with a dimension needs its unit; [`set_value`](Self::set_value) takes a number in
     /// SI.
     ///
+    /// A weather parameter replaces density and viscosity of the air, even if they were set before.
+    /// [`set_all`](Self::set_all) refuses both together.
+    ///
     /// # Errors
     /// [`Error::Unknown`] for an unknown name; [`Error::OtherLaw`] for a coefficient of another
     /// law; [`Error::Unreadable`] for a text that is not a value; [`Error::OutOfRange`] for a value

@@ -91,8 +91,8 @@ def compare(
     launch_b : Given
         The launch conditions of drive b, as in launch.
     of : Names
-        The outcomes whose difference is split, one or several; "all" for every one [default:
-        carry].
+        The outcomes whose difference is split, one or several; "all" for every outcome of a drive
+        [default: carry].
     angles : {"rad", "deg"}
         The unit of angles without a unit.
     progress : bool or callable

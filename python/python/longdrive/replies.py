@@ -154,7 +154,8 @@ class FlyReply(Reply):
     refused: list[dict[str, Any]]
     """The rows whose ball did not land, by kind of reason."""
     noted: int
-    """Number of rows with assumed values, or with values that are not compared."""
+    """Number of rows with assumed values, or with measured values that are not compared with
+    predictions."""
     spin_not_measured: int
     """Number of rows whose export states an estimated or modelled spin."""
     normalized: int
@@ -343,7 +344,7 @@ class UncertaintyReply(Reply):
     inputs: list[dict[str, Any]]
     """The uncertain parameters and their distributions."""
     outcomes: list[dict[str, Any]]
-    """Each outcome."""
+    """The uncertainty of each outcome."""
     ellipses: list[dict[str, Any]]
     """Ellipses of the landings; empty unless carry and lateral were requested."""
     samples: int
