@@ -224,6 +224,18 @@ impl ShotColumns {
         Some(&read.column)
     }
 
+    /// The column with the index `at` whose numbers are read; `None` for other columns.
+    pub(super) fn read_column(&self, at: usize) -> Option<&Column> {
+        let measured = self.read.iter().map(|read| (read.at, &read.column));
+        let parameters = self.other_parameters.iter();
+        let parameters = parameters.map(|row| (row.at, &row.column));
+        let club = self.club.iter().flatten();
+        let club = club.map(|(at, column)| (*at, column));
+        let mut columns = measured.chain(parameters).chain(club);
+        let (_, column) = columns.find(|(own, _)| *own == at)?;
+        Some(column)
+    }
+
     /// Message about missing columns of the launch; `None` if none is missing.
     fn why_no_launch(&self, columns: &[Column]) -> Option<String> {
         let missing = missing_of_launch(columns);

@@ -22,7 +22,9 @@ impl ShotColumns {
     /// Reads the shot of a record.
     pub(super) fn shot(&self, record: Record) -> Shot {
         let row = cells(&record.text, self.separator);
-        if let Some(fault) = RowFault::find(&record, &row, self.heads.len(), self.is_export) {
+        let column = |at: usize| self.read_column(at);
+        let fault = RowFault::find(&record, &row, self.heads.len(), self.is_export, column);
+        if let Some(fault) = fault {
             let refusal = fault.refusal();
             return Shot::refused(record.line, record.text, refusal);
         }

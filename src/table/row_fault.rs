@@ -1,5 +1,7 @@
 //! Rows that are not read: rows without a shot, and rows that cannot be split into cells.
 
+use super::column::Column;
+use super::numbers::cell_number;
 use super::records::Record;
 use super::refusal::Refusal;
 use crate::units::counted;
@@ -17,31 +19,40 @@ pub(crate) enum RowFault<'a> {
 
 impl<'a> RowFault<'a> {
     /// The fault of a record with the cells `row`, in a table with `width` columns; `None` for a
-    /// row that can be read.
-    pub fn find<S: AsRef<str>>(
+    /// row that can be read. `column` returns the column with an index, if its cells are read.
+    pub fn find<'c, S: AsRef<str>>(
         record: &Record,
         row: &'a [S],
         width: usize,
         is_export: bool,
+        column: impl Fn(usize) -> Option<&'c Column>,
     ) -> Option<Self> {
         if let Some(refusal) = record.unclosed() {
             return Some(Self::Unreadable(refusal));
         }
-        let no_shot = is_export.then(|| Self::of_export(row)).flatten();
+        let no_shot = is_export.then(|| Self::of_export(row, column)).flatten();
         no_shot.or_else(|| miscounted(row, width).map(Self::Unreadable))
     }
 
     /// Classifies a row of an export; `None` for a row that may hold a shot.
-    fn of_export<S: AsRef<str>>(row: &'a [S]) -> Option<Self> {
+    fn of_export<'c, S: AsRef<str>>(
+        row: &'a [S],
+        column: impl Fn(usize) -> Option<&'c Column>,
+    ) -> Option<Self> {
         if let Some(word) = summary(row.iter().map(AsRef::as_ref)) {
             return Some(Self::Summary(word));
         }
         let mut filled = row
             .iter()
             .map(AsRef::as_ref)
-            .filter(|cell| !cell.is_empty());
-        let only = filled.next()?;
-        let is_title = filled.next().is_none() && only.parse::<f64>().is_err();
+            .enumerate()
+            .filter(|(_, cell)| !cell.is_empty());
+        let (at, only) = filled.next()?;
+        // `60°` is a value in a column of angles, but the title of a wedge elsewhere
+        let is_value =
+            |column: &Column| cell_number(only, column.format.has_decimal_comma).is_some();
+        let is_number = || only.parse::<f64>().is_ok() || column(at).is_some_and(is_value);
+        let is_title = filled.next().is_none() && !is_number();
         is_title.then_some(Self::Title(only))
     }
 

@@ -1,6 +1,6 @@
 //! Tables of shots in the formats of real exports: each shot equals the same shot in a plain table.
 
-use crate::command_line::longdrive;
+use crate::command_line::{file_with, longdrive};
 use crate::common::close;
 use crate::shots::fly_shots;
 use longdrive::report::ShotWriter;
@@ -599,6 +599,30 @@ fn summary_rows_are_recognised_in_german_too() {
         format!("Spieler;Ballgeschwindigkeit;Abflugwinkel;Drehrate\n;[km/h];[deg];[rpm]\n{rows}");
     let (_, _, tally) = fly_shots(Cursor::new(text));
     assert_eq!((tally.rows, tally.flown), (4, 1));
+}
+
+/// A row with a number alone lacks values, but it is no title. `60°` is the name of a wedge in the
+/// column of the club.
+#[test]
+fn a_single_cell_with_a_number_in_the_format_of_its_column_is_no_title() {
+    let kinds = |rows: &str| {
+        let heads = "Club;Ball Speed [mph];Launch Angle [deg];Spin Rate [rpm]";
+        let text = format!("{heads}\nDriver;153,5;12,5;2500\n{rows}");
+        let (_, _, tally) = fly_shots(Cursor::new(text));
+        let kinds = tally.refused.iter();
+        let kinds = kinds.map(|(kind, refused)| (*kind, refused.count));
+        kinds.collect::<Vec<_>>()
+    };
+    let values = ";153,5;;\n;153.5 mph;;\n;;12°;\n;;;2500 rpm\n";
+    assert_eq!(kinds(values), [("missing value", 4)]);
+    assert_eq!(kinds("60°;;;\n;Driver;;\n"), [("title", 2)]);
+    let folder = tempfile::tempdir().unwrap();
+    let text = "Club Speed [mph];Attack Angle [deg]\n105,5;1\n;1,5\n107 mph;\nDriver;\n";
+    let points = file_with(folder.path(), "points.csv", text);
+    let swept = longdrive(&["sweep", "--points", &points, "--outcomes", "carry"]);
+    let rows = swept.out.lines().skip(1);
+    let is_missing: Vec<bool> = rows.map(|row| row.contains("out-of-range")).collect();
+    assert_eq!(is_missing, [false, true, true], "{}", swept.err);
 }
 
 #[test]

@@ -94,7 +94,12 @@ impl ShotRows {
     pub fn take(&mut self, reading: &Reading, record: &Record, separator: u8) -> Result<()> {
         self.row += 1;
         let row = cells(&record.text, separator);
-        let fault = RowFault::find(record, &row, reading.columns.len(), reading.is_export);
+        let columns = &reading.columns;
+        let column = |at: usize| {
+            let column = columns.get(at)?;
+            column.quantity().map(|_| column)
+        };
+        let fault = RowFault::find(record, &row, columns.len(), reading.is_export, column);
         if let Some(fault) = fault {
             if let Err(wrong) = self.no_shots.add(self.row as u64, fault) {
                 if !reading.is_export {

@@ -107,9 +107,15 @@ impl CsvRows {
             self.row += 1;
             let row = cells(&record.text, self.table.separator);
             let CsvSection {
-                width, is_export, ..
-            } = self.section;
-            let Some(fault) = RowFault::find(&record, &row, width, is_export) else {
+                width,
+                read,
+                is_export,
+            } = &self.section;
+            let column = |at: usize| {
+                let (_, column) = read.iter().find(|(own, _)| *own == at)?;
+                Some(column)
+            };
+            let Some(fault) = RowFault::find(&record, &row, *width, *is_export, column) else {
                 return Ok(Some(row.into_iter().map(Into::into).collect()));
             };
             self.no_shots.add(self.row, fault).map_err(|refusal| {
