@@ -74,8 +74,8 @@ impl Club {
 
     /// Club data from stated values, in the order of [`NAMES`](Self::NAMES); `heads` are the column
     /// heads. An unreadable or implausible value counts as not measured, and `notes` receives the
-    /// reason. A club speed of 0 counts as not measured. If all other stated values are 0 too, the
-    /// club was not measured.
+    /// reason. If all stated values are 0, including the club speed, the club was not measured, which
+    /// needs no note.
     pub(super) fn measured(
         stated: [Result<Option<f64>, String>; 4],
         heads: [&str; 4],
@@ -92,7 +92,7 @@ impl Club {
         }
         let mut values = [None; 4];
         for (at, stated) in stated.into_iter().enumerate() {
-            let Some(value) = stated.filter(|value| at > 0 || *value != 0.0) else {
+            let Some(value) = stated else {
                 continue;
             };
             match implausible_club(Self::NAMES[at], value, heads[at]) {

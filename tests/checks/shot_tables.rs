@@ -241,6 +241,16 @@ fn unmeasured_values_of_a_club_are_not_used() {
     );
     let (_, found, _) = case("open-connect-zero-club.jsonl");
     assert_eq!(found[0].shots[0].club.values(), [None; 4]);
+    assert!(found[0].shots[0].notes.is_empty());
+    let message = "{\"BallData\": {\"Speed\": 150, \"VLA\": 12, \"HLA\": 1, \"TotalSpin\": 2700, \
+                   \"SpinAxis\": 2}, \"ClubData\": {\"Speed\": 0, \"Path\": 1.5}}";
+    let (_, found, _) = fly_shots(Cursor::new(message));
+    let shot = &found[0].shots[0];
+    assert!(shot.club.speed.is_none() && shot.club.path.is_some());
+    assert_eq!(
+        shot.notes,
+        ["ClubData.Speed: a club speed of 0 counts as not measured"]
+    );
 }
 
 #[test]
