@@ -10,7 +10,7 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::table::{
-    Column, Record, RowFilter, SourceName, TableEntry, TableOptions, Text, TextTable,
+    Column, Record, RowFilter, SourceName, TableEntry, TableOptions, Text, TextTable, air_replaced,
     remark_from_line,
 };
 use crate::units::Message;
@@ -37,7 +37,7 @@ pub struct Shots {
 /// Source of the unread rows: a table, or JSON objects.
 pub(super) enum UnreadRows {
     Table(Box<TableRows>),
-    Objects(JsonRecords),
+    Objects(Box<JsonRecords>),
 }
 
 /// The JSON objects of a text.
@@ -48,6 +48,9 @@ pub(super) struct JsonRecords {
     buffer: Vec<u8>,
     /// Records that were read before the flights begin.
     ahead: VecDeque<Record>,
+    /// The air density, if the lines state it and the setup gives the air.
+    replaced_air: Option<&'static Parameter>,
+    remarks: Vec<Message>,
 }
 
 /// The rows of a table, section by section.
@@ -79,12 +82,14 @@ pub(super) struct Chunk {
     /// The section of the table; `None` for JSON.
     pub section: Option<Section>,
     records: Vec<Record>,
+    /// [`JsonRecords::replaced_air`]; `None` for a table.
+    replaced_air: Option<&'static Parameter>,
 }
 
 impl Shots {
     /// Opens a file ("-" is standard input), and reads the rows of its table that `filter` selects.
-    /// If `is_air_given` is true, every row of a table has the air of the setup, even if the export
-    /// states other air.
+    /// If `is_air_given` is true, every row has the air of the setup, even if the export states
+    /// other air.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read), and [`Error::Table`](crate::Error::Table) if the file
@@ -118,8 +123,8 @@ impl Shots {
         Self::of_text(setup, Text::open(name, source)?, false)
     }
 
-    /// Reads shots from a text that was opened before. If `is_air_given` is true, every row of a
-    /// table has the air of the setup.
+    /// Reads shots from a text that was opened before. If `is_air_given` is true, every row has the
+    /// air of the setup.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read).
@@ -137,11 +142,13 @@ impl Shots {
                 objects: Objects::default(),
                 buffer: vec![0; BUFFER],
                 ahead: VecDeque::new(),
+                replaced_air: None,
+                remarks: vec![],
             };
             return Ok(Self {
                 columns: None,
-                other_parameters: records.other_parameters(setup)?,
-                rows: UnreadRows::Objects(records),
+                other_parameters: records.other_parameters(setup, is_air_given)?,
+                rows: UnreadRows::Objects(Box::new(records)),
                 is_written,
             });
         }
@@ -202,11 +209,15 @@ impl Shots {
         }
     }
 
-    /// Remarks on the columns.
+    /// Remarks on the columns, or on the parameters of JSON lines.
     pub fn remarks(&self) -> &[Message] {
-        self.columns
-            .as_ref()
-            .map_or(&[], |columns| &columns.remarks)
+        match &self.rows {
+            UnreadRows::Table(_) => self
+                .columns
+                .as_ref()
+                .map_or(&[], |columns| &columns.remarks),
+            UnreadRows::Objects(records) => &records.remarks,
+        }
     }
 
     fn column_of(&self, of: Outcome) -> Option<&Column> {
@@ -265,7 +276,11 @@ impl TableRows {
             columns: self.columns.clone(),
             begins,
         });
-        Ok(Some(Chunk { section, records }))
+        Ok(Some(Chunk {
+            section,
+            records,
+            replaced_air: None,
+        }))
     }
 
     /// Begins a section at a line of column heads. A repetition of the current column heads is
@@ -309,6 +324,7 @@ impl UnreadRows {
                 let chunk = Chunk {
                     section: None,
                     records,
+                    replaced_air: source.replaced_air,
                 };
                 Ok(Some(chunk).filter(|chunk| !chunk.records.is_empty()))
             }
@@ -317,17 +333,30 @@ impl UnreadRows {
 }
 
 impl JsonRecords {
-    /// The parameters that the first flown shot states in addition to its launch. Reads the records
-    /// up to this shot.
-    fn other_parameters(&mut self, setup: &Setup<f64>) -> Result<Vec<&'static Parameter>> {
-        while let Some(record) = self.read()? {
-            let parameters = written::other_parameters(setup, &record.text);
+    /// The parameters that the first flown shot states in addition to its launch, without the air
+    /// density if the setup gives the air. Reads the records up to this shot.
+    fn other_parameters(
+        &mut self,
+        setup: &Setup<f64>,
+        is_air_given: bool,
+    ) -> Result<Vec<&'static Parameter>> {
+        let mut stated = None;
+        while stated.is_none()
+            && let Some(record) = self.read()?
+        {
+            stated = written::other_parameters(setup, &record.text);
             self.ahead.push_back(record);
-            if let Some(parameters) = parameters {
-                return Ok(parameters);
-            }
         }
-        Ok(vec![])
+        let mut parameters = stated.unwrap_or_default();
+        let air = setup.parameter("air.density")?;
+        let is_replaced = is_air_given || setup.why_replaced(air).is_some();
+        if is_replaced && parameters.contains(&air) {
+            parameters.retain(|parameter| *parameter != air);
+            self.replaced_air = Some(air);
+            self.remarks
+                .push(air_replaced("parameters.air.density").into());
+        }
+        Ok(parameters)
     }
 
     /// The next record; `None` at the end.
@@ -358,12 +387,29 @@ impl JsonRecords {
 
 impl Chunk {
     /// Reads the shots of these rows, and returns them with the section of the rows. A JSON line
-    /// that `fly` wrote must have values of exactly `other_parameters`.
+    /// that `fly` wrote must have values of exactly `other_parameters` and the replaced air.
     pub fn shots(self, other_parameters: &[&'static Parameter]) -> (Vec<Shot>, Option<Section>) {
-        let Self { section, records } = self;
+        let Self {
+            section,
+            records,
+            replaced_air,
+        } = self;
+        let stated: Vec<_> = other_parameters
+            .iter()
+            .copied()
+            .chain(replaced_air)
+            .collect();
         let shot = |record: Record| match &section {
             Some(section) => section.columns.shot(record),
-            None => open_connect::shot(record, other_parameters),
+            None => {
+                let mut shot = open_connect::shot(record, &stated);
+                if replaced_air.is_some()
+                    && let Ok(point) = &mut shot.point
+                {
+                    point.pop();
+                }
+                shot
+            }
         };
         (records.into_iter().map(shot).collect(), section)
     }

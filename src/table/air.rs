@@ -81,6 +81,11 @@ pub(crate) fn air_of_rows(head: &str) -> String {
     format!("each shot flies in the air that the export states for its row: {head}")
 }
 
+/// Message for exports that state the air of each row, if the setup gives the air.
+pub(crate) fn air_replaced(head: &str) -> String {
+    format!("the given air replaces the air that the export states for each row: {head}")
+}
+
 /// Ignores the columns in which an export states the air, because the setup gives the air.
 pub(crate) fn ignore_stated_air(columns: &mut [Column]) {
     for column in columns.iter_mut().filter(|column| column.is_stated_air()) {

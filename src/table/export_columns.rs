@@ -1,5 +1,6 @@
 //! Columns of an export: default units, and columns that are ignored.
 
+use super::air::air_replaced;
 use super::column::{Column, Content};
 use super::heads::is_condition_head;
 use super::launch_monitor::{nearest_head, words};
@@ -122,10 +123,7 @@ pub(crate) fn near_known(columns: &[Column]) -> String {
 /// other tables.
 pub(crate) fn given_air(columns: &[Column]) -> Option<String> {
     let column = columns.iter().find(|column| column.is_overridden_air)?;
-    Some(format!(
-        "the given air replaces the air that the export states for each row: {}",
-        column.head
-    ))
+    Some(air_replaced(&column.head))
 }
 
 /// Remark on angles without a unit, which are read in degrees.
@@ -143,6 +141,10 @@ pub(crate) fn in_degrees<'a>(columns: impl IntoIterator<Item = &'a Column>) -> O
         )
     })
 }
+
+/// Remark on values of the club in shots with a measured launch.
+pub(crate) const CLUB_LEFT_OUT: &str =
+    "the ball flies from its measured launch; columns of the club are left out";
 
 /// Ignores the unknown columns of an export. If the launch is measured, also ignores
 ///
@@ -167,9 +169,7 @@ pub(super) fn ignore_columns(
     let ignored = heads_of(&*columns, is_club);
     if !ignored.is_empty() {
         let reason = match club {
-            ClubColumns::Ignored => {
-                "the ball flies from its measured launch; columns of the club are left out"
-            }
+            ClubColumns::Ignored => CLUB_LEFT_OUT,
             ClubColumns::Read => {
                 "the smash factor follows from the speeds of ball and club; left out"
             }

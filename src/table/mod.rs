@@ -22,7 +22,7 @@ mod row_fault;
 mod row_filter;
 mod text;
 
-pub(crate) use air::{air_of_rows, air_of_setup, density_in, ignore_stated_air};
+pub(crate) use air::{air_of_rows, air_of_setup, air_replaced, density_in, ignore_stated_air};
 pub(crate) use column::{Column, Content, OF_FLOWN, TableFormat};
 pub(crate) use conditions::{
     ConditionFault, StatedConditions, conditions, contradiction, is_straight_by_assumption,
@@ -31,8 +31,8 @@ pub(crate) use decimal_mark::{DecimalMark, DecimalMarkCheck};
 #[cfg(feature = "commands")]
 pub(crate) use export_columns::ASSUMED_UNITS;
 pub(crate) use export_columns::{
-    ClubColumns, assume_unit, assumed_units_remark, given_air, has_outcome, has_whole_launch,
-    heads_of, in_degrees, missing_of_launch, near_known, with_nearest,
+    CLUB_LEFT_OUT, ClubColumns, assume_unit, assumed_units_remark, given_air, has_outcome,
+    has_whole_launch, heads_of, in_degrees, missing_of_launch, near_known, with_nearest,
 };
 pub(crate) use head::{TableHead, TableOptions, columns_remark, remark_from_line};
 pub(crate) use heads::{is_condition_head, rest_of_head};

@@ -85,6 +85,27 @@ fn same_fit_of_a_table_and_of_the_lines_that_fly_made_of_it() {
 }
 
 #[test]
+fn same_remark_on_the_club_in_calibrate_of_a_table_and_of_messages() {
+    let remark = |file: &str| {
+        let (_, answer) = json(&["calibrate", &shots(file), "--fit", "aero.cd0"]);
+        let remarks = answer["data"]["remarks"].as_array().unwrap().iter();
+        let says = "the ball flies from its measured launch; columns of the club are left out: ";
+        let mut of_club = remarks.filter_map(|remark| remark.as_str()?.strip_prefix(says));
+        of_club.next().map(str::to_owned)
+    };
+    let of_table = remark("garmin.csv").unwrap();
+    assert!(
+        of_table.starts_with("Club Speed, Attack Angle"),
+        "{of_table}"
+    );
+    let of_messages = remark("open-connect.json").unwrap();
+    assert!(
+        of_messages.starts_with("swing.speed, swing.attack_angle"),
+        "{of_messages}"
+    );
+}
+
+#[test]
 fn same_flights_of_json_lines_with_their_own_parameters() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name).display().to_string();

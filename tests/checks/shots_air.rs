@@ -275,3 +275,41 @@ fn given_air_overrides_that_of_the_export() {
     ]);
     assert!(status != 2, "{answer}");
 }
+
+/// The lines that `fly` wrote state the air of each row, as the table did.
+#[test]
+fn same_flight_of_a_table_and_of_its_json_lines_in_the_given_air() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let [table, lines, setup] = ["r50.csv", "r50.jsonl", "cold.toml"].map(place);
+    fs::write(&table, garmin_with_air(&["0.997,77,85.3,50"])).unwrap();
+    fs::write(&setup, "[air]\ndensity = \"1.3 kg/m^3\"\n").unwrap();
+    let printed = longdrive(&["fly", &table, "-o", &lines]);
+    assert_eq!(printed.status, 0, "{}", printed.err);
+    let says = "the given air replaces the air that the export states for each row";
+    for args in [
+        vec![],
+        vec![setup.as_str()],
+        vec!["--set", "air.density=1.3kg/m^3"],
+        vec!["--set", "air.temperature=0degC"],
+    ] {
+        let fly = |file: &str| {
+            let (status, answer) = json(&[&["fly", file], &args[..]].concat());
+            assert_eq!(status, 0, "{answer}");
+            let is_told = answer["remarks"].to_string().contains(says);
+            (number(&answer["residuals"][0]["bias"]), is_told)
+        };
+        let (of_table, of_lines) = (fly(&table), fly(&lines));
+        assert_eq!(of_table, of_lines, "{args:?}");
+        assert_eq!(of_lines.1, !args.is_empty(), "{args:?}");
+        let fit = |file: &str| {
+            let command = ["calibrate", file, "--fit", "aero.cd0"];
+            let (_, answer) = json(&[&command[..], &args].concat());
+            let is_told = answer["data"]["remarks"].to_string().contains(says);
+            (number(&answer["estimates"]["aero.cd0"]["value"]), is_told)
+        };
+        let (of_table, of_lines) = (fit(&table), fit(&lines));
+        close(of_lines.0, of_table.0, 0.2, 1e-6, &format!("{args:?}"));
+        assert_eq!(of_table.1, of_lines.1, "{args:?}");
+    }
+}

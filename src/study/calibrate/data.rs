@@ -12,8 +12,8 @@ use std::path::Path;
 
 impl ShotTable {
     /// Reads measured shots from the rows of a CSV file that `filter` selects, by default all rows.
-    /// If `is_air_given` is true, every row of a table has the air of the setup, even if an export
-    /// states other air.
+    /// If `is_air_given` is true, every row has the air of the setup, even if an export states other
+    /// air.
     ///
     /// # Errors
     /// The errors of [`read`](Self::read), and [`Error::Table`](crate::Error::Table) if `filter`
@@ -67,7 +67,12 @@ impl ShotTable {
     ) -> Result<Self> {
         let file = text.name.0.clone();
         if is_json(&text.beginning) {
-            return Self::of_messages(setup, Shots::of_text(setup, text, false)?, &file, club);
+            return Self::of_messages(
+                setup,
+                Shots::of_text(setup, text, is_air_given)?,
+                &file,
+                club,
+            );
         }
         let wanted = match club {
             ClubColumns::Ignored => TableOptions::MEASUREMENTS,
@@ -110,8 +115,10 @@ impl ShotTable {
         club: ClubColumns,
     ) -> Result<Self> {
         let other_parameters = shots.other_parameters.clone();
+        let remarks = shots.remarks().to_vec();
         let shots = shots.all()?;
-        let reading = Reading::of_shots(setup, &shots, &other_parameters, club);
+        let mut reading = Reading::of_shots(setup, &shots, &other_parameters, club);
+        reading.remarks.extend(remarks);
         let mut rows = ShotRows::new(file);
         rows.begin(None, &reading);
         for shot in &shots {

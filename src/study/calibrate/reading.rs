@@ -7,10 +7,11 @@ use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Interpretation, Shot};
 use crate::table::{
-    CONDITIONS, ClubColumns, Column, ConditionFault, Content, StatedConditions as Launch,
-    TableHead, TextTable, assumed_units_remark, club_column, columns_remark, conditions,
-    contradiction, given_air, has_whole_launch, heads_of, ignore_stated_air, implausible_club,
-    implausible_launch, impossible, in_degrees, is_straight_by_assumption, near_known, outside,
+    CLUB_LEFT_OUT, CONDITIONS, ClubColumns, Column, ConditionFault, Content,
+    StatedConditions as Launch, TableHead, TextTable, assumed_units_remark, club_column,
+    columns_remark, conditions, contradiction, given_air, has_whole_launch, heads_of,
+    ignore_stated_air, implausible_club, implausible_launch, impossible, in_degrees,
+    is_straight_by_assumption, near_known, outside,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -254,24 +255,25 @@ impl Reading {
             .filter(is_stated)
             .partition(|of| of.needs_run());
         let at_rest: Vec<&str> = at_rest.iter().map(|of| of.name()).collect();
-        let remark = (!at_rest.is_empty()).then(|| format!("{NO_GROUND}: {}", at_rest.join(", ")));
+        let mut remarks: Vec<Message> = columns_remark(NO_GROUND, &at_rest).into_iter().collect();
         let mut columns: Vec<Column> = outcomes
             .into_iter()
             .map(|of| Column::of(Content::Outcome(of), of.name()))
             .collect();
-        if club == ClubColumns::Read {
-            let of_club = ClubOfShot::NAMES
-                .iter()
-                .filter_map(|name| setup.variable(name).ok());
-            let is_given = |parameter: &&Parameter| {
-                ClubOfShot::index_of(parameter)
-                    .is_some_and(|at| shots.iter().any(|shot| shot.club.values()[at].is_some()))
-            };
-            columns.extend(
+        let is_given = |(at, _): &(usize, &str)| {
+            let mut clubs = shots.iter().map(|shot| shot.club.values());
+            clubs.any(|values| values[*at].is_some())
+        };
+        let of_club = ClubOfShot::NAMES.into_iter().enumerate().filter(is_given);
+        let of_club: Vec<&str> = of_club.map(|(_, name)| name).collect();
+        match club {
+            ClubColumns::Ignored => remarks.extend(columns_remark(CLUB_LEFT_OUT, &of_club)),
+            ClubColumns::Read => columns.extend(
                 of_club
-                    .filter(is_given)
+                    .iter()
+                    .filter_map(|name| setup.variable(name).ok())
                     .map(|parameter| Column::of(Content::Input(parameter), parameter.name)),
-            );
+            ),
         }
         columns.extend(
             other_parameters
@@ -286,7 +288,7 @@ impl Reading {
             club,
             club_name: None,
             columns,
-            remarks: remark.into_iter().map(Message::from).collect(),
+            remarks,
         }
     }
 
