@@ -54,6 +54,7 @@ impl Flown {
             Some(Status::Diverged) => {
                 Some("the numbers of the flight overflow; take a smaller flight.step")
             }
+            // not reached: a value outside of its range refuses the row when it is read, by name
             Some(Status::NoStrike | Status::OutOfRange) => {
                 Some("a parameter of the flight is outside of its range")
             }

@@ -11,9 +11,11 @@ const MOST: usize = 4096;
 
 /// Minimum number of rows for a warning.
 const LEAST: usize = 2;
-/// Minimum number of rows for a warning about landings on opposite sides, or about a wrong unit
-/// that changes the values by less than 25 %.
+/// Minimum number of rows for a warning about a wrong unit that changes the values by less than
+/// 25 %.
 const LEAST_NEAR_ONE: usize = 5;
+/// Minimum number of rows off the target line for a warning about landings on opposite sides.
+const LEAST_SIDES: usize = 5;
 
 /// A warning about a wrong unit needs a median of predicted/measured that differs from the ratio of
 /// the two units by at most this fraction.
@@ -141,7 +143,7 @@ impl UnitChecks {
             warnings.extend(units);
         }
         let [all, disagree] = self.sides;
-        if all >= LEAST_NEAR_ONE && disagree as f64 >= LEAST_DISAGREE * all as f64 {
+        if all >= LEAST_SIDES && disagree as f64 >= LEAST_DISAGREE * all as f64 {
             warnings.push(format!(
                 "{}: of {all} rows that end off the target line {disagree} end on the opposite \
                  side of the prediction; positive values of this column, of the launch direction \
