@@ -225,13 +225,7 @@ pub enum Error {
     },
     /// A flight whose defect (docs/model.md, eq. 16a) exceeds its limit even with the shortest
     /// step.
-    #[error(
-        "the integration error of the flight is estimated as {} m, more than {} m, also with \
-         flight.step = {} s; give a larger tolerance, or set flight.method and flight.step",
-        significant(*defect, 2),
-        significant(*limit, 2),
-        significant(*step, 2)
-    )]
+    #[error("{}", large_defect(*defect, *limit, *step))]
     LargeDefect {
         /// The defect, m.
         defect: f64,
@@ -432,6 +426,11 @@ impl Error {
                 Message::from(format!("no optimum was found: {status}: ")).message(message.clone())
             }
             Self::NoStrike { approach } => no_strike(*approach),
+            Self::LargeDefect {
+                defect,
+                limit,
+                step,
+            } => large_defect(*defect, *limit, *step),
             Self::OfDrive { drive, source } => {
                 Message::from(format!("{drive}: ")).message(source.message())
             }
@@ -473,6 +472,18 @@ fn no_strike(approach: f64) -> Message {
          swing.shaft_lean and swing.shaft_bend, which grows with the head speed as \
          swing.shaft_growth says",
     )
+}
+
+fn large_defect(defect: f64, limit: f64, step: f64) -> Message {
+    let length = |message: Message, value: f64| {
+        message.quantity(Quantity::LENGTH, "m", value, Digits::Significant(2))
+    };
+    let message = Message::from("the integration error of the flight is estimated as ");
+    let message = length(message, defect).words(", more than ");
+    length(message, limit)
+        .words(", also with flight.step = ")
+        .quantity(Quantity::TIME, "s", step, Digits::Significant(2))
+        .words("; give a larger tolerance, or set flight.method and flight.step")
 }
 
 /// The most similar of `names` to a given `name`, with its similarity, 0 to 1.

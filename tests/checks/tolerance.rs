@@ -7,6 +7,7 @@ use longdrive::batch::{Batch, Block, Points, Sequence, Status};
 use longdrive::derivative::{Taylor, hessian};
 use longdrive::integration::{StepChoice, accuracy};
 use longdrive::parameters::{Law, Method, Parameter, Vary};
+use longdrive::units::System;
 use longdrive::{Error, Outcome, Setup};
 use rayon::prelude::*;
 
@@ -374,6 +375,11 @@ fn a_drive_beyond_the_tolerance_in_every_step_is_an_error_of_its_integration() {
         message.starts_with("the integration error of the flight is estimated as ")
             && message.contains("give a larger tolerance"),
         "{message}"
+    );
+    let in_yards = error.in_units(System::Us);
+    assert!(
+        in_yards.contains(" yd, more than ") && message.contains(" m, more than "),
+        "{in_yards}"
     );
 }
 
