@@ -723,7 +723,7 @@ fn air_and_wind_given_by_different_parameters_are_one_cause_each() {
         assert!(
             std::fs::read_to_string(picture)
                 .unwrap()
-                .contains(&format!("bar,{cause},")),
+                .contains(&format!("bar,{cause}: by ")),
             "{args:?}"
         );
     }

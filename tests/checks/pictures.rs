@@ -410,8 +410,16 @@ fn controlled_and_model_parameters_have_separate_pictures() {
         let found = bars(&std::fs::read_to_string(&csv).unwrap());
         assert!(
             has.iter()
-                .all(|name| found.iter().any(|(bar, _)| bar == name)),
+                .all(|name| found.iter().any(|(bar, _)| bar.starts_with(name))),
             "{found:?}"
+        );
+        let mut names: Vec<&String> = found.iter().map(|(bar, _)| bar).collect();
+        names.sort();
+        names.dedup();
+        assert_eq!(
+            names.len(),
+            found.len(),
+            "bars with the same name: {found:?}"
         );
         assert!(
             found.iter().all(|(bar, _)| !bar.contains(has_not)),

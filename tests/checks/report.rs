@@ -437,7 +437,7 @@ fn same_tornado_bars_and_drives() {
     let csv = figure_csv(&all[3], TableUnits::Si).unwrap();
     let bar = csv
         .lines()
-        .find(|line| line.starts_with("bar,club speed ± 0.5 mph,0.0,-"))
+        .find(|line| line.starts_with("bar,club speed ± 0.5 mph: parameter lower,0.0,-"))
         .unwrap();
     let lower: f64 = bar.rsplit(',').next().unwrap().parse().unwrap();
     let carry = |speed: &str| {

@@ -16,10 +16,10 @@ struct CsvRow<'a> {
 }
 
 /// The data of a plot as CSV in these units. Each point, bar, arrow and node has a row with the
-/// kind and the name of its layer; a bar has the name of its row instead. Each quantity shown as
-/// contours has its own column. Empty columns are omitted; a missing value is an empty cell. If
-/// further views have contours, they have rows too, and the subtitle of the view is added to the
-/// names.
+/// kind and the name of its layer; a bar has the name of its row before it, "ROW: LAYER". Each
+/// quantity shown as contours has its own column. Empty columns are omitted; a missing value is an
+/// empty cell. If further views have contours, they have rows too, and the subtitle of the view is
+/// added to the names.
 ///
 /// # Errors
 /// [`Error::Output`](crate::Error::Output) if a row and the head differ in length, which no figure
@@ -107,13 +107,16 @@ fn layer_rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Cs
             .map(|[x, low, high]| row("band", [Some(*x), Some(*low), None, Some(*high)]))
             .collect(),
         Layer::Bars { name, bars, .. } => {
-            let place = |place: usize| match &figure.y.scale {
-                AxisScale::Names(names) => names.get(place).map_or(name.as_str(), String::as_str),
-                _ => name,
+            let names = match &figure.y.scale {
+                AxisScale::Names(names) => names.as_slice(),
+                _ => &[],
             };
             let one = |bar: &HorizontalBar| CsvRow {
                 kind: "bar",
-                name: place(bar.row).to_owned(),
+                name: match names.get(bar.row) {
+                    Some(row) => format!("{row}: {name}"),
+                    None => name.clone(),
+                },
                 numbers: [Some(0.0), None, Some(bar.to), None],
                 value: None,
             };
