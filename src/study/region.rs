@@ -42,7 +42,8 @@ const MOST_GRIDS: usize = 8;
 /// A region is resolved if it fills more than this fraction of the grid in both directions.
 const FILLED: f64 = 0.55;
 
-/// Rounding tolerance of an equality constraint, relative to the largest objective on the grid.
+/// Rounding tolerance of an equality constraint, relative to the largest value of its goal on the
+/// grid.
 const ROUNDING: f64 = 1e-12;
 
 impl Region {
@@ -114,7 +115,7 @@ impl Region {
             let of_constraint = excess_of(constraint, values);
             if constraint.is_equation() {
                 // ignore an equality constraint that holds on the whole plane: it excludes no point
-                let rounding = ROUNDING * largest_magnitude(plane.values[0].iter().flatten());
+                let rounding = ROUNDING * largest_magnitude(values.iter().flatten());
                 if values
                     .iter()
                     .flatten()

@@ -734,3 +734,30 @@ fn a_loss_that_is_not_above_0_and_finite_is_refused_with_its_unit() {
         }
     }
 }
+
+/// The ball speed is stated, so that the equation holds everywhere, within the rounding of the
+/// length of the velocity. The objective is 0 everywhere.
+#[test]
+fn an_equation_that_holds_up_to_rounding_excludes_no_point_of_a_region() {
+    let mut setup = Setup::default();
+    for (name, value) in [
+        ("launch.ball_speed", "74.7 m/s"),
+        ("launch.launch_angle", "11 deg"),
+        ("launch.backspin", "2700 rpm"),
+    ] {
+        setup.set(name, value).unwrap();
+    }
+    let vary = [
+        "launch.launch_angle=8deg..14deg",
+        "launch.backspin=2000rpm..3000rpm",
+    ];
+    let search = Search {
+        vary: vary.map(|text| Vary::read(&setup, text).unwrap()).into(),
+        subject_to: vec![Constraint::read("ball_speed == 74.7 m/s").unwrap()],
+        ..Search::largest(Outcome::Lateral)
+    };
+    let best = optimum(&setup, search, Observer::default()).unwrap();
+    let [across, up] = [best.search.vary[0], best.search.vary[1]];
+    let region = Region::around(&best, across, up, 1.0).unwrap().unwrap();
+    assert_eq!(region.equation, None);
+}
