@@ -177,9 +177,9 @@ const LOFT: &str = "assumed: as for the ball's launch angle, 0.3 deg";
 const BALL: &str = "assumed: the uncertainty of launch monitors for the ball, as in `calibrate` \
                     for columns without sigma";
 const STRIKE: &str = "assumed: a mark on the face, read to a millimetre";
-const STRIKE_FROM_SWEET_SPOT: &str = "assumed: a mark on the face, read to a millimetre; the \
-                                      height of the sweet spot, from which strike.high is \
-                                      measured, is known within 3 mm (docs/sources.md)";
+const STRIKE_WITH_SWEET_SPOT: &str = "assumed: a mark on the face, read to a millimetre; and the \
+                                      height of the sweet spot, which is known within 3 mm \
+                                      (docs/sources.md)";
 const SPOT: &str = "docs/sources.md: the height of the sweet spot is known within 3 mm";
 const LAW_DRAG: &str = "docs/sources.md: credible laws differ by 0.015 in C_D";
 const LAW_LIFT: &str = "docs/sources.md: credible laws differ by 0.02 in C_L, or 10 %";
@@ -284,7 +284,7 @@ pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma], of: &[Outcome]) -> Res
             }
         };
         let (value, source) = match (*name, setup.club.cg_high) {
-            ("strike.high", None) => (value.hypot(SWEET_SPOT), STRIKE_FROM_SWEET_SPOT),
+            ("strike.high", None) => (value.hypot(SWEET_SPOT), STRIKE_WITH_SWEET_SPOT),
             _ => (value, *source),
         };
         if value > 0.0 {

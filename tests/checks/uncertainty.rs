@@ -880,6 +880,13 @@ fn the_uncertainty_of_a_strike_has_the_source_of_its_size() {
         [spot, stated].map(|sigma| sigma.source.unwrap().contains("sweet spot")),
         [true, false]
     );
+    // beside a stated toe position, strike.high is measured from the face centre, at whose height
+    // the sweet spot is assumed
+    setup.set("club.cg_high", "none").unwrap();
+    setup.set("club.cg_toe", "2 mm").unwrap();
+    let beside_toe = sigma(&setup);
+    assert_eq!(beside_toe.value, spot.value);
+    assert!(!beside_toe.source.unwrap().contains("from which"));
 }
 
 #[test]
