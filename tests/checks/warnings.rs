@@ -745,6 +745,24 @@ fn a_flat_landing_has_a_warning_with_the_total_and_at_an_optimum() {
     ));
 }
 
+/// The drive before the search lands on a slope that falls half as steeply as the ball.
+#[test]
+fn a_flat_landing_of_the_compared_drive_is_on_its_own_ground() {
+    let setup = Setup::default();
+    let search = Search::longest_drive(&setup).unwrap();
+    let best = optimum(&setup, search, Observer::default()).unwrap();
+    let mut downhill = setup;
+    downhill.set("ground.slope", "-20 deg").unwrap();
+    let warnings = best
+        .compared_with(downhill)
+        .warnings(&AtomicBool::new(false));
+    let is_told = warnings.iter().any(|it| {
+        it.to_string()
+            .starts_with("the drive as set up: the ball lands at")
+    });
+    assert!(is_told, "{warnings:?}");
+}
+
 /// Club speeds are normally distributed. The expected share is the share above the speed from which
 /// a drive with the best loft leaves the range of the law. The mean swing is well within the range.
 #[test]
