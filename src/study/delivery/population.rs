@@ -176,8 +176,6 @@ struct ConvergedDistribution {
     /// Launches linearized about the mean.
     launches: LinearizedLaunches,
     information: SwingInformation,
-    /// Covariance of the swings in the basis of the identified directions.
-    spread: DMatrix<f64>,
     prior_factor: f64,
     is_converged: bool,
 }
@@ -230,7 +228,6 @@ fn iterate(
             covariance,
             launches,
             information,
-            spread,
             prior_factor,
             is_converged,
         };
@@ -296,7 +293,8 @@ impl ConvergedDistribution {
         let along = &self.information.identified;
         let information = along.transpose() * self.information.mean_information() * along;
         let of_instruments = positive_definite(information)?.inverse();
-        Ok((along * (&self.spread + of_instruments) * along.transpose()).diagonal())
+        let of_swings = along.transpose() * &self.covariance * along;
+        Ok((along * (of_swings + of_instruments) * along.transpose()).diagonal())
     }
 }
 
