@@ -76,8 +76,8 @@ pub struct Args {
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 
-    /// Write the setup with the delivery into this file; for several shots, with their mean
-    /// delivery.
+    /// Write the setup with the delivery into this file; for several shots, with the mean of the
+    /// deliveries that explain their launches. Without such a delivery, no file is written.
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
 

@@ -629,8 +629,8 @@ def delivery(
         The prior standard uncertainty of a parameter about its value in the setup, e.g.
         swing.attack_angle=1deg.
     output : PathLike
-        Write the setup with the delivery into this file; for several shots, with their mean
-        delivery.
+        Write the setup with the delivery into this file; for several shots, with the mean of the
+        deliveries that explain their launches. Without such a delivery, no file is written.
     swings : TableLike
         Write the swings that explain the shots into this file, for "longdrive optimize swings": a
         table with a row for each shot (.csv), or distributions with correlations, without the
