@@ -331,7 +331,11 @@ fn write_setup(
     let base = &request.source.content;
     let toml = delivery_toml(setup, &found.all, base, &found.from, system())?;
     let file = request.write_setup(output, toml)?;
-    note(&format!("wrote the setup with this delivery into {file}"));
+    let what = match found.all.len() {
+        1 => "this delivery".into(),
+        all => format!("the mean of {} of {all} deliveries", found.explained()),
+    };
+    note(&format!("wrote the setup with {what} into {file}"));
     note(&format!(
         "to find the loft of the longest carry with this delivery: {}",
         command_line(["optimize", &file, "--vary", "club.loft=4deg..20deg"])

@@ -546,6 +546,36 @@ fn a_launch_without_a_delivery_is_unexplained_and_not_written() {
     assert!(!file.exists() && answer["spread"].as_array().unwrap().is_empty());
 }
 
+/// No club of the ranges gives a ball 269 mph.
+#[test]
+fn the_written_setup_is_the_mean_of_the_explained_deliveries() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let heads = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Axis [deg]";
+    let written = |rows: &str| {
+        let [table, file] = ["shots.csv", "golfer.toml"].map(place);
+        std::fs::write(&table, format!("{heads}\n{rows}\n")).unwrap();
+        let output = longdrive(&["delivery", "--shots", &table, "-o", &file, "--overwrite"]);
+        let toml = std::fs::read_to_string(&file).ok();
+        let _ = std::fs::remove_file(&file);
+        (output.status, on_one_line(&output.err), toml)
+    };
+    let (status, told, alone) = written("150,12,2600,1");
+    assert!(
+        status == 0 && told.contains("wrote the setup with this delivery into"),
+        "{told}"
+    );
+    let (status, told, of_both) = written("150,12,2600,1\n269,12,2600,1");
+    let says = "wrote the setup with the mean of 1 of 2 deliveries into";
+    assert!(status == 1 && told.contains(says), "{told}");
+    assert!(alone.is_some() && alone == of_both);
+    let (status, told, none) = written("269,12,2600,1");
+    assert!(
+        status == 1 && none.is_none() && told.contains("is not written"),
+        "{told}"
+    );
+}
+
 /// The speed of a junior is more than four standard deviations below the speed of the preset.
 #[test]
 fn parameters_limited_by_their_range_have_a_warning() {
