@@ -177,8 +177,8 @@ const LOFT: &str = "assumed: as for the ball's launch angle, 0.3 deg";
 const BALL: &str = "assumed: the uncertainty of launch monitors for the ball, as in `calibrate` \
                     for columns without sigma";
 const STRIKE: &str = "assumed: a mark on the face, read to a millimetre";
-const STRIKE_WITH_SWEET_SPOT: &str = "assumed: a mark on the face, read to a millimetre; and the \
-                                      height of the sweet spot, which is known within 3 mm \
+const STRIKE_WITH_SWEET_SPOT: &str = "assumed: a mark on the face is read to a millimetre, and \
+                                      the height of the sweet spot is known within 3 mm \
                                       (docs/sources.md)";
 const SPOT: &str = "docs/sources.md: the height of the sweet spot is known within 3 mm";
 const LAW_DRAG: &str = "docs/sources.md: credible laws differ by 0.015 in C_D";
