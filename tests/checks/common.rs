@@ -1,5 +1,6 @@
 //! Independently computed drives, random drives, and comparison of numbers.
 
+use longdrive::batch::{Batch, Block, Points, Run};
 use longdrive::derivative::Taylor;
 use longdrive::number::{Jet, Mixed};
 use longdrive::parameters::Law;
@@ -47,6 +48,19 @@ pub fn changed(from: &Setup<f64>, settings: &[(&str, &str)]) -> Setup<f64> {
     setup.set_all(settings.iter().copied()).unwrap();
     setup.validate().unwrap();
     setup
+}
+
+/// All blocks of a batch at these points.
+pub fn all_blocks(batch: &Batch, points: &mut dyn Points) -> Vec<Block> {
+    let mut blocks = vec![];
+    let keep = |block: Block| {
+        blocks.push(block);
+        Ok(())
+    };
+    let rows = batch.run(points, &Run::default(), |block| block, keep);
+    let kept: u64 = blocks.iter().map(|block| block.rows() as u64).sum();
+    assert_eq!(rows.unwrap(), kept);
+    blocks
 }
 
 /// A number with seeds for two derivatives: its derivative by the first variable is 1 if `first` is

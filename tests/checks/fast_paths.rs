@@ -1,8 +1,8 @@
 //! Fast paths compared with the general one: directions in lanes, drives in lanes, the chain rule
 //! between impact and flight, methods of higher order.
 
-use crate::common::{close, landing, mixed};
-use longdrive::batch::{Batch, Grid, GridAxis, Points, Run, Sequence, Status};
+use crate::common::{all_blocks, close, landing, mixed};
+use longdrive::batch::{Batch, Grid, GridAxis, Points, Sequence, Status};
 use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::integration::accuracy;
 use longdrive::number::{Jet, Number};
@@ -138,34 +138,26 @@ fn same_derivatives_for_any_spin_decay() {
     ])
     .unwrap();
     let alone = Evaluator::new(&setup, &[Outcome::Carry], &[decay], Order::First).unwrap();
-    Batch::new(&setup, points.parameters(), &[Outcome::Carry], &[decay])
-        .unwrap()
-        .run(
-            &mut points,
-            &Run::default(),
-            |block| block,
-            |block| {
-                for row in 0..block.rows() {
-                    let taylor = alone.at(block.point(row)).unwrap().remove(0);
-                    close(
-                        block.outcome(row, 0).unwrap(),
-                        taylor.value,
-                        taylor.value,
-                        1e-13,
-                        "carry",
-                    );
-                    close(
-                        block.derivatives(row).next().unwrap().unwrap(),
-                        taylor.gradient[0],
-                        1.0,
-                        1e-11,
-                        "derivative",
-                    );
-                }
-                Ok(())
-            },
-        )
-        .unwrap();
+    let batch = Batch::new(&setup, points.parameters(), &[Outcome::Carry], &[decay]).unwrap();
+    for block in all_blocks(&batch, &mut points) {
+        for row in 0..block.rows() {
+            let taylor = alone.at(block.point(row)).unwrap().remove(0);
+            close(
+                block.outcome(row, 0).unwrap(),
+                taylor.value,
+                taylor.value,
+                1e-13,
+                "carry",
+            );
+            close(
+                block.derivatives(row).next().unwrap().unwrap(),
+                taylor.gradient[0],
+                1.0,
+                1e-11,
+                "derivative",
+            );
+        }
+    }
 }
 
 #[test]
@@ -294,48 +286,40 @@ fn same_drives_in_lanes_and_alone() {
         let alone = Evaluator::new(setup, &of, &wrt, Order::First).unwrap();
         let mut points = Sequence::new(vary, 150, 7).unwrap();
         let landed = Cell::new(0);
-        Batch::new(setup, points.parameters(), &of, &wrt)
-            .unwrap()
-            .run(
-                &mut points,
-                &Run::default(),
-                |block| block,
-                |block| {
-                    for row in 0..block.rows() {
-                        let taylors = alone.at(block.point(row));
-                        assert_eq!(
-                            block.status(row) == Status::Landed,
-                            taylors.is_ok(),
-                            "{:?}",
-                            block.point(row)
-                        );
-                        let Ok(taylors) = taylors else { continue };
-                        landed.set(landed.get() + 1);
-                        for (i, taylor) in taylors.iter().enumerate() {
-                            let size = taylor.value.abs().max(0.1);
-                            close(
-                                block.outcome(row, i).unwrap(),
-                                taylor.value,
-                                size,
-                                1e-12,
-                                of[i].name(),
-                            );
-                        }
-                        let gradients = taylors.iter().flat_map(|taylor| {
-                            let steep = taylor
-                                .gradient
-                                .iter()
-                                .fold(1.0, |most: f64, d| most.max(d.abs()));
-                            taylor.gradient.iter().map(move |d| (d, steep))
-                        });
-                        for (ours, (theirs, steep)) in block.derivatives(row).zip(gradients) {
-                            close(ours.unwrap(), *theirs, steep, 1e-11, "derivative");
-                        }
-                    }
-                    Ok(())
-                },
-            )
-            .unwrap();
+        let batch = Batch::new(setup, points.parameters(), &of, &wrt).unwrap();
+        for block in all_blocks(&batch, &mut points) {
+            for row in 0..block.rows() {
+                let taylors = alone.at(block.point(row));
+                assert_eq!(
+                    block.status(row) == Status::Landed,
+                    taylors.is_ok(),
+                    "{:?}",
+                    block.point(row)
+                );
+                let Ok(taylors) = taylors else { continue };
+                landed.set(landed.get() + 1);
+                for (i, taylor) in taylors.iter().enumerate() {
+                    let size = taylor.value.abs().max(0.1);
+                    close(
+                        block.outcome(row, i).unwrap(),
+                        taylor.value,
+                        size,
+                        1e-12,
+                        of[i].name(),
+                    );
+                }
+                let gradients = taylors.iter().flat_map(|taylor| {
+                    let steep = taylor
+                        .gradient
+                        .iter()
+                        .fold(1.0, |most: f64, d| most.max(d.abs()));
+                    taylor.gradient.iter().map(move |d| (d, steep))
+                });
+                for (ours, (theirs, steep)) in block.derivatives(row).zip(gradients) {
+                    close(ours.unwrap(), *theirs, steep, 1e-11, "derivative");
+                }
+            }
+        }
         assert!(landed.get() > 75, "{}", landed.get());
     });
 }
@@ -351,33 +335,25 @@ fn statuses_of_a_mixed_grid_agree_with_single_drives() {
     let mut grid = Grid::new(axes).unwrap();
     let wrt = variables(&setup, &TWO);
     let (mut landed, mut down) = (0, 0);
-    Batch::new(&setup, grid.parameters(), &[Outcome::Carry], &wrt)
-        .unwrap()
-        .run(
-            &mut grid,
-            &Run::default(),
-            |block| block,
-            |block| {
-                for row in 0..block.rows() {
-                    let mut alone = setup;
-                    (alone.club.loft, alone.swing.attack_angle) =
-                        (block.point(row)[0], block.point(row)[1]);
-                    let flies = Drive::new(&alone).unwrap().landed().is_ok();
-                    assert_eq!(
-                        block.status(row),
-                        if flies {
-                            Status::Landed
-                        } else {
-                            Status::NoFlight
-                        }
-                    );
-                    assert_eq!(block.outcome(row, 0).is_some(), flies);
-                    *(if flies { &mut landed } else { &mut down }) += 1;
+    let batch = Batch::new(&setup, grid.parameters(), &[Outcome::Carry], &wrt).unwrap();
+    for block in all_blocks(&batch, &mut grid) {
+        for row in 0..block.rows() {
+            let mut alone = setup;
+            (alone.club.loft, alone.swing.attack_angle) =
+                (block.point(row)[0], block.point(row)[1]);
+            let flies = Drive::new(&alone).unwrap().landed().is_ok();
+            assert_eq!(
+                block.status(row),
+                if flies {
+                    Status::Landed
+                } else {
+                    Status::NoFlight
                 }
-                Ok(())
-            },
-        )
-        .unwrap();
+            );
+            assert_eq!(block.outcome(row, 0).is_some(), flies);
+            *(if flies { &mut landed } else { &mut down }) += 1;
+        }
+    }
     assert!(landed > 300 && down > 300, "{landed} {down}");
 }
 

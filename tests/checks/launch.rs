@@ -1,8 +1,8 @@
 //! Balls launched with the values of a launch monitor, without a club.
 
 use crate::command_line::{json, longdrive, number, on_one_line};
-use crate::common::close;
-use longdrive::batch::{Batch, Run, Status};
+use crate::common::{all_blocks, close};
+use longdrive::batch::{Batch, Status};
 use longdrive::table::open_table;
 use longdrive::{Drive, Error, Outcome, Setup, derivative};
 
@@ -214,23 +214,15 @@ fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
     )
     .unwrap();
     let mut rows = vec![];
-    batch
-        .run(
-            points.as_mut(),
-            &Run::default(),
-            |block| block,
-            |block| {
-                rows.extend((0..block.rows()).map(|row| {
-                    (
-                        block.status(row),
-                        block.outcome(row, 0),
-                        block.outcome(row, 1),
-                    )
-                }));
-                Ok(())
-            },
-        )
-        .unwrap();
+    for block in all_blocks(&batch, points.as_mut()) {
+        rows.extend((0..block.rows()).map(|row| {
+            (
+                block.status(row),
+                block.outcome(row, 0),
+                block.outcome(row, 1),
+            )
+        }));
+    }
     assert_eq!((rows[0].0, rows[1].0), (Status::Landed, Status::Landed));
     close(
         rows[0].1.unwrap(),

@@ -1,7 +1,7 @@
 //! Batches in the library: points in order, values compared with single drives, statuses, tables,
 //! and the bytes of the formats.
 
-use crate::common::close;
+use crate::common::{all_blocks, close};
 use longdrive::batch::{
     Batch, Block, CHUNK, Grid, GridAxis, Points, Run, Sequence, Status, StatusCounts,
 };
@@ -80,46 +80,38 @@ fn same_values_and_gradients_in_a_sweep_and_alone() {
     let axes = ["club.loft=8deg..14deg:3", "swing.face_angle=-2deg..3deg:4"];
     let mut seen = 0;
     let mut points = grid(&setup, &axes);
-    let rows = Batch::new(&setup, points.parameters(), &of, &wrt)
-        .unwrap()
-        .run(
-            &mut points,
-            &Run::default(),
-            |block| block,
-            |block| {
-                for row in 0..block.rows() {
-                    let mut moved = setup;
-                    [moved.club.loft, moved.swing.face_angle] =
-                        block.point(row).try_into().unwrap();
-                    assert_eq!(block.status(row), Status::Landed);
-                    let taylors = derivative::evaluate(&moved, &of, &wrt, Order::First).unwrap();
-                    let drive = Drive::new(&moved).unwrap();
-                    let mut derivatives = block.derivatives(row);
-                    for (at, (outcome, taylor)) in of.iter().zip(&taylors).enumerate() {
-                        let value = outcome.value(&drive).unwrap();
-                        close(
-                            block.outcome(row, at).unwrap(),
-                            value,
-                            value.abs().max(1.0),
-                            1e-12,
-                            outcome.name(),
-                        );
-                        for d in &taylor.gradient {
-                            close(
-                                derivatives.next().unwrap().unwrap(),
-                                *d,
-                                d.abs().max(1.0),
-                                1e-12,
-                                outcome.name(),
-                            );
-                        }
-                    }
-                    seen += 1;
+    let batch = Batch::new(&setup, points.parameters(), &of, &wrt).unwrap();
+    for block in all_blocks(&batch, &mut points) {
+        for row in 0..block.rows() {
+            let mut moved = setup;
+            [moved.club.loft, moved.swing.face_angle] = block.point(row).try_into().unwrap();
+            assert_eq!(block.status(row), Status::Landed);
+            let taylors = derivative::evaluate(&moved, &of, &wrt, Order::First).unwrap();
+            let drive = Drive::new(&moved).unwrap();
+            let mut derivatives = block.derivatives(row);
+            for (at, (outcome, taylor)) in of.iter().zip(&taylors).enumerate() {
+                let value = outcome.value(&drive).unwrap();
+                close(
+                    block.outcome(row, at).unwrap(),
+                    value,
+                    value.abs().max(1.0),
+                    1e-12,
+                    outcome.name(),
+                );
+                for d in &taylor.gradient {
+                    close(
+                        derivatives.next().unwrap().unwrap(),
+                        *d,
+                        d.abs().max(1.0),
+                        1e-12,
+                        outcome.name(),
+                    );
                 }
-                Ok(())
-            },
-        );
-    assert_eq!((rows.unwrap(), seen), (12, 12));
+            }
+            seen += 1;
+        }
+    }
+    assert_eq!(seen, 12);
 }
 
 #[test]
@@ -130,27 +122,19 @@ fn drives_of_every_kind_have_a_status_and_no_nan() {
         let of = [Outcome::Carry, Outcome::LaunchAngle];
         let wrt = [setup.variable("club.loft").unwrap()];
         let mut points = grid(setup, &[axis]);
-        Batch::new(setup, points.parameters(), &of, &wrt)
-            .unwrap()
-            .run(
-                &mut points,
-                &Run::default(),
-                |block| block,
-                |block| {
-                    for row in 0..block.rows() {
-                        let numbers = block.outcomes(row).chain(block.derivatives(row));
-                        assert!(numbers.flatten().all(f64::is_finite));
-                        let exist: Vec<_> = block
-                            .outcomes(row)
-                            .chain(block.derivatives(row))
-                            .map(|x| x.is_some())
-                            .collect();
-                        found.push((block.status(row), exist));
-                    }
-                    Ok(())
-                },
-            )
-            .unwrap();
+        let batch = Batch::new(setup, points.parameters(), &of, &wrt).unwrap();
+        for block in all_blocks(&batch, &mut points) {
+            for row in 0..block.rows() {
+                let numbers = block.outcomes(row).chain(block.derivatives(row));
+                assert!(numbers.flatten().all(f64::is_finite));
+                let exist: Vec<_> = block
+                    .outcomes(row)
+                    .chain(block.derivatives(row))
+                    .map(|x| x.is_some())
+                    .collect();
+                found.push((block.status(row), exist));
+            }
+        }
         found
     };
     let launch_only = vec![false, true, false, true];
@@ -509,21 +493,12 @@ fn rows_out_of_range_are_rows_of_their_own() {
     let (_folder, path) = table("points.csv", "club.loft [deg]\n10\n120\n-30\n");
     let mut points = open_table(&setup, &path).unwrap();
     let mut found = vec![];
-    Batch::new(&setup, points.parameters(), &[Outcome::Carry], &[])
-        .unwrap()
-        .run(
-            points.as_mut(),
-            &Run::default(),
-            |block| block,
-            |block| {
-                found.extend(
-                    (0..block.rows())
-                        .map(|row| (block.status(row), block.outcome(row, 0).is_some())),
-                );
-                Ok(())
-            },
-        )
-        .unwrap();
+    let batch = Batch::new(&setup, points.parameters(), &[Outcome::Carry], &[]).unwrap();
+    for block in all_blocks(&batch, points.as_mut()) {
+        found.extend(
+            (0..block.rows()).map(|row| (block.status(row), block.outcome(row, 0).is_some())),
+        );
+    }
     assert_eq!(
         found,
         [

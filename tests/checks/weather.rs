@@ -2,9 +2,9 @@
 //! pressures, in drives, and with contradictory settings.
 
 use crate::command_line::{json, longdrive, number};
-use crate::common::{changed, close};
+use crate::common::{all_blocks, changed, close};
 use longdrive::atmosphere::{AirState, WindField, in_effect};
-use longdrive::batch::{Batch, Grid, Points, Run};
+use longdrive::batch::{Batch, Grid, Points};
 use longdrive::derivative::{Order, evaluate};
 use longdrive::parameters::{Parameter, SetupFile};
 use longdrive::report::setup_toml;
@@ -305,43 +305,35 @@ fn same_drives_in_a_sweep_over_the_weather_and_alone() {
     let names = ["air.temperature", "air.altitude", "wind.from"];
     let wrt = names.map(|name| setup.parameter(name).unwrap());
     let mut rows = 0;
-    Batch::new(&setup, grid.parameters(), &[Outcome::Carry], &wrt)
-        .unwrap()
-        .run(
-            &mut grid,
-            &Run::default(),
-            |block| block,
-            |block| {
-                for row in 0..block.rows() {
-                    let mut alone = setup;
-                    for (parameter, value) in wrt.iter().zip(block.point(row)) {
-                        alone.set_value(parameter, Some(*value)).unwrap();
-                    }
-                    let exact = evaluate(&alone, &[Outcome::Carry], &wrt, Order::First)
-                        .unwrap()
-                        .remove(0);
-                    close(
-                        block.outcome(row, 0).unwrap(),
-                        exact.value,
-                        exact.value,
-                        1e-12,
-                        "carry",
-                    );
-                    for (ours, theirs) in block.derivatives(row).zip(&exact.gradient) {
-                        close(
-                            ours.unwrap(),
-                            *theirs,
-                            theirs.abs().max(1.0),
-                            1e-11,
-                            "derivative",
-                        );
-                    }
-                    rows += 1;
-                }
-                Ok(())
-            },
-        )
-        .unwrap();
+    let batch = Batch::new(&setup, grid.parameters(), &[Outcome::Carry], &wrt).unwrap();
+    for block in all_blocks(&batch, &mut grid) {
+        for row in 0..block.rows() {
+            let mut alone = setup;
+            for (parameter, value) in wrt.iter().zip(block.point(row)) {
+                alone.set_value(parameter, Some(*value)).unwrap();
+            }
+            let exact = evaluate(&alone, &[Outcome::Carry], &wrt, Order::First)
+                .unwrap()
+                .remove(0);
+            close(
+                block.outcome(row, 0).unwrap(),
+                exact.value,
+                exact.value,
+                1e-12,
+                "carry",
+            );
+            for (ours, theirs) in block.derivatives(row).zip(&exact.gradient) {
+                close(
+                    ours.unwrap(),
+                    *theirs,
+                    theirs.abs().max(1.0),
+                    1e-11,
+                    "derivative",
+                );
+            }
+            rows += 1;
+        }
+    }
     assert_eq!(rows, 60);
 }
 
