@@ -1,8 +1,8 @@
 //! Active bounds and constraints at an optimum in words, with their multipliers.
 
 use super::shown;
-use crate::optimize::{ConstraintValue, Status};
-use crate::study::{Constraint, Optimum, Sense};
+use crate::optimize::Status;
+use crate::study::{Constraint, ConstraintAtEnd, Optimum, Sense};
 use crate::units::{DisplayUnit, System, signed};
 
 /// The objective at the end of a search.
@@ -14,49 +14,6 @@ pub(super) struct Objective {
     pub sense: Sense,
     /// False if the end is not an optimum; multipliers have no meaning then.
     pub is_converged: bool,
-}
-
-/// A constraint at the end of a search.
-pub(super) struct ConstraintAtEnd<'a> {
-    pub constraint: &'a Constraint,
-    /// The value of the limited goal, and the multiplier of the constraint.
-    pub at: ConstraintValue,
-    /// The gradient of the limited goal by the varied parameters; empty if it is unknown.
-    pub slopes: &'a [f64],
-    /// The gain of the objective for each SI unit by which the limit is relaxed. An equation has
-    /// the gain for each SI unit by which its right side is raised.
-    pub gain: f64,
-}
-
-impl<'a> ConstraintAtEnd<'a> {
-    /// The constraints of an optimum.
-    pub fn all(optimum: &'a Optimum) -> Vec<Self> {
-        let one = |(j, (constraint, at)): (usize, (&'a Constraint, ConstraintValue))| {
-            let slopes = optimum.solution.jacobian.get(j);
-            Self {
-                constraint,
-                at,
-                slopes: slopes.map_or(&[], Vec::as_slice),
-                // a multiplier is the gain for each unit by which the limit is raised; it is
-                // negative at a lower limit
-                gain: if constraint.is_equation() {
-                    at.multiplier
-                } else {
-                    at.multiplier.abs()
-                },
-            }
-        };
-        optimum
-            .constraints()
-            .into_iter()
-            .enumerate()
-            .map(one)
-            .collect()
-    }
-
-    fn has_two_limits(&self) -> bool {
-        self.constraint.low.is_finite() && self.constraint.high.is_finite()
-    }
 }
 
 /// The signed change of an objective that improves by `gain`. It is negative for a minimized
@@ -109,7 +66,7 @@ impl Objective {
         match self.active_limit(limit, system) {
             _ if !self.is_converged => String::new(),
             None => "not active".into(),
-            Some(active) if limit.has_two_limits() => format!("active {active}"),
+            Some(active) if limit.constraint.has_two_limits() => format!("active {active}"),
             Some(active) => format!("active: {active}"),
         }
     }
@@ -124,7 +81,7 @@ impl Objective {
         }
         let price = self.price(limit.gain, &constraint.goal, system);
         Some(match at.multiplier {
-            _ if !limit.has_two_limits() => format!("{price} that the limit is relaxed"),
+            _ if !limit.constraint.has_two_limits() => format!("{price} that the limit is relaxed"),
             0.0.. => format!("at its upper limit: {price} that it is raised"),
             _ => format!("at its lower limit: {price} that it is lowered"),
         })

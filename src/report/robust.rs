@@ -1,6 +1,6 @@
 use super::document::{Document, DocumentTable, Line};
 use super::json::{ByName, JsonNumber, Settings, settings};
-use super::limits::{self, ConstraintAtEnd, Objective, ended_at};
+use super::limits::{self, Objective, ended_at};
 use super::optimum::{ConstraintReport, Multipliers};
 use super::reply::{Ending, Report};
 use super::setup_file::{about_constraint, remarks_on_varied, setup_toml};
@@ -10,7 +10,7 @@ use crate::error::Result;
 use crate::optimize::Status;
 use crate::parameters::SetupFile;
 use crate::study::Sense;
-use crate::study::swings::{ModelLimit, Robust};
+use crate::study::swings::Robust;
 use crate::units::{System, counted, is_zero, leading_number};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -117,7 +117,6 @@ impl<'a> RobustReport<'a> {
 impl ModelReport {
     fn new(found: &Robust, k: usize) -> Self {
         let (model, best) = &found.models[k];
-        let limits = found.limits().filter(|limit| limit.model == k);
         Self {
             model: model.name.clone(),
             reason: Some(model.reason).filter(|reason| !reason.is_empty()),
@@ -131,8 +130,9 @@ impl ModelReport {
                 .map(JsonNumber::from)
                 .collect(),
             loss_as_set_up: found.as_set_up[k].into(),
-            constraints: limits
-                .map(|limit| ConstraintReport::new(&at_end(&limit)))
+            constraints: found
+                .constraints(k)
+                .map(|limit| ConstraintReport::new(&limit))
                 .collect(),
         }
     }
@@ -168,15 +168,6 @@ impl Report for RobustReport<'_> {
         document.add(designs(found, system));
         document.add(losses(found, system));
         document
-    }
-}
-
-fn at_end<'a>(limit: &ModelLimit<'a>) -> ConstraintAtEnd<'a> {
-    ConstraintAtEnd {
-        constraint: limit.constraint,
-        at: limit.at,
-        slopes: limit.slopes,
-        gain: limit.gain,
     }
 }
 
@@ -334,7 +325,9 @@ fn bound_in_words(found: &Robust, i: usize, system: System) -> String {
 
 fn add_constraints(document: &mut Document, found: &Robust, system: System) {
     let objective = greatest_loss(found);
-    let rows = found.limits().map(|limit| {
+    let models = 0..found.models.len();
+    let limits = models.flat_map(|model| found.constraints(model).map(move |limit| (model, limit)));
+    let rows = limits.map(|(model, limit)| {
         let (constraint, at) = (limit.constraint, limit.at);
         let price = objective.price(limit.gain, &constraint.goal, system);
         let single =
@@ -344,9 +337,9 @@ fn add_constraints(document: &mut Document, found: &Robust, system: System) {
         });
         vec![
             constraint.expression.clone(),
-            (limit.model + 1).to_string(),
+            (model + 1).to_string(),
             shown::goal(&constraint.goal, at.value, system),
-            objective.limit(&at_end(&limit), system) + &words,
+            objective.limit(&limit, system) + &words,
         ]
     });
     let rows: Vec<_> = rows.collect();

@@ -272,13 +272,16 @@ fn smoothed_limits(best: &Optimum, system: System) -> Vec<String> {
     let all = best.constraints();
     let pairs = all.iter().zip(&best.solution.constraints);
     pairs
-        .filter(|((limit, at), smoothed)| limit.is_met(smoothed.value) && !limit.is_met(at.value))
-        .map(|((limit, at), _)| {
+        .filter(|(limit, smoothed)| {
+            let constraint = limit.constraint;
+            constraint.is_met(smoothed.value) && !constraint.is_met(limit.at.value)
+        })
+        .map(|(limit, _)| {
             format!(
                 "the search meets {} with smoothed kinks and jumps; the exact value over all \
                  swings violates it by {}: give a limit that is stricter by as much",
-                limit.expression,
-                shown::goal_difference(&limit.goal, at.violation.abs(), system)
+                limit.constraint.expression,
+                shown::goal_difference(&limit.constraint.goal, limit.at.violation.abs(), system)
             )
         })
         .collect()

@@ -58,6 +58,20 @@ pub struct Constraint {
     pub high: f64,
 }
 
+/// A constraint at the end of a search.
+#[derive(Clone, Copy, Debug)]
+pub struct ConstraintAtEnd<'a> {
+    /// The constraint.
+    pub constraint: &'a Constraint,
+    /// Exact value of the limited goal, and the multiplier of the constraint.
+    pub at: ConstraintValue,
+    /// Gradient of the limited goal by the variables of the search; empty if it is unknown.
+    pub slopes: &'a [f64],
+    /// Improvement of the objective for each SI unit by which the limit is relaxed. An equation has
+    /// the improvement for each SI unit by which its right side is raised.
+    pub gain: f64,
+}
+
 impl Goal {
     /// The mean of an outcome over the swings.
     pub fn mean(of: Outcome) -> Self {
@@ -132,6 +146,11 @@ impl Constraint {
     /// True if both limits are equal.
     pub fn is_equation(&self) -> bool {
         self.low == self.high
+    }
+
+    /// True if both limits are finite.
+    pub fn has_two_limits(&self) -> bool {
+        self.low.is_finite() && self.high.is_finite()
     }
 
     /// Distance of a value from the range: positive above the upper limit, negative below the lower

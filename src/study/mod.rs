@@ -41,7 +41,7 @@ pub use flatness::{
     Direction, Ellipse, Flatness, Window, WindowLimit, flatness, short_drive, usual_loss, windows,
 };
 pub use gain::{ClubAlone, club_alone};
-pub use goal::{Constraint, Goal};
+pub use goal::{Constraint, ConstraintAtEnd, Goal};
 pub use landing::Landing;
 pub use launches::{Launches, NamedLaunch};
 pub use lofts::{LOFT_OUTCOMES, lofts};

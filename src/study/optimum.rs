@@ -7,15 +7,14 @@
 //! ```
 
 use super::cancellable::stopped;
-use super::goal::Constraint;
+use super::goal::ConstraintAtEnd;
 use super::problem::SearchProblem;
 use super::sample::{Sample, compare_with_sample};
 use super::search::Search;
 use crate::drive::{Drive, Outcome};
 use crate::error::{Error, Result};
 use crate::optimize::{
-    ConstraintValue, LocalMinimum, Observer, Observers, Solution, Status, minimize_from,
-    minimize_observed, starts,
+    LocalMinimum, Observer, Observers, Solution, Status, minimize_from, minimize_observed, starts,
 };
 use crate::parameters::Setup;
 use std::sync::Arc;
@@ -114,18 +113,30 @@ impl Optimum {
 
     /// The constraints at the optimum. Value and violation follow the exact definition of the goal;
     /// the multiplier comes from the search.
-    pub fn constraints(&self) -> Vec<(&Constraint, ConstraintValue)> {
-        let all = self
-            .search
-            .subject_to
-            .iter()
-            .zip(&self.solution.constraints);
-        if self.search.is_of_outcomes() {
-            return all.map(|(constraint, at)| (constraint, *at)).collect();
-        }
-        let values = self.goals.as_ref().map_or(&[][..], |goals| &goals[1..]);
-        all.zip(values)
-            .map(|((constraint, at), value)| (constraint, constraint.exactly(*value, at)))
+    pub fn constraints(&self) -> Vec<ConstraintAtEnd<'_>> {
+        let exact_values = match &self.goals {
+            Some(goals) if !self.search.is_of_outcomes() => &goals[1..],
+            _ => &[],
+        };
+        let limits = self.search.subject_to.iter().enumerate();
+        limits
+            .zip(&self.solution.constraints)
+            .map(|((j, constraint), at)| {
+                let exact = exact_values.get(j);
+                let at = exact.map_or(*at, |value| constraint.exactly(*value, at));
+                ConstraintAtEnd {
+                    constraint,
+                    at,
+                    slopes: self.solution.jacobian.get(j).map_or(&[], Vec::as_slice),
+                    // a multiplier is the gain for each unit by which the limit is raised; it is
+                    // negative at a lower limit
+                    gain: if constraint.is_equation() {
+                        at.multiplier
+                    } else {
+                        at.multiplier.abs()
+                    },
+                }
+            })
             .collect()
     }
 }

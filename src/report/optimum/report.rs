@@ -3,7 +3,6 @@
 use super::super::Reply;
 use super::super::drive::{LaunchReport, LawRanges, flight, launch, law_range};
 use super::super::json::{ByName, JsonNumber, Settings, settings};
-use super::super::limits::ConstraintAtEnd;
 use super::super::swings::{OverSwings, StudiesReport};
 use super::windows::OptimumWindows;
 use crate::drive::Outcome;
@@ -11,7 +10,7 @@ use crate::optimize::Effort;
 #[cfg(test)]
 use crate::study::Sense;
 use crate::study::design::Improvement;
-use crate::study::{ClubAlone, LocalOptimum, Optima, Optimum, Sample, Window};
+use crate::study::{ClubAlone, ConstraintAtEnd, LocalOptimum, Optima, Optimum, Sample, Window};
 use crate::units::Message;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -219,7 +218,7 @@ impl OptimumReport {
             (vary[i].parameter.name, Multipliers { lower, upper })
         };
         let drive = optimum.drive.as_ref();
-        let constraints = ConstraintAtEnd::all(optimum);
+        let constraints = optimum.constraints();
         Self {
             objective: optimum.search.of.expression.clone(),
             sense: optimum.search.sense.name(),

@@ -1,7 +1,7 @@
 //! An optimum, or the optima of several starts, for readers.
 
 use super::super::document::{Detail, Document, DocumentTable, Line};
-use super::super::limits::{ConstraintAtEnd, Objective, ended_at};
+use super::super::limits::{Objective, ended_at};
 use super::super::shown;
 use super::super::swings::{OverSwings, goals, nominal, notes};
 use super::best_drive::{drive_lines, gain_lines};
@@ -141,7 +141,7 @@ pub(in crate::report) fn varied_table(
 fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
     let is_one_drive = optimum.search.scenarios.is_one_drive();
     let objective = Objective::at(optimum);
-    let all = ConstraintAtEnd::all(optimum);
+    let all = optimum.constraints();
     let rows = all.iter().map(|limit| {
         let constraint = limit.constraint;
         let price = objective.limit(limit, system);

@@ -6,7 +6,7 @@ use super::gain::steps;
 use super::numbers::{from_to, outcome};
 use crate::optimize::Status;
 use crate::report::frame::both;
-use crate::report::limits::{ConstraintAtEnd, Objective};
+use crate::report::limits::Objective;
 use crate::report::optimum::bound_in_words;
 use crate::report::shown::{self, capital};
 use crate::study::{Effects, Optimum, Sense};
@@ -111,7 +111,7 @@ fn limits(best: &Optimum) -> Markup {
         }))
     });
     let objective = Objective::at(best);
-    let limits = ConstraintAtEnd::all(best);
+    let limits = best.constraints();
     let limits = limits.iter().filter_map(|limit| {
         objective.active_limit(limit, System::default())?;
         Some(both(|system| {

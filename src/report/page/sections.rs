@@ -8,7 +8,7 @@ use crate::parameters::{METHOD, is_of_strike};
 use crate::report::certificate::exact_for_display;
 use crate::report::effects::STATED;
 use crate::report::frame::{both, chosen, scrolled};
-use crate::report::limits::{ConstraintAtEnd, Objective, ended_at};
+use crate::report::limits::{Objective, ended_at};
 use crate::report::optimum::{bound_in_words, window_end};
 use crate::report::presets::{SourcedValue, sources};
 use crate::report::shown::{self, capital};
@@ -125,7 +125,7 @@ fn window(vary: &Vary, window: &Window) -> Markup {
 
 fn limits(best: &Optimum) -> Markup {
     let objective = Objective::at(best);
-    let all = ConstraintAtEnd::all(best);
+    let all = best.constraints();
     if all.is_empty() {
         return html! {};
     }

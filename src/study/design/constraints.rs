@@ -84,7 +84,7 @@ impl DesignConstraint {
                 // the search limits the smoothed goal, so the smoothed value decides whether the
                 // limit is met
                 let smoothed = solution.constraints.get(k);
-                let value = best.constraints().get(k).map(|(_, at)| at.value);
+                let value = best.constraints().get(k).map(|limit| limit.at.value);
                 (
                     value,
                     smoothed.and_then(|at| price_of(Some(at.value), at.multiplier.abs())),

@@ -29,6 +29,6 @@ pub use function::GoalFunction;
 pub use golfer::{Correlation, Swings};
 pub use measure::Measure;
 pub use pareto::{Pareto, ParetoPoint, ParetoSearch, pareto};
-pub use robust::{Model, ModelLimit, Robust, robust};
+pub use robust::{Model, Robust, robust};
 pub use scenarios::{Rule, Scenarios};
 pub use strokes::Strokes;

@@ -8,7 +8,7 @@ use crate::parameters::{LAW, NO_CLUB, Parameter, Setup};
 use crate::study::cancellable::stopped;
 use crate::study::optimum::{local_optima, stopped_of};
 use crate::study::problem::SearchProblem;
-use crate::study::{Constraint, Optimum, Search};
+use crate::study::{ConstraintAtEnd, Optimum, Search};
 use crate::units::DisplayUnit;
 use std::sync::atomic::Ordering;
 
@@ -159,46 +159,22 @@ pub struct Robust {
     pub stopped: usize,
 }
 
-/// State of a constraint of one model at the minimax design.
-#[derive(Clone, Debug)]
-pub struct ModelLimit<'a> {
-    /// Index of the model in [`Robust::models`].
-    pub model: usize,
-    /// The constraint.
-    pub constraint: &'a Constraint,
-    /// Exact value of the limited goal, with the multiplier.
-    pub at: ConstraintValue,
-    /// Gradient of the limited goal by the variables of the search: the design parameters, then
-    /// the greatest loss.
-    pub slopes: &'a [f64],
-    /// Decrease of the greatest loss per unit by which the limit is relaxed; for an equality
-    /// constraint, per unit by which the limit is raised.
-    pub gain: f64,
-}
-
 impl Robust {
-    /// Constraints of each model at the end of the search.
-    pub fn limits(&self) -> impl Iterator<Item = ModelLimit<'_>> {
-        // each model's first constraint is its loss
-        let each = 1 + self.search.subject_to.len();
-        let all = self
-            .solution
-            .constraints
-            .iter()
-            .zip(&self.solution.jacobian)
-            .enumerate();
-        let limits = all.filter(move |(i, _)| i % each > 0);
-        limits.map(move |(i, (at, slopes))| {
-            let (model, limit) = (i / each, i % each - 1);
-            let constraint = &self.search.subject_to[limit];
+    /// The constraints of a model at the minimax design. The slopes are those by the design
+    /// parameters, then by the greatest loss. The gain is the decrease of the greatest loss.
+    pub fn constraints(&self, model: usize) -> impl Iterator<Item = ConstraintAtEnd<'_>> {
+        let limits = self.search.subject_to.iter().enumerate();
+        limits.filter_map(move |(limit, constraint)| {
+            // each model's first constraint is its loss
+            let row = model * (1 + self.search.subject_to.len()) + 1 + limit;
+            let at = self.solution.constraints.get(row)?;
             let at = constraint.exactly(self.goals[model][1 + limit], at);
-            ModelLimit {
-                model,
+            Some(ConstraintAtEnd {
                 constraint,
                 at,
-                slopes,
+                slopes: self.solution.jacobian.get(row)?,
                 gain: self.gain(model, limit, &at),
-            }
+            })
         })
     }
 
@@ -220,7 +196,7 @@ impl Robust {
         ]
     }
 
-    /// [`ModelLimit::gain`] for constraint `limit` of a model.
+    /// [`ConstraintAtEnd::gain`] for constraint `limit` of a model.
     fn gain(&self, model: usize, limit: usize, at: &ConstraintValue) -> f64 {
         let (_, best) = &self.models[model];
         let of_best = best.solution.constraints.get(limit);
