@@ -184,8 +184,8 @@ impl Host for Caller {
         "the setup"
     }
 
-    fn stated(&self) -> Vec<String> {
-        self.stated.clone()
+    fn stated(&self) -> Option<Vec<String>> {
+        Some(self.stated.clone())
     }
 
     fn files(&self) -> MemoryFiles {

@@ -83,10 +83,11 @@ pub trait Host: Send + Sync {
         "standard input"
     }
 
-    /// Names of parameters in the setup named `-` that count as settings, like parameters of
-    /// `--set`. A search varies none of these parameters unless `--vary` names it.
-    fn stated(&self) -> Vec<String> {
-        vec![]
+    /// Names of the parameters that the setup named `-` states, if its text also has other values.
+    /// They count as settings, like parameters of `--set`: a search varies none of them unless
+    /// `--vary` names it. `None` if the text is a setup file as people write it.
+    fn stated(&self) -> Option<Vec<String>> {
+        None
     }
 
     /// The input files in memory. A command reads other files from disk.

@@ -20,7 +20,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let search = args.search.search(&request, &setup, None)?;
     request.note_starts(&setup, &search.vary);
     let setup = request.for_many(setup, &search.vary)?;
-    let output = args.destination(&request)?;
+    let output = args.destination(&request, std::iter::empty())?;
     let mut optima = args.optima(&setup, &search)?;
     if let Some(set_up) = request.before_starts(&setup) {
         optima.best = optima.best.compared_with(set_up);

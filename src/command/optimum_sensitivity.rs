@@ -49,7 +49,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     request.note_starts(&own, &search.vary);
     let setup = request.for_many(own, &search.vary)?;
     let requested = AnalysisRequest::new(args, &setup, &search)?;
-    let output = args.optimum.destination(&request)?;
+    let output = args.optimum.destination(&request, std::iter::empty())?;
     let origin = request.origin_with_held(
         &args.optimum.search.vary,
         &search.vary,

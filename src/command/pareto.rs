@@ -129,7 +129,8 @@ pub fn run(args: &Args) -> Result<Answer> {
 /// Draws the front, for `plot pareto`.
 pub fn draw(setup_args: &SetupArgs, args: &GoalArgs, drawing: &PictureArgs) -> Result<Answer> {
     let request = setup_args.request()?;
-    let target = PlotDestination::new(request.inputs(), drawing)?;
+    let inputs = request.inputs().chain(args.swings.inputs());
+    let target = PlotDestination::new(inputs, drawing)?;
     let (setup, search) = args.search(&request)?;
     let stop = interrupt::enable(POINTS_SO_FAR);
     let found = follow(&setup, search, &stop)?;

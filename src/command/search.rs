@@ -16,6 +16,7 @@ use crate::study::swings::{Scenarios, Swings};
 use crate::study::{Constraint, Optima, Search, Sense, optima};
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
+use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -164,9 +165,15 @@ impl OptimumArgs {
         bar
     }
 
-    /// The destination of the setup file of the optimum.
-    pub fn destination(&self, request: &Request) -> Result<Option<Destination>> {
+    /// The destination of the setup file of the optimum. `other_inputs` are files that the command
+    /// reads besides those of the setup.
+    pub fn destination(
+        &self,
+        request: &Request,
+        other_inputs: impl Iterator<Item = PathBuf>,
+    ) -> Result<Option<Destination>> {
         let inputs = request.inputs().chain(self.checkpoint.clone());
+        let inputs = inputs.chain(other_inputs);
         OutputRule::new(inputs, self.overwrite).setup_file(self.output.as_deref())
     }
 }

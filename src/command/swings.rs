@@ -147,12 +147,7 @@ fn note_replaced(request: &Request, swings: &Swings) {
     let setup = &request.partial_setup;
     let means = swings.parameters().into_iter().zip(swings.means());
     let replaced: Vec<_> = means
-        .filter(|(parameter, _)| {
-            request
-                .source
-                .given_in_file()
-                .any(|given| given == *parameter)
-        })
+        .filter(|(parameter, _)| request.source.content.given.contains(parameter))
         .filter_map(|(parameter, mean)| {
             let [own, mean] = [setup.value(parameter)?, mean]
                 .map(|value| computed_text(parameter, value, system()));
@@ -239,7 +234,7 @@ pub fn optimize_and_write(
 ) -> Result<SwingsOptimum> {
     note_the_run(&search.outcomes());
     let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
-    let output = args.optimum.destination(request)?;
+    let output = args.optimum.destination(request, args.swings.inputs())?;
     let stop = interrupt::enable(BEST_SO_FAR);
     let optima = args.optimum.optima_until(&setup, &search, &stop)?;
     let best = &optima.best;

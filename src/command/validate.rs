@@ -3,6 +3,7 @@ use crate::command::args::OwnLaw;
 use crate::command::files::{OutputRule, ending};
 use crate::command::output::{Answer, note, stated_system, system};
 use crate::command::reproduce::{DOCUMENT, write};
+use crate::parameters::Law;
 use crate::report::{SetupOrigin, ValidationReport};
 use crate::study::validation::validation;
 use std::path::PathBuf;
@@ -31,8 +32,9 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Result<Answer> {
-    let rule = OutputRule::new([], args.overwrite);
     let own = args.own.law()?;
+    let table = own.iter().filter_map(Law::table);
+    let rule = OutputRule::new(table.map(|table| (&table.file).into()), args.overwrite);
     let output = args.output.as_deref();
     let file = output
         .filter(|path| ending(path) == "csv")

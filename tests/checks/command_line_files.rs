@@ -50,6 +50,20 @@ fn no_command_replaces_its_own_input_even_with_overwrite() {
     ] {
         std::os::unix::fs::symlink(name(target), name(link)).unwrap();
     }
+    let (swings, played, law) = (name("swings.toml"), name("played.csv"), name("law.csv"));
+    fs::write(
+        &swings,
+        "[distributions]\nswing.speed = \"normal(97 mph, 2 mph)\"\n",
+    )
+    .unwrap();
+    fs::write(
+        &played,
+        "swing.speed [mph],swing.face_angle [deg]\n95,1\n97,-1\n98,0\n",
+    )
+    .unwrap();
+    fs::write(&law, "speed [mph],cd,cl\n100,0.25,0.15\n150,0.24,0.16\n").unwrap();
+    let own_law = format!("aero.table={law}");
+    let goals = ["--maximize", "mean(carry)", "--minimize", "std(carry)"];
     let before = files(folder.path());
     let (points, shots, mine) = (name("points.csv"), name("shots.csv"), name("mine.toml"));
     let (link, link_toml, picture) = (name("link.csv"), name("link.toml"), name("mine.svg"));
@@ -71,6 +85,16 @@ fn no_command_replaces_its_own_input_even_with_overwrite() {
             &mine,
         ],
         [&calibrate[..], &["-o", &shots]].concat(),
+        vec!["optimize", "--swings", &swings, "-o", &swings],
+        vec!["design", "--swings", &swings, "-o", &swings],
+        vec!["robust", "--swings", &swings, "-o", &swings],
+        [
+            &["plot", "pareto", "--swings", &played][..],
+            &goals,
+            &["-o", &played],
+        ]
+        .concat(),
+        vec!["validate", "--set", &own_law, "-o", &law],
         #[cfg(unix)]
         [&calibrate[..], &["-o", &link_toml]].concat(),
         #[cfg(unix)]

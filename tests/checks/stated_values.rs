@@ -3,6 +3,7 @@
 
 use crate::command_line::{file_with, json, longdrive, number, on_one_line};
 use crate::common::close;
+use crate::program;
 use serde_json::Value;
 use std::fs;
 
@@ -579,5 +580,37 @@ fn answers_state_an_assumption_where_it_applies_alone() {
     ] {
         assert!(is_said(with, line), "{with:?}");
         assert!(!is_said(without, line), "{without:?}");
+    }
+}
+
+/// A value that a setup states, and that a range or a setting replaces, is refused from standard
+/// input as from a file.
+#[test]
+fn same_refusal_of_a_setup_from_standard_input_and_from_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("dense.toml");
+    std::fs::write(&path, "[air]\ndensity = \"1.1 kg/m^3\"\n").unwrap();
+    let file = path.display().to_string();
+    let says = "air.density and air.temperature are both given";
+    for arguments in [
+        &["simulate", "--temperature", "50F"][..],
+        &["optimize", "--vary", "air.temperature=40F..60F"],
+        &["sweep", "--over", "air.temperature=40F..60F:2"],
+    ] {
+        let command = |setup: &str| {
+            let mut command = program::command();
+            command.arg(arguments[0]).arg(setup).args(&arguments[1..]);
+            command
+        };
+        let by_name = command(&file).output().unwrap();
+        let input = std::fs::File::open(&path).unwrap();
+        let by_input = command("-").stdin(input).output().unwrap();
+        for output in [by_name, by_input] {
+            let message = String::from_utf8(output.stderr).unwrap();
+            assert!(
+                output.status.code() == Some(2) && message.contains(says),
+                "{arguments:?}: {message}"
+            );
+        }
     }
 }

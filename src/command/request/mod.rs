@@ -357,11 +357,8 @@ impl Request {
     }
 
     fn gives(&self, is: impl Fn(&str) -> bool) -> bool {
-        self.stated().any(&is)
-            || self
-                .source
-                .given_in_file()
-                .any(|parameter| is(parameter.name))
+        let mut in_file = self.source.content.given.iter();
+        self.stated().any(&is) || in_file.any(|parameter| is(parameter.name))
     }
 
     /// The input files of the setup: the setup file, and tables of drag and lift.
@@ -456,7 +453,7 @@ impl Request {
                 .iter()
                 .any(|setting| setting.parameter == parameter.name && is_unset(&setting.value))
         };
-        let in_file = self.source.given_in_file();
+        let in_file = self.source.content.given.iter().copied();
         let by_settings = self
             .settings
             .iter()
@@ -541,7 +538,9 @@ impl Request {
     fn note_unused_club(&self) {
         let names: Vec<_> = self
             .source
-            .given_in_file()
+            .content
+            .given
+            .iter()
             .filter(|parameter| parameter.is_of_strike())
             .map(|parameter| parameter.name)
             .collect();

@@ -3,7 +3,7 @@
 use crate::command::running::running;
 use crate::command::wording::{advice_on, refuse_table};
 use crate::input_file;
-use crate::parameters::{Law, PRESETS, Parameter, Preset, SetupFile};
+use crate::parameters::{Law, PRESETS, Preset, SetupFile};
 use crate::{Error, Result, Setup};
 use std::path::Path;
 
@@ -32,8 +32,16 @@ impl Source {
         let path = Path::new(argument);
         let is_named_like_a_file = argument.contains(['/', '\\']) || path.extension().is_some();
         let is_preset = Preset::named(argument).is_some();
+        let mut stated = vec![];
         let content = if argument == STANDARD_INPUT {
-            read_standard_input()?
+            let mut content = read_standard_input()?;
+            if let Some(by_host) = running().host.stated() {
+                content
+                    .given
+                    .retain(|row| by_host.iter().any(|name| name == row.name));
+                stated = by_host;
+            }
+            content
         } else if !is_preset
             && (input_file::exists(path) || is_named_like_a_file && !argument.contains('='))
         {
@@ -41,11 +49,6 @@ impl Source {
             SetupFile::open(path)?
         } else {
             read_preset(argument)?
-        };
-        let stated = if argument == STANDARD_INPUT {
-            running().host.stated()
-        } else {
-            vec![]
         };
         Ok(Self {
             argument: argument.into(),
@@ -100,12 +103,6 @@ impl Source {
     /// True if the setup is the preset of an average of many golfers.
     pub fn is_average(&self) -> bool {
         Preset::named(&self.argument).is_some_and(|preset| preset.name.ends_with("-average"))
-    }
-
-    /// The parameters that a setup file on disk states.
-    pub fn given_in_file(&self) -> impl Iterator<Item = &'static Parameter> {
-        let given = self.content.given.iter().copied();
-        given.filter(|_| self.file().is_some())
     }
 
     /// The setup file, if the source is a file on disk.
