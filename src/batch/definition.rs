@@ -2,7 +2,7 @@ use super::points::refuse_repeated;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Level;
-use crate::parameters::{NO_CLUB, Parameter, Setup, refuse_twice};
+use crate::parameters::{NO_CLUB, Parameter, Setup, follows_from, refuse_twice};
 
 /// Definition of a batch: setup, swept parameters, outcomes, and parameters of differentiation.
 #[derive(Clone, Debug)]
@@ -50,6 +50,13 @@ impl Batch {
             .filter(|parameter| !parameters.contains(parameter))
         {
             setup.check_variable(parameter)?;
+            let mut swept = parameters.iter();
+            if let Some(by) = swept.find(|swept| follows_from(parameter.name, swept.name)) {
+                return Err(Error::NotVariable {
+                    name: parameter.name.into(),
+                    reason: format!("it follows from {}, which each row gives", by.name),
+                });
+            }
         }
         refuse_twice(wrt)?;
         let names: Vec<_> = parameters.iter().map(|parameter| parameter.name).collect();
@@ -99,6 +106,12 @@ impl Batch {
             advice: "use the defect of integration::accuracy, or infinity for the setup's own step"
                 .into(),
         })
+    }
+
+    /// The architecture and the instruction level of the processor: `x86_64 avx2`.
+    #[cfg(feature = "commands")]
+    pub(crate) fn instructions(&self) -> String {
+        format!("{} {}", std::env::consts::ARCH, self.level)
     }
 
     /// Copy of the batch with the time step `step`, s.

@@ -112,7 +112,6 @@ pub(crate) fn is_reset(name: &str, text: &str) -> bool {
 }
 
 /// True if `other`, once set, determines the parameter `name`.
-#[cfg(feature = "commands")]
 pub(crate) fn follows_from(name: &str, other: &str) -> bool {
     replacing(name).is_some_and(|alternatives| alternatives.by.contains(&other))
 }

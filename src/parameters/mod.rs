@@ -21,11 +21,12 @@ mod weights;
 pub use air::Alternatives;
 #[cfg(feature = "reports")]
 pub(crate) use air::is_given_alike;
-pub(crate) use air::{
-    DEFAULT_TEMPERATURE, LAPSE_RATE, SEA_LEVEL_TEMPERATURE, described_differently, refuse_replaced,
-};
 #[cfg(feature = "commands")]
-pub(crate) use air::{follows_from, is_reset};
+pub(crate) use air::is_reset;
+pub(crate) use air::{
+    DEFAULT_TEMPERATURE, LAPSE_RATE, SEA_LEVEL_TEMPERATURE, described_differently, follows_from,
+    refuse_replaced,
+};
 pub use choices::{GOLFER, Golfer, METHOD, Method, SPEED_OF, SpeedOf};
 #[cfg(feature = "commands")]
 pub(crate) use declare::is_unset;

@@ -51,7 +51,7 @@ impl SweepDefinition {
             derivatives: names(batch.wrt().iter().map(|by| by.name).collect()),
             largest_defect: format!("{:?}", batch.largest_defect),
             summary: summary_spec.identity(),
-            instructions: format!("{} {}", std::env::consts::ARCH, batch.level),
+            instructions: batch.instructions(),
             functions: format!("{:016x}", elementary_functions()),
             rows: points.rows(),
             parts,

@@ -209,6 +209,29 @@ fn bits(blocks: &[Block]) -> String {
     format!("{blocks:?}")
 }
 
+/// In such a batch no row reads the parameter, so its derivative would be 0.
+#[test]
+fn a_derivative_by_a_parameter_that_swept_parameters_replace_is_refused() {
+    let setup = Setup::default();
+    let refusal = |swept: &[&str], wrt: &str| {
+        let swept: Vec<_> = swept
+            .iter()
+            .map(|name| setup.column(name).unwrap())
+            .collect();
+        let wrt = [setup.variable(wrt).unwrap()];
+        Batch::new(&setup, &swept, &[Outcome::Carry], &wrt)
+            .unwrap_err()
+            .to_string()
+    };
+    let density = refusal(&["air.temperature"], "air.density");
+    assert!(
+        density.contains("it follows from air.temperature"),
+        "{density}"
+    );
+    let wind = refusal(&["wind.speed", "wind.from"], "wind.downrange");
+    assert!(wind.contains("it follows from wind.speed"), "{wind}");
+}
+
 #[test]
 fn same_order_and_bits_for_any_threads_and_from_any_chunk() {
     let whole = blocks(&Run {

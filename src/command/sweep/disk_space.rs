@@ -1,6 +1,7 @@
 //! Disk space: estimates the size and time of a sweep before its start.
 
 use super::args::Args;
+use super::resumable::part_of;
 use super::rows::{FormattedRows, RowFormatter};
 use crate::atomic_file::folder_of;
 use crate::batch::{Batch, Points};
@@ -107,8 +108,9 @@ fn bytes_in_parquet(args: &Args, batch: &Batch, points: &dyn Points) -> f64 {
     8.5 * (swept + computed) as f64 + 1.0
 }
 
-/// The number of bytes available for a file, and the folder of the file. The bytes of an existing
-/// file count as available. `None` if the free space is unknown.
+/// The number of bytes available for a file, and the folder of the file. The bytes of an unfinished
+/// file count as available, because the sweep continues or replaces it. `None` if the free space is
+/// unknown.
 fn free(path: &Path) -> Option<(f64, String)> {
     let folder = folder_of(path);
     #[cfg(feature = "cli")]
@@ -116,7 +118,7 @@ fn free(path: &Path) -> Option<(f64, String)> {
     // without the feature `cli`, the host limits the size of its files itself
     #[cfg(not(feature = "cli"))]
     let available: Option<u64> = None;
-    let there = std::fs::metadata(path).map_or(0, |found| found.len());
+    let there = std::fs::metadata(part_of(path)).map_or(0, |found| found.len());
     Some(((available? + there) as f64, folder.display().to_string()))
 }
 

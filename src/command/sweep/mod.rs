@@ -91,7 +91,7 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
         CheckScope::Launch,
     ));
     if !is_complete {
-        note(&stopped(&summary, part.as_deref(), &output));
+        note(&stopped(&summary, &output));
     }
     let nothing = (is_complete && !counts.has_any(batch.outcomes()))
         .then(|| no_outcome(&summary, counts, batch.outcomes()));
@@ -195,16 +195,18 @@ fn write_rows(
 }
 
 /// The note about an interrupted sweep, with the command to continue it.
-fn stopped(summary: &SweepSummary, part: Option<&Path>, output: &SweepOutput<'_>) -> String {
+fn stopped(summary: &SweepSummary, output: &SweepOutput<'_>) -> String {
     let drives = summary.text(None);
-    match part {
-        Some(part) => format!(
-            "stopped: {drives}; the rows so far are in {}; the same command with `resume` \
-             continues after {}",
-            part.display(),
-            counted(output.recorded_rows(), "row")
+    match output {
+        SweepOutput::Resumable(file) => format!(
+            "stopped: {drives}; the rows so far are in {}; {} continues after {}",
+            file.part().display(),
+            file.resuming_command(),
+            counted(file.recorded_rows, "row")
         ),
-        None => format!("stopped: {drives}; a sweep with `output FILE` can be resumed"),
+        SweepOutput::Stream { .. } => {
+            format!("stopped: {drives}; a sweep with `output FILE` can be resumed")
+        }
     }
 }
 

@@ -286,9 +286,23 @@ impl<'a> ResumableFile<'a> {
             .map(|_| ())
     }
 
+    /// The path of the incomplete file.
+    pub fn part(&self) -> PathBuf {
+        part_of(&self.path)
+    }
+
+    /// The command that continues this sweep.
+    pub fn resuming_command(&self) -> &'static str {
+        if self.journal.overwrite {
+            "the same command with `resume` in place of `overwrite`"
+        } else {
+            "the same command with `resume`"
+        }
+    }
+
     fn failed(&self, error: &io::Error) -> Error {
         let rows = counted(self.rows(), "complete row");
-        let part = part_of(&self.path);
+        let part = self.part();
         let (what, remedy) = match error.kind() {
             ErrorKind::AlreadyExists => (
                 "it was made by another program while the sweep ran".into(),
@@ -300,9 +314,9 @@ impl<'a> ResumableFile<'a> {
             ),
         };
         let reason = format!(
-            "{what}; {} keeps its first {rows}; {remedy}, then repeat the same command with \
-             `resume`",
-            part.display()
+            "{what}; {} keeps its first {rows}; {remedy}, then repeat {}",
+            part.display(),
+            self.resuming_command()
         );
         refused(&self.path, reason)
     }

@@ -17,6 +17,10 @@ pub struct Identity {
     pub outcomes: String,
     pub derivatives: String,
     pub format: String,
+    /// Architecture and instruction set of the processor: other instructions round differently.
+    pub instructions: String,
+    /// The largest integration error of a drive, m; `inf` if there is no limit.
+    pub largest_defect: String,
 }
 
 impl Identity {
@@ -33,6 +37,8 @@ impl Identity {
                 (SweepFormat::Csv, TableUnits::Of(system)) => format!("csv in {system} units"),
                 _ => format!("{format:?}").to_lowercase(),
             },
+            instructions: batch.instructions(),
+            largest_defect: format!("{:?}", batch.largest_defect),
         }
     }
 
@@ -58,6 +64,16 @@ impl Identity {
             ("the points", &self.points, &other.points),
             ("the outcomes", &self.outcomes, &other.outcomes),
             ("the derivatives", &self.derivatives, &other.derivatives),
+            (
+                "the instructions of the processors",
+                &self.instructions,
+                &other.instructions,
+            ),
+            (
+                "the tolerances",
+                &self.largest_defect,
+                &other.largest_defect,
+            ),
             // compare the setups last: their integration step depends on all values above
             ("the setups", &self.setup, &other.setup),
         ];
