@@ -22,6 +22,15 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
                 .find(|axis| axis.variable == variable)
                 .map(|axis| axis.ends)
         };
+        // below the least spin the lift falls to 0
+        let lift_onset = self.table.grid.lift_onset.map(|(variable, _)| variable);
+        let is_held_below = |variable| lift_onset != Some(variable);
+        let held = [
+            [is_held_below(AxisVariable::SpinRatio), true],
+            [is_held_below(AxisVariable::Spin), true],
+            [true; 2],
+            [true; 2],
+        ];
         LawProperties {
             published: Published {
                 authors: "your own table",
@@ -35,7 +44,7 @@ impl<T: Numbers> AerodynamicLaw<T> for Table<T> {
                 reynolds: range(AxisVariable::Reynolds),
                 speed: range(AxisVariable::Speed),
                 to: &self.table.description,
-                held: [[true; 2]; 4],
+                held,
             },
             continuous_derivatives: Some(2),
             has_corner_at_zero_spin: self.table.grid.has_slope_at_zero_spin(),

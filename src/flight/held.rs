@@ -19,12 +19,42 @@ struct HeldLaw {
     law: Law<f64>,
     variable: usize,
     range: [f64; 2],
+    /// True if the law is stated in the spin, false if it is stated in the spin ratio.
+    is_of_spin: bool,
+}
+
+impl HeldLaw {
+    /// The flow with the variable clamped to the range. Clamping the spin or the spin ratio does
+    /// not change airspeed and Reynolds number. Clamping the Reynolds number changes no other
+    /// variable. Clamping the airspeed does not change the Reynolds number, and of spin and spin
+    /// ratio it does not change the variable of the law.
+    fn hold(&self, stream: Stream<f64>) -> Stream<f64> {
+        let [low, high] = self.range;
+        let mut held = stream;
+        match self.variable {
+            SPIN_RATIO => {
+                held.spin = stream.spin_ratio().clamp(low, high) * stream.speed / stream.radius
+            }
+            SPIN => held.spin = stream.spin.clamp(low, high),
+            REYNOLDS => held.reynolds_per_speed = stream.reynolds().clamp(low, high) / stream.speed,
+            // the remaining variable is the airspeed
+            _ => {
+                let speed = stream.speed.clamp(low, high);
+                let spin = if self.is_of_spin {
+                    stream.spin
+                } else {
+                    stream.spin_ratio() * speed / stream.radius
+                };
+                held = Stream::new(spin, speed, stream.radius, stream.reynolds() / speed);
+            }
+        }
+        held
+    }
 }
 
 impl AerodynamicLaw<f64> for HeldLaw {
     fn coefficients(&self, stream: Stream<f64>) -> Coefficients<f64> {
-        self.law
-            .coefficients(hold(stream, self.variable, self.range))
+        self.law.coefficients(self.hold(stream))
     }
 
     fn properties(&self) -> LawProperties {
@@ -46,6 +76,7 @@ pub(crate) fn carry_by_holding(
         law: inputs.law,
         variable,
         range,
+        is_of_spin: setup.law.properties().fitted.spin.is_some(),
     };
     let outputs = RequestedOutputs {
         apex: false,
@@ -86,31 +117,6 @@ pub(crate) fn stays_within(
         Some(&mut |_, step| stays &= holds(step.from) && holds(step.to)),
     );
     stays && flight.is_ok()
-}
-
-/// The flow `stream` with `variable` clamped to the range. Clamping the spin or the spin ratio does
-/// not change airspeed and Reynolds number. Clamping the Reynolds number changes no other variable.
-/// Clamping the airspeed does not change spin ratio and Reynolds number.
-fn hold(stream: Stream<f64>, variable: usize, [low, high]: [f64; 2]) -> Stream<f64> {
-    let mut held = stream;
-    match variable {
-        SPIN_RATIO => {
-            held.spin = stream.spin_ratio().clamp(low, high) * stream.speed / stream.radius
-        }
-        SPIN => held.spin = stream.spin.clamp(low, high),
-        REYNOLDS => held.reynolds_per_speed = stream.reynolds().clamp(low, high) / stream.speed,
-        // the remaining variable is the airspeed
-        _ => {
-            let speed = stream.speed.clamp(low, high);
-            held = Stream::new(
-                stream.spin_ratio() * speed / stream.radius,
-                speed,
-                stream.radius,
-                stream.reynolds() / speed,
-            );
-        }
-    }
-    held
 }
 
 #[cfg(test)]

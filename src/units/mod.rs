@@ -432,13 +432,13 @@ impl Quantity {
     }
 
     /// Hint for an unknown unit: a known unit that differs in case or by a missing `deg`, or the
-    /// advice to write a decimal point instead of a comma. Empty without a hint.
+    /// advice to write no comma. Empty without a hint.
     fn hint(self, unit: &str) -> String {
         if unit
             .strip_prefix(',')
             .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
         {
-            return " (write a decimal point, not a comma)".into();
+            return " (leave out commas between thousands, and write a decimal point)".into();
         }
         let is_meant = |known: &&str| {
             [unit, &format!("deg{unit}")]

@@ -742,11 +742,12 @@ fn a_plot_of_laws_draws_all_of_them_and_refuses_other_options() {
         .map(|row| (row.2, row.3))
         .collect();
     assert_eq!(mine, [(0.0, 0.2), (0.1, 0.25)]);
-    // curves are constant beyond the nodes of a table, and beyond the clamp of a law's variable
+    // the drag is constant beyond the nodes of a table, and beyond the clamp of a law's variable;
+    // below the least spin of a table the lift falls to 0
     std::fs::write(file("mine.csv"), "s,cd,cl\n0.1,0.25,0.15\n0.2,0.27,0.2\n").unwrap();
     let (rows, _) = plotted_rows(&["--set", &own, "--laws", "table,lyu,launch-monitor"]);
     for name in [
-        "table (held)",
+        "table (extrapolated or held)",
         "lyu (extrapolated or held)",
         "launch-monitor (extrapolated)",
     ] {

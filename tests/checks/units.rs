@@ -118,7 +118,7 @@ fn an_unknown_unit_gets_a_suggestion() {
         (
             Quantity::ANGLE,
             "10,5 deg",
-            "(write a decimal point, not a comma)",
+            "(leave out commas between thousands, and write a decimal point)",
         ),
         (Quantity::ANGLE, "10 dg", "'dg'; an angle takes"),
     ] {

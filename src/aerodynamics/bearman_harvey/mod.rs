@@ -75,9 +75,9 @@ impl<T: Numbers> AerodynamicLaw<T> for BearmanHarvey<T> {
                 spin: Some(SPINS.map(|rpm| rpm * RPM)),
                 speed: Some(MEASURED),
                 to: "a wind tunnel, Bearman & Harvey 1976",
-                // above 80.2 m/s the law is extrapolated; the speed is clamped only above the last
-                // column of the grid, 88.1 m/s
-                held: [[false; 2], [true; 2], [false; 2], [true, false]],
+                // below the least spin the lift falls to 0; above 80.2 m/s the law is extrapolated:
+                // the speed is clamped only above the last column of the grid, 88.1 m/s
+                held: [[false; 2], [false, true], [false; 2], [true, false]],
                 ..Fitted::UNKNOWN
             },
             continuous_derivatives: Some(2),
