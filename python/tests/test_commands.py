@@ -154,6 +154,45 @@ def test_differences_confirm_the_hessian_at_an_optimum():
 
 
 @pytest.mark.parametrize(
+    "search", [longdrive.optimize, longdrive.optimum_sensitivity, longdrive.robust]
+)
+@pytest.mark.parametrize("form", [dict, lambda launch: [f"{k}={v}" for k, v in launch.items()]])
+def test_same_value_and_gradient_at_the_setup_of_a_search_with_a_launch(search, form):
+    launch = {"ball_speed": "167 mph", "launch_angle": "10.9 deg", "backspin": "2686 rpm"}
+    # this backspin replaces the total spin of the setup
+    setup = {"launch": {"ball_speed": 60.0, "launch_angle": 0.3, "spin": 200.0}}
+    vary = {"air.density": (1.0, 1.3), "ball.mass": (0.0459, 0.046)}
+    found = search(setup, launch=form(launch), vary=vary)
+    assert found.setup["launch.spin"] is None
+    value, gradient = longdrive.gradient(found.setup, wrt=found.names)
+    assert found.fun == pytest.approx(value, rel=1e-9)
+    assert found.jac is None or found.jac == pytest.approx(gradient, rel=1e-8)
+    stated = longdrive.hessian(
+        {f"launch.{name}": text for name, text in launch.items()} | found.optimum, wrt=found.names
+    )
+    np.testing.assert_allclose(found.hess, stated.hessian, rtol=1e-12)
+
+
+def test_the_launch_of_a_search_stays_without_a_drive_and_with_a_varied_condition():
+    launch = {"ball_speed": 0.05, "launch_angle": -0.7, "backspin": 280.0}
+    found = longdrive.optimize(launch=launch, vary={"air.density": (1.0, 1.3)})
+    assert found.optimum is None and found.setup["launch.ball_speed"] == 0.05
+    launch = {"ball_speed": 70.0, "launch_angle": 0.2, "backspin": 280.0}
+    found = longdrive.optimize(launch=launch, vary={"launch.launch_angle": (0.1, 0.4)})
+    assert found.setup["launch.ball_speed"] == 70.0
+    assert found.setup["launch.launch_angle"] == found.x[0] != 0.2
+
+
+@pytest.mark.parametrize("accuracy", [{"tolerance": "1 m"}, {"own_step": True}])
+def test_same_step_for_the_hessian_as_for_the_search(accuracy):
+    setup = longdrive.Setup({"flight.method": "rk4", "flight.step": 0.2})
+    found = longdrive.optimize(setup, vary={"club.loft": (0.1, 0.4)}, **accuracy)
+    of = (found.setup, "carry", found.names)
+    assert found.hess.tolist() == longdrive.hessian(*of, **accuracy).hessian.tolist()
+    assert found.hess.tolist() != longdrive.hessian(*of, tolerance="1 um").hessian.tolist()
+
+
+@pytest.mark.parametrize(
     ("call", "words", "renamed"),
     [
         (

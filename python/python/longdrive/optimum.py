@@ -13,7 +13,7 @@ from .reply import Reply
 
 if TYPE_CHECKING:
     from .request import Request
-    from .types import Floats
+    from .types import Amount, Floats
 
 __all__ = ["Optimum", "optimum"]
 
@@ -76,7 +76,11 @@ class Optimum(Reply):
     kkt_residual: float | None
     """The residual of the optimality conditions."""
     started: Setup
-    """The setup of the call."""
+    """The setup of the call, with its argument ``launch``."""
+    tolerance: Amount | None
+    """The largest error of a length, as in the call; ``hess`` has the same."""
+    own_step: bool
+    """True if the call keeps the method and step of its setup; ``hess`` keeps them too."""
     reply: Reply
     """The answer of the command: the content of its ``--json``."""
 
@@ -95,9 +99,14 @@ class Optimum(Reply):
         """
         if self["reply"].get("swings") is not None or self["optimum"] is None:
             return None
-        return np.asarray(
-            hessian(self.setup, self["reply"]["objective"], self["names"]).hessian
+        found = hessian(
+            self.setup,
+            self["reply"]["objective"],
+            self["names"],
+            tolerance=self["tolerance"],
+            own_step=self["own_step"],
         )
+        return np.asarray(found.hessian)
 
     def __missing__(self, key: str) -> Any:
         # compute these two only at the first access
@@ -153,7 +162,9 @@ def optimum(reply: Reply, request: Request) -> Optimum:
         kkt_residual=reply.get("kkt_residual"),
         warnings=reply["warnings"],
         held=reply.held,
-        started=request.setup,
+        started=request.setup_with_launch(),
+        tolerance=request.values.get("tolerance"),
+        own_step=request.values.get("own_step", False),
         reply=reply,
     )
 

@@ -165,6 +165,22 @@ class Request:
         self.files[name] = csv_of(name, given)
         return name
 
+    def setup_with_launch(self) -> Setup:
+        """The setup with the launch conditions of the argument ``launch``."""
+        assert self.setup is not None
+        if "launch" not in self.values:
+            return self.setup
+        # the program knows which conditions of the setup the argument replaces
+        values = {name: self.values[name] for name in ("json", "setup", "launch")}
+        _, answer, _, raised = _longdrive.command(
+            "parameters", values, self.setup_text, {}, [], lambda kind, text: None
+        )
+        if raised is not None:
+            raise raised
+        values_of_all = {row["parameter"]: row["value"] for row in answer["parameters"]}
+        launch = {name: values_of_all[name] for name in values_of_all if name.startswith("launch.")}
+        return self.setup._with_values(launch)
+
     def texts(self, name: str) -> list[str]:
         """The values of an argument as on the command line, for functions that take texts."""
         values = self.values.get(options_of(self.command)[name].name, [])
