@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
+import re
 import warnings
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 import longdrive
+import longdrive.parts
 from longdrive import InputError, LongdriveWarning, Setup
 
 SMALL = {"swing.path": 1, "swing.face_angle": 1}
@@ -88,18 +91,88 @@ def test_same_results_in_degrees_and_radians() -> None:
         Setup({}, angles="grad")  # type: ignore[arg-type]
 
 
+def sweep_of_points(setup: Any, points: Any, **more: Any) -> longdrive.Table:
+    return longdrive.sweep(setup, points=points, **more)
+
+
 def test_same_results_of_a_table_for_each_unit_of_angles() -> None:
     pandas = pytest.importorskip("pandas")
     table = longdrive.batch("mae494", {"club.loft": np.radians([8.0, 10.0, 12.0])})
     for points in (table, table.to_pandas()):
-        again = longdrive.batch("mae494", points, angles="deg")
-        assert again == table
+        assert longdrive.batch("mae494", points) == table
+        for angles_in_degrees in (longdrive.batch, sweep_of_points):
+            with pytest.raises(InputError, match="^angles = 'deg': each column of points has"):
+                angles_in_degrees("mae494", points, angles="deg")
     # a frame without units has angles in the unit of the argument `angles`
     frame = pandas.DataFrame({"club.loft": [8.0, 10.0, 12.0]})
     assert longdrive.batch("mae494", frame, angles="deg") == table
     for points in (table, frame):
         with pytest.raises(InputError, match="angles = 'grad'; expected 'rad' or 'deg'"):
             longdrive.batch(Setup(), points, angles="grad")  # type: ignore[arg-type]
+
+
+def test_degrees_are_refused_for_a_file_of_points_whose_columns_have_units(tmp_path: Path) -> None:
+    file = tmp_path / "points.csv"
+    file.write_text("club.loft [rad]\n1\n", encoding="utf-8")
+    plan = longdrive.parts.SweepPlan
+    for call in (
+        lambda: longdrive.sweep("mae494", points=file, angles="deg"),
+        lambda: longdrive.sweep("mae494", points=file, angles="deg", output=tmp_path / "rows.csv"),
+        lambda: plan.of("mae494", points=file, angles="deg", output=tmp_path / "parts", parts=1),
+    ):
+        with pytest.raises(InputError, match="leave angles out: degrees need such a head"):
+            call()
+
+
+def test_same_points_from_the_advice_about_own_values() -> None:
+    loft = np.radians([8.0, 9.0])
+    with pytest.raises(InputError) as refused:
+        longdrive.sweep("mae494", over={"club.loft": [8.0, 9.0, 10.0]})
+    (head,) = re.findall(r"points=\{'(.*?)': …\}", str(refused.value))
+    table = longdrive.sweep("mae494", points={head: loft})
+    assert table == longdrive.batch("mae494", {"club.loft": loft})
+
+
+def test_same_radians_for_degrees_beside_quantities(unit: Any) -> None:
+    mixed = longdrive.batch("mae494", {"club.loft": [8 * unit.deg, 9]}, angles="deg")
+    assert mixed["club.loft"].tolist() == np.radians([8.0, 9.0]).tolist()
+    assert not mixed.warnings
+    # without angles="deg", the number is in radians, with the warning of a list of numbers
+    warned = longdrive.batch("mae494", {"club.loft": [8 * unit.deg, 1]})
+    assert any("club.loft = 1 is 1 rad" in text for text in warned.warnings)
+
+
+@pytest.mark.parametrize(
+    "dtype",
+    ["int8", "uint8", "int16", "uint16", "int32", "int64", "float16", "float32", ">f8", "float64"],
+)
+def test_same_radians_of_every_number_type(dtype: str) -> None:
+    degrees = [8, 10, 13]
+    for given in (np.array(degrees, dtype), np.array(8, dtype)):
+        table = longdrive.batch("mae494", {"club.loft": given}, angles="deg")
+        wanted = np.radians(np.array(given, float)).reshape(-1)
+        assert table["club.loft"].tolist() == wanted.tolist()
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        [True, 8.0],
+        np.array([True]),
+        np.array([8], np.longdouble),
+        np.ma.masked_array([8.0], [True]),
+        [[8.0], [8.0, 9.0]],
+        [None, 8.0],
+        np.array([1j]),
+    ],
+)
+def test_same_refusals_in_degrees_and_radians(values: Any) -> None:
+    messages = []
+    for angles in ("rad", "deg"):
+        with pytest.raises(InputError) as refused:
+            longdrive.batch("mae494", {"club.loft": values}, angles=angles)  # type: ignore[arg-type]
+        messages.append(str(refused.value))
+    assert messages[0] == messages[1] and messages[0].startswith("points: club.loft ")
 
 
 @pytest.mark.parametrize("kind", ["pandas", "polars", "pyarrow"])

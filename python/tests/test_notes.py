@@ -227,7 +227,7 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     ),
     (
         lambda: longdrive.sweep("tour-average", {"club.loft": [0.1, 0.15, 0.2]}),
-        "your own values, with one drive for each, go into points={'club.loft': …}",
+        "your own values, with one drive for each, go into points={'club.loft [rad]': …}",
     ),
     (
         lambda: longdrive.sweep("tour-average", {"club.loft": [0.1, 0.15, 0.2]}, output="never.csv"),

@@ -11,7 +11,7 @@ import numpy as np
 from . import _longdrive
 from .arguments import shown
 from .errors import InputError, warn_of
-from .quantities import contains_quantities, is_quantity
+from .quantities import contains_quantities, elements_of, is_quantity
 
 if TYPE_CHECKING:
     from .types import AngleUnit
@@ -20,6 +20,7 @@ __all__ = [
     "BareAngles",
     "check_unit",
     "columns_in_radians",
+    "refuse_degrees_of_points",
     "suspicious",
     "warn_of_angles",
     "warnings_of",
@@ -101,15 +102,39 @@ class BareAngles:
 
 
 def columns_in_radians(points: Mapping[str, Any], angles: AngleUnit) -> dict[str, Any]:
-    """Converts numeric angles of the points from the unit `angles` to radians; texts stay texts."""
+    """Converts numeric angles of the points from the unit `angles` to radians.
+
+    Texts, quantities of pint, and values that a batch refuses stay unchanged.
+    """
     if angles == "rad":
         return dict(points)
     return {
-        name: np.radians(values)
-        if _longdrive.unit_of(name) == "rad" and _is_numeric(values)
-        else values
+        name: _in_radians(values) if _longdrive.unit_of(name) == "rad" else values
         for name, values in points.items()
     }
+
+
+def _in_radians(degrees: Any) -> Any:
+    if contains_quantities(degrees):
+        return [_in_radians(element) for element in elements_of(degrees) or ()]
+    # convert to 64 bits first: np.radians has 16 bits for numbers of 8 bits
+    return np.radians(np.asarray(degrees, dtype=float)) if _is_numeric(degrees) else degrees
+
+
+def refuse_degrees_of_points(angles: Any) -> None:
+    """Refuses degrees for points whose columns have known units; they would have no effect.
+
+    Raises
+    ------
+    InputError
+        For ``angles="deg"``.
+    """
+    if check_unit(angles) == "deg":
+        raise InputError(
+            "angles = 'deg': each column of points has the unit in its head, as in "
+            "'club.loft [deg]', or else SI, with angles in radians; leave angles out: degrees need "
+            "such a head, or numpy.radians(…), and an angle of the setup its unit, as in '9 deg'"
+        )
 
 
 def warnings_of_columns(points: Mapping[str, Any]) -> list[str]:
@@ -117,20 +142,37 @@ def warnings_of_columns(points: Mapping[str, Any]) -> list[str]:
 
     The batch itself warns about angles out of range.
     """
+    bare = {
+        name: _without_quantities(values)
+        for name, values in points.items()
+        if isinstance(name, str) and _longdrive.unit_of(name) == "rad"
+    }
     return warnings_of(
         (name, values)
-        for name, values in points.items()
-        if isinstance(name, str)
-        and _longdrive.unit_of(name) == "rad"
-        and _is_numeric(values)
+        for name, values in bare.items()
+        if _is_numeric(values)
         and not _longdrive.is_out_of_range(name, suspicious(values) or 0.0)
     )
 
 
+def _without_quantities(values: Any) -> Any:
+    if not contains_quantities(values):
+        return values
+    return [element for element in elements_of(values) or () if not is_quantity(element)]
+
+
 def _is_numeric(values: Any) -> bool:
+    """True for the whole numbers and floats that a batch takes: one, or an array or a list."""
     if isinstance(values, str) or is_quantity(values) or contains_quantities(values):
         return False
-    return np.asarray(values).dtype.kind in "fiu"
+    if isinstance(values, (list, tuple)) and any(isinstance(x, (bool, np.bool_)) for x in values):
+        return False
+    try:
+        array = np.asanyarray(values)
+    except ValueError:  # a list of lists of different lengths
+        return False
+    is_masked = hasattr(array, "mask")
+    return not is_masked and array.dtype.kind in "fiu" and np.can_cast(array.dtype, float)
 
 
 def warn_of_angles(angles: Iterable[tuple[str, float]], answer: object) -> None:

@@ -7,7 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 from . import _longdrive
 from ._longdrive import Setup
-from .angles import check_unit, columns_in_radians, warnings_of_columns
+from .angles import (
+    check_unit,
+    columns_in_radians,
+    refuse_degrees_of_points,
+    warnings_of_columns,
+)
 from .arguments import count_of, refuse_stated, stated_in, switch_of
 from .errors import InputError, Interrupted, interruptible, warn_of
 from .progress import follower
@@ -65,7 +70,8 @@ def batch(
     own_step : bool
         Keep ``flight.method`` and ``flight.step`` of the setup.
     angles : AngleUnit
-        The unit of angles without a unit.
+        The unit of angles without a unit. ``"deg"`` is refused for a :class:`Table`, and for a
+        table that was made from one: their points are SI.
     threads : int
         The number of threads; 0 for the number of processors of this process.
     progress : Progress
@@ -109,6 +115,8 @@ def batch(
         setup = setup if isinstance(setup, Setup) else Setup(setup, angles=angles)
         check_unit(angles)
         in_si = points_in_si(points)
+        if in_si is not None:
+            refuse_degrees_of_points(angles)
         columns: Any = columns_of(points) if in_si is None else in_si
         is_bare = in_si is None and isinstance(columns, Mapping)
         if is_bare:

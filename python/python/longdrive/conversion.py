@@ -13,6 +13,7 @@ from .arguments import count_of, kind_of, path_of, shown, switch_of
 from .errors import InputError
 from .options import Option
 from .quantities import elements_of, is_quantity, number_of
+from .tables import head_of
 
 __all__ = [
     "Converter",
@@ -282,8 +283,8 @@ def _expected_for(option: Option, key: Any) -> str:
         return "one number (SI), or a text with its unit"
     if ":" in option.value:
         advice = (
-            f"; your own values, with one drive for each, go into points={{'{key}': …}}, or to "
-            "longdrive.batch"
+            "; your own values, with one drive for each, go into "
+            f"points={{'{head_of(str(key))}': …}}, or to longdrive.batch"
         )
         return "a tuple (low, high, count), for values spread evenly" + (
             advice if option.argument == "over" else ""

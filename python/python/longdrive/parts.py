@@ -15,6 +15,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 from . import _longdrive
+from .angles import refuse_degrees_of_points
 from .arguments import count_of, kind_of, path_of, refuse_idle_seed
 from .errors import Error, InputError, Interrupted
 from .quantities import elements_of
@@ -128,7 +129,8 @@ class SweepPlan(NamedTuple):
         own_step : bool
             Keep ``flight.method`` and ``flight.step`` of the setup.
         angles : AngleUnit
-            The unit of angles without a unit.
+            The unit of angles without a unit; ``"deg"`` is refused with `points`, whose columns
+            have units.
         threads : int
             The number of threads that compute a part; a worker that computes several parts at a
             time uses this number for each.
@@ -156,6 +158,8 @@ class SweepPlan(NamedTuple):
         count_of("parts", parts, 1)
         count_of("threads", threads, 1)
         refuse_idle_seed(seed, sample)
+        if points is not None:
+            refuse_degrees_of_points(angles)
         file = (
             None if points is None else path_of("points", points, "file that every worker can read")
         )

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Union, overload
 
 from . import _longdrive
 from ._longdrive import Setup
+from .angles import refuse_degrees_of_points
 from .arguments import count_of, refuse_idle_seed, refuse_stated, stated_in, switch_of
 from .batches import computed
 from .errors import InputError, interruptible, warn_of
@@ -113,7 +114,8 @@ def sweep(
     own_step : bool
         Keep ``flight.method`` and ``flight.step`` of the setup.
     angles : AngleUnit
-        The unit of angles without a unit.
+        The unit of angles without a unit; ``"deg"`` is refused with `points`, whose columns have
+        units.
     threads : int
         The number of threads; 0 for the number of processors of this process.
     output : PathLike | None
@@ -151,6 +153,8 @@ def sweep(
     >>> len(table), table.wrt
     (15, ('club.loft', 'swing.speed'))
     """
+    if points is not None:
+        refuse_degrees_of_points(angles)
     _refuse(
         over,
         sample,

@@ -13,7 +13,7 @@ from .errors import InputError
 from .quantities import contains_quantities, elements_of, is_quantity
 from .table import Table
 
-__all__ = ["columns_of", "csv_of", "points_in_si"]
+__all__ = ["columns_of", "csv_of", "head_of", "points_in_si"]
 
 
 def columns_of(table: Any) -> Any:
@@ -99,11 +99,13 @@ def csv_of(name: str, table: Any) -> bytes:
 
 def points_with_units(points: Mapping[str, Any]) -> dict[str, Any]:
     """Points in SI, with the SI unit in the head of each column: ``club.loft [rad]``."""
-    units = {name: _longdrive.unit_of(name) for name in points}
-    return {
-        f"{name} [{units[name]}]" if units[name] else name: values
-        for name, values in points.items()
-    }
+    return {head_of(name): values for name, values in points.items()}
+
+
+def head_of(name: str) -> str:
+    """The head of a column in SI, with its unit: ``club.loft [rad]``."""
+    unit = _longdrive.unit_of(name)
+    return f"{name} [{unit}]" if unit else name
 
 
 def _csv_of_columns(name: str, table: Mapping[Any, Any]) -> bytes:
