@@ -367,3 +367,25 @@ def test_scipy_steps_back_from_a_point_without_a_drive_or_reports_it(
         assert any(map(math.isnan, values)) and found.success and is_there
     else:
         assert is_there or not found.success
+
+
+@pytest.mark.parametrize(
+    "distribution",
+    [{"swing.speed": ("normal", 51.0, 1.0)}, "swing.speed = normal(51 m/s, 1 m/s)"],
+)
+def test_a_stated_value_is_refused_beside_its_distribution_as_by_a_search(
+    distribution: Any,
+) -> None:
+    for setup in ({"swing.speed": 50.0}, {"swing": {"speed": 50.0}}):
+        message = "^swing.speed of the setup: the swings have values of it, so this one is not used"
+        with pytest.raises(InputError, match=message):
+            longdrive.objective(setup, "mean(carry)", "club.loft", distribution=distribution)
+        with pytest.raises(InputError, match=message):
+            longdrive.optimize(
+                setup, maximize="mean(carry)", vary="club.loft=8deg..12deg", distribution=distribution
+            )
+    # the search starts from a stated value of a parameter that it varies
+    mean = longdrive.objective(
+        {"club.loft": 0.2}, "mean(carry)", "club.loft", distribution=distribution
+    )
+    assert mean.x0.tolist() == [0.2]

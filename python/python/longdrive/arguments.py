@@ -104,18 +104,17 @@ def stated_in(setup: Any) -> list[str]:
     return [name for name in _longdrive.parameter_names_in(setup) if not name.startswith("launch.")]
 
 
-def refuse_stated(stated: Sequence[str], columns: Any) -> None:
+def refuse_stated(
+    stated: Sequence[str], columns: Any, why: str = "every drive has a value of its own"
+) -> None:
     """Refuses a parameter that has both a stated value and a column of values.
 
-    The stated value would have no effect.
+    The stated value would have no effect; `why` is the reason, for the message.
     """
     names = columns if isinstance(columns, Mapping) else ()
     twice = next((name for name in stated if name in names), None)
     if twice is not None:
-        raise InputError(
-            f"{twice} of the setup: every drive has a value of its own, so this one is not used; "
-            "leave it out"
-        )
+        raise InputError(f"{twice} of the setup: {why}, so this one is not used; leave it out")
 
 
 def refuse_stated_launch(setup: Any, arguments: Mapping[str, Any]) -> None:

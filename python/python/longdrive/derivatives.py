@@ -12,6 +12,7 @@ from .arguments import (
     count_of,
     kind_of,
     one_name,
+    refuse_stated,
     switch_of,
     whole_characters,
 )
@@ -270,7 +271,7 @@ def objective(
     ------
     InputError
         As :func:`gradient`, for unreadable swings, and for a parameter that the swings already
-        give.
+        give, also if a dict in place of a setup states it beside its `distribution`.
 
     Examples
     --------
@@ -309,6 +310,9 @@ def objective(
     request = Request(
         "optimize", {"setup": setup, "distribution": distribution, "correlation": correlation}
     )
+    distributions = request.texts("distribution")
+    varied = {text.partition("=")[0].strip(): text for text in distributions}
+    refuse_stated(request.stated, varied, "the swings have values of it")
     return _longdrive.Objective(
         request.setup,
         one_name("of", of, "jacobian takes several"),
@@ -316,7 +320,7 @@ def objective(
         sense,
         invalid,
         swings,
-        request.texts("distribution"),
+        distributions,
         request.texts("correlation"),
         None if scenarios is None else count_of("scenarios", scenarios, 1, MOST_SCENARIOS),
         None if seed is None else count_of("seed", seed, most=MOST_SEED),
