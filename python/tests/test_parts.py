@@ -219,3 +219,50 @@ def test_the_message_on_an_engine_names_the_argument() -> None:
             InputError, match="^client is a .*; expected a distributed.Client of the cluster"
         ):
             longdrive.dask.sweep(client)  # type: ignore[arg-type]
+
+
+LARGE: dict[str, Any] = {"over": {"club.loft": (0.5, 1.2, 7168)}, "parts": 7}
+
+
+def test_same_warnings_of_a_part_as_of_a_sweep(tmp_path: Path) -> None:
+    whole = longdrive.sweep(None, LARGE["over"]).warnings
+    assert "1 rad is 57.3°" in whole[0] and "at launch outside" in whole[1]
+    with pytest.warns(longdrive.LongdriveWarning) as planned:
+        requested = SweepPlan.of(**LARGE, output=tmp_path)
+    assert [str(one.message) for one in planned] == whole[:1]
+    with pytest.warns(longdrive.LongdriveWarning) as written:
+        row = requested.write(7)
+    assert [str(one.message) for one in written] == row["warnings"]
+    # only the numbers of drives differ
+    assert row["warnings"][0].partition(" of ")[0] == "1024"
+    assert row["warnings"][0].partition(": ")[2] == whole[1].partition(": ")[2]
+    assert {one.filename for one in [*planned, *written]} == {__file__}
+
+
+def test_a_sweep_of_processes_warns_once_of_its_parts(tmp_path: Path) -> None:
+    with pytest.warns(longdrive.LongdriveWarning) as caught:
+        found = parts.sweep(**LARGE, output=tmp_path, processes=1)
+    of_angles, of_parts = [str(one.message) for one in caught]
+    assert "1 rad is 57.3°" in of_angles
+    texts = of_parts.split("\n")
+    rows = [row for row in found.manifests if row["warnings"]]
+    assert len(rows) == 6
+    assert texts == [
+        *(f"part {row['part']} of 7: {row['warnings'][0]}" for row in rows[:5]),
+        "… and 1 more in the rows of `manifests`",
+    ]
+    assert caught[1].message.answer == found  # type: ignore[union-attr]
+    assert longdrive.parts.merge(found.manifests) == found.summary
+
+
+def test_a_stated_value_of_a_swept_parameter_is_refused(tmp_path: Path) -> None:
+    stated: dict[str, Any] = {"setup": {"club.loft": "9 deg"}, **LARGE}
+    message = "club.loft of the setup: every drive of the sweep has a value of its own, so this one"
+    for call in (
+        lambda: SweepPlan.of(**stated, output=tmp_path).validate(),
+        lambda: parts.sweep(**stated, output=tmp_path),
+        lambda: pickle.loads(pickle.dumps(SweepPlan.of(**stated, output=tmp_path))).write(1),
+    ):
+        with pytest.raises(longdrive.Error, match=message):
+            call()
+    assert not list(tmp_path.iterdir())

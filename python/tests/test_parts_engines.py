@@ -71,31 +71,31 @@ def is_first(file: Path) -> bool:
 class Mortal(SweepPlan):
     """A sweep in which one process dies while it writes a part, after three parts are complete."""
 
-    def write(self, part: int) -> dict[str, Any]:
+    def _written(self, part: int) -> dict[str, Any]:
         folder = Path(self.output)
         if len(list(folder.glob("part-*"))) >= 3 and is_first(folder.parent / "killed"):
             (folder.parent / "killed").write_text(str(os.getpid()))
             os.kill(os.getpid(), signal.SIGKILL)
-        return super().write(part)
+        return super()._written(part)
 
 
 class Troubled(Mortal):
     """A sweep in which a part fails and a disk is full, before the process dies."""
 
-    def write(self, part: int) -> dict[str, Any]:
+    def _written(self, part: int) -> dict[str, Any]:
         place = Path(self.output).parent
         if is_first(place / "poisoned"):
             raise RuntimeError("poisoned once")
         if is_first(place / "full"):
             fill_the_disk(2000)
             try:
-                return super().write(part)
+                return super()._written(part)
             except PartError as error:
                 (place / "full").write_text(str(error))
                 raise
             finally:
                 empty_the_disk()
-        return super().write(part)
+        return super()._written(part)
 
 
 def fill_the_disk(bytes_left: int) -> None:

@@ -70,7 +70,7 @@ def sweep(client: Client, setup: SetupLike = None, *, retries: int = 3, **argume
     plan = plan_of(setup, arguments)
     # pure=False: otherwise Dask would reuse the results of an earlier sweep, although the folder
     # may have changed
-    futures = client.map(plan.write, range(1, plan.parts + 1), pure=False, retries=retries)
+    futures = client.map(plan._written, range(1, plan.parts + 1), pure=False, retries=retries)
     part_of = {future.key: part for part, future in enumerate(futures, start=1)}
     manifests: list[dict[str, Any]] = []
     try:

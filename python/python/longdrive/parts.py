@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Union
 from . import _longdrive
 from .angles import refuse_degrees_of_points
 from .arguments import count_of, kind_of, path_of, refuse_idle_seed
-from .errors import Error, InputError, Interrupted
+from .errors import Error, InputError, Interrupted, warn_of
 from .quantities import elements_of
 
 if TYPE_CHECKING:
@@ -60,6 +60,8 @@ class SweepPlan(NamedTuple):
     """The number of parts."""
     threads: int = 1
     """The number of threads that compute a part."""
+    stated: Sequence[str] = ()
+    """The parameters that a dict in place of a setup states; a sweep refuses to vary them."""
 
     @property
     def words(self) -> tuple[str, ...]:
@@ -145,6 +147,11 @@ class SweepPlan(NamedTuple):
         InputError
             For an argument of the wrong type.
 
+        Warns
+        -----
+        LongdriveWarning
+            Of angles that were probably meant in degrees.
+
         Examples
         --------
         >>> from longdrive.parts import SweepPlan
@@ -185,7 +192,9 @@ class SweepPlan(NamedTuple):
             },
         )
         folder = path_of("output", output, "folder")
-        return cls(request.values, request.setup_text, folder, parts, threads)
+        plan = cls(request.values, request.setup_text, folder, parts, threads, request.stated)
+        warn_of(request.warnings, plan)
+        return plan
 
     def validate(self) -> None:
         """Checks the sweep without computing it.
@@ -200,7 +209,7 @@ class SweepPlan(NamedTuple):
         name = "a file in memory"
         part = f"{self.parts}/{self.parts}"
         try:
-            _sweep({**self.values, "output": name, "part": part}, self.setup, {name: b""})
+            self._run({"output": name, "part": part}, {name: b""})
         except InputError as error:
             if name not in str(error):
                 raise
@@ -217,7 +226,18 @@ class SweepPlan(NamedTuple):
         ------
         PartError
             If the part cannot be written; the message has the reason.
+
+        Warns
+        -----
+        LongdriveWarning
+            Of the drives of this part: the ``warnings`` of its row.
         """
+        row = self._written(part)
+        warn_of(row["warnings"], row)
+        return row
+
+    def _written(self, part: int) -> dict[str, Any]:
+        """As :meth:`write`, without warnings, for workers: :meth:`Parts.of` warns of all parts."""
         file: dict[str, Value] = {
             "output": self.output, "part": f"{part}/{self.parts}", "threads": self.threads
         }
@@ -231,8 +251,10 @@ class SweepPlan(NamedTuple):
         """Checks that the folder has every part of this sweep and nothing else: :func:`check`."""
         return check(self.output, contents=contents, plan=self)
 
-    def _run(self, more: Mapping[str, Value]) -> dict[str, Any]:
-        return _sweep({**self.values, **more}, self.setup)
+    def _run(
+        self, more: Mapping[str, Value], files: dict[str, bytes] | None = None
+    ) -> dict[str, Any]:
+        return _sweep({**self.values, **more}, self.setup, files, self.stated)
 
 
 # fmt: skip
@@ -252,7 +274,11 @@ _MANIFEST = (
     "moments",
     "histograms",
     "best",
+    "warnings",
 )
+
+_MOST_WARNINGS = 5
+"""The largest number of warnings of parts that are shown."""
 
 
 class Parts(NamedTuple):
@@ -281,20 +307,46 @@ class Parts(NamedTuple):
         ------
         Error
             For a missing part, and a wrong file in the folder.
+
+        Warns
+        -----
+        LongdriveWarning
+            Once, with the first warnings of the parts. The rows of ``manifests`` have all.
         """
         manifests = sorted(rows, key=lambda row: int(row["part"]))
         found = plan.check()
         if found["status"] != "done":
             raise Error(f"{plan.output}: {found['message']}")
-        return cls(plan.output, manifests, merge(manifests))
+        parts = cls(plan.output, manifests, merge(manifests))
+        warn_of(_warnings_of(manifests), parts)
+        return parts
+
+
+def _warnings_of(manifests: Iterable[Mapping[str, Any]]) -> list[str]:
+    """The first warnings of the parts, and the number of all others."""
+    texts = [
+        f"part {row['part']} of {row['parts']}: {text}"
+        for row in manifests
+        for text in row.get("warnings", ())
+    ]
+    more = len(texts) - _MOST_WARNINGS
+    if more <= 0:
+        return texts
+    return [*texts[:_MOST_WARNINGS], f"… and {more} more in the rows of `manifests`"]
 
 
 def _sweep(
-    values: Mapping[str, Value], setup: str, files: dict[str, bytes] | None = None
+    values: Mapping[str, Value],
+    setup: str,
+    files: dict[str, bytes] | None = None,
+    stated: Sequence[str] = (),
 ) -> dict[str, Any]:
-    """Runs ``longdrive sweep`` and returns its answer; `files` are files in memory."""
+    """Runs ``longdrive sweep`` and returns its answer.
+
+    `files` are files in memory, `stated` the parameters that a dict in place of a setup states.
+    """
     status, answer, _, raised = _longdrive.command(
-        "sweep", dict(values), setup, files or {}, [], lambda kind, text: None
+        "sweep", dict(values), setup, files or {}, [], lambda kind, text: None, None, list(stated)
     )
     if raised is not None:
         has_message = isinstance(answer, dict) and answer["message"]
@@ -386,7 +438,7 @@ def check(
     options: dict[str, Value] = {"check": os.fspath(output), "hash": contents}
     if plan is None:
         return _sweep({"json": True, **options}, "")
-    return _sweep({**plan.values, **options}, plan.setup)
+    return plan._run(options)
 
 
 def merge(manifests: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
@@ -517,7 +569,7 @@ def _in_processes(
 
         def begin(part: int | None) -> None:
             if part is not None:
-                running[pool.submit(plan.write, part)] = part
+                running[pool.submit(plan._written, part)] = part
 
         for _ in range(2 * processes):
             begin(next(waiting, None))

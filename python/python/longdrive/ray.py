@@ -58,7 +58,7 @@ def sweep(setup: SetupLike = None, *, retries: int = 3, **arguments: Any) -> Par
     count_of("retries", retries)
     plan = plan_of(setup, arguments)
     write = ray.remote(num_cpus=plan.threads, max_retries=retries, retry_exceptions=True)(
-        SweepPlan.write
+        SweepPlan._written
     )
     shared = ray.put(plan)
     waiting = iter(range(1, plan.parts + 1))

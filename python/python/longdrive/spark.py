@@ -33,7 +33,7 @@ def _writer(
 
         for batch in batches:
             for part in batch.column(0).to_numpy().tolist():
-                row = plan.write(part)
+                row = plan._written(part)
                 of_row = {name: [row[name]] for name in ("part", "file", "rows", "bytes", "sha256")}
                 yield pyarrow.RecordBatch.from_pydict({**of_row, "manifest": [json.dumps(row)]})
 
