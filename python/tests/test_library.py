@@ -154,8 +154,7 @@ def test_exact_carry_of_a_trajectory() -> None:
 
 
 KINDS = [
-    "compare", "contour", "face", "fairway", "launch", "laws", "pareto", "strike", "tornado",
-    "trajectory", "vcurve",
+    "compare", "contour", "face", "launch", "laws", "pareto", "tornado", "trajectory", "vcurve"
 ]  # fmt: skip
 
 
@@ -171,6 +170,21 @@ def test_a_plot_is_drawn_into_axes(kind: str) -> None:
     picture = getattr(longdrive.plot, kind)("mae494", ax=ax, **arguments.get(kind, {}))
     assert picture.form == ".csv" and ax.get_title() == picture.title
     assert ax.lines or ax.collections or ax.patches
+    scale = "log" if kind == "vcurve" else "linear"
+    assert (ax.get_xscale(), ax.get_yscale()) == (scale, scale)
+    pyplot.close(figure)
+
+
+@pytest.mark.parametrize(
+    ("kind", "fault"), [("strike", r"8 panels \(carry, as set up; "), ("fairway", "lines without")]
+)
+def test_a_plot_that_axes_cannot_show_is_refused(kind: str, fault: str) -> None:
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    pyplot.switch_backend("agg")
+    figure, ax = pyplot.subplots()
+    with pytest.raises(InputError, match=f"^ax: this plot has {fault}.*output='plot.csv' for its"):
+        getattr(longdrive.plot, kind)("mae494", ax=ax)
+    assert not ax.has_data()
     pyplot.close(figure)
 
 

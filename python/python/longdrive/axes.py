@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,6 +13,9 @@ if TYPE_CHECKING:
     from .types import Floats
 
 __all__ = ["check_axes", "draw"]
+
+_LOGARITHMIC = {"vcurve"}
+"""Names of the plots with logarithmic axes. The data has no scales."""
 
 
 def check_axes(ax: Any) -> None:
@@ -28,7 +32,7 @@ def check_axes(ax: Any) -> None:
         )
 
 
-def draw(ax: Any, data: bytes, title: str) -> None:
+def draw(ax: Any, data: bytes, name: str, title: str) -> None:
     """Draws a plot into axes, in SI units and radians.
 
     Parameters
@@ -37,32 +41,60 @@ def draw(ax: Any, data: bytes, title: str) -> None:
         The axes.
     data : bytes
         The data of the plot as CSV: a row for each point, with the kind and name of its layer.
+    name : str
+        The name of the plot, such as ``vcurve``.
     title : str
         The title.
+
+    Raises
+    ------
+    InputError
+        For a plot of several fields, which has a panel for each, and for a plot of several lines
+        without a name, which the data does not separate.
     """
     import csv
     import io
 
     heads, *rows = csv.reader(io.StringIO(data.decode("utf-8")))
+    _refuse_undrawable(rows)
     layers: dict[tuple[str, str], list[list[str]]] = {}
     for row in rows:
         # for bars, the column `name` has the label of each bar instead of the name of the layer
-        name = "" if row[0] == "bar" else row[1]
-        layers.setdefault((row[0], name), []).append(row)
-    for (kind, name), members in layers.items():
+        layer = "" if row[0] == "bar" else row[1]
+        layers.setdefault((row[0], layer), []).append(row)
+    if name in _LOGARITHMIC:
+        ax.set_xscale("log")
+        ax.set_yscale("log")
+    for (kind, layer), members in layers.items():
         columns = {
             head: np.array([float(row[k] or "nan") for row in members])
             for k, head in enumerate(heads)
             if k >= 2
         }
-        _draw_layer(ax, kind, name, columns, [row[1] for row in members])
+        _draw_layer(ax, kind, layer, columns, [row[1] for row in members])
     places = [head for head in heads[2:] if not head.startswith("to ")]
     ax.set_xlabel(places[0])
     if len(places) > 1:
         ax.set_ylabel(places[1])
     ax.set_title(title)
-    if any(name for kind, name in layers if kind in ("line", "dots", "mark", "band")):
+    if any(layer for kind, layer in layers if kind in ("line", "dots", "mark", "band")):
         ax.legend()
+
+
+def _refuse_undrawable(rows: list[list[str]]) -> None:
+    """Refuses a plot whose layers the data does not separate."""
+    runs = [head for head, _ in groupby((row[0], row[1]) for row in rows)]
+    fields = [layer for kind, layer in runs if kind == "field"]
+    if len(fields) > 1:
+        fault = f"{len(fields)} panels ({'; '.join(fields)}), and axes hold one"
+    elif runs.count(("line", "")) > 1:
+        fault = "lines without names, which its data does not separate"
+    else:
+        return
+    raise InputError(
+        f"ax: this plot has {fault}; leave ax out, or give output='plot.svg', for the picture; "
+        "output='plot.csv' for its data"
+    )
 
 
 def _draw_layer(

@@ -114,5 +114,5 @@ def picture(reply: Reply, request: Request) -> Picture:
     if request.axes is not None:
         from .axes import draw
 
-        draw(request.axes, data, reply["title"])
+        draw(request.axes, data, reply["name"], reply["title"])
     return Picture(reply, form=path.suffix.lower(), data=data)
