@@ -168,9 +168,10 @@ def test_same_radians_of_every_number_type(dtype: str) -> None:
 )
 def test_same_refusals_in_degrees_and_radians(values: Any) -> None:
     messages = []
-    for angles in ("rad", "deg"):
+    units: list[Any] = ["rad", "deg"]
+    for angles in units:
         with pytest.raises(InputError) as refused:
-            longdrive.batch("mae494", {"club.loft": values}, angles=angles)  # type: ignore[arg-type]
+            longdrive.batch("mae494", {"club.loft": values}, angles=angles)
         messages.append(str(refused.value))
     assert messages[0] == messages[1] and messages[0].startswith("points: club.loft ")
 

@@ -382,7 +382,10 @@ def test_a_stated_value_is_refused_beside_its_distribution_as_by_a_search(
             longdrive.objective(setup, "mean(carry)", "club.loft", distribution=distribution)
         with pytest.raises(InputError, match=message):
             longdrive.optimize(
-                setup, maximize="mean(carry)", vary="club.loft=8deg..12deg", distribution=distribution
+                setup,
+                maximize="mean(carry)",
+                vary="club.loft=8deg..12deg",
+                distribution=distribution,
             )
     # the search starts from a stated value of a parameter that it varies
     mean = longdrive.objective(

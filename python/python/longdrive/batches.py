@@ -7,12 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _longdrive
 from ._longdrive import Setup
-from .angles import (
-    check_unit,
-    columns_in_radians,
-    refuse_degrees_of_points,
-    warnings_of_columns,
-)
+from .angles import check_unit, columns_in_radians, refuse_degrees_of_points, warnings_of_columns
 from .arguments import count_of, refuse_stated, stated_in, switch_of
 from .errors import InputError, Interrupted, interruptible, warn_of
 from .progress import follower
