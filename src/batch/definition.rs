@@ -109,7 +109,7 @@ impl Batch {
     }
 
     /// The architecture and the instruction level of the processor: `x86_64 avx2`.
-    #[cfg(feature = "commands")]
+    #[cfg(any(feature = "commands", feature = "parquet"))]
     pub(crate) fn instructions(&self) -> String {
         format!("{} {}", std::env::consts::ARCH, self.level)
     }
