@@ -883,3 +883,47 @@ fn a_sweep_that_cannot_be_divided_is_refused_with_advice() {
     assert!(names.is_sorted(), "{names:?}");
     assert!(check(SET.path(), None, false).unwrap().is_complete());
 }
+
+/// The summary of a set has derivatives in the unit of its column head: the mean slope in yd/deg is
+/// the one in m/rad times the sizes of the units. A standard deviation has no side.
+#[test]
+fn exact_units_of_derivatives_and_deviations_in_a_summary() {
+    let folder = tempfile::tempdir().unwrap();
+    let name = folder.path().to_str().unwrap();
+    let sweep = [
+        "sweep",
+        "--over",
+        "swing.face_angle=-3deg..3deg:50",
+        "--outcomes",
+        "lateral",
+        "--gradient",
+        "--part",
+        "1/1",
+        "-o",
+        name,
+    ];
+    assert_eq!(longdrive(&sweep).status, 0);
+    let (_, answer) = json(&["sweep", "--check", name]);
+    let column = "d_lateral/d_swing.face_angle";
+    let moments = answer["moments"].as_object().unwrap();
+    let mean = number(&moments[column]["mean"]);
+    let text = longdrive(&["sweep", "--check", name]).out;
+    let row = |start: &str| {
+        text.lines()
+            .find(|line| line.trim_start().starts_with(start))
+    };
+    let slopes = row(column).unwrap();
+    assert!(slopes.contains("[yd/deg]"), "{slopes}");
+    let shown: f64 = slopes.split_whitespace().nth(3).unwrap().parse().unwrap();
+    let expected = mean / 0.9144 * 1f64.to_radians();
+    assert!(
+        (shown - expected).abs() < 1e-5 * expected.abs(),
+        "{shown} {expected}"
+    );
+    let lateral: Vec<_> = row("lateral").unwrap().split("  ").collect();
+    let cells: Vec<_> = lateral
+        .iter()
+        .filter(|cell| !cell.trim().is_empty())
+        .collect();
+    assert!(cells[3].trim().ends_with(" yd"), "{cells:?}");
+}

@@ -214,12 +214,16 @@ fn bad_models_are_refused_with_the_reason() {
         "--model",
         "impact.gear_scale=0.5",
     ];
-    let cases: [(&[&str], &str); 7] = [
+    let cases: [(&[&str], &str); 8] = [
         (
             &launched,
             "impact.gear_scale changes nothing: no club strikes the ball",
         ),
         (&["--model", "aero.law"], "write NAME=VALUE"),
+        (
+            &["--model", "swing.speed=100mph,swing.speed=105mph"],
+            "it gives swing.speed twice; keep one value",
+        ),
         (&["--model", "aero.law=ferguzon"], "did you mean 'ferguson'"),
         (
             &["--model", "club.loft=12deg"],

@@ -5,6 +5,7 @@ use crate::optimize::{
     Status, minimize_from, starts,
 };
 use crate::parameters::{LAW, NO_CLUB, Parameter, Setup};
+use crate::repeated::first_repeated;
 use crate::study::cancellable::stopped;
 use crate::study::optimum::{local_optima, stopped_of};
 use crate::study::problem::SearchProblem;
@@ -68,6 +69,12 @@ impl Model {
                 ));
             };
             pairs.push((name.trim(), value.trim()));
+        }
+        if let Some([_, again]) = first_repeated(&pairs, |a, b| a.0 == b.0) {
+            return Err(Error::unreadable(
+                format!("`model {}`", text.trim()),
+                format!("it gives {} twice; keep one value", pairs[again].0),
+            ));
         }
         let mut changed = *setup;
         changed.set_all(pairs.iter().copied())?;
