@@ -4,7 +4,7 @@ use super::interpretation::Interpretation;
 use super::shot::{Club, Origin, RowParameter};
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::{Golfer, Parameter, Setup};
 use crate::table::{
     Column, Content, DecimalMark, OF_FLOWN, TableFormat, TableHead, TextTable, air_of_rows,
     assume_unit, assumed_units_remark, club_column, columns_remark, given_air, ignore_stated_air,
@@ -51,6 +51,8 @@ pub struct ShotColumns {
     pub(crate) decimal_mark: Option<DecimalMark>,
     /// Indices of the columns that an earlier run of `fly` added; empty without such columns.
     pub(crate) added: Range<usize>,
+    /// Handedness of the golfer.
+    pub(super) golfer: Golfer,
     /// Air density of the setup, kg/m³, for rows that do not state the air.
     pub(super) air: f64,
     pub(super) remarks: Vec<Message>,
@@ -96,6 +98,7 @@ impl ShotColumns {
             is_export,
             decimal_mark: Some(DecimalMark::Point),
             added: added(&columns),
+            golfer: setup.golfer,
             air: setup.air.density,
             remarks: encoding.map(Message::from).into_iter().collect(),
             units,

@@ -102,7 +102,8 @@ impl ShotColumns {
             let value = self.number(column, cell(*at));
             value.map_err(|why| format!("{}: {why}", column.head))
         });
-        shot.club = Club::measured(stated, heads, &mut shot.notes);
+        // the columns are in the convention of the parameters
+        shot.club = Club::measured(stated, heads, &mut shot.notes).other_convention(self.golfer);
         let text = |at: Option<usize>| {
             at.map(|at| cell(at).to_owned())
                 .filter(|text| !text.is_empty())

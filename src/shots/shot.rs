@@ -1,7 +1,7 @@
 //! A shot of a launch monitor.
 
 use crate::drive::Outcome;
-use crate::parameters::Parameter;
+use crate::parameters::{Golfer, Parameter};
 use crate::table::{CONDITIONS, Column, Refusal, StatedConditions, implausible_club};
 
 /// Flight status of a row that was not flown.
@@ -122,6 +122,21 @@ impl Club {
     /// data.
     pub(crate) fn index_of(parameter: &Parameter) -> Option<usize> {
         Self::NAMES.iter().position(|name| *name == parameter.name)
+    }
+
+    /// Converts between the convention of this type, + right, and the convention of the parameters,
+    /// + in to out and + open. They differ for a left-handed golfer. The conversion is its own
+    /// inverse.
+    pub(crate) fn other_convention(self, golfer: Golfer) -> Self {
+        match golfer {
+            Golfer::Right => self,
+            Golfer::Left => Self {
+                // 0 − value avoids −0 for a straight club
+                path: self.path.map(|path| 0.0 - path),
+                face_angle: self.face_angle.map(|face| 0.0 - face),
+                ..self
+            },
+        }
     }
 
     /// Values in the order of [`NAMES`](Self::NAMES).

@@ -1,7 +1,7 @@
 //! Sign conventions of the spin: detects columns whose positive values are to the left.
 
 use crate::drive::Outcome;
-use crate::table::{Column, Content, has_outcome};
+use crate::table::{CellSide, Column, Content, has_outcome};
 
 /// Minimum fraction of the rows that agree on a sign convention.
 const SHARE: f64 = 0.8;
@@ -9,19 +9,21 @@ const SHARE: f64 = 0.8;
 /// Smallest lateral curve that shows the side to which the ball curves, as a fraction of the carry.
 const LEAST_CURVE: f64 = 0.01;
 
-/// Reverses the signs of spin columns whose positive values are to the left, and returns a message
-/// about them.
+/// Finds the spin columns whose positive values are to the left, and returns a message about them. A
+/// column that states its signs is not changed.
 pub(super) fn turn_spins(
     maker: Option<&str>,
     columns: &mut [Column],
     rows: &[Vec<String>],
 ) -> Option<String> {
     let turned = turned_spins(maker, columns, rows);
-    let is_turned =
-        |column: &Column| matches!(column.content, Content::Outcome(of) if turned.contains(&of));
+    let is_turned = |column: &Column| {
+        let is_of_these = matches!(column.content, Content::Outcome(of) if turned.contains(&of));
+        is_of_these && column.positive_side.is_none()
+    };
     let mut names = vec![];
     for column in columns.iter_mut().filter(|column| is_turned(column)) {
-        column.is_turned = !column.is_turned;
+        column.positive_side = Some(CellSide::LEFT);
         names.push(column.head.as_str());
     }
     let (is, why) = match turned.contains(&Outcome::SpinAxis) {

@@ -8,7 +8,7 @@ use super::written;
 use crate::batch::CHUNK;
 use crate::drive::Outcome;
 use crate::error::Result;
-use crate::parameters::{Golfer, Parameter, Setup};
+use crate::parameters::{Parameter, Setup};
 use crate::table::{
     Column, Record, RowFilter, SourceName, TableEntry, TableOptions, Text, TextTable, air_replaced,
     remark_from_line,
@@ -152,17 +152,11 @@ impl Shots {
                 is_written,
             });
         }
-        // club data are positive to the right for every golfer: do not change the signs of path and
-        // face angle for a left-hander
-        let setup = Setup {
-            golfer: Golfer::Right,
-            ..*setup
-        };
-        let (table, head) = TextTable::open(text, &setup, &TableOptions::LAUNCHES)?;
-        let columns = Arc::new(ShotColumns::read(&setup, head, &table, is_air_given)?);
+        let (table, head) = TextTable::open(text, setup, &TableOptions::LAUNCHES)?;
+        let columns = Arc::new(ShotColumns::read(setup, head, &table, is_air_given)?);
         let rows = TableRows {
             table,
-            setup,
+            setup: *setup,
             columns: columns.clone(),
             first_parameters: columns.other_parameters(),
             section_began: false,

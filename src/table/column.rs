@@ -45,8 +45,9 @@ pub(crate) struct Column {
     pub has_units_in_cells: bool,
     /// True if the unit is assumed, because the table states none.
     is_unit_assumed: bool,
-    /// True if positive values are to the left.
-    pub is_turned: bool,
+    /// The side of positive values: stated behind the unit, as in `[deg L-/R+]`, or known of the
+    /// maker. `None` for the usual side of the quantity.
+    pub positive_side: Option<CellSide>,
     /// True if cells describe the weather by a text; the air density is computed from it.
     pub is_weather: bool,
 }
@@ -93,8 +94,9 @@ impl Column {
     ) -> Result<Self> {
         let head = head.trim();
         let (name, unit) = launch_monitor::split_unit(head);
-        let [unit, below] =
-            [unit, below.map(str::to_owned)].map(|unit| unit.map(|unit| numbers::unit(&unit)));
+        let signed = [unit.as_deref(), below].map(|unit| unit.map(numbers::unit_and_side));
+        let sides = signed.clone().map(|stated| stated?.1);
+        let [unit, below] = signed.map(|stated| Some(stated?.0));
         if let (Some(unit), Some(below)) = (&unit, &below)
             && !numbers::is_same_unit(unit, below)
         {
@@ -134,11 +136,31 @@ impl Column {
             golfer: setup.golfer,
             ..Self::of(content, name)
         };
+        column.positive_side = column.stated_side(sides)?;
         let is_of_an_export = format.is_export && launch_monitor::meaning(name).is_some();
         if is_of_an_export && column.unit.is_none() && column.quantity() == Some(Quantity::ANGLE) {
             (column.unit, column.is_unit_assumed) = (Some("deg".into()), true);
         }
         Ok(column.with_parsed_unit())
+    }
+
+    /// The side of positive values that the head and the line of units state.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] if they contradict each other, or if the quantity has no such sides.
+    fn stated_side(&self, [head, below]: [Option<CellSide>; 2]) -> Result<Option<CellSide>> {
+        let Some(side) = head.or(below).filter(|_| self.quantity().is_some()) else {
+            return Ok(None);
+        };
+        if below.is_some_and(|below| below != side) {
+            let why = "the head and the line of units state opposite signs; correct one of them";
+            return Err(self.unreadable(why));
+        }
+        if !self.accepts_side(side) {
+            let why = "its unit states signs that do not fit the column; leave the signs out";
+            return Err(self.unreadable(why));
+        }
+        Ok(Some(side))
     }
 
     /// Interprets the column name of a table in SI.
@@ -181,7 +203,7 @@ impl Column {
             golfer: Golfer::Right,
             has_units_in_cells: false,
             is_unit_assumed: false,
-            is_turned: false,
+            positive_side: None,
             is_weather: false,
         }
     }
@@ -219,6 +241,11 @@ impl Column {
                 )))
             }
             (None, _) => Ok(()),
+            (Some(unit), Some(_)) if unit.contains("-/") || unit.contains("+/") => Err(self
+                .unreadable(format!(
+                    "[{unit}] states signs that are not known; write them as in [deg L-/R+], [deg \
+                     out-in-/in-out+], [deg closed-/open+] or [deg down-/up+], or leave them out"
+                ))),
             (Some(unit), Some(quantity)) => {
                 let of_the_head = |e: UnitError| match e {
                     // the text of this error would quote the 1 that is read below, which is not in
@@ -360,7 +387,8 @@ impl Column {
         {
             return Err(self.unreadable_cell(cell, "not a number"));
         }
-        let sign = stated.side.map_or(1.0, CellSide::sign) * self.sign(stated.side);
+        let side = stated.side.or(self.positive_side);
+        let sign = side.map_or(1.0, CellSide::sign) * self.sign(side);
         let value = self.converted(cell, stated.number, stated.unit.as_deref())?;
         // avoid −0 for straight directions
         Ok(Some(if sign < 0.0 { -value } else { value }))
@@ -368,12 +396,9 @@ impl Column {
 
     /// The factor, 1 or −1, that converts a number to this program's convention. Launch monitors
     /// count path and face angle as positive to the right for every golfer, also in cells with a
-    /// side such as `R`. This program counts a path from in to out and an open face as positive. In
-    /// a column with [`is_turned`](Self::is_turned), positive values are to the left.
+    /// side such as `R`. This program counts a path from in to out and an open face as positive.
+    /// `side` is that of the cell or of the column's positive values.
     fn sign(&self, side: Option<CellSide>) -> f64 {
-        if self.is_turned && side.is_none() {
-            return -1.0;
-        }
         let Content::Input(parameter) = self.content else {
             return 1.0;
         };

@@ -37,6 +37,7 @@ pub(crate) use export_columns::{
 pub(crate) use head::{TableHead, TableOptions, columns_remark, remark_from_line};
 pub(crate) use heads::{is_condition_head, rest_of_head};
 pub(crate) use launch_monitor::{split_unit, words};
+pub(crate) use numbers::CellSide;
 pub(crate) use plausible::{implausible_club, implausible_launch, impossible, outside};
 pub use points::{open_table, sweep_points};
 pub use records::Record;

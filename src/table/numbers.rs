@@ -16,7 +16,7 @@ pub(super) struct CellNumber {
 
 /// A word or letter that replaces the sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum CellSide {
+pub(crate) enum CellSide {
     /// Left or right of the target, for right- and left-handed golfers alike.
     OfTarget { is_right: bool },
     /// Up or down.
@@ -27,8 +27,13 @@ pub(super) enum CellSide {
     OpenClosed { is_open: bool },
 }
 
+const IN_TO_OUT: CellSide = CellSide::InOut { is_in_to_out: true };
+const OUT_TO_IN: CellSide = CellSide::InOut {
+    is_in_to_out: false,
+};
+
 /// Spellings of the sides.
-const SIDES: [(&str, CellSide); 14] = [
+const SIDES: [(&str, CellSide); 16] = [
     ("right", CellSide::OfTarget { is_right: true }),
     ("left", CellSide::OfTarget { is_right: false }),
     ("r", CellSide::OfTarget { is_right: true }),
@@ -37,13 +42,10 @@ const SIDES: [(&str, CellSide); 14] = [
     ("down", CellSide::UpDown { is_up: false }),
     ("u", CellSide::UpDown { is_up: true }),
     ("d", CellSide::UpDown { is_up: false }),
-    ("i-o", CellSide::InOut { is_in_to_out: true }),
-    (
-        "o-i",
-        CellSide::InOut {
-            is_in_to_out: false,
-        },
-    ),
+    ("i-o", IN_TO_OUT),
+    ("o-i", OUT_TO_IN),
+    ("in-out", IN_TO_OUT),
+    ("out-in", OUT_TO_IN),
     ("open", CellSide::OpenClosed { is_open: true }),
     ("closed", CellSide::OpenClosed { is_open: false }),
     ("o", CellSide::OpenClosed { is_open: true }),
@@ -51,11 +53,41 @@ const SIDES: [(&str, CellSide); 14] = [
 ];
 
 impl CellSide {
+    /// Left of the target.
+    pub const LEFT: Self = Self::OfTarget { is_right: false };
+
     fn named(word: &str) -> Option<Self> {
         SIDES
             .iter()
             .find(|(name, _)| word.eq_ignore_ascii_case(name))
             .map(|(_, side)| *side)
+    }
+
+    fn opposite(self) -> Self {
+        match self {
+            Self::OfTarget { is_right } => Self::OfTarget {
+                is_right: !is_right,
+            },
+            Self::UpDown { is_up } => Self::UpDown { is_up: !is_up },
+            Self::InOut { is_in_to_out } => Self::InOut {
+                is_in_to_out: !is_in_to_out,
+            },
+            Self::OpenClosed { is_open } => Self::OpenClosed { is_open: !is_open },
+        }
+    }
+
+    /// The side of positive values in a sign convention such as `L-/R+` or `open+/closed-`. `None`
+    /// if the text is not a sign convention of two opposite known sides.
+    fn positive_in(signs: &str) -> Option<Self> {
+        let (first, second) = signs.split_once('/')?;
+        let [first, second] = [first, second].map(str::trim);
+        let (negative, positive) = match (first.strip_suffix('-'), second.strip_suffix('-')) {
+            (Some(negative), None) => (negative, second.strip_suffix('+')?),
+            (None, Some(negative)) => (negative, first.strip_suffix('+')?),
+            _ => return None,
+        };
+        let [negative, positive] = [negative, positive].map(|word| Self::named(word.trim()));
+        positive.filter(|side| negative == Some(side.opposite()))
     }
 
     /// Sign of the value: + right of the target, up, inside to outside, open.
@@ -190,7 +222,7 @@ pub(crate) fn has_thousands(cell: &str, mark: char) -> bool {
 
 /// Recognizes units of speed, length, angle, spin and time.
 pub(super) fn is_unit(word: &str) -> bool {
-    let unit = unit(word);
+    let (unit, _) = unit_and_side(word);
     [
         Quantity::SPEED,
         Quantity::LENGTH,
@@ -202,14 +234,22 @@ pub(super) fn is_unit(word: &str) -> bool {
     .any(|quantity| quantity.size_of(&unit).is_some())
 }
 
+/// The unit of a column, and the side of its positive values if the column states it: `deg` and
+/// right for `deg L-/R+`. A sign convention that is not known stays a part of the unit.
+pub(super) fn unit_and_side(written: &str) -> (String, Option<CellSide>) {
+    let stated = written
+        .trim()
+        .split_once(' ')
+        .and_then(|(unit, signs)| Some((unit, CellSide::positive_in(signs)?)));
+    match stated {
+        Some((of_numbers, positive)) => (unit(of_numbers), Some(positive)),
+        None => (unit(written), None),
+    }
+}
+
 /// A unit in the spelling of this program: mph for `MPH`, yards for `Yards`, yd for `yds`.
 pub(super) fn unit(written: &str) -> String {
     let written = written.trim();
-    // `deg L-/R+` also contains the sign convention
-    let written = written
-        .split_once(' ')
-        .filter(|(_, signs)| signs.contains("-/"))
-        .map_or(written, |(unit, _)| unit);
     match written.to_lowercase().as_str() {
         "yds" => "yd".into(),
         "mps" => "m/s".into(),
@@ -242,7 +282,7 @@ pub(super) fn is_same_unit(one: &str, other: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{CellNumber, CellSide, cell_number};
-    use super::{number, unit};
+    use super::{number, unit, unit_and_side};
 
     #[test]
     fn numbers_with_units_and_sides_are_read() {
@@ -320,6 +360,28 @@ mod tests {
             ("", true),
         ] {
             assert_eq!(number(cell, comma), None, "{cell}");
+        }
+    }
+
+    #[test]
+    fn signs_behind_a_unit_name_the_side_of_positive_values() {
+        let side = |is_right| Some(CellSide::OfTarget { is_right });
+        let inside = Some(CellSide::InOut { is_in_to_out: true });
+        let closed = Some(CellSide::OpenClosed { is_open: false });
+        for (written, of_numbers, positive) in [
+            ("deg L-/R+", "deg", side(true)),
+            ("deg R-/L+", "deg", side(false)),
+            ("deg L+/R-", "deg", side(false)),
+            ("yds left- / right+", "yd", side(true)),
+            ("deg out-in-/in-out+", "deg", inside),
+            ("deg open-/closed+", "deg", closed),
+            ("deg L-/L+", "deg L-/L+", None),
+            ("deg L-/open+", "deg L-/open+", None),
+            ("deg toe down-/toe up+", "deg toe down-/toe up+", None),
+            ("m/s", "m/s", None),
+        ] {
+            let expected = (of_numbers.to_owned(), positive);
+            assert_eq!(unit_and_side(written), expected, "{written}");
         }
     }
 

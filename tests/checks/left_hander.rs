@@ -308,3 +308,104 @@ fn the_delivery_of_a_left_hander_is_in_left_handed_terms() {
     }
     assert!(number(&right[3]["value"]) > 0.02, "{right}");
 }
+
+/// Path and face of the club of the first shot in JSON lines of `fly`, rad, + right.
+fn flown_club(file: &str, setup: &str) -> [f64; 2] {
+    let lines = longdrive(&["fly", file, setup, "--format", "jsonl", "-o", "-"]);
+    assert_eq!(lines.status, 0, "{}", lines.err);
+    let line = lines.out.lines().next().unwrap();
+    let shot: serde_json::Value = serde_json::from_str(line).unwrap();
+    ["swing.path", "swing.face_angle"].map(|name| number(&shot["club"][name]))
+}
+
+/// Path and face that `delivery` reads for the first shot of a left-hander, rad, + in to out and
+/// + open.
+fn read_for_delivery(file: &str) -> [f64; 2] {
+    let (_, answer) = json(&["delivery", "--shots", file, "--set", "golfer=left"]);
+    let known = answer["rows"][0]["known"].as_array().unwrap().clone();
+    ["swing.path", "swing.face_angle"].map(|name| {
+        let own = known.iter().find(|own| own["parameter"] == name);
+        number(&own.unwrap()["before"])
+    })
+}
+
+/// All files state one shot of a left-hander: a path of 3° to the right (out to in) and a face of
+/// 1° to the right (closed).
+#[test]
+fn exact_club_of_a_left_hander_from_every_format() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let written = |name: &str, text: &str| {
+        std::fs::write(path(name), text).unwrap();
+        path(name)
+    };
+    let setup = written("left.toml", "golfer = 'left'\n");
+    let heads = |club: [&str; 2], direction: &str| {
+        let [path, face] = club;
+        format!(
+            "Club Speed (mph),Angle of Attack (deg),Club Path (deg{path}),Face to Target \
+             (deg{face}),Ball Speed (mph),Launch Angle (deg),Push/Pull (deg{direction}),Spin Axis \
+             (deg),Total Spin (rpm)\n"
+        )
+    };
+    let file = |name: &str, club: [&str; 2], direction: &str, cells: [&str; 3]| {
+        let [path, face, degrees] = cells;
+        let row = format!("108.5,-1.2,{path},{face},160.0,12.0,{degrees},-8,2500\n");
+        written(name, &(heads(club, direction) + &row))
+    };
+    let golfer_signs = [" out-in-/in-out+", " closed-/open+"];
+    let right = file("right.csv", ["", ""], "", ["3.0", "1.0", "1.5"]);
+    let mut files = vec![
+        right.clone(),
+        file(
+            "stated.csv",
+            golfer_signs,
+            " L-/R+",
+            ["-3.0", "-1.0", "1.5"],
+        ),
+        file("sides.csv", ["", ""], "", ["3.0 O-I", "1.0 C", "1.5 R"]),
+        file(
+            "left.csv",
+            [" R-/L+", " L+/R-"],
+            " R-/L+",
+            ["-3.0", "-1.0", "-1.5"],
+        ),
+    ];
+    for (name, format) in [
+        ("shots.json", "open-connect"),
+        ("shots.jsonl", "jsonl"),
+        ("columns.csv", "launch-monitor"),
+    ] {
+        let output = longdrive(&["fly", &right, &setup, "--format", format, "-o", &path(name)]);
+        assert_eq!(output.status, 0, "{}", output.err);
+        files.push(path(name));
+    }
+    let right_of_target = [3.0_f64, 1.0].map(f64::to_radians);
+    for file in files {
+        for (own, expected) in flown_club(&file, &setup).iter().zip(right_of_target) {
+            close(*own, expected, 1.0, 1e-8, &file);
+        }
+        for (own, expected) in read_for_delivery(&file).iter().zip(right_of_target) {
+            close(*own, -expected, 1.0, 1e-8, &file);
+        }
+    }
+}
+
+#[test]
+fn signs_that_no_column_has_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("shots.csv").display().to_string();
+    for (signs, why) in [
+        ("L-/X+", "[deg L-/X+] states signs that are not known"),
+        ("closed-/open+", "states signs that do not fit the column"),
+    ] {
+        let text = format!(
+            "Ball Speed (mph),Launch Angle (deg),Push/Pull (deg {signs}),Total Spin \
+             (rpm)\n160,12,1.5,2500\n"
+        );
+        std::fs::write(&file, text).unwrap();
+        let refused = longdrive(&["fly", &file]);
+        let words = on_one_line(&refused.err);
+        assert!(refused.status == 2 && words.contains(why), "{words}");
+    }
+}

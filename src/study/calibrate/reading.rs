@@ -304,7 +304,7 @@ impl Reading {
                 let at = || other_parameters.iter().position(|own| *own == parameter);
                 ClubOfShot::index_of(parameter).map_or_else(
                     || shot.other_parameters().get(at()?).copied(),
-                    |at| shot.club.values()[at],
+                    |at| shot.club.other_convention(self.setup.golfer).values()[at],
                 )
             }
             _ => None,
