@@ -1,6 +1,6 @@
 //! Meaning of the columns of an export.
 
-use super::interpretation::Interpretation;
+use super::interpretation::interpret;
 use super::shot::{Club, Origin, RowParameter};
 use crate::drive::Outcome;
 use crate::error::Result;
@@ -71,7 +71,7 @@ impl ShotColumns {
         is_air_given: bool,
     ) -> Result<Self> {
         add_totals(setup, &mut head)?;
-        let mut meant = Interpretation::of(Some(setup), &mut head);
+        let mut assumed_units = interpret(Some(setup), &mut head);
         if is_air_given {
             ignore_stated_air(&mut head.columns);
         }
@@ -82,13 +82,15 @@ impl ShotColumns {
             units,
             rows,
             encoding,
+            maker,
+            turned,
             ..
         } = head;
         let is_export = format.is_export;
         let name = &table.name;
         let mut found = Self {
             separator: table.separator,
-            maker: meant.maker,
+            maker,
             read: vec![],
             club: Default::default(),
             other_parameters: vec![],
@@ -110,15 +112,15 @@ impl ShotColumns {
                 .map_err(|error| name.refused(format!(", column {}", at + 1), error.to_string()))?;
         }
         for (at, column) in found.club.iter_mut().flatten() {
-            meant.assumed_units.extend(assume_unit(*at, column, &rows));
+            assumed_units.extend(assume_unit(*at, column, &rows));
         }
         if let Some(reason) = found.why_no_launch(&columns) {
             return Err(name.refused(String::new(), reason));
         }
         found.find_descriptions();
         found.detect_decimal_mark(&rows);
-        found.add_remarks(&columns, assumed_units_remark(&meant.assumed_units));
-        found.remarks.extend(meant.turned.map(Message::from));
+        found.add_remarks(&columns, assumed_units_remark(&assumed_units));
+        found.remarks.extend(turned.map(Message::from));
         Ok(found)
     }
 

@@ -4,6 +4,8 @@ use super::CONDITIONS;
 use super::column::{Column, Content, LAUNCH, SHOTS_ADVICE, STATUS, TableFormat};
 use super::export_columns::{ClubColumns, ignore_columns};
 use super::launch_monitor::{is_export, units_row};
+use super::maker::maker;
+use super::sign_conventions::{turn_spins, turned_remark};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::Setup;
@@ -75,6 +77,10 @@ pub(crate) struct TableHead {
     pub remarks: Vec<Message>,
     /// Remark on the encoding.
     pub encoding: Option<&'static str>,
+    /// Maker of an export, if the column heads identify it.
+    pub maker: Option<&'static str>,
+    /// Remark on columns whose positive values are to the left.
+    pub turned: Option<String>,
 }
 
 impl TableHead {
@@ -107,12 +113,6 @@ impl TableHead {
             let of_air = columns.iter_mut().filter(|column| column.is_stated_air());
             of_air.for_each(|column| column.content = Content::Note);
         }
-        let remarks = if is_export {
-            ignore_columns(&mut columns, wanted.club, wanted.selects_spin_by_row)
-        } else {
-            vec![]
-        };
-        resolve_sweep_names(&mut columns);
         let units = units.and(first);
         Ok(Self {
             heads,
@@ -120,9 +120,25 @@ impl TableHead {
             format,
             units,
             rows: vec![],
-            remarks,
+            remarks: vec![],
             encoding: None,
+            maker: None,
+            turned: None,
         })
+    }
+
+    /// Interprets the columns by the first `rows` of the section: finds the maker of an export and
+    /// the signs of its spins, then ignores columns that are not used.
+    pub fn interpret(&mut self, rows: Vec<Vec<String>>, wanted: &TableOptions) {
+        self.rows = rows;
+        if self.format.is_export {
+            self.maker = maker(&self.heads);
+            let turned = turn_spins(self.maker, &mut self.columns, &self.rows);
+            self.remarks =
+                ignore_columns(&mut self.columns, wanted.club, wanted.selects_spin_by_row);
+            self.turned = turned_remark(&self.columns, &turned);
+        }
+        resolve_sweep_names(&mut self.columns);
     }
 
     /// Interprets the column names of a table in SI.
@@ -143,6 +159,8 @@ impl TableHead {
             rows: vec![],
             remarks: vec![],
             encoding: None,
+            maker: None,
+            turned: None,
         })
     }
 

@@ -13,6 +13,7 @@ mod export_columns;
 mod head;
 mod heads;
 mod launch_monitor;
+mod maker;
 mod numbers;
 mod plausible;
 mod points;
@@ -20,6 +21,7 @@ mod records;
 mod refusal;
 mod row_fault;
 mod row_filter;
+mod sign_conventions;
 mod text;
 
 pub(crate) use air::{air_of_rows, air_of_setup, air_replaced, density_in, ignore_stated_air};
@@ -31,13 +33,12 @@ pub(crate) use decimal_mark::{DecimalMark, DecimalMarkCheck};
 #[cfg(feature = "commands")]
 pub(crate) use export_columns::ASSUMED_UNITS;
 pub(crate) use export_columns::{
-    CLUB_LEFT_OUT, ClubColumns, assume_unit, assumed_units_remark, given_air, has_outcome,
-    has_whole_launch, heads_of, in_degrees, missing_of_launch, near_known, with_nearest,
+    CLUB_LEFT_OUT, ClubColumns, assume_unit, assumed_units_remark, given_air, has_whole_launch,
+    heads_of, in_degrees, missing_of_launch, near_known, with_nearest,
 };
 pub(crate) use head::{TableHead, TableOptions, columns_remark, remark_from_line};
 pub(crate) use heads::{is_condition_head, rest_of_head};
 pub(crate) use launch_monitor::{split_unit, words};
-pub(crate) use numbers::CellSide;
 pub(crate) use plausible::{implausible_club, implausible_launch, impossible, outside};
 pub use points::{open_table, sweep_points};
 pub use records::Record;

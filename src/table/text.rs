@@ -227,7 +227,8 @@ impl TextTable {
         {
             self.give_back(below);
         }
-        head.rows = self.rows_ahead(&head);
+        let rows = self.rows_ahead(&head);
+        head.interpret(rows, wanted);
         Ok(head)
     }
 

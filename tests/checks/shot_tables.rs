@@ -6,7 +6,7 @@ use crate::shots::fly_shots;
 use longdrive::report::ShotWriter;
 use longdrive::shots::{Flown, ShotStatistics, Shots};
 use longdrive::study::calibrate::ShotTable;
-use longdrive::table::RowFilter;
+use longdrive::table::{RowFilter, open_table};
 use longdrive::units::System;
 use longdrive::{Outcome, Setup};
 use std::io::Cursor;
@@ -309,6 +309,47 @@ fn published_signs_of_garmin_are_turned() {
             .any(|remarks| remarks.contains("Spin Axis and Sidespin are read with + to the left")),
         "{remarks:?}"
     );
+}
+
+/// `sweep --points` reads the signs of Garmin as `fly` does, and says so.
+#[test]
+fn same_signs_of_garmin_in_points_and_in_shots() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("garmin.csv");
+    let heads = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
+                 Axis [deg],Backspin [rpm],Sidespin [rpm],Carry Distance [yd],Carry Deviation \
+                 Distance [yd]\n";
+    let row = "150,12,0,2500,10,2462,434,240,-12\n";
+    for (text, name, says) in [
+        (
+            String::from_utf8(bytes("garmin-sidespin-sign.csv")).unwrap(),
+            "launch.sidespin",
+            "Sidespin is read with + to the left, as Garmin's exports have it",
+        ),
+        (
+            format!("{heads}{row}{row}"),
+            "launch.spin_axis",
+            "Spin Axis is read with + to the left: the balls curve to the opposite side",
+        ),
+    ] {
+        std::fs::write(&path, &text).unwrap();
+        let mut points = open_table(&Setup::default(), &path).unwrap();
+        let notes: Vec<String> = points.notes().iter().map(ToString::to_string).collect();
+        assert!(notes.contains(&says.to_owned()), "{notes:?}");
+        let at = points
+            .parameters()
+            .iter()
+            .position(|parameter| parameter.name == name);
+        let mut values = vec![];
+        points.read(1, &mut values).unwrap();
+        let (_, found, _) = fly_shots(Cursor::new(text));
+        let flown = found[0].predicted(0, 1).unwrap();
+        assert_eq!(
+            values[at.unwrap()].is_sign_positive(),
+            flown > 0.0,
+            "{name}: {values:?}, {flown} m"
+        );
+    }
 }
 
 /// The second section has another order of columns: its signs and units come from its own rows.

@@ -5,7 +5,7 @@ use super::statistics::SigmaOrigin;
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
-use crate::shots::{Club as ClubOfShot, Interpretation, Shot};
+use crate::shots::{Club as ClubOfShot, Shot, interpret};
 use crate::table::{
     CLUB_LEFT_OUT, CONDITIONS, ClubColumns, Column, ConditionFault, Content,
     StatedConditions as Launch, TableHead, TextTable, assumed_units_remark, club_column,
@@ -165,11 +165,7 @@ impl Reading {
     ) -> Read<Self> {
         let refused = |place: String, reason: String| table.name.refused(place, reason);
         let of_weather = (club == ClubColumns::Ignored).then_some(setup);
-        let Interpretation {
-            assumed_units,
-            turned,
-            ..
-        } = Interpretation::of(of_weather, &mut head);
+        let assumed_units = interpret(of_weather, &mut head);
         if is_air_given {
             ignore_stated_air(&mut head.columns);
         }
@@ -178,7 +174,7 @@ impl Reading {
         remarks.append(&mut head.remarks);
         remarks.extend(in_degrees(&head.columns).map(Message::from));
         remarks.extend(assumed_units_remark(&assumed_units));
-        remarks.extend(turned.map(Message::from));
+        remarks.extend(head.turned.take().map(Message::from));
         remarks.extend(given_air(&head.columns).map(Message::from));
         if is_export {
             remarks.extend(without_totals(&mut head));

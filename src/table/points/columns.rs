@@ -62,6 +62,7 @@ impl PointColumns {
         let of_units = in_degrees(&head.columns)
             .into_iter()
             .chain(given_air(&head.columns))
+            .chain(head.turned.clone().filter(|_| !is_struck))
             .map(Message::from);
         let notes = head
             .remarks

@@ -1,7 +1,9 @@
 //! Sign conventions of the spin: detects columns whose positive values are to the left.
 
+use super::column::{Column, Content};
+use super::export_columns::has_outcome;
+use super::numbers::CellSide;
 use crate::drive::Outcome;
-use crate::table::{CellSide, Column, Content, has_outcome};
 
 /// Minimum fraction of the rows that agree on a sign convention.
 const SHARE: f64 = 0.8;
@@ -9,26 +11,37 @@ const SHARE: f64 = 0.8;
 /// Smallest lateral curve that shows the side to which the ball curves, as a fraction of the carry.
 const LEAST_CURVE: f64 = 0.01;
 
-/// Finds the spin columns whose positive values are to the left, and returns a message about them. A
-/// column that states its signs is not changed.
+/// Reads the spin columns of an export whose positive values are to the left in this way, and
+/// returns their indices. A column that states its signs is not changed.
 pub(super) fn turn_spins(
     maker: Option<&str>,
     columns: &mut [Column],
     rows: &[Vec<String>],
-) -> Option<String> {
+) -> Vec<usize> {
     let turned = turned_spins(maker, columns, rows);
-    let is_turned = |column: &Column| {
-        let is_of_these = matches!(column.content, Content::Outcome(of) if turned.contains(&of));
-        is_of_these && column.positive_side.is_none()
-    };
-    let mut names = vec![];
-    for column in columns.iter_mut().filter(|column| is_turned(column)) {
-        column.positive_side = Some(CellSide::LEFT);
-        names.push(column.head.as_str());
+    let mut at = vec![];
+    for (own, column) in columns.iter_mut().enumerate() {
+        let is_turned = matches!(column.content, Content::Outcome(of) if turned.contains(&of));
+        if is_turned && column.positive_side.is_none() {
+            column.positive_side = Some(CellSide::LEFT);
+            at.push(own);
+        }
     }
-    let (is, why) = match turned.contains(&Outcome::SpinAxis) {
-        true => ("are", ": the balls curve to the opposite side"),
-        false => ("is", ", as Garmin's exports have it"),
+    at
+}
+
+/// Message about the columns that [`turn_spins`] changed, without those that are ignored since then.
+pub(super) fn turned_remark(columns: &[Column], turned: &[usize]) -> Option<String> {
+    let turned = turned.iter().map(|at| &columns[*at]);
+    let read: Vec<&Column> = turned
+        .filter(|column| matches!(column.content, Content::Outcome(_)))
+        .collect();
+    let names: Vec<&str> = read.iter().map(|column| column.head.as_str()).collect();
+    let is = if names.len() > 1 { "are" } else { "is" };
+    let is_axis = |column: &&Column| column.content == Content::Outcome(Outcome::SpinAxis);
+    let why = match read.iter().any(is_axis) {
+        true => ": the balls curve to the opposite side",
+        false => ", as Garmin's exports have it",
     };
     (!names.is_empty())
         .then(|| format!("{} {is} read with + to the left{why}", names.join(" and ")))
