@@ -150,7 +150,7 @@ pub(crate) const CLUB_LEFT_OUT: &str =
 ///
 /// - the smash factor,
 /// - columns of the club, if `club` is [`ClubColumns::Ignored`],
-/// - redundant spin columns, if `selects_spin_by_row` is false, or if columns of the club are read.
+/// - redundant spin columns, if `selects_spin_by_row` is false.
 ///
 /// Returns remarks.
 pub(super) fn ignore_columns(
@@ -177,31 +177,35 @@ pub(super) fn ignore_columns(
         remarks.push(format!("{reason}: {}", ignored.join(", ")).into());
     }
     let redundant = redundant_spins(columns);
-    let is_redundant = |column: &Column| {
-        redundant
-            .iter()
-            .any(|outcome| column.content == Content::Outcome(*outcome))
-    };
-    let is_of_row = selects_spin_by_row
-        && (club == ClubColumns::Ignored || !columns.iter().any(Column::is_of_the_strike));
-    let repeated = heads_of(&*columns, is_redundant);
-    if !repeated.is_empty() {
-        let reason = match is_of_row {
-            true => {
-                "the spin is stated twice; these columns are used only in rows whose other spin \
-                 cells are empty"
-            }
-            false => "the spin is stated twice; left out",
-        };
-        remarks.push(format!("{reason}: {}", repeated.join(", ")).into());
-    }
+    remarks.extend(match selects_spin_by_row {
+        true => redundant_spins_remark(columns),
+        false => spins_remark(columns, "left out"),
+    });
     for column in columns
         .iter_mut()
-        .filter(|column| is_club(column) || !is_of_row && is_redundant(column))
+        .filter(|column| is_club(column) || !selects_spin_by_row && is_of(column, redundant))
     {
         column.content = Content::Note;
     }
     remarks
+}
+
+/// Remark on the columns of a second statement of the spin, if each row chooses among its own
+/// values.
+pub(crate) fn redundant_spins_remark(columns: &[Column]) -> Option<Message> {
+    let use_of_these = "these columns are used only in rows whose other spin cells are empty";
+    spins_remark(columns, use_of_these)
+}
+
+fn spins_remark(columns: &[Column], use_of_these: &str) -> Option<Message> {
+    let redundant = redundant_spins(columns);
+    let heads = heads_of(columns, |column| is_of(column, redundant));
+    let list = heads.join(", ");
+    (!heads.is_empty()).then(|| format!("the spin is stated twice; {use_of_these}: {list}").into())
+}
+
+fn is_of(column: &Column, outcomes: &[Outcome]) -> bool {
+    matches!(column.content, Content::Outcome(of) if outcomes.contains(&of))
 }
 
 fn redundant_spins(columns: &[Column]) -> &'static [Outcome] {

@@ -736,3 +736,37 @@ fn settings_without_effect_on_a_delivery_have_a_warning_unless_a_file_gets_them(
     ]));
     assert!(is_silent(&[&idle[..], &["-o", &file]].concat()));
 }
+
+/// A launch whose spin is stated twice: a second statement that agrees changes nothing, and one that
+/// differs is named and not used, also if it is 0.
+#[test]
+fn same_delivery_with_the_spin_stated_twice() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("shots.csv").display().to_string();
+    let launch = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
+                  Axis [deg]";
+    let found = |second: Option<&str>| {
+        let text = match second {
+            Some(cells) => {
+                format!("{launch},Back Spin [rpm],Side Spin [rpm]\n160,12,1.5,2500,-8,{cells}\n")
+            }
+            None => format!("{launch}\n160,12,1.5,2500,-8\n"),
+        };
+        std::fs::write(&file, text).unwrap();
+        let (status, answer) = json(&["delivery", "--shots", &file]);
+        let said = on_one_line(&longdrive(&["delivery", "--shots", &file]).err);
+        (status, answer["rows"][0].clone(), said)
+    };
+    let (_, once, _) = found(None);
+    for (cells, is_contradiction) in [
+        ("2475.67,-347.93", false),
+        ("2700,-375", true),
+        ("0,0", true),
+        (",", false),
+    ] {
+        let (status, twice, said) = found(Some(cells));
+        assert_eq!((status, &twice), (0, &once), "{cells}");
+        let says = "the spins contradict each other: Spin Rate and Spin Axis are used";
+        assert_eq!(said.contains(says), is_contradiction, "{cells}: {said}");
+    }
+}

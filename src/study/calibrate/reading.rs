@@ -11,7 +11,8 @@ use crate::table::{
     StatedConditions as Launch, TableHead, TextTable, assumed_units_remark, club_column,
     columns_remark, conditions, contradiction, given_air, has_whole_launch, heads_of,
     ignore_stated_air, implausible_club, implausible_launch, impossible, in_degrees,
-    is_straight_by_assumption, near_known, outside,
+    is_straight_by_assumption, near_known, outside, redundant_spins_remark,
+    without_redundant_spins,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -178,6 +179,8 @@ impl Reading {
         remarks.extend(given_air(&head.columns).map(Message::from));
         if is_export {
             remarks.extend(without_totals(&mut head));
+        } else if club == ClubColumns::Read {
+            remarks.extend(redundant_spins_remark(&head.columns));
         }
         check_columns(&head)
             .map_err(|(at, reason)| refused(format!(", column {}", at + 1), reason))?;
@@ -264,12 +267,15 @@ impl Reading {
         let of_club: Vec<&str> = of_club.map(|(_, name)| name).collect();
         match club {
             ClubColumns::Ignored => remarks.extend(columns_remark(CLUB_LEFT_OUT, &of_club)),
-            ClubColumns::Read => columns.extend(
-                of_club
-                    .iter()
-                    .filter_map(|name| setup.variable(name).ok())
-                    .map(|parameter| Column::of(Content::Input(parameter), parameter.name)),
-            ),
+            ClubColumns::Read => {
+                remarks.extend(redundant_spins_remark(&columns));
+                columns.extend(
+                    of_club
+                        .iter()
+                        .filter_map(|name| setup.variable(name).ok())
+                        .map(|parameter| Column::of(Content::Input(parameter), parameter.name)),
+                );
+            }
         }
         columns.extend(
             other_parameters
@@ -335,9 +341,10 @@ impl Reading {
         })
     }
 
-    /// True for outcomes that count as measured values:
+    /// True for outcomes that count as measured values of some rows:
     ///
-    /// - the outcomes of the launch, if the deliveries of the launches are to be estimated
+    /// - the outcomes of the launch, if the deliveries of the launches are to be estimated. Each
+    ///   row then measures only one of two statements of the spin
     /// - otherwise all outcomes, except the launch conditions from which the balls fly
     fn is_measurement(&self, outcome: Outcome) -> bool {
         match self.club {
@@ -350,10 +357,12 @@ impl Reading {
     pub fn shot(&self, row: usize, record: Values<'_>) -> Result<ReadRow, RowError> {
         let stated = self.stated(record)?;
         self.check_launch(&stated)?;
-        let stated = self.is_launched.then_some(stated);
-        let is_straight = stated.as_ref().is_some_and(is_straight_by_assumption);
+        let redundant = self.redundant_spins(&stated);
+        let is_measured = |of| self.is_measurement(of) && !redundant.contains(&of);
+        let is_straight = self.is_launched && is_straight_by_assumption(&stated);
         let has_no_club = self.club == ClubColumns::Read && self.has_no_club(record);
         let mut row = ReadRow::new(row);
+        row.contradiction = self.contradiction(stated);
         let mut at_shot = self.setup;
         let mut missing: Option<RowError> = None;
         for (at, column) in self.columns.iter().enumerate() {
@@ -386,7 +395,7 @@ impl Reading {
                         .map_err(|error| RowError::new(here(), error.to_string()))?;
                     row.shot.inputs.push((parameter, value));
                 }
-                Content::Outcome(outcome) if self.is_measurement(outcome) => {
+                Content::Outcome(outcome) if is_measured(outcome) => {
                     self.add_measurement(&mut row, record, column, outcome, is_straight)?;
                 }
                 _ => {}
@@ -396,7 +405,7 @@ impl Reading {
         if let Some(missing) = missing {
             return Err(missing);
         }
-        if let Some(stated) = stated {
+        if self.is_launched {
             self.add_launch(&mut row, &mut at_shot, stated)?;
         }
         at_shot
@@ -464,7 +473,7 @@ impl Reading {
         Ok(())
     }
 
-    /// Adds the launch of a row to its inputs and to `at_shot`, and records contradictory spins.
+    /// Adds the launch of a row to its inputs and to `at_shot`.
     fn add_launch(
         &self,
         row: &mut ReadRow,
@@ -473,13 +482,36 @@ impl Reading {
     ) -> Result<(), RowError> {
         let wrong = |error: Error| RowError::new(None, error.to_string());
         let launch = self.launch(stated)?;
-        row.contradiction = contradiction(stated, [launch[3].1, launch[4].1], |of| self.head(of));
         for (name, value) in launch {
             let parameter = self.setup.parameter(name).map_err(wrong)?;
             at_shot.set_value(parameter, Some(value)).map_err(wrong)?;
             row.shot.inputs.push((parameter, value));
         }
         Ok(())
+    }
+
+    /// Message if spins of the row that are not used differ from its launch. `None` if the launch is
+    /// neither flown nor the only measurement.
+    fn contradiction(&self, stated: Launch) -> Option<String> {
+        if !self.is_launched && self.club == ClubColumns::Ignored {
+            return None;
+        }
+        let launch = self.launch(stated).ok()?;
+        contradiction(stated, [launch[3].1, launch[4].1], |of| self.head(of))
+    }
+
+    /// The spins of a row that are not measured, since the row states the spin in another way too.
+    /// Empty if the deliveries of the launches are not to be estimated.
+    fn redundant_spins(&self, stated: &Launch) -> Vec<Outcome> {
+        if self.club == ClubColumns::Ignored {
+            return vec![];
+        }
+        let used = without_redundant_spins(*stated);
+        let values = CONDITIONS.into_iter().zip(stated.iter().zip(used));
+        values
+            .filter(|(_, (stated, used))| stated.is_some() && used.is_none())
+            .map(|(of, _)| of)
+            .collect()
     }
 
     /// True if the club values of the row are all 0, which means that the club was not measured.
