@@ -3,7 +3,7 @@
 use crate::drive::Outcome;
 use crate::parameters::Setup;
 use crate::table::{
-    Column, Content, TableHead, assume_unit, density_in, is_condition_head, split_unit, words,
+    Column, Content, TableHead, assume_unit, is_condition_head, split_unit, states_weather, words,
 };
 
 /// Interprets the columns of an export: changes contents and units of the columns in `head`. A
@@ -56,8 +56,8 @@ fn weather_of_rows(
         return;
     }
     let is_condition = |at: &usize| is_condition_head(&plain[*at]);
-    let states_weather = |at: &usize| rows.iter().any(|row| density_in(&row[*at]).is_some());
-    if let Some(at) = (0..columns.len()).filter(is_condition).find(states_weather) {
+    let is_weather = |at: &usize| rows.iter().any(|row| states_weather(&row[*at]));
+    if let Some(at) = (0..columns.len()).filter(is_condition).find(is_weather) {
         let column = &mut columns[at];
         if setup.why_replaced(density).is_some() {
             (column.content, column.is_overridden_air) = (Content::Note, true);

@@ -1,7 +1,9 @@
 //! Air density of each shot, from an export.
 
 use super::column::{Column, Content};
+use super::decimal_mark::DecimalMark;
 use super::heads::AIR;
+use super::numbers::number;
 use crate::atmosphere::in_effect;
 use crate::parameters::Setup;
 use crate::units::Quantity;
@@ -25,8 +27,9 @@ impl Column {
     pub fn stated_air(&self, cell: &str) -> Result<f64, String> {
         let name = &self.head;
         if self.is_weather {
-            return density_in(cell)
-                .ok_or_else(|| format!("{name}: the cell states no altitude and temperature"));
+            return density_in(cell, self.format.has_decimal_comma).ok_or_else(|| {
+                format!("{name}: the cell states no altitude and temperature that can be read")
+            });
         }
         let density = self.value(cell).map_err(|why| format!("{name}: {why}"))?;
         let density = density.ok_or_else(|| format!("{name}: the cell is empty"))?;
@@ -42,18 +45,14 @@ impl Column {
 }
 
 /// Air density, kg/m³, from TrackMan's weather text: `Normalized to no wind conditions at 1135 ft
-/// altitude, 77 °F and Premium ball`. `None` without a valid altitude and temperature.
-pub(crate) fn density_in(words: &str) -> Option<f64> {
-    let words: Vec<&str> = words
-        .split([' ', ',', ';'])
-        .filter(|word| !word.is_empty())
-        .collect();
-    let number_before = |at: usize| words.get(at.checked_sub(1)?)?.parse::<f64>().ok();
-    let altitude = words.iter().position(|word| *word == "altitude")?;
-    let altitude_unit = *words.get(altitude.checked_sub(1)?)?;
-    let is_degrees = |word: &&str| ["°F", "°C", "F", "C"].contains(word);
-    let temperature = words.iter().position(is_degrees)?;
-    let temperature_unit = if words[temperature].ends_with('F') {
+/// altitude, 77 °F and Premium ball`. `None` without a valid altitude and temperature, and for a
+/// number whose mark may separate decimals or thousands.
+fn density_in(text: &str, has_decimal_comma: bool) -> Option<f64> {
+    let text = with_spaced_commas(text);
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let number_before = |at: usize| number_at_end(&words[..at], has_decimal_comma);
+    let (altitude, temperature) = (altitude_unit(&words)?, temperature_unit(&words)?);
+    let degrees = if words[temperature].ends_with('F') {
         "degF"
     } else {
         "degC"
@@ -61,11 +60,11 @@ pub(crate) fn density_in(words: &str) -> Option<f64> {
     let stated = [
         (
             "air.altitude",
-            format!("{} {altitude_unit}", number_before(altitude - 1)?),
+            format!("{} {}", number_before(altitude)?, words[altitude]),
         ),
         (
             "air.temperature",
-            format!("{} {temperature_unit}", number_before(temperature)?),
+            format!("{} {degrees}", number_before(temperature)?),
         ),
     ];
     let mut setup = Setup::<f64>::default();
@@ -74,6 +73,59 @@ pub(crate) fn density_in(words: &str) -> Option<f64> {
         .ok()?;
     setup.validate().ok()?;
     Some(in_effect(&setup).air.density)
+}
+
+/// True if a text states an altitude and a temperature, also if their numbers cannot be read.
+pub(crate) fn states_weather(text: &str) -> bool {
+    let text = with_spaced_commas(text);
+    let words: Vec<&str> = text.split_whitespace().collect();
+    altitude_unit(&words).is_some() && temperature_unit(&words).is_some()
+}
+
+/// Index of the unit in `1135 ft altitude`.
+fn altitude_unit(words: &[&str]) -> Option<usize> {
+    let altitude = words.iter().position(|word| *word == "altitude")?;
+    altitude.checked_sub(1)
+}
+
+/// Index of the unit in `77 °F`.
+fn temperature_unit(words: &[&str]) -> Option<usize> {
+    let is_degrees = |word: &&str| ["°F", "°C", "F", "C"].contains(word);
+    words.iter().position(is_degrees)
+}
+
+/// The text with a space before and after each comma and semicolon that is not in a number.
+fn with_spaced_commas(text: &str) -> String {
+    let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    let mut spaced = String::with_capacity(text.len() + 8);
+    let mut characters = text.chars().peekable();
+    let mut before = None;
+    while let Some(c) = characters.next() {
+        let is_in_number = is_digit(before) && is_digit(characters.peek().copied());
+        if c == ';' || c == ',' && !is_in_number {
+            spaced.extend([' ', c, ' ']);
+        } else {
+            spaced.push(c);
+        }
+        before = Some(c);
+    }
+    spaced
+}
+
+/// The number in the last of these words, in which spaces may separate thousands. `None` if the
+/// words before it are part of no number, or if its mark may separate decimals or thousands.
+fn number_at_end(words: &[&str], has_decimal_comma: bool) -> Option<f64> {
+    let is_part = |word: &&&str| {
+        let digits = word.trim_start_matches(['+', '-', '\u{2212}']);
+        digits.starts_with(|c: char| c.is_ascii_digit())
+    };
+    let count = words.iter().rev().take_while(is_part).count();
+    let text = words[words.len() - count..].join(" ");
+    let mark = (!has_decimal_comma).then_some(DecimalMark::Point);
+    if DecimalMark::is_ambiguous(mark, &text) {
+        return None;
+    }
+    number(&text, has_decimal_comma)
 }
 
 /// Message for exports that state the air of each row.

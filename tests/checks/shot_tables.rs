@@ -401,6 +401,37 @@ fn independent_air_of_an_altitude_and_a_temperature() {
     );
 }
 
+/// One weather, in several spellings of its numbers: 346 m are 1135 ft, and 25 °C are 77 °F.
+#[test]
+fn same_air_of_weather_texts_with_marks_and_spaces_in_numbers() {
+    let density = |weather: &str, separator: char| {
+        let heads = "Ball Speed [mph];Launch Angle [deg];Spin Rate [rpm];Condition\n";
+        let row = format!("160;12;2500;\"Normalized to {weather} and Premium ball\"\n");
+        let text = (heads.to_owned() + &row).replace(';', &separator.to_string());
+        let (_, found, _) = fly_shots(Cursor::new(text));
+        let shot = &found[0].shots[0];
+        let is_assumed = shot
+            .notes
+            .iter()
+            .any(|note| note.contains("the air of the setup is assumed"));
+        (!is_assumed).then(|| shot.other_parameters()[0])
+    };
+    let expected = density("1135 ft altitude, 77 °F", ',').unwrap();
+    for (weather, separator) in [
+        ("1,135 ft altitude, 77 °F", ','),
+        ("1 135 ft altitude, 77 °F", ','),
+        ("1\u{202f}135 ft altitude,77 °F", ';'),
+        ("345,9480 m altitude; 25,0 °C", ';'),
+        ("345.948 m altitude, 25.0 °C", ','),
+    ] {
+        let found = density(weather, separator).unwrap_or_default();
+        close(found, expected, 1.0, 1e-9, weather);
+    }
+    // a comma marks no decimals between commas, and may mark thousands between semicolons
+    assert_eq!(density("346 m altitude, 25,5 °C", ','), None);
+    assert_eq!(density("1,135 ft altitude, 77 °F", ';'), None);
+}
+
 #[test]
 fn every_shot_is_explained_by_its_stated_values() {
     for (name, rows) in [
