@@ -12,7 +12,6 @@ use crate::table::{
     with_nearest, words,
 };
 use crate::units::Message;
-use std::borrow::Cow;
 use std::ops::Range;
 
 /// A column with the values of an outcome.
@@ -98,7 +97,7 @@ impl ShotColumns {
             condition: None,
             club_name: club_column(&heads, |at| columns[at].content == Content::Note),
             is_export,
-            decimal_mark: Some(DecimalMark::Point),
+            decimal_mark: format.decimal_mark,
             added: added(&columns),
             golfer: setup.golfer,
             air: setup.air.density,
@@ -118,25 +117,9 @@ impl ShotColumns {
             return Err(name.refused(String::new(), reason));
         }
         found.find_descriptions();
-        found.detect_decimal_mark(&rows);
         found.add_remarks(&columns, assumed_units_remark(&assumed_units));
         found.remarks.extend(turned.map(Message::from));
         Ok(found)
-    }
-
-    fn detect_decimal_mark(&mut self, rows: &[Vec<String>]) {
-        let measured = self.read.iter().map(|read| read.at);
-        let parameters = self.other_parameters.iter().map(|row| row.at);
-        let club = self.club.iter().flatten().map(|(at, _)| *at);
-        let of_numbers = measured.chain(parameters).chain(club);
-        self.decimal_mark = DecimalMark::detect(self.separator, of_numbers, rows);
-        let has_comma = self.separator != b',' && self.decimal_mark != Some(DecimalMark::Point);
-        let measured = self.read.iter_mut().map(|read| &mut read.column);
-        let parameters = self.other_parameters.iter_mut().map(|row| &mut row.column);
-        let club = self.club.iter_mut().flatten().map(|(_, column)| column);
-        for column in measured.chain(parameters).chain(club) {
-            column.format.has_decimal_comma = has_comma;
-        }
     }
 
     /// Finds the columns `spin_type` and `condition`.
@@ -205,7 +188,7 @@ impl ShotColumns {
                 let below = read_units(self.units.as_deref(), at);
                 let format = TableFormat {
                     is_export: self.is_export,
-                    has_decimal_comma: self.separator != b',',
+                    decimal_mark: self.decimal_mark,
                 };
                 let Ok(again) = Column::read(setup, &self.heads[at], below, format) else {
                     return Ok(());
@@ -342,19 +325,6 @@ impl ShotColumns {
     pub(super) fn stated_air(&self) -> Option<&RowParameter> {
         let mut parameters = self.other_parameters.iter();
         parameters.find(|row| row.column.is_stated_air())
-    }
-
-    /// The air density that a row states in the column `air`, SI.
-    pub(super) fn density(
-        &self,
-        air: &RowParameter,
-        row: &[Cow<'_, str>],
-    ) -> std::result::Result<f64, String> {
-        let (column, cell) = (&air.column, &row[air.at]);
-        match self.ambiguous_mark(cell) {
-            Some(why) if !column.is_weather => Err(format!("{}: {why}", column.head)),
-            _ => column.stated_air(cell),
-        }
     }
 }
 

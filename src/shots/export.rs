@@ -4,8 +4,8 @@ use super::columns::ShotColumns;
 use super::shot::{Club, Origin, REFUSED, RowParameter, Shot, StatedValue, within};
 use crate::drive::Outcome;
 use crate::table::{
-    CONDITIONS, Column, DecimalMark, Record, Refusal, RowFault, StatedConditions, air_of_setup,
-    cells, conditions, contradiction, implausible_launch, outside,
+    CONDITIONS, Record, Refusal, RowFault, StatedConditions, air_of_setup, cells, conditions,
+    contradiction, implausible_launch, outside,
 };
 use std::borrow::Cow;
 
@@ -51,24 +51,6 @@ impl ShotColumns {
         (flight == REFUSED && is_lacking).then(|| Refusal::new(Refusal::BEFORE, reason.as_ref()))
     }
 
-    /// The number in the cell `text`, SI; `None` for an empty cell.
-    fn number(&self, column: &Column, text: &str) -> Result<Option<f64>, String> {
-        match self.ambiguous_mark(text) {
-            Some(why) => Err(why),
-            None => column.value(text),
-        }
-    }
-
-    /// Message if the mark in a number may separate decimals or thousands; otherwise `None`.
-    pub(super) fn ambiguous_mark(&self, text: &str) -> Option<String> {
-        DecimalMark::is_ambiguous(self.decimal_mark, text).then(|| {
-            format!(
-                "the mark in '{text}' may separate decimals or thousands; write a number without a \
-                 mark between thousands"
-            )
-        })
-    }
-
     fn of_cells(&self, row: &[Cow<'_, str>]) -> Shot {
         let cell = |at: usize| &*row[at];
         let spin = self.spin_type.and_then(|at| Origin::read(cell(at)));
@@ -77,7 +59,7 @@ impl ShotColumns {
         for read in &self.read {
             let (of, name) = (read.of, &read.column.head);
             let is_condition = CONDITIONS.contains(&of);
-            match self.number(&read.column, cell(read.at)) {
+            match read.column.value(cell(read.at)) {
                 Ok(None) => {}
                 Ok(Some(value)) => {
                     let origin = read.origin.or(spin.filter(|_| OF_SPIN.contains(&of)));
@@ -99,7 +81,7 @@ impl ShotColumns {
             let Some((at, column)) = club else {
                 return Ok(None);
             };
-            let value = self.number(column, cell(*at));
+            let value = column.value(cell(*at));
             value.map_err(|why| format!("{}: {why}", column.head))
         });
         // the columns are in the convention of the parameters
@@ -120,7 +102,7 @@ impl ShotColumns {
         add_notes(&mut shot, &stated, |of| self.name_of(of));
         if shot.point.is_ok()
             && let Some(air) = self.stated_air()
-            && let Err(why) = self.density(air, row)
+            && let Err(why) = air.column.stated_air(&row[air.at])
         {
             shot.notes.push(air_of_setup(&why));
         }
@@ -142,11 +124,11 @@ impl ShotColumns {
                 column,
             } = stated;
             if column.is_stated_air() {
-                point.push(self.density(stated, row).unwrap_or(self.air));
+                point.push(column.stated_air(&row[*at]).unwrap_or(self.air));
                 continue;
             }
             let name = &column.head;
-            let value = self.number(column, &row[*at]);
+            let value = column.value(&row[*at]);
             let value =
                 value.map_err(|why| Refusal::new(Refusal::UNREADABLE, format!("{name}: {why}")))?;
             let Some(value) = value else {

@@ -27,7 +27,7 @@ impl Column {
     pub fn stated_air(&self, cell: &str) -> Result<f64, String> {
         let name = &self.head;
         if self.is_weather {
-            return density_in(cell, self.format.has_decimal_comma).ok_or_else(|| {
+            return density_in(cell, self.format.decimal_mark).ok_or_else(|| {
                 format!("{name}: the cell states no altitude and temperature that can be read")
             });
         }
@@ -47,10 +47,10 @@ impl Column {
 /// Air density, kg/m³, from TrackMan's weather text: `Normalized to no wind conditions at 1135 ft
 /// altitude, 77 °F and Premium ball`. `None` without a valid altitude and temperature, and for a
 /// number whose mark may separate decimals or thousands.
-fn density_in(text: &str, has_decimal_comma: bool) -> Option<f64> {
+fn density_in(text: &str, of_table: Option<DecimalMark>) -> Option<f64> {
     let text = with_spaced_commas(text);
     let words: Vec<&str> = text.split_whitespace().collect();
-    let number_before = |at: usize| number_at_end(&words[..at], has_decimal_comma);
+    let number_before = |at: usize| number_at_end(&words[..at], of_table);
     let (altitude, temperature) = (altitude_unit(&words)?, temperature_unit(&words)?);
     let degrees = if words[temperature].ends_with('F') {
         "degF"
@@ -114,18 +114,17 @@ fn with_spaced_commas(text: &str) -> String {
 
 /// The number in the last of these words, in which spaces may separate thousands. `None` if the
 /// words before it are part of no number, or if its mark may separate decimals or thousands.
-fn number_at_end(words: &[&str], has_decimal_comma: bool) -> Option<f64> {
+fn number_at_end(words: &[&str], of_table: Option<DecimalMark>) -> Option<f64> {
     let is_part = |word: &&&str| {
         let digits = word.trim_start_matches(['+', '-', '\u{2212}']);
         digits.starts_with(|c: char| c.is_ascii_digit())
     };
     let count = words.iter().rev().take_while(is_part).count();
     let text = words[words.len() - count..].join(" ");
-    let mark = (!has_decimal_comma).then_some(DecimalMark::Point);
-    if DecimalMark::is_ambiguous(mark, &text) {
+    if DecimalMark::ambiguity(of_table, &text).is_some() {
         return None;
     }
-    number(&text, has_decimal_comma)
+    number(&text, of_table != Some(DecimalMark::Point))
 }
 
 /// Message for exports that state the air of each row.

@@ -1,5 +1,6 @@
 //! Meaning, unit and number format of a column.
 
+use super::decimal_mark::DecimalMark;
 use super::heads::{AIR, Meaning};
 use super::launch_monitor;
 use super::numbers;
@@ -53,12 +54,28 @@ pub(crate) struct Column {
 }
 
 /// Format of a table. The default is the format of a table in SI.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct TableFormat {
     /// True for an export of a launch monitor. Its unknown columns are ignored.
     pub is_export: bool,
+    /// The decimal mark; `None` if the first rows do not show it.
+    pub decimal_mark: Option<DecimalMark>,
+}
+
+impl Default for TableFormat {
+    fn default() -> Self {
+        Self {
+            is_export: false,
+            decimal_mark: Some(DecimalMark::Point),
+        }
+    }
+}
+
+impl TableFormat {
     /// True if numbers may have decimal commas.
-    pub has_decimal_comma: bool,
+    pub fn has_decimal_comma(self) -> bool {
+        self.decimal_mark != Some(DecimalMark::Point)
+    }
 }
 
 /// Advice for tables of measured shots.
@@ -302,7 +319,7 @@ impl Column {
     /// True if a cell states its unit.
     pub fn has_unit_in(&self, cell: &str) -> bool {
         self.format.is_export
-            && cell_number(cell, self.format.has_decimal_comma)
+            && cell_number(cell, self.format.has_decimal_comma())
                 .is_some_and(|cell| cell.unit.is_some())
     }
 
@@ -371,12 +388,16 @@ impl Column {
     /// cell, NaN, and in exports also `N/A` and numbers from 1e38 on.
     ///
     /// # Errors
-    /// A message, if the cell is not a finite number.
+    /// A message, if the cell is not a finite number, or if its mark may separate decimals or
+    /// thousands.
     pub fn value(&self, cell: &str) -> std::result::Result<Option<f64>, String> {
         if cell.is_empty() || cell.trim().parse().is_ok_and(f64::is_nan) {
             return Ok(None);
         }
-        let Some(stated) = cell_number(cell, self.format.has_decimal_comma) else {
+        if let Some(why) = DecimalMark::ambiguity(self.format.decimal_mark, cell) {
+            return Err(why);
+        }
+        let Some(stated) = cell_number(cell, self.format.has_decimal_comma()) else {
             return self.no_number(cell);
         };
         if self.format.is_export && stated.number.abs() >= MISSING {
@@ -469,7 +490,7 @@ impl Column {
     fn unreadable_cell(&self, cell: &str, what: &str) -> String {
         if let Some((whole, decimals)) = cell
             .split_once(',')
-            .filter(|_| !self.format.has_decimal_comma)
+            .filter(|_| !self.format.has_decimal_comma())
             && format!("{whole}.{decimals}").parse::<f64>().is_ok()
         {
             return format!(

@@ -2,8 +2,10 @@
 
 use super::CONDITIONS;
 use super::column::{Column, Content, LAUNCH, SHOTS_ADVICE, STATUS, TableFormat};
+use super::decimal_mark::DecimalMark;
 use super::export_columns::{ClubColumns, ignore_columns};
-use super::launch_monitor::{is_export, units_row};
+use super::heads::rest_of_head;
+use super::launch_monitor::{is_export, units_row, words};
 use super::maker::maker;
 use super::sign_conventions::{turn_spins, turned_remark};
 use crate::drive::Outcome;
@@ -101,7 +103,7 @@ impl TableHead {
         let is_export = is_export(heads.iter().map(String::as_str));
         let format = TableFormat {
             is_export,
-            has_decimal_comma: separator != b',',
+            decimal_mark: (separator == b',').then_some(DecimalMark::Point),
         };
         let units = first.as_ref().and_then(|first| units_row(&heads, first));
         let column = |(at, head): (usize, &String)| {
@@ -127,10 +129,11 @@ impl TableHead {
         })
     }
 
-    /// Interprets the columns by the first `rows` of the section: finds the maker of an export and
-    /// the signs of its spins, then ignores columns that are not used.
+    /// Interprets the columns by the first `rows` of the section: finds the decimal mark, the maker
+    /// of an export and the signs of its spins, then ignores columns that are not used.
     pub fn interpret(&mut self, rows: Vec<Vec<String>>, wanted: &TableOptions) {
         self.rows = rows;
+        self.detect_decimal_mark();
         if self.format.is_export {
             self.maker = maker(&self.heads);
             let turned = turn_spins(self.maker, &mut self.columns, &self.rows);
@@ -162,6 +165,22 @@ impl TableHead {
             maker: None,
             turned: None,
         })
+    }
+
+    /// Detects the decimal mark, unless commas separate the cells.
+    fn detect_decimal_mark(&mut self) {
+        if self.format.decimal_mark.is_some() {
+            return;
+        }
+        let has_numbers = |column: &Column| {
+            column.quantity().is_some() || rest_of_head(&words(&column.head)).is_some()
+        };
+        let columns = &self.columns;
+        let of_numbers = (0..columns.len()).filter(|at| has_numbers(&columns[*at]));
+        self.format.decimal_mark = DecimalMark::detect(of_numbers, &self.rows);
+        for column in &mut self.columns {
+            column.format.decimal_mark = self.format.decimal_mark;
+        }
     }
 
     /// True if a column is a parameter of swing, strike, club or impact.

@@ -30,7 +30,7 @@ pub(crate) use conditions::{
     ConditionFault, StatedConditions, conditions, contradiction, is_straight_by_assumption,
     without_redundant_spins,
 };
-pub(crate) use decimal_mark::{DecimalMark, DecimalMarkCheck};
+pub(crate) use decimal_mark::DecimalMark;
 #[cfg(feature = "commands")]
 pub(crate) use export_columns::ASSUMED_UNITS;
 pub(crate) use export_columns::{

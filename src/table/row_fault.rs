@@ -50,7 +50,7 @@ impl<'a> RowFault<'a> {
         let (at, only) = filled.next()?;
         // `60°` is a value in a column of angles, but the title of a wedge elsewhere
         let is_value =
-            |column: &Column| cell_number(only, column.format.has_decimal_comma).is_some();
+            |column: &Column| cell_number(only, column.format.has_decimal_comma()).is_some();
         let is_number = || only.parse::<f64>().is_ok() || column(at).is_some_and(is_value);
         let is_title = filled.next().is_none() && !is_number();
         is_title.then_some(Self::Title(only))

@@ -7,8 +7,8 @@ use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::shots::Shot;
 use crate::table::{
-    ClubColumns, Column, DecimalMarkCheck, NonShotRows, Record, RowFault, RowFilter, air_of_rows,
-    air_of_setup, cells, counted_values, remark_from_line,
+    ClubColumns, Column, NonShotRows, Record, RowFault, RowFilter, air_of_rows, air_of_setup,
+    cells, counted_values, remark_from_line,
 };
 use crate::units::{Message, counted};
 use std::collections::BTreeMap;
@@ -57,7 +57,6 @@ pub(super) struct ShotRows {
     sections: Vec<TableSection>,
     /// Error of the first incomplete row of a table that is not an export.
     first_incomplete: Option<Error>,
-    marks: DecimalMarkCheck,
 }
 
 impl ShotRows {
@@ -89,8 +88,7 @@ impl ShotRows {
     /// Adds a row of text.
     ///
     /// # Errors
-    /// [`Error::Table`] for an error in a table that is not an export, and for a number whose
-    /// decimal mark is uncertain.
+    /// [`Error::Table`] for an error in a table that is not an export.
     pub fn take(&mut self, reading: &Reading, record: &Record, separator: u8) -> Result<()> {
         self.row += 1;
         let row = cells(&record.text, separator);
@@ -109,10 +107,6 @@ impl ShotRows {
                     .push(format!("row {} ({})", self.row, wrong.reason));
             }
             return Ok(());
-        }
-        for (column, cell) in reading.columns.iter().zip(&row) {
-            let looked = self.marks.check(self.row as u64, column, cell);
-            looked.map_err(|reason| self.refused(&format!(", column {}", column.head), reason))?;
         }
         let row: Vec<&str> = row.iter().map(AsRef::as_ref).collect();
         let shots = self.shots.len();

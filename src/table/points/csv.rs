@@ -3,7 +3,6 @@ use super::rows::PointRows;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::column::Column;
-use crate::table::decimal_mark::DecimalMarkCheck;
 use crate::table::head::{TableHead, TableOptions, columns_remark, remark_from_line};
 use crate::table::records::{Record, cells};
 use crate::table::row_fault::{NonShotRows, RowFault};
@@ -25,7 +24,6 @@ pub(super) struct CsvRows {
     /// Number of the row in the file.
     row: u64,
     no_shots: NonShotRows,
-    marks: DecimalMarkCheck,
 }
 
 struct CsvSection {
@@ -58,7 +56,6 @@ impl CsvRows {
             section_notes: vec![],
             row: 0,
             no_shots: NonShotRows::default(),
-            marks: DecimalMarkCheck::default(),
         })
     }
 
@@ -180,7 +177,6 @@ impl PointRows for CsvRows {
                     let place = format!(", row {}, column {}", self.row, column.head);
                     self.table.name.refused(place, reason)
                 };
-                self.marks.check(self.row, column, cell).map_err(wrong)?;
                 values.push(column.value(cell).map_err(wrong)?.unwrap_or(f64::NAN));
             }
         }
