@@ -51,7 +51,7 @@ fn weather_of_rows(
     };
     if columns
         .iter()
-        .any(|column| column.is_stated_air() || column.is_overridden_air)
+        .any(|column| column.content == Content::Input(density) || column.is_overridden_air)
     {
         return;
     }

@@ -61,6 +61,8 @@ pub(super) struct TableRows {
     columns: Arc<ShotColumns>,
     /// The parameters that the first section states in addition to the launch.
     first_parameters: Vec<&'static Parameter>,
+    /// The parameters that only later sections state.
+    later_parameters: Vec<&'static Parameter>,
     /// True if a later section began after the previous chunk.
     section_began: bool,
     is_air_given: bool,
@@ -159,6 +161,7 @@ impl Shots {
             setup: *setup,
             columns: columns.clone(),
             first_parameters: columns.other_parameters(),
+            later_parameters: vec![],
             section_began: false,
             is_air_given,
             remarks: vec![],
@@ -211,6 +214,20 @@ impl Shots {
                 .as_ref()
                 .map_or(&[], |columns| &columns.remarks),
             UnreadRows::Objects(records) => &records.remarks,
+        }
+    }
+
+    /// True if the first section of a table names the club of each shot.
+    pub(crate) fn names_clubs(&self) -> bool {
+        let columns = self.columns.as_ref();
+        columns.is_some_and(|columns| columns.club_name.is_some())
+    }
+
+    /// The parameters that only later sections of the table state, complete after the last row.
+    pub(crate) fn later_parameters(&self) -> &[&'static Parameter] {
+        match &self.rows {
+            UnreadRows::Table(rows) => &rows.later_parameters,
+            UnreadRows::Objects(..) => &[],
         }
     }
 
@@ -294,6 +311,14 @@ impl TableRows {
                 .name
                 .refused(format!(", line {}", record.line), reason)
         })?;
+        for parameter in columns
+            .other_parameters()
+            .split_off(self.first_parameters.len())
+        {
+            if !self.later_parameters.contains(&parameter) {
+                self.later_parameters.push(parameter);
+            }
+        }
         let remarks = columns.remarks.iter();
         self.remarks
             .extend(remarks.map(|remark| remark_from_line(record.line, remark)));

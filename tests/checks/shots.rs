@@ -357,7 +357,7 @@ fn every_row_is_kept_with_its_line_and_its_reason() {
         ("csv", ShotWriter::csv(&shots, &OF, System::Us)),
         (
             "launch-monitor",
-            ShotWriter::launch_monitor(&OF, System::Us),
+            ShotWriter::launch_monitor(&shots, &OF, System::Us),
         ),
         ("jsonl", ShotWriter::json_lines(&shots, &OF)),
         ("open-connect", ShotWriter::open_connect()),

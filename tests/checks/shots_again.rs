@@ -756,3 +756,45 @@ fn json_lines_of_fly_have_all_measured_values() {
         (0, Some("JSON lines of longdrive fly"))
     );
 }
+
+/// The wind of each row and its club, from a table through JSON lines into the columns of a launch
+/// monitor, which are read again.
+#[test]
+fn same_flight_in_the_wind_of_each_row_in_every_format() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).display().to_string();
+    let text = "Club,Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],wind.speed \
+                [mph],wind.from [deg],air.temperature [degC]\nDriver,150,12,2500,20,0,25\n3 \
+                Wood,140,13,3000,5,90,-3\n,abc,13,3000,0,0,5\n";
+    let table = file_with(folder.path(), "shots.csv", text);
+    let fly = |from: &str, format: &str, to: &str| {
+        let output = longdrive(&["fly", from, "--format", format, "-o", &place(to)]);
+        assert_eq!(output.status, 0, "{}", output.err);
+        on_one_line(&output.err)
+    };
+    let says = "parameters of the rows that a message of Open Connect cannot state";
+    let of_messages = fly(&table, "open-connect", "messages.json");
+    assert!(of_messages.contains(says) && of_messages.contains("wind.speed, wind.from"));
+    fly(&table, "jsonl", "first.jsonl");
+    fly(&place("first.jsonl"), "launch-monitor", "second.csv");
+    fly(&table, "launch-monitor", "third.csv");
+    let first = lines(&place("first.jsonl"));
+    for name in ["second.csv", "third.csv"] {
+        let again = format!("{name}.jsonl");
+        let said = fly(&place(name), "jsonl", &again);
+        assert!(!said.contains(says), "{said}");
+        let again = lines(&place(&again));
+        assert_eq!(again.len(), 3, "{name}");
+        for (first, again) in first.iter().zip(&again).take(2) {
+            let carry = |line: &Value| number(&line["predicted"]["carry_distance"]);
+            let (first, again) = (carry(first), carry(again));
+            assert!((first - again).abs() < 1e-3, "{name}: {first} {again}");
+        }
+        assert_eq!(again[2]["flight"], "refused", "{name}");
+    }
+    let third = std::fs::read_to_string(place("third.csv")).unwrap();
+    assert!(
+        third.contains("Driver") && third.contains("3 Wood"),
+        "{third}"
+    );
+}

@@ -368,10 +368,10 @@ fn the_condition_of_a_shot_is_written_and_known_heads_get_no_suggestion() {
         remarks.contains("Club Name") && !remarks.contains("did you mean"),
         "{remarks}"
     );
-    let writer = ShotWriter::launch_monitor(&[Outcome::CarryDistance], System::Us);
+    let writer = ShotWriter::launch_monitor(&shots, &[Outcome::CarryDistance], System::Us);
     let written = String::from_utf8([writer.head(), writer.rows(&all[0])].concat()).unwrap();
     for says in [
-        "Spin Rate Type,Condition,Line",
+        "Spin Rate Type,Condition,Club,Line",
         "\"Normalized, 25 C\"",
         ",Actual,",
     ] {

@@ -212,7 +212,7 @@ fn write_rows(
     let mut output = destination.begin()?;
     let writer = match format {
         FlyFormat::Csv => ShotWriter::csv(shots, of, system()),
-        FlyFormat::LaunchMonitor => ShotWriter::launch_monitor(of, system()),
+        FlyFormat::LaunchMonitor => ShotWriter::launch_monitor(shots, of, system()),
         FlyFormat::Jsonl => ShotWriter::json_lines(shots, of),
         FlyFormat::OpenConnect => ShotWriter::open_connect(),
         FlyFormat::Screen => ShotWriter::screen(of, system()),
@@ -244,7 +244,7 @@ fn write_rows(
     Ok(WrittenShots {
         tally,
         output,
-        of_format: None,
+        of_format: writer.remark(shots),
     })
 }
 

@@ -3,7 +3,10 @@
 
 use super::csv::PredictionColumns;
 use crate::drive::Outcome;
-use crate::shots::{Flown, Origin, Shot};
+use crate::parameters::Parameter;
+use crate::report::sweep::push_number;
+use crate::shots::{Flown, Origin, Shot, Shots};
+use crate::units::{System, TableUnits};
 
 /// The launch columns, in the order of [`launch`]. The spin is given as total spin and spin axis.
 pub(super) const LAUNCH: [(&str, Outcome); 5] = [
@@ -38,23 +41,17 @@ pub(super) const MEASURED: [(&str, Outcome); 8] = [
 /// the export states its values.
 const TEXTS: [&str; 2] = ["Spin Rate Type", "Condition"];
 
-/// The line of column heads.
-pub(super) fn head(added: &PredictionColumns) -> Vec<u8> {
-    let own = LAUNCH
-        .iter()
-        .chain(&CLUB)
-        .chain(&MEASURED)
-        .map(|(head, of)| ((*head).to_owned(), added.unit(*of)));
-    let own = own.chain(TEXTS.map(|head| (head.to_owned(), "")));
-    let heads = own.chain(added.heads());
-    let heads = heads.map(|(head, unit)| {
-        if unit.is_empty() {
-            head
-        } else {
-            format!("{head} [{unit}]")
-        }
-    });
-    (heads.collect::<Vec<_>>().join(",") + "\n").into_bytes()
+/// Column of the name of the club.
+const CLUB_NAME: &str = "Club";
+
+/// The columns for the shots of a source.
+#[derive(Clone, Debug)]
+pub(super) struct LaunchMonitorColumns {
+    added: PredictionColumns,
+    /// Parameters that each row states in addition to its launch, such as its wind.
+    other_parameters: Vec<&'static Parameter>,
+    /// True if the source names the club of each shot.
+    has_club_name: bool,
 }
 
 /// The launch of a shot in the order of `LAUNCH`, SI: the input of the flight, or the stated values
@@ -76,22 +73,78 @@ pub(super) fn launch(shot: &Shot) -> [Option<f64>; 5] {
     }
 }
 
-/// Appends the cells of a row.
-pub(super) fn row(added: &PredictionColumns, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
-    let shot = &flown.shots[row];
-    let measured = MEASURED.map(|(_, of)| shot.value(of).map(|value| value.value));
-    let values = launch(shot)
-        .into_iter()
-        .chain(shot.club.values())
-        .chain(measured);
-    for ((_, of), value) in LAUNCH.iter().chain(&CLUB).chain(&MEASURED).zip(values) {
-        added.push(bytes, value, added.unit(*of), *of);
-        bytes.push(added.separator);
+impl LaunchMonitorColumns {
+    pub fn new(shots: &Shots, of: &[Outcome], system: System) -> Self {
+        Self {
+            added: PredictionColumns {
+                of: of.to_vec(),
+                system,
+                separator: b',',
+                has_decimal_comma: false,
+            },
+            other_parameters: shots.other_parameters.clone(),
+            has_club_name: shots.names_clubs(),
+        }
     }
-    let spin_origin = shot.spin_origin().map_or("", Origin::name);
-    for text in [spin_origin, shot.condition.as_deref().unwrap_or_default()] {
-        added.push_text(bytes, text);
-        bytes.push(added.separator);
+
+    fn units(&self) -> TableUnits {
+        TableUnits::Of(self.added.system)
     }
-    added.row(flown, row, bytes);
+
+    /// The line of column heads.
+    pub fn head(&self) -> Vec<u8> {
+        let with_unit = |(head, unit): (String, &'static str)| {
+            if unit.is_empty() {
+                head
+            } else {
+                format!("{head} [{unit}]")
+            }
+        };
+        let own = LAUNCH
+            .iter()
+            .chain(&CLUB)
+            .chain(&MEASURED)
+            .map(|(head, of)| with_unit(((*head).to_owned(), self.added.unit(*of))));
+        let club_name = self.has_club_name.then_some(CLUB_NAME);
+        let texts = TEXTS.into_iter().chain(club_name).map(str::to_owned);
+        let parameters = self
+            .other_parameters
+            .iter()
+            .map(|row| self.units().head(row.name, row.quantity, row.unit));
+        let added = self.added.heads().into_iter().map(with_unit);
+        let heads = own.chain(texts).chain(parameters).chain(added);
+        (heads.collect::<Vec<_>>().join(",") + "\n").into_bytes()
+    }
+
+    /// Appends the cells of a row.
+    pub fn row(&self, flown: &Flown, row: usize, bytes: &mut Vec<u8>) {
+        let (added, shot) = (&self.added, &flown.shots[row]);
+        let measured = MEASURED.map(|(_, of)| shot.value(of).map(|value| value.value));
+        let values = launch(shot)
+            .into_iter()
+            .chain(shot.club.values())
+            .chain(measured);
+        for ((_, of), value) in LAUNCH.iter().chain(&CLUB).chain(&MEASURED).zip(values) {
+            added.push(bytes, value, added.unit(*of), *of);
+            bytes.push(added.separator);
+        }
+        let spin_origin = shot.spin_origin().map_or("", Origin::name);
+        let condition = shot.condition.as_deref().unwrap_or_default();
+        let club_name = shot.club_name.as_deref().unwrap_or_default();
+        let club_name = self.has_club_name.then_some(club_name);
+        for text in [spin_origin, condition].into_iter().chain(club_name) {
+            added.push_text(bytes, text);
+            bytes.push(added.separator);
+        }
+        let mut stated = shot.other_parameters().iter();
+        for parameter in &self.other_parameters {
+            // a shot that is not flown has no values
+            if let Some(value) = stated.next() {
+                let (quantity, unit) = (parameter.quantity, parameter.unit);
+                push_number(bytes, self.units().number(*value, quantity, unit));
+            }
+            bytes.push(added.separator);
+        }
+        added.row(flown, row, bytes);
+    }
 }

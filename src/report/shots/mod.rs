@@ -21,10 +21,16 @@ pub use summary::{
 
 use crate::drive::Outcome;
 use crate::shots::{Flown, Section, Shots};
-use crate::units::System;
+use crate::table::columns_remark;
+use crate::units::{Message, System};
+use columns::LaunchMonitorColumns;
 use csv::{ExportRows, PredictionColumns};
 use screen::Screen;
 use std::borrow::Cow;
+
+/// Beginning of the remark on parameters without a column.
+const LATER_PARAMETERS: &str =
+    "parameters of later sections, which have no column in the file (JSON lines have them)";
 
 /// Formats flown shots.
 #[derive(Clone, Debug)]
@@ -35,7 +41,7 @@ pub struct ShotWriter {
 #[derive(Clone, Debug)]
 enum ShotFormat {
     Copied(ExportRows),
-    Columns(PredictionColumns),
+    Columns(LaunchMonitorColumns),
     JsonLines(json_lines::Keys),
     OpenConnect,
     Screen(Screen),
@@ -50,20 +56,38 @@ impl ShotWriter {
             Some(columns) => Self {
                 table: ShotFormat::Copied(ExportRows::new(columns, of, system)),
             },
-            None => Self::launch_monitor(of, system),
+            None => Self::launch_monitor(shots, of, system),
         }
     }
 
-    /// The columns of a launch monitor, with added columns for the predictions, in the units of
-    /// `system`. The shots may come from an export or from JSON.
-    pub fn launch_monitor(of: &[Outcome], system: System) -> Self {
+    /// The columns of a launch monitor, with added columns for the parameters that each row states
+    /// and for the predictions, in the units of `system`. The shots may come from an export or from
+    /// JSON.
+    pub fn launch_monitor(shots: &Shots, of: &[Outcome], system: System) -> Self {
         Self {
-            table: ShotFormat::Columns(PredictionColumns {
-                of: of.to_vec(),
-                system,
-                separator: b',',
-                has_decimal_comma: false,
-            }),
+            table: ShotFormat::Columns(LaunchMonitorColumns::new(shots, of, system)),
+        }
+    }
+
+    /// A remark that names the parameters of the rows that the format does not store. Call it after
+    /// the last shot.
+    pub fn remark(&self, shots: &Shots) -> Option<Message> {
+        let later: Vec<&str> = shots
+            .later_parameters()
+            .iter()
+            .map(|row| row.name)
+            .collect();
+        match &self.table {
+            ShotFormat::OpenConnect => {
+                let first = shots.other_parameters.iter().map(|row| row.name);
+                let all: Vec<&str> = first.chain(later).collect();
+                let what = "parameters of the rows that a message of Open Connect cannot state; \
+                            when the messages are read, the setup's values replace these (JSON \
+                            lines have them)";
+                columns_remark(what, &all)
+            }
+            ShotFormat::Columns(_) => columns_remark(LATER_PARAMETERS, &later),
+            _ => None,
         }
     }
 
@@ -95,7 +119,7 @@ impl ShotWriter {
     pub fn head(&self) -> Vec<u8> {
         match &self.table {
             ShotFormat::Copied(copied) => copied.head(),
-            ShotFormat::Columns(added) => columns::head(added),
+            ShotFormat::Columns(columns) => columns.head(),
             ShotFormat::Screen(screen) => screen.head(),
             ShotFormat::JsonLines(_) | ShotFormat::OpenConnect => vec![],
         }
@@ -113,7 +137,7 @@ impl ShotWriter {
         for row in 0..flown.shots.len() {
             match &*format {
                 ShotFormat::Copied(copied) => copied.row(flown, row, &mut bytes),
-                ShotFormat::Columns(added) => columns::row(added, flown, row, &mut bytes),
+                ShotFormat::Columns(columns) => columns.row(flown, row, &mut bytes),
                 ShotFormat::JsonLines(keys) => keys.row(flown, row, &mut bytes),
                 ShotFormat::OpenConnect => open_connect::row(flown, row, &mut bytes),
                 ShotFormat::Screen(screen) => screen.row(flown, row, &mut bytes),
