@@ -1423,3 +1423,29 @@ fn statistics_of_a_ragged_jacobian_panic_and_of_nan_are_refused() {
         assert!(error.contains("must be finite"), "{error}");
     }
 }
+
+/// 400 fits with Huber's loss to shots whose noise exceeds the stated uncertainties: the scatter of
+/// the estimates is their standard error, and 95 % of the intervals contain the truth. χ² has no
+/// probability.
+#[test]
+fn sampled_coverage_of_intervals_with_hubers_loss() {
+    for noise_in_sigmas in [1.0, 2.0] {
+        let mut noise = Random::seeded(20_261_130);
+        let (mut covered, mut squares, mut errors) = (0, 0.0, 0.0);
+        for _ in 0..400 {
+            let text = shots(&mut noise, noise_in_sigmas);
+            let found = fitted(&text, &truth(), &["aero.cd"], Loss::HUBER);
+            assert_eq!(found.statistics.probability, None);
+            let estimate = found.estimates[0];
+            let (error, off) = (estimate.standard_error.unwrap(), estimate.value - 0.27);
+            covered += usize::from(off.abs() <= found.statistics.coverage_factor * error);
+            squares += off * off / 400.0;
+            errors += error / 400.0;
+        }
+        let (share, ratio) = (f64::from(covered as u32) / 400.0, errors / squares.sqrt());
+        println!("noise {noise_in_sigmas}: coverage {share}, error/scatter {ratio}");
+        // within three standard errors: √(0.05·0.95/400) = 0.011, and 1/√800 = 0.035
+        assert!((share - 0.95).abs() < 0.033, "{noise_in_sigmas}: {share}");
+        assert!((ratio - 1.0).abs() < 0.106, "{noise_in_sigmas}: {ratio}");
+    }
+}

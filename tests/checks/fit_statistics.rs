@@ -160,3 +160,28 @@ fn parameters_without_influence_are_undetermined_on_a_bound_too() {
             .is_empty()
     );
 }
+
+/// The mean of five values with Huber's loss (k = 1.345): ψ = −1.345, −0.5, 0, 0.5, 1.345, so
+/// Σψ²/ν = 4.11805/4 and mean ψ′ = 3/5. The covariance is Σψ²/ν/(mean ψ′)²/5 (Huber 1981, section
+/// 7.6), also for stated uncertainties.
+#[test]
+fn published_covariance_of_a_mean_with_hubers_loss() {
+    let rows = Rows {
+        residuals: vec![-3.0, -0.5, 0.0, 0.5, 4.0],
+        jacobian: vec![vec![1.0]; 5],
+    };
+    for origin in [SigmaOrigin::Stated, SigmaOrigin::Weights] {
+        let mean = FitStatistics::new(&rows, &[free(1e9)], origin, 1e-12, Loss::HUBER).unwrap();
+        let exact = 4.11805 / 4.0 / 0.36 / 5.0;
+        assert!((mean.covariance[0][0].unwrap() - exact).abs() < 1e-12);
+        assert!(mean.is_scaled && mean.probability.is_none(), "{mean:?}");
+    }
+    // every residual exceeds k: the loss has no curvature
+    let rows = Rows {
+        residuals: vec![-3.0, -2.0, 2.0, 4.0],
+        jacobian: vec![vec![1.0]; 4],
+    };
+    let origin = SigmaOrigin::Stated;
+    let mean = FitStatistics::new(&rows, &[free(1e9)], origin, 1e-12, Loss::HUBER).unwrap();
+    assert_eq!((mean.scale, mean.covariance[0][0]), (None, None));
+}

@@ -55,12 +55,15 @@ class CalibrateReply(Reply):
     Parameters at a bound are not counted."""
     probability: float | None
     """The probability of a χ² at least this large, if the model is right; `None` unless the data
-    state every uncertainty and leave degrees of freedom."""
+    state every uncertainty and leave degrees of freedom, and with Huber's loss: its weighted χ²
+    does not have the χ² distribution."""
     uncertainty_scale: float | None
     """Factor by which the standard uncertainties are multiplied. It is 1 if the data state every
     uncertainty. Otherwise it is √(χ²/degrees of freedom), if there are degrees of freedom and the
     residuals exceed rounding. If not, it is 1 if the uncertainty of every value is known, and
-    `None` if one is unknown."""
+    `None` if one is unknown. With Huber's loss, also for stated uncertainties, it is √(Σψ²/degrees
+    of freedom)/mean ψ′, where ψ is the derivative of the loss; `None` if every residual exceeds
+    1.345 standard uncertainties."""
     iterations: int
     """Iterations of the fit."""
     evaluations: int

@@ -29,4 +29,12 @@ impl Loss {
             _ => 1.0,
         }
     }
+
+    /// Second derivative ρ″(r).
+    pub fn second_derivative(self, r: f64) -> f64 {
+        match self {
+            Self::Huber(k) if r.abs() > k => 0.0,
+            _ => 1.0,
+        }
+    }
 }

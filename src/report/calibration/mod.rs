@@ -45,12 +45,15 @@ pub struct CalibrationReport<'a> {
     /// 0. Parameters at a bound are not counted.
     pub degrees_of_freedom: usize,
     /// The probability of a χ² at least this large, if the model is right; `null` unless the data
-    /// state every uncertainty and leave degrees of freedom.
+    /// state every uncertainty and leave degrees of freedom, and with Huber's loss: its weighted χ²
+    /// does not have the χ² distribution.
     pub probability: JsonNumber,
     /// Factor by which the standard uncertainties are multiplied. It is 1 if the data state every
     /// uncertainty. Otherwise it is √(χ²/degrees of freedom), if there are degrees of freedom and
     /// the residuals exceed rounding. If not, it is 1 if the uncertainty of every value is known,
-    /// and `null` if one is unknown.
+    /// and `null` if one is unknown. With Huber's loss, also for stated uncertainties, it is
+    /// √(Σψ²/degrees of freedom)/mean ψ′, where ψ is the derivative of the loss; `null` if every
+    /// residual exceeds 1.345 standard uncertainties.
     pub uncertainty_scale: JsonNumber,
     /// Iterations of the fit.
     pub iterations: u64,

@@ -1,4 +1,4 @@
-use crate::optimize::least_squares::FitStatus;
+use crate::optimize::least_squares::{FitStatus, Loss};
 use crate::report::document::{Document, DocumentTable};
 use crate::report::shown;
 use crate::study::calibrate::{
@@ -196,7 +196,7 @@ fn estimated(estimate: &Estimate, system: System) -> Vec<String> {
         None if *is_at_bound => (shown::NONE.into(), "on the bound of its range".into()),
         None => (
             shown::NONE.into(),
-            "not known: no degrees of freedom".into(),
+            "not known: no scale of the residuals".into(),
         ),
     };
     vec![parameter.name.into(), show(*value), error, interval]
@@ -211,7 +211,16 @@ fn chi_square(statistics: &FitStatistics, stated: SigmaOrigin) -> String {
             .to_owned(),
         _ => counted(dof as u64, "degree") + " of freedom",
     };
+    let is_robust = statistics.loss != Loss::Squares;
     let errors = match (statistics.scale, stated) {
+        (Some(scale), _) if statistics.is_scaled && is_robust => format!(
+            "Standard errors are scaled by √(Σψ²/{dof})/mean ψ′ = {}, where ψ is the derivative of \
+             Huber's loss",
+            significant(scale, 4)
+        ),
+        (None, _) if statistics.is_scaled => {
+            "Every residual exceeds the limit of Huber's loss: there are no standard errors".into()
+        }
         (Some(scale), _) if statistics.is_scaled => format!(
             "Standard errors are scaled by √(χ²/{dof}) = {}, since not every uncertainty is stated",
             significant(scale, 4)
@@ -236,12 +245,17 @@ fn chi_square(statistics: &FitStatistics, stated: SigmaOrigin) -> String {
     } else {
         ""
     };
-    let probability = statistics.probability.map_or(String::new(), |p| {
-        format!(
+    let probability = match statistics.probability {
+        Some(p) => format!(
             " The probability of a χ² at least this large is {}.",
             significant(p, 3)
-        )
-    });
+        ),
+        None if is_robust => {
+            " It has no probability, since Huber's loss gives large residuals a smaller weight."
+                .into()
+        }
+        None => String::new(),
+    };
     format!("χ² = {chi} with {freedom}{exact}.{probability} {errors}.")
 }
 

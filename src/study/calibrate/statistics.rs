@@ -48,19 +48,24 @@ pub struct FitStatistics {
     /// Number of residuals minus the rank of the free parameters' Jacobian.
     pub degrees_of_freedom: usize,
     /// Probability of a χ² at least this large if the standard uncertainties are right. `None` if
-    /// the table does not state all of them, or if there are no degrees of freedom.
+    /// the table does not state all of them, if there are no degrees of freedom, and with Huber's
+    /// loss: its weighted χ² does not have the χ² distribution.
     pub probability: Option<f64>,
     /// True if all residuals are rounding errors.
     pub is_exact: bool,
     /// Factor applied to standard errors. χ² has ν degrees of freedom.
     ///
-    /// - 1 if the table states every uncertainty;
-    /// - else √(χ²/ν) if ν > 0 and some residuals exceed rounding;
+    /// - 1 for squares if the table states every uncertainty;
+    /// - else, if ν > 0 and some residuals exceed rounding: √(χ²/ν) for squares, and
+    ///   √(Σ ψ²/ν)/mean ψ′ for Huber's loss ρ with ψ = ρ′ (Huber 1981, section 7.6). `None` if
+    ///   ψ′ = 0 for every residual;
     /// - else 1 if the uncertainties of all instruments are known, and `None` if one is unknown
     ///   ([`SigmaOrigin::Weights`]).
     pub scale: Option<f64>,
-    /// True if the scale is √(χ²/ν).
+    /// True if the scale is computed from the residuals.
     pub is_scaled: bool,
+    /// The loss of the fit.
+    pub loss: Loss,
     /// Half-width of a 95 % interval, in multiples of the standard error.
     pub coverage_factor: f64,
 }
@@ -205,7 +210,7 @@ impl FitStatistics {
         check(rows, fitted.len())?;
         let (m, n) = (rows.residuals.len(), fitted.len());
         let weights: Vec<f64> = rows.residuals.iter().map(|r| loss.weight(*r)).collect();
-        let jacobian = DMatrix::from_fn(m, n, |i, k| weights[i].sqrt() * rows.jacobian[i][k]);
+        let jacobian = DMatrix::from_fn(m, n, |i, k| rows.jacobian[i][k]);
         let chi_square: f64 = rows
             .residuals
             .iter()
@@ -217,9 +222,11 @@ impl FitStatistics {
         let free = ScaledColumns::new(&jacobian, (0..n).filter(|&i| fitted[i].is_free).collect())?;
         let rank = (0..free.at.len()).filter(|&k| !free.is_singular(k)).count();
         let degrees_of_freedom = m.saturating_sub(rank);
-        let is_scaled = origin != SigmaOrigin::Stated && degrees_of_freedom > 0 && !is_exact;
+        // stated uncertainties give the scale of squares only: outliers are larger than these
+        let is_known = origin == SigmaOrigin::Stated && loss == Loss::Squares;
+        let is_scaled = !is_known && degrees_of_freedom > 0 && !is_exact;
         let scale = match origin {
-            _ if is_scaled => Some((chi_square / degrees_of_freedom as f64).sqrt()),
+            _ if is_scaled => estimated_scale(&rows.residuals, loss, degrees_of_freedom),
             SigmaOrigin::Weights => None,
             _ => Some(1.0),
         };
@@ -229,21 +236,18 @@ impl FitStatistics {
             .filter_map(|k| loose.undetermined(k, scale, fitted))
             .collect();
         let covariance = covariance(&free, n, &undetermined, scale);
-        let is_stated = origin == SigmaOrigin::Stated;
+        let chi_squared = ChiSquared::new(degrees_of_freedom as f64).ok();
+        let chi_squared = chi_squared.filter(|_| is_known);
         Ok(Self {
             covariance,
             undetermined,
             chi_square,
             degrees_of_freedom,
-            probability: if is_stated {
-                let distribution = ChiSquared::new(degrees_of_freedom as f64).ok();
-                distribution.map(|distribution| distribution.sf(chi_square))
-            } else {
-                None
-            },
+            probability: chi_squared.map(|distribution| distribution.sf(chi_square)),
             is_exact,
             scale,
             is_scaled,
+            loss,
             coverage_factor: coverage_factor(degrees_of_freedom, is_scaled),
         })
     }
@@ -271,6 +275,19 @@ impl FitStatistics {
     pub fn correlation(&self, a: usize, b: usize) -> Option<f64> {
         Some(self.covariance[a][b]? / (self.standard_error(a)? * self.standard_error(b)?))
     }
+}
+
+/// The factor s of the covariance s² (JᵀJ)⁻¹: √(Σ ψ²/ν)/mean ψ′, where ψ is the derivative of the
+/// loss and ν is the number of degrees of freedom (Huber 1981, Robust Statistics, section 7.6). For
+/// squares it is √(χ²/ν). `None` if ψ′ = 0 for every residual.
+fn estimated_scale(residuals: &[f64], loss: Loss, degrees_of_freedom: usize) -> Option<f64> {
+    let squares: f64 = residuals
+        .iter()
+        .map(|r| (loss.weight(*r) * r).powi(2))
+        .sum();
+    let slopes: f64 = residuals.iter().map(|r| loss.second_derivative(*r)).sum();
+    let mean_slope = slopes / residuals.len() as f64;
+    (mean_slope > 0.0).then(|| (squares / degrees_of_freedom as f64).sqrt() / mean_slope)
 }
 
 /// True if the data push parameter `at` against its bound: |gradient of χ²/2| times the width of
