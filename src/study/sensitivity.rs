@@ -1,12 +1,12 @@
 use super::optimum::{Optimum, optimum};
 use super::search::Search;
-use super::sigma::amount_of;
+use super::sigma::{AmountKind, amount_of};
 use super::verdict::only_in;
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::{Event, first_event, response};
 use crate::optimize::{Observer, Status};
 use crate::parameters::{Parameter, Setup};
-use crate::units::{Message, Quantity};
+use crate::units::Message;
 use serde::Serialize;
 
 /// Sensitivity of an optimum to a parameter that the search does not vary.
@@ -83,16 +83,17 @@ pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
 pub struct Change {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// Amount, SI.
+    /// AmountKind, SI.
     pub delta: f64,
 }
 
 impl Change {
     /// Parses `NAME=+AMOUNT`, for example `swing.speed=+5mph`, or `air.density=-20%`. A percentage
-    /// is relative to the parameter's value. For a dimensionless parameter, 1 % is 0.01.
+    /// is relative to the parameter's value, also for a dimensionless parameter.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for a text that is not a change; the errors of [`Setup::variable`];
+    /// [`Error::Unreadable`] for a text that is not a change, and for a percentage of a value that is
+    /// 0, unset, or a temperature; the errors of [`Setup::variable`];
     /// [`Error::OutOfRange`] if the result is outside the parameter's range.
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source| Error::Unreadable {
@@ -107,21 +108,8 @@ impl Change {
         let parameter = setup.variable(name.trim())?;
         let amount = amount.trim();
         let amount = amount.strip_prefix('+').unwrap_or(amount);
-        let mut delta =
-            amount_of(setup, parameter, amount, Quantity::read_difference).map_err(unreadable)?;
+        let delta = amount_of(setup, parameter, amount, AmountKind::Change).map_err(unreadable)?;
         let own = setup.value(parameter).unwrap_or_default();
-        if amount.ends_with('%') && parameter.quantity != Quantity::NUMBER {
-            if own == 0.0 {
-                let (name, unit) = (parameter.name, parameter.unit);
-                let reason = format!(
-                    "{name} is 0, so a percentage of it is no change; write an amount, for example \
-                     {name}=+1{unit}"
-                );
-                return Err(unreadable(reason.into()));
-            }
-            // +10 % increases the magnitude, so it makes a negative value more negative
-            delta *= own.signum();
-        }
         if !delta.is_finite() {
             return Err(unreadable("the amount must be a finite number".into()));
         }

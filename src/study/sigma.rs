@@ -3,7 +3,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Wind};
 use crate::repeated::first_repeated;
-use crate::units::{Quantity, UnitError};
+use crate::units::{Quantity, typed};
 
 /// A standard uncertainty of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,7 +18,7 @@ pub struct Sigma {
 
 impl Sigma {
     /// Parses `NAME=AMOUNT`, for example `swing.speed=1mph`, or `air.density=0.5%`. A percentage is
-    /// relative to the parameter's value. For a dimensionless parameter, 1 % is 0.01.
+    /// relative to the parameter's value, also for a dimensionless parameter.
     ///
     /// ```
     /// use longdrive::{Setup, study::Sigma};
@@ -26,13 +26,16 @@ impl Sigma {
     /// assert_eq!(Sigma::read(&setup, "swing.speed=1 m/s").unwrap().value, 1.0);
     /// assert_eq!(Sigma::read(&setup, "swing.speed=10%").unwrap().value, 0.1 * setup.swing.speed);
     /// assert!(Sigma::read(&setup, "swing.speed=-1 m/s").is_err());
+    /// let cl_max = Sigma::read(&setup, "aero.cl_max=10%").unwrap().value;
+    /// assert_eq!(cl_max, 0.1 * setup.value(setup.parameter("aero.cl_max").unwrap()).unwrap());
     /// // a percentage of 0 is refused
     /// let error = Sigma::read(&setup, "swing.path=1%").unwrap_err();
-    /// assert!(error.to_string().contains("for example swing.path=1 deg"));
+    /// assert!(error.to_string().contains("swing.path is 0; write an amount, for example 1 deg"));
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for an amount that is not positive; the errors of [`Setup::variable`].
+    /// [`Error::Unreadable`] for an amount that is not positive, and for a percentage of a value that
+    /// is 0, unset, or a temperature; the errors of [`Setup::variable`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let unreadable = |source| Error::Unreadable {
             name: format!("the standard uncertainty {}", text.trim()),
@@ -43,7 +46,7 @@ impl Sigma {
         })?;
         let parameter = setup.variable(name.trim())?;
         let value =
-            amount_of(setup, parameter, amount, Quantity::read_difference).map_err(unreadable)?;
+            amount_of(setup, parameter, amount, AmountKind::Deviation).map_err(unreadable)?;
         if value > 0.0 && value.is_finite() {
             return Ok(Self {
                 parameter,
@@ -52,16 +55,10 @@ impl Sigma {
             });
         }
         let (name, unit) = (parameter.name, parameter.unit);
-        let is_part = amount.trim().ends_with('%') && setup.value(parameter) == Some(0.0);
-        let why = if is_part {
-            format!(", since {name} is 0")
-        } else {
-            String::new()
-        };
         let given = parameter.show(Some(value));
         let example = format!("{name}=1 {unit}");
         let reason = format!(
-            "the standard uncertainty of {name} would be {given}{why}, but it must be above 0 and \
+            "the standard uncertainty of {name} would be {given}, but it must be above 0 and \
              finite; write for example {}",
             example.trim_end()
         );
@@ -104,28 +101,62 @@ pub fn refuse_given_twice(parameters: impl IntoIterator<Item = &'static Paramete
     Err(Error::unreadable(name, "it is given twice; keep one"))
 }
 
-/// Parses an amount of a parameter, in SI. `read` parses an amount with a unit, as a value or as a
-/// difference. If `read` refuses a percentage, it is taken relative to the magnitude of the
-/// parameter's value.
+/// Purpose of an amount of a parameter.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum AmountKind {
+    /// A value, with the zero of its unit.
+    Value,
+    /// A change of the value.
+    Change,
+    /// A standard deviation. A percentage is relative to the magnitude of the value.
+    Deviation,
+}
+
+/// Parses an amount of a parameter, in SI. A percentage is relative to the parameter's value, also
+/// for a dimensionless parameter.
+///
+/// # Errors
+/// For a number or unit that cannot be read, and for a percentage of a value that is 0 or unset, or
+/// whose unit has an offset (°C): 5 % of 10 °C could mean 0.5 °C or 14 K. For a percentage as the
+/// value of a dimensionless parameter: elsewhere, a humidity of 40 % is 0.4.
 pub(super) fn amount_of(
     setup: &Setup<f64>,
     parameter: &Parameter,
     text: &str,
-    read: impl Fn(Quantity, &str) -> std::result::Result<f64, UnitError>,
+    amount: AmountKind,
 ) -> std::result::Result<f64, Box<dyn std::error::Error + Send + Sync>> {
-    match read(parameter.quantity, text.trim()) {
-        Ok(value) => Ok(value),
-        Err(error) => {
-            let part = text
-                .trim()
-                .strip_suffix('%')
-                .and_then(|part| part.trim().parse::<f64>().ok());
-            let part = part.filter(|part| !part.is_nan());
-            let own = setup.value(parameter).unwrap_or_default().abs();
-            part.map(|percent| percent / 100.0 * own)
-                .ok_or_else(|| error.into())
+    let text = text.trim();
+    let percent = text.strip_suffix('%');
+    let percent = percent.and_then(|number| number.trim().parse::<f64>().ok());
+    let Some(percent) = percent.filter(|percent| !percent.is_nan()) else {
+        let read = match amount {
+            AmountKind::Value => Quantity::read,
+            AmountKind::Change | AmountKind::Deviation => Quantity::read_difference,
+        };
+        return read(parameter.quantity, text).map_err(Into::into);
+    };
+    let name = parameter.name;
+    let has_offset = parameter.quantity.number_in(0.0, parameter.unit) != 0.0;
+    let why = match setup.value(parameter) {
+        _ if has_offset => format!("the zero of {} is arbitrary", parameter.unit),
+        _ if amount == AmountKind::Value && parameter.quantity == Quantity::NUMBER => {
+            format!("here {text} could also mean the number {}", percent / 100.0)
         }
-    }
+        None => format!("{name} is unset"),
+        Some(0.0) => format!("{name} is 0"),
+        Some(own) => {
+            let own = match amount {
+                AmountKind::Deviation => own.abs(),
+                AmountKind::Value | AmountKind::Change => own,
+            };
+            return Ok(percent / 100.0 * own);
+        }
+    };
+    let example = typed("1", parameter.unit);
+    Err(format!(
+        "a percentage is relative to the value, and {why}; write an amount, for example {example}"
+    )
+    .into())
 }
 
 /// A default standard uncertainty.

@@ -603,7 +603,7 @@ fn bad_input_to_a_search_is_status_2_with_advice() {
         ),
         (
             vec!["optimum-sensitivity", "--change", "swing.path=+20%"],
-            "swing.path is 0, so a percentage of it is no change",
+            "a percentage is relative to the value, and swing.path is 0",
         ),
         (vec!["optimum-sensitivity", "--loss", "0 yd"], "above 0"),
         (

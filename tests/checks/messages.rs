@@ -161,7 +161,8 @@ fn a_standard_uncertainty_must_be_above_zero() {
         ),
         (
             "swing.path=1%",
-            "would be 0 deg, since swing.path is 0, but it must be above 0",
+            "a percentage is relative to the value, and swing.path is 0; write an amount, for \
+             example 1 deg",
         ),
         (
             "swing.speed=-1mph",

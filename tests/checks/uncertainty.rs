@@ -1295,3 +1295,57 @@ fn exact_points_in_a_flat_ellipse_and_in_a_point() {
             && !point.contains([2.0, 200.0])
     );
 }
+
+/// A percentage is relative to the parameter's value: with its sign for means, ends and changes, and
+/// its magnitude for standard deviations; also for a dimensionless parameter.
+#[test]
+fn exact_percentages_are_relative_to_the_value() {
+    use longdrive::study::{Change, Sigma};
+    let mut setup = Setup::default();
+    setup.set("swing.attack_angle", "-2 deg").unwrap();
+    setup.set("air.temperature", "10 degC").unwrap();
+    setup.set("air.humidity", "50%").unwrap();
+    let value = |name: &str| setup.value(setup.parameter(name).unwrap()).unwrap();
+    let (angle, lift) = (value("swing.attack_angle"), value("aero.cl_max"));
+    let sigma = |text: &str| Sigma::read(&setup, text).unwrap().value;
+    assert_eq!(sigma("swing.attack_angle=10%"), 0.1 * -angle);
+    assert_eq!(sigma("aero.cl_max=10%"), 0.1 * lift);
+    let change = |text: &str| Change::read(&setup, text).unwrap().delta;
+    assert_eq!(change("swing.attack_angle=+10%"), 0.1 * angle);
+    assert_eq!(change("aero.cl_max=-20%"), -0.2 * lift);
+    let read = |text: &str| Uncertain::read(&setup, text).unwrap().distribution;
+    assert_eq!(
+        read("swing.attack_angle=normal(100%,10%)"),
+        Distribution::Normal {
+            mean: angle,
+            deviation: 0.1 * -angle
+        }
+    );
+    assert_eq!(
+        read("swing.attack_angle=uniform(110%,90%)"),
+        Distribution::Uniform {
+            low: 1.1 * angle,
+            high: 0.9 * angle
+        }
+    );
+    let refusals = [
+        Sigma::read(&setup, "air.temperature=5%").unwrap_err(),
+        Change::read(&setup, "air.temperature=5%").unwrap_err(),
+        Uncertain::read(&setup, "air.temperature=normal(10 degC,5%)").unwrap_err(),
+        Uncertain::read(&setup, "launch.spin=normal(100%,5%)").unwrap_err(),
+        Sigma::read(&setup, "swing.path=5%").unwrap_err(),
+        Uncertain::read(&setup, "air.humidity=uniform(40%,60%)").unwrap_err(),
+    ];
+    let reasons = [
+        "the zero of degC is arbitrary; write an amount, for example 1 degC",
+        "the zero of degC is arbitrary; write an amount, for example 1 degC",
+        "the zero of degC is arbitrary; write an amount, for example 1 degC",
+        "launch.spin is unset; write an amount, for example 1 rpm",
+        "swing.path is 0; write an amount, for example 1 deg",
+        "here 40% could also mean the number 0.4; write an amount, for example 1",
+    ];
+    for (refusal, reason) in refusals.iter().zip(reasons) {
+        let text = refusal.to_string();
+        assert!(text.contains(reason), "{text}");
+    }
+}

@@ -1,8 +1,7 @@
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::Sigma;
-use crate::study::sigma::amount_of;
-use crate::units::Quantity;
+use crate::study::sigma::{AmountKind, amount_of};
 use statrs::distribution::{Continuous, ContinuousCDF, Normal, Triangular, Uniform};
 
 /// Distribution of an uncertain number.
@@ -123,7 +122,10 @@ impl Distribution {
             return Some("its numbers must be finite");
         }
         if !rises {
-            return Some("its values must rise from the lower end to the upper");
+            return Some(
+                "its values must rise from the lower end to the upper (110% of a negative value is \
+                 below 90%)",
+            );
         }
         let is_left = self.deviation() > 0.0
             && self.deviation().is_finite()
@@ -332,7 +334,8 @@ impl Uncertain {
 
     /// Parses `NAME=normal(MEAN,DEVIATION)`, `NAME=uniform(LOW,HIGH)`,
     /// `NAME=triangular(LOW,MODE,HIGH)` or `NAME=truncated(MEAN,DEVIATION,LOW,HIGH)`, a truncated
-    /// normal distribution.
+    /// normal distribution. A percentage is relative to the parameter's value; a mean or an end of a
+    /// dimensionless parameter is a number, not a percentage.
     ///
     /// ```
     /// use longdrive::{Setup, study::uncertainty::{Distribution, Uncertain}};
@@ -376,12 +379,12 @@ impl Uncertain {
         // a standard deviation is a difference: convert it without the offset of its unit (°C)
         let is_difference = |at: usize| matches!(kind.trim(), "normal" | "truncated") && at == 1;
         let amounts = inside.split(',').enumerate().map(|(at, part)| {
-            let read = if is_difference(at) {
-                Quantity::read_difference
+            let amount = if is_difference(at) {
+                AmountKind::Deviation
             } else {
-                Quantity::read
+                AmountKind::Value
             };
-            amount_of(setup, parameter, part, read)
+            amount_of(setup, parameter, part, amount)
         });
         let amounts = amounts
             .collect::<std::result::Result<Vec<_>, _>>()
