@@ -157,8 +157,9 @@ impl ReportRequest {
         let varied = search.iter().flat_map(|search| &search.vary);
         let ranges: Vec<_> = varied.chain(&along).copied().collect();
         let setup = request.for_many(stated, &ranges)?;
-        let given = sigmas(&setup, &args.sigma)?;
-        let sigmas = with_defaults(&setup, &given, &[of])?;
+        let uncertain = request.with_assumed_launch(setup)?;
+        let given = sigmas(&uncertain, &args.sigma)?;
+        let sigmas = with_defaults(&uncertain, &given, &[of])?;
         Ok(Self {
             stated,
             setup,
@@ -344,7 +345,9 @@ fn add_derivatives(
     } else {
         Outcome::Lateral
     };
-    let moved = |setup: &Setup<f64>, of: &[Outcome]| effects(setup, of, sigmas, &mut |_, _| ());
+    let moved = |setup: &Setup<f64>, of: &[Outcome]| {
+        effects(&setup.with_assumed_launch()?, of, sigmas, &mut |_, _| ())
+    };
     let effects = or_remark(moved(setup, &[of, other]), remarks)?.unwrap_or_default();
     bar.inc(1);
     let at_best = findings
@@ -431,11 +434,9 @@ fn add_pictures(
         .map(|(flown, setup)| (flown.name.as_str(), setup))
         .collect();
     let landing = |(name, setup): &(&str, &Setup<f64>)| {
-        Landing::of(
-            *name,
-            setup,
-            &with_defaults(setup, given, &[Outcome::Carry, Outcome::Lateral])?,
-        )
+        let setup = setup.with_assumed_launch()?;
+        let sigmas = with_defaults(&setup, given, &[Outcome::Carry, Outcome::Lateral])?;
+        Landing::of(*name, &setup, &sigmas)
     };
     let is_struck =
         !setup.launch.is_given() && flown.first().is_some_and(|own| own.drive.landed().is_ok());

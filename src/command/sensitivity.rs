@@ -48,6 +48,9 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let mut setup = request.within_tolerance(request.setup()?)?;
+    if !args.no_defaults {
+        setup = request.with_assumed_launch(setup)?;
+    }
     let of = outcomes(&args.of)?;
     let given = sigmas(&setup, &args.sigma)?;
     let best = find_optimum(args, &request, &setup)?;

@@ -57,7 +57,10 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let setup = request.partial_setup;
+    let mut setup = request.partial_setup;
+    if args.sigma.is_empty() && args.distribution.is_empty() {
+        setup = request.with_assumed_launch(setup)?;
+    }
     let of = outcomes(&args.of)?;
     let inputs = inputs(&request, &setup, args, &of)?;
     let means = inputs

@@ -94,6 +94,35 @@ impl Setup<f64> {
         }
     }
 
+    /// The conditions of a given launch that count as 0 because they are unset: the launch
+    /// direction, and the spin axis or the sidespin. Empty if no launch is given.
+    pub fn conditions_assumed_zero(&self) -> Vec<&'static super::Parameter> {
+        let launch = &self.launch;
+        let axis = match (launch.spin, launch.backspin) {
+            (Some(_), _) => Some("spin_axis"),
+            (None, Some(_)) => Some("sidespin"),
+            (None, None) => None,
+        };
+        let names = std::iter::once("launch_direction").chain(axis);
+        let mut assumed: Vec<_> = names
+            .filter_map(|name| self.launch_condition(name))
+            .collect();
+        assumed.retain(|condition| launch.is_given() && self.value(condition).is_none());
+        assumed
+    }
+
+    /// The setup with the value 0 for each condition of a given launch that counts as 0. Default
+    /// uncertainties then apply to these conditions.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::set_value`].
+    pub fn with_assumed_launch(mut self) -> Result<Self> {
+        for condition in self.conditions_assumed_zero() {
+            self.set_value(condition, Some(0.0))?;
+        }
+        Ok(self)
+    }
+
     /// Launch conditions with a value.
     pub fn given_launch_conditions(&self) -> Vec<&'static super::Parameter> {
         let mut given = self.parameters();

@@ -645,3 +645,31 @@ fn same_drives_of_a_swept_launch_condition_and_alone() {
         );
     }
 }
+
+/// A launch direction or spin axis that the launch does not give counts as 0, with the uncertainty
+/// of a measured one: who measures less is not less uncertain.
+#[test]
+fn same_uncertainty_of_an_unset_direction_and_of_a_direction_of_zero() {
+    let spins = [("backspin", "sidespin=0rpm"), ("spin", "spin_axis=0deg")];
+    for (spin, axis) in spins {
+        let given = format!("ball_speed=167mph,launch_angle=10.9deg,{spin}=2686rpm");
+        let whole = format!("{given},launch_direction=0deg,{axis}");
+        let name = axis.split('=').next().unwrap();
+        let commands: [&[&str]; 2] = [
+            &["uncertainty", "--samples", "64"],
+            &["sensitivity", "--of", "lateral"],
+        ];
+        for command in commands {
+            let of = |launch: &str| json(&[command, &["--launch", launch]].concat()).1;
+            let (assumed, stated) = (of(&given), of(&whole));
+            assert_eq!(assumed["outcomes"], stated["outcomes"], "{command:?}");
+            let err = longdrive(&[command, &["--launch", &given]].concat()).err;
+            let note = on_one_line(&err);
+            assert!(
+                note.contains("launch.launch_direction is missing: 0° is assumed")
+                    && note.contains(&format!("launch.{name} is missing: 0")),
+                "{note}"
+            );
+        }
+    }
+}

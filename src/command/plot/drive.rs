@@ -20,6 +20,7 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(request.inputs(), &args.drawing)?;
     let (setup, best) = setup_and_optimum(&request, &args.search)?;
+    let setup = request.with_assumed_launch(setup)?;
     let given = sigmas(&setup, &args.sigma)?;
     let of = [Outcome::Carry, Outcome::Lateral];
     let mut landings = vec![Landing::of(
@@ -28,11 +29,9 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
         &with_defaults(&setup, &given, &of)?,
     )?];
     if let Some(best) = &best {
-        landings.push(Landing::of(
-            NamedDrive::OPTIMUM,
-            &best.setup,
-            &with_defaults(&best.setup, &given, &of)?,
-        )?);
+        let setup = best.setup.with_assumed_launch()?;
+        let sigmas = with_defaults(&setup, &given, &of)?;
+        landings.push(Landing::of(NamedDrive::OPTIMUM, &setup, &sigmas)?);
     }
     let figure = with_optimum(fairway_figure(&landings, system()), best.as_ref());
     target.write_with_setup(&request, &setup, &figure, at_optimum(best.as_ref()))

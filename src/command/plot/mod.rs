@@ -237,6 +237,7 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(request.inputs(), &args.drawing)?;
     let setup = request.within_tolerance(request.setup()?)?;
+    let setup = request.with_assumed_launch(setup)?;
     let of = Outcome::named(&args.of)?;
     let given = sigmas(&setup, &args.sigma)?;
     let sigmas = with_defaults(&setup, &given, &[of])?;

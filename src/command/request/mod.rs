@@ -234,6 +234,23 @@ impl Request {
         Ok(setup)
     }
 
+    /// The setup with the value 0 for each condition of a given launch that counts as 0
+    /// ([`Setup::with_assumed_launch`]): an unmeasured condition has an uncertainty too. A note
+    /// reports each added value.
+    ///
+    /// # Errors
+    /// The errors of [`Setup::set_value`].
+    pub fn with_assumed_launch(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
+        for condition in setup.conditions_assumed_zero() {
+            note(&format!(
+                "note: {} is missing: {} is assumed",
+                condition.name,
+                parameter_text(condition, 0.0, system())
+            ));
+        }
+        setup.with_assumed_launch()
+    }
+
     /// The names of the parameters that the host states, then of those that the command line
     /// states.
     pub fn stated(&self) -> impl Iterator<Item = &str> {
