@@ -548,3 +548,29 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
         alone.err
     );
 }
+
+/// The square root of the covariance is unique, so the iterations converge although the shots leave
+/// two of the seven parameters unidentified.
+#[test]
+fn the_distribution_of_swings_with_unidentified_directions_converges() {
+    let truth = [
+        ("swing.speed", 112.0 * MPH, 1.5 * MPH),
+        ("swing.attack_angle", -1.5 * DEGREE, 1.2 * DEGREE),
+        ("swing.shaft_lean", 0.5 * DEGREE, 0.8 * DEGREE),
+        ("swing.path", 1.0 * DEGREE, 1.5 * DEGREE),
+        ("swing.face_angle", 0.5 * DEGREE, 1.8 * DEGREE),
+        ("strike.toe", 2e-3, 7e-3),
+        ("strike.high", 5e-3, 5e-3),
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    for seed in 1..=3 {
+        let file = folder.path().join(format!("{seed}.csv"));
+        let scores = |random: &mut Random| (0..7).map(|_| random.normal()).collect();
+        let text = shots_of(&truth, 60, &mut Random::seeded(seed), scores);
+        std::fs::write(&file, &text).unwrap();
+        let (_, answer) = json(&["delivery", "--shots", file.to_str().unwrap()]);
+        assert!(!answer["population"].is_null(), "{answer}");
+        let warnings = answer["warnings"].to_string();
+        assert!(!warnings.contains("still changed"), "{seed}: {warnings}");
+    }
+}

@@ -96,7 +96,7 @@ pub fn population_warnings(population: &Population, system: System) -> Vec<Messa
     let mut all = vec![];
     if !population.is_converged {
         let not_converged = "mean and deviation of the swings still changed when the iterations \
-                             ended; give more shots, or fewer parameters (`vary`)";
+                             ended; give fewer parameters (`vary`)";
         all.push(not_converged.into());
     }
     if population.prior_factor < 1.0 {

@@ -65,7 +65,10 @@ impl LinearizedLaunches {
             n,
             eigen.eigenvalues.iter().map(|value| value.max(0.0).sqrt()),
         );
-        let root = &eigen.eigenvectors * DMatrix::from_diagonal(&roots);
+        // The symmetric square root is unique. Eigenvectors of equal eigenvalues are arbitrary: with
+        // the root V √Λ, the sampled swings would jump between iterations.
+        let root =
+            &eigen.eigenvectors * DMatrix::from_diagonal(&roots) * eigen.eigenvectors.transpose();
         let normal = Normal::standard();
         let samples: Vec<[DVector<f64>; 2]> = (0..2 * PAIRS)
             .filter_map(|k| {
