@@ -7,12 +7,13 @@ use crate::command::ranges::varied;
 use crate::command::request::{CommandSetting, Request, Source};
 use crate::parameters::is_of_strike;
 use crate::report::{
-    DeliveryReport, SetupOrigin, bound_warnings, delivery_toml, parameter_difference_text,
-    parameter_text, population_warnings, recovered_csv, recovered_toml, unusual_warnings,
+    DeliveryReport, SetupOrigin, bound_warnings, delivery_toml, difference_warnings,
+    parameter_difference_text, parameter_text, population_warnings, recovered_csv, recovered_toml,
+    setting_text, unusual_warnings,
 };
 use crate::study::calibrate::ShotTable;
 use crate::study::delivery::{
-    Population, ShotDelivery, Unknown, deliveries, delivery, launches, unknowns,
+    Population, ShotDelivery, Spread, Unknown, deliveries, delivery, launches, unknowns,
 };
 use crate::table::RowFilter;
 use crate::units::{Message, counted};
@@ -130,8 +131,14 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     // the printed command needs no settings of the unknowns: the file of swings has their values
     let unknown: Vec<_> = unknowns.iter().map(|unknown| unknown.parameter).collect();
-    let setup_words =
-        written.map_or_else(|| requests.club.as_arguments(&unknown), |file| vec![file]);
+    let setup_words = match written {
+        Some(file) => vec![file],
+        None => [
+            requests.club.as_arguments(&unknown),
+            found.given_arguments(),
+        ]
+        .concat(),
+    };
     let is_whole = match &swings_output {
         Some(output) => write_swings(output, &found, setup_words)?,
         None => true,
@@ -163,6 +170,14 @@ impl Deliveries {
         self.all.iter().filter_map(ShotDelivery::explained).count()
     }
 
+    /// The arguments that give the values in the rows of the table, except launch and unknowns, to
+    /// another command.
+    fn given_arguments(&self) -> Vec<String> {
+        let given = Spread::of_given(&self.all).into_iter();
+        let setting = |given: Spread| ["--set".into(), setting_text(given.parameter, given.mean)];
+        given.flat_map(setting).collect()
+    }
+
     /// The warnings about the deliveries.
     fn warnings(&self) -> Vec<Message> {
         let mut warnings = vec![];
@@ -171,6 +186,7 @@ impl Deliveries {
             warnings.push(format!("interrupted: {rows} were not computed").into());
         }
         warnings.extend(bound_warnings(&self.all, system()));
+        warnings.extend(difference_warnings(&self.all, system()));
         warnings.extend(unusual_warnings(&self.all, system()));
         let population = self.population.iter().flatten();
         warnings.extend(population.flat_map(|found| population_warnings(found, system())));

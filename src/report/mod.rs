@@ -50,8 +50,8 @@ pub use certificate::{CertificateReport, CertificateRow, NegativeControl};
 pub use chart::{ChartPointReport, ChartReport};
 pub use compare::{ComparedDrive, ComparisonReport, DifferenceReport};
 pub use delivery::{
-    DeliveryReport, DeliveryRow, bound_warnings, delivery_toml, population_warnings, recovered_csv,
-    recovered_toml, unusual_warnings,
+    DeliveryReport, DeliveryRow, bound_warnings, delivery_toml, difference_warnings,
+    population_warnings, recovered_csv, recovered_toml, unusual_warnings,
 };
 pub use design::Designed;
 pub use document::{Document, Line, TextOptions, document_files};
@@ -83,9 +83,9 @@ pub use sensitivity::{
     Analysis, PredictedOptimum, ResolvedOptimum, SensitivityOf, SensitivityReport,
     StatedChangeReport,
 };
-#[cfg(feature = "commands")]
-pub(crate) use setup_file::with_step_of;
 pub use setup_file::{preset_toml, setup_toml};
+#[cfg(feature = "commands")]
+pub(crate) use setup_file::{setting_text, with_step_of};
 #[cfg(test)]
 pub(crate) use shots::FlyRow;
 #[cfg(feature = "parquet")]

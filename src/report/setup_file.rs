@@ -132,6 +132,13 @@ pub fn preset_toml(name: &str) -> Result<String> {
     Ok(toml(&setup, preset, &about, &rows, |_| false))
 }
 
+/// The setting `NAME=VALUE` of `--set` that gives exactly this value.
+#[cfg(feature = "commands")]
+pub(crate) fn setting_text(parameter: &Parameter, value: f64) -> String {
+    let value = exact(parameter, Some(value), parameter.unit);
+    format!("{}={value}", parameter.name)
+}
+
 /// The shortest text in `unit` that parses to exactly this value. If rounding makes this impossible
 /// in `unit`, the text is in SI.
 pub(super) fn exact(parameter: &Parameter, value: Option<f64>, unit: &str) -> String {

@@ -549,6 +549,66 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
     );
 }
 
+/// A loft in each row of the table has the effect of a stated loft: in the written setup, in the
+/// distribution of the swings, and in the printed command.
+#[test]
+fn same_answers_for_a_loft_in_a_column_and_in_a_setting() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let plain = "ball_speed [mph],launch_angle [deg],spin [rpm]\n";
+    let rows: Vec<String> = (0..12)
+        .map(|k| {
+            let (speed, angle) = (150.0 + f64::from(k % 5), 12.0 + 0.2 * f64::from(k % 4));
+            format!("{speed},{angle},{}", 2600 + 40 * (k % 3))
+        })
+        .collect();
+    let column = |lofts: [u32; 2]| {
+        let with_loft = rows.iter().enumerate();
+        let rows: String = with_loft
+            .map(|(k, row)| format!("{row},{}\n", lofts[k % 2]))
+            .collect();
+        plain.replace('\n', ",club.loft [deg]\n") + &rows
+    };
+    std::fs::write(at("setting.csv"), plain.to_owned() + &rows.join("\n")).unwrap();
+    std::fs::write(at("column.csv"), column([12, 12])).unwrap();
+    std::fs::write(at("differs.csv"), column([11, 13])).unwrap();
+    let run = |name: &str, more: &[&str]| {
+        let (shots, golfer) = (at(&format!("{name}.csv")), at(&format!("{name}.toml")));
+        let own = ["delivery", "--shots", &shots, "-o", &golfer];
+        let (_, answer) = json(&[&own[..], more].concat());
+        let text = std::fs::read_to_string(&golfer).unwrap();
+        let swings = at(&format!("{name}_swings.toml"));
+        let own = ["delivery", "--shots", &shots, "--swings", &swings];
+        let printed = on_one_line(&longdrive(&[&own[..], more].concat()).err);
+        (answer, text, printed)
+    };
+    let (stated, stated_text, _) = run("setting", &["--set", "club.loft=12deg"]);
+    let (found, text, printed) = run("column", &[]);
+    let setup = |text: &str| SetupFile::read(text, "golfer.toml").unwrap().setup;
+    assert_eq!(setup(&text), setup(&stated_text));
+    assert!(
+        text.contains("loft = \"12 deg\" # as in each row of"),
+        "{text}"
+    );
+    assert!(!found["population"].is_null(), "{found}");
+    assert_eq!(found["population"], stated["population"]);
+    assert!(
+        printed.contains("optimize tour-average --set 'club.loft=12 deg' --swings"),
+        "{printed}"
+    );
+    // rows that differ: the mean, with a warning
+    let (found, text, _) = run("differs", &[]);
+    assert!(
+        text.contains("loft = \"12 deg\" # mean of 12 shots"),
+        "{text}"
+    );
+    let warnings = found["warnings"].to_string();
+    assert!(
+        warnings.contains("club.loft differs between the rows"),
+        "{warnings}"
+    );
+}
+
 /// The square root of the covariance is unique, so the iterations converge although the shots leave
 /// two of the seven parameters unidentified.
 #[test]

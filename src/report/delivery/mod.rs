@@ -12,7 +12,7 @@ use super::shown;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup, SetupFile};
 use crate::study::delivery::{
-    Explained, Population, Posterior, ShotDelivery, Spread, Unidentified,
+    Explained, Population, Posterior, ShotDelivery, Spread, Unidentified, setup_of_shots,
 };
 use crate::units::{Message, System, counted, counted_of};
 use serde::Serialize;
@@ -192,6 +192,23 @@ pub fn bound_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
     .collect()
 }
 
+/// A warning for each parameter whose values differ between the rows of the table and that is not
+/// an unknown. Written setups and distributions of swings have its mean.
+pub fn difference_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
+    let given = Spread::of_given(all).into_iter().filter(Spread::differs);
+    given
+        .map(|given| {
+            let parameter = given.parameter;
+            Message::from(format!(
+                "{} differs between the rows: the setup and the distribution of the swings have \
+                 its mean, {}; `only COLUMN=VALUE` selects rows",
+                parameter.name,
+                shown::parameter(parameter, given.mean, system)
+            ))
+        })
+        .collect()
+}
+
 /// Warnings about unstated parameters that lie far from their prior: few golfers have such values,
 /// so the launch or its units may be wrong. Parameters at a bound have a warning of their own
 /// ([`bound_warnings`]).
@@ -233,7 +250,8 @@ pub fn unusual_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
 /// determines the value. Texts show such a fraction as 0 %.
 const UNIDENTIFIED: f64 = 0.005;
 
-/// A setup file with the most probable delivery of a shot, or with the mean of several deliveries.
+/// A setup file with the most probable delivery of a shot, or with the mean of several deliveries
+/// and of the other values that the table gives.
 /// `file` is the setup file or preset that the request names. Comments are in the units of
 /// `system`.
 ///
@@ -247,12 +265,22 @@ pub fn delivery_toml(
     system: System,
 ) -> Result<String> {
     let spread = Spread::of(all);
-    let mut golfer = *setup;
-    let mut remarks = vec![];
+    let mut golfer = setup_of_shots(setup, all)?;
     let shots = counted(
         all.iter().filter_map(ShotDelivery::explained).count() as u64,
         "shot",
     );
+    let given = Spread::of_given(all).into_iter().map(|given| {
+        let remark = match given.deviation.filter(|_| given.differs()) {
+            Some(deviation) => format!(
+                "mean of {shots} of {from}, whose rows differ by a standard deviation of {}",
+                shown::difference(given.parameter, deviation, system)
+            ),
+            None => format!("as in each row of {from}"),
+        };
+        (given.parameter, remark)
+    });
+    let mut remarks: Vec<_> = given.collect();
     for Spread {
         parameter,
         mean,

@@ -15,6 +15,6 @@ mod unknown;
 
 pub use population::{LEAST_SHOTS, MeanAndDeviation, Population, PredictedOutcome, Recovered};
 pub use result::{Delivered, Explained, Posterior, Unidentified};
-pub use shots::{ShotDelivery, Spread, deliveries, launches};
+pub use shots::{ShotDelivery, Spread, deliveries, launches, setup_of_shots};
 pub use solve::delivery;
 pub use unknown::{Unknown, unknowns};

@@ -1,7 +1,7 @@
 use super::expectation_maximization::{SwingInformation, positive_definite};
 use super::linearized::{LinearizedLaunches, moments};
 use super::result::Delivered;
-use super::shots::ShotDelivery;
+use super::shots::{ShotDelivery, setup_of_shots};
 use super::unknown::Unknown;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -116,7 +116,8 @@ impl Population {
     /// reduced.
     ///
     /// A club value that was measured with a shot counts as a measurement of its swing. A prior
-    /// that holds for all shots does not count as a measurement.
+    /// that holds for all shots does not count as a measurement. The swings are those with the
+    /// [setup of the shots](setup_of_shots).
     ///
     /// # Errors
     /// [`Error::Delivery`] for fewer than [`LEAST_SHOTS`] shots, and if most swings of the
@@ -132,9 +133,10 @@ impl Population {
             );
             return Err(Error::Delivery { reason });
         }
+        let setup = setup_of_shots(setup, all)?;
         let mut best: Option<(f64, Self)> = None;
         for prior_factor in PRIOR_FACTORS {
-            let found = iterate(setup, &shots, unknowns, prior_factor);
+            let found = iterate(&setup, &shots, unknowns, prior_factor);
             let found = match (found, &best) {
                 (Ok(found), _) => found,
                 (Err(error), None) if prior_factor == PRIOR_FACTORS[PRIOR_FACTORS.len() - 1] => {

@@ -86,6 +86,8 @@ pub struct Delivered {
     pub posteriors: Vec<Posterior>,
     /// Unknowns whose prior is a club value that was measured with this launch.
     pub measured: Vec<&'static Parameter>,
+    /// Parameters with a value in the row of this shot that are not unknowns, such as the loft.
+    pub given: Vec<&'static Parameter>,
     /// The measured outcomes with their computed values.
     pub explained: Vec<Explained>,
     /// Directions that the launch does not identify, the least identified first.

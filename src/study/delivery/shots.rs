@@ -88,7 +88,7 @@ fn shot_delivery(
     unknowns: &[Unknown],
 ) -> Result<Delivered> {
     let (mut own, mut unknowns) = (*setup, unknowns.to_vec());
-    let mut measured_unknowns = vec![];
+    let (mut measured_unknowns, mut given) = (vec![], vec![]);
     let mut launch: Vec<Measurement> = shot
         .measured
         .iter()
@@ -109,7 +109,10 @@ fn shot_delivery(
                 *unknown = unknown.with_measured_prior(value);
                 measured_unknowns.push(parameter);
             }
-            None => own.set_value(parameter, Some(value))?,
+            None => {
+                own.set_value(parameter, Some(value))?;
+                given.push(parameter);
+            }
         }
     }
     if launch.is_empty() {
@@ -120,6 +123,7 @@ fn shot_delivery(
     }
     Ok(Delivered {
         measured: measured_unknowns,
+        given,
         ..delivery(&own, &launch, &unknowns)?
     })
 }
@@ -143,4 +147,45 @@ impl Spread {
         };
         (0..first.posteriors.len()).map(one).collect()
     }
+
+    /// The distribution, over the shots whose launch is explained, of each parameter that a row of
+    /// the table gives and that is not an unknown.
+    pub fn of_given(all: &[ShotDelivery]) -> Vec<Self> {
+        let found: Vec<&Delivered> = all.iter().filter_map(ShotDelivery::explained).collect();
+        let mut given: Vec<&'static Parameter> = vec![];
+        for parameter in found.iter().flat_map(|delivered| &delivered.given) {
+            if !given.contains(parameter) {
+                given.push(parameter);
+            }
+        }
+        let one = |parameter: &'static Parameter| {
+            let value = |delivered: &&Delivered| delivered.setup.value(parameter);
+            let values: Vec<f64> = found.iter().filter_map(value).collect();
+            let moments = Moments::of(values);
+            Self {
+                parameter,
+                mean: moments.mean.unwrap_or(f64::NAN),
+                deviation: moments.deviation(),
+            }
+        };
+        given.into_iter().map(one).collect()
+    }
+
+    /// True if the shots have different values.
+    pub fn differs(&self) -> bool {
+        self.deviation.is_some_and(|deviation| deviation > 0.0)
+    }
+}
+
+/// The setup of the shots in a table: each parameter that a row gives and that is not an unknown
+/// has its mean over the shots whose launch is explained.
+///
+/// # Errors
+/// The errors of [`Setup::set_value`].
+pub fn setup_of_shots(setup: &Setup<f64>, all: &[ShotDelivery]) -> Result<Setup<f64>> {
+    let mut own = *setup;
+    for given in Spread::of_given(all) {
+        own.set_value(given.parameter, Some(given.mean))?;
+    }
+    Ok(own)
 }

@@ -73,6 +73,7 @@ pub fn delivery(
         message: found.message.clone(),
         posteriors,
         measured: vec![],
+        given: vec![],
         explained: explained.collect(),
         unidentified: unidentified(&jacobian, &free_parameters),
     })
