@@ -1,9 +1,12 @@
 use super::Sigma;
-use super::uncertainty::{LandingEllipse, SHARES, covariance};
-use crate::derivative::{Order, evaluate};
+use super::uncertainty::{
+    LandingEllipse, MOST_LOST, SHARES, SaltelliDesign, SamplePlan, Uncertain, varies,
+};
+use crate::batch::{Batch, Block, CHUNK};
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
 use crate::parameters::Setup;
+use rayon::prelude::*;
 
 /// Landing point and rest position of a drive, with the scatter of the landing point.
 #[derive(Clone, Debug)]
@@ -17,22 +20,30 @@ pub struct Landing {
     pub rest: Option<[f64; 2]>,
     /// Parameters that vary from drive to drive, with their standard deviations.
     pub sigmas: Vec<Sigma>,
-    /// Landing ellipses for each of [`SHARES`], from exact derivatives; empty if nothing varies, or
-    /// the scatter is too large.
+    /// Landing ellipses for each of [`SHARES`], from [`Landing::SAMPLED`] drives with normally
+    /// distributed parameters; empty if nothing varies, or the scatter is too large.
     pub ellipses: Vec<LandingEllipse>,
-    /// True if the ellipses are omitted, because the scatter is too large for a linear model. The
-    /// standard deviation of the speed then exceeds a third of the speed, or a half-axis of an
-    /// ellipse is longer than the distance to the landing point.
+    /// True if the ellipses are omitted, because more than 2 % of the sampled drives have a value
+    /// outside of its allowed range or do not land.
     pub is_too_wide: bool,
 }
 
+/// Each of the two independent sets of the sample has this many drives.
+const PLAN: SamplePlan = SamplePlan {
+    samples: 2000,
+    seed: 0,
+};
+
 impl Landing {
+    /// Number of drives in the sample for the ellipses.
+    pub const SAMPLED: usize = 2 * PLAN.samples;
+
     /// Landing of a setup with independently varying parameters. These are all parameters with a
     /// stated uncertainty, and the golfer's parameters with a default uncertainty (swing, strike
     /// and club, or a given launch).
     ///
     /// # Errors
-    /// The errors of [`Drive::new`] and [`evaluate`]; [`Error::NoFlight`](crate::Error::NoFlight)
+    /// The errors of [`Drive::new`] and [`Batch::new`]; [`Error::NoFlight`](crate::Error::NoFlight)
     /// if the drive does not land; [`Error::Unreadable`](crate::Error::Unreadable) for an
     /// uncertainty that is not positive and finite.
     pub fn of(name: impl Into<String>, setup: &Setup<f64>, sigmas: &[Sigma]) -> Result<Self> {
@@ -46,54 +57,56 @@ impl Landing {
             .filter(|sigma| sigma.source.is_none() || sigma.parameter.is_controlled())
             .copied()
             .collect();
-        let parameters: Vec<_> = sigmas.iter().map(|sigma| sigma.parameter).collect();
-        let order = match parameters.len() {
-            0 => Order::Value,
-            _ => Order::First,
+        let landings = match sigmas[..] {
+            [] => vec![],
+            _ => sampled_landings(setup, &sigmas)?,
         };
-        let taylors = evaluate(
-            setup,
-            &[Outcome::Lateral, Outcome::Carry],
-            &parameters,
-            order,
-        )?;
-        let at = [taylors[0].value, taylors[1].value];
-        let variances: Vec<f64> = sigmas
-            .iter()
-            .map(|sigma| sigma.value * sigma.value)
-            .collect();
-        let covariance = covariance([&taylors[0], &taylors[1]], &variances);
-        let is_spread = covariance.iter().flatten().any(|entry| *entry > 0.0);
-        let ellipse = |share: f64| LandingEllipse::new(share, at, covariance);
-        let ellipses: Vec<_> = SHARES
+        let lost = Self::SAMPLED - landings.len();
+        let is_too_wide = !sigmas.is_empty() && lost as f64 > MOST_LOST * Self::SAMPLED as f64;
+        let is_spread = [0, 1].into_iter().any(|axis| {
+            let along: Vec<f64> = landings.iter().map(|landing| landing[axis]).collect();
+            varies(&along)
+        });
+        let ellipses = SHARES
             .into_iter()
-            .filter(|_| is_spread)
-            .map(ellipse)
-            .collect();
-        let is_fast =
-            |sigma: &Sigma| ["swing.speed", "launch.ball_speed"].contains(&sigma.parameter.name);
-        let is_of_most = |sigma: &Sigma| {
-            setup
-                .value(sigma.parameter)
-                .is_some_and(|speed| 3.0 * sigma.value > speed)
-        };
-        let carry = at[0].hypot(at[1]);
-        let is_large =
-            |ellipse: &LandingEllipse| ellipse.half_axes.iter().any(|[x, y]| x.hypot(*y) > carry);
-        let is_too_wide = sigmas
-            .iter()
-            .any(|sigma| is_fast(sigma) && is_of_most(sigma))
-            || ellipses.iter().any(is_large);
+            .filter(|_| is_spread && !is_too_wide)
+            .map(|share| LandingEllipse::of_sample(share, &landings));
         let rest = [Outcome::LateralTotal, Outcome::Total].map(|of| of.value(&drive));
         Ok(Self {
             name: name.into(),
-            at,
+            at: LANDING.map(|of| of.value(&drive).unwrap_or(f64::NAN)),
             rest: rest[0]
                 .zip(rest[1])
                 .map(|(right, downrange)| [right, downrange]),
             sigmas,
-            ellipses: if is_too_wide { vec![] } else { ellipses },
+            ellipses: ellipses.collect(),
             is_too_wide,
         })
     }
+}
+
+/// The coordinates of a landing.
+const LANDING: [Outcome; 2] = [Outcome::Lateral, Outcome::Carry];
+
+/// Landings [lateral, carry], m, of the sampled drives that land.
+fn sampled_landings(setup: &Setup<f64>, sigmas: &[Sigma]) -> Result<Vec<[f64; 2]>> {
+    let parameters: Vec<_> = sigmas.iter().map(|sigma| sigma.parameter).collect();
+    let distributions: Vec<_> = sigmas
+        .iter()
+        .map(|sigma| Uncertain::normal(setup, sigma).distribution)
+        .collect();
+    let batch = Batch::new(setup, &parameters, &LANDING, &[])?;
+    // the first two sets of the design are independent
+    let points = SaltelliDesign::new(&distributions, PLAN)?.points;
+    let blocks: Vec<Block> = points[..2]
+        .concat()
+        .par_chunks(CHUNK)
+        .map(|chunk| batch.evaluate(0, chunk.concat()))
+        .collect();
+    let landings = blocks
+        .iter()
+        .flat_map(|block| block.result(0).zip(block.result(1)));
+    Ok(landings
+        .filter_map(|(lateral, carry)| Some([lateral?, carry?]))
+        .collect())
 }

@@ -274,18 +274,19 @@ fn ellipses_note(landings: &[Landing], system: System) -> Option<String> {
         .collect();
     Some(format!(
         "The inner and the outer ellipse hold 50 % and 95 % of the landings if these inputs vary \
-         from drive to drive (standard deviations): {}. They are computed with exact derivatives; \
-         all other inputs are constant.",
-        sigmas.join(", ")
+         from drive to drive (standard deviations): {}. They are counted in {} drives with normally \
+         distributed inputs; all other inputs are constant.",
+        sigmas.join(", "),
+        Landing::SAMPLED
     ))
 }
 
 /// The reason why a drive has no ellipses although its inputs vary.
 fn too_wide(landing: &Landing) -> String {
     format!(
-        "{}: no ellipses are drawn, because derivatives cannot predict so wide a scatter: the \
-         standard deviation of the speed is more than a third of the speed, or an ellipse is \
-         larger than the carry.",
+        "{}: no ellipses are drawn, because the standard deviations of its inputs are too large: \
+         more than 2 % of the drives would have a value outside of its allowed range or would not \
+         land.",
         capital(&landing.name)
     )
 }

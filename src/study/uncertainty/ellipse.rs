@@ -1,3 +1,4 @@
+use super::bootstrap::quantile;
 use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, Normal};
 
@@ -26,6 +27,36 @@ pub struct LandingPoint {
     pub lateral: f64,
     /// The distance downrange, m.
     pub carry: f64,
+}
+
+/// Mean and covariance of landings.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LandingMoments {
+    /// Mean of lateral and carry, m.
+    pub mean: [f64; 2],
+    /// Covariance of lateral and carry, m².
+    pub covariance: [[f64; 2]; 2],
+}
+
+impl LandingMoments {
+    /// Moments of a sample of landings [lateral, carry], m; they are NaN for fewer than two
+    /// landings.
+    pub(super) fn of_sample(landings: &[[f64; 2]]) -> Self {
+        let n = landings.len() as f64;
+        let mean = [0, 1].map(|row| landings.iter().map(|landing| landing[row]).sum::<f64>() / n);
+        let product = |i: usize, j: usize| {
+            landings
+                .iter()
+                .map(|landing| (landing[i] - mean[i]) * (landing[j] - mean[j]))
+                .sum::<f64>()
+                / (n - 1.0)
+        };
+        let covariance = [
+            [product(0, 0), product(0, 1)],
+            [product(1, 0), product(1, 1)],
+        ];
+        Self { mean, covariance }
+    }
 }
 
 /// An ellipse of the landings.
@@ -85,21 +116,60 @@ impl LandingEllipse {
         }
     }
 
+    /// The ellipse that contains the share p of a sample of two or more landings [lateral, carry],
+    /// m, however they are distributed. Centre and shape are from the mean and the covariance of
+    /// the sample; the size is the p-quantile of the Mahalanobis distances.
+    pub(in crate::study) fn of_sample(share: f64, landings: &[[f64; 2]]) -> Self {
+        let LandingMoments { mean, covariance } = LandingMoments::of_sample(landings);
+        let normal = Self::new(share, mean, covariance);
+        let mut distances: Vec<f64> = landings
+            .iter()
+            .map(|landing| normal.relative_distance(*landing))
+            .collect();
+        distances.sort_by(f64::total_cmp);
+        let scale = quantile(&distances, share);
+        Self {
+            half_axes: normal.half_axes.map(|axis| axis.map(|part| scale * part)),
+            ..normal
+        }
+    }
+
+    /// Mahalanobis distance of a landing from the centre, relative to that of the boundary. For a
+    /// flat ellipse, the distance along its line.
+    fn relative_distance(&self, landing: [f64; 2]) -> f64 {
+        let off = self.offset(landing);
+        self.half_axes
+            .iter()
+            .map(|axis| part_along(off, axis))
+            .fold(0.0, f64::hypot)
+    }
+
     /// Reports whether the ellipse contains a landing.
     pub fn contains(&self, landing: [f64; 2]) -> bool {
         let LandingPoint { lateral, carry } = self.centre;
-        let off = [landing[0] - lateral, landing[1] - carry];
-        let (mut squares, mut left) = (0.0, off);
-        for axis in self.half_axes {
-            let square = axis[0] * axis[0] + axis[1] * axis[1];
-            if square > 0.0 {
-                let part = (off[0] * axis[0] + off[1] * axis[1]) / square;
-                squares += part * part;
-                left = [left[0] - part * axis[0], left[1] - part * axis[1]];
-            }
-        }
+        let off = self.offset(landing);
+        let left = self.half_axes.iter().fold(off, |left, axis| {
+            let part = part_along(off, axis);
+            [left[0] - part * axis[0], left[1] - part * axis[1]]
+        });
         // a flat ellipse is a line, and contains only points on this line, up to rounding
         let rounding = 1e-12 * (off[0].hypot(off[1]) + lateral.hypot(carry));
-        squares <= 1.0 && left[0].hypot(left[1]) <= rounding
+        self.relative_distance(landing) <= 1.0 && left[0].hypot(left[1]) <= rounding
+    }
+
+    /// Vector from the centre to a landing, m.
+    fn offset(&self, [lateral, carry]: [f64; 2]) -> [f64; 2] {
+        [lateral - self.centre.lateral, carry - self.centre.carry]
+    }
+}
+
+/// Component of `off` along a half-axis, in lengths of this half-axis; 0 for a half-axis of length
+/// 0.
+fn part_along(off: [f64; 2], axis: &[f64; 2]) -> f64 {
+    let square = axis[0] * axis[0] + axis[1] * axis[1];
+    if square > 0.0 {
+        (off[0] * axis[0] + off[1] * axis[1]) / square
+    } else {
+        0.0
     }
 }

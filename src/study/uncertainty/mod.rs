@@ -16,8 +16,10 @@ mod model;
 pub use bootstrap::Interval;
 pub use delta::{DeltaMoments, delta_method};
 pub use distribution::{Distribution, Uncertain};
+use ellipse::LandingMoments;
 pub use ellipse::{EllipseSource, LandingEllipse, LandingPoint, SampledEllipse};
 use model::mean;
+pub(super) use model::varies;
 pub use model::{Indices, SaltelliDesign, SamplePlan, Statistics};
 
 use crate::batch::{Batch, Block, CHUNK, Status, StatusCounts};
@@ -33,6 +35,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Fractions of the landings for which ellipses are computed.
 pub const SHARES: [f64; 2] = [0.5, 0.95];
+
+/// Largest fraction of sampled drives without a landing whose other drives still represent the
+/// distributions. Example: if the allowed range ends 2 standard deviations above the mean of a
+/// normal distribution, 2.3 % of the values are outside, which is too many.
+pub(super) const MOST_LOST: f64 = 0.02;
 
 /// Uncertainty of a drive.
 #[derive(Clone, Debug)]
@@ -59,13 +66,9 @@ impl Uncertainty {
     /// Warnings if the values of many drives are not allowed, or if many drives do not land. The
     /// results are computed from the other drives, which do not represent the distributions.
     pub fn warnings(&self) -> Vec<Message> {
-        /// A warning appears if a larger fraction of the drives is lost. Example: if the allowed
-        /// range ends 2 standard deviations above the mean of a normal distribution, 2.3 % of the
-        /// values are outside, and there is a warning.
-        const MANY: f64 = 0.02;
         let percent = |part: f64| significant(100.0 * part, 2);
         let outside = self.part_of(|status| status == Status::OutOfRange);
-        let outside = (outside > MANY).then(|| {
+        let outside = (outside > MOST_LOST).then(|| {
             format!(
                 "{} % of the drives have a value outside of its allowed range and are left out: \
                  mean, deviation and shares are computed from the other drives; limit the \
@@ -79,7 +82,7 @@ impl Uncertainty {
                 .iter()
                 .any(|each| each.of.group() == OutcomeGroup::Flight),
         );
-        let missing = (flies && missing > MANY).then(|| {
+        let missing = (flies && missing > MOST_LOST).then(|| {
             format!(
                 "{} % of the drives do not land: mean, deviation and shares of each outcome of the \
                  flight are computed from the drives that land, which are not a sample of the \
@@ -420,7 +423,7 @@ fn at_means(setup: &Setup<f64>, of: &[Outcome], inputs: &[Uncertain]) -> Vec<Opt
 
 /// Covariance J Σ Jᵀ of two outcomes to first order, for independent parameters with these
 /// variances. J is the Jacobian.
-pub(super) fn covariance(of: [&Taylor; 2], variances: &[f64]) -> [[f64; 2]; 2] {
+fn covariance(of: [&Taylor; 2], variances: &[f64]) -> [[f64; 2]; 2] {
     let product = |i: usize, j: usize| {
         let terms = of[i].gradient.iter().zip(&of[j].gradient).zip(variances);
         terms
@@ -444,30 +447,18 @@ fn ellipses(
         return vec![];
     }
     let n = landings.len() as f64;
-    let mean = [0, 1].map(|row| landings.iter().map(|landing| landing[row]).sum::<f64>() / n);
-    let product = |i: usize, j: usize| {
-        landings
-            .iter()
-            .map(|landing| (landing[i] - mean[i]) * (landing[j] - mean[j]))
-            .sum::<f64>()
-            / (n - 1.0)
-    };
-    let sampled = [
-        [product(0, 0), product(0, 1)],
-        [product(1, 0), product(1, 1)],
-    ];
     let linear = by_gradient.map(|(lateral, carry)| {
         let variances: Vec<f64> = distributions
             .iter()
             .map(|distribution| distribution.central_moments()[0])
             .collect();
-        (
-            [lateral.value, carry.value],
-            covariance([lateral, carry], &variances),
-        )
+        LandingMoments {
+            mean: [lateral.value, carry.value],
+            covariance: covariance([lateral, carry], &variances),
+        }
     });
-    let ellipse = |by: EllipseSource, centre: [f64; 2], covariance: [[f64; 2]; 2], share: f64| {
-        let ellipse = LandingEllipse::new(share, centre, covariance);
+    let ellipse = |by: EllipseSource, moments: LandingMoments, share: f64| {
+        let ellipse = LandingEllipse::new(share, moments.mean, moments.covariance);
         let within = landings
             .iter()
             .filter(|landing| ellipse.contains(**landing))
@@ -478,13 +469,15 @@ fn ellipses(
             holds: within as f64 / n,
         }
     };
-    let sampled = SHARES.map(|share| ellipse(EllipseSource::Sample, mean, sampled, share));
-    let exists =
-        |covariance: &[[f64; 2]; 2]| covariance.iter().flatten().all(|entry| entry.is_finite());
-    let linear = linear.filter(|(_, covariance)| exists(covariance));
-    let linear = linear.map(|(centre, covariance)| {
-        SHARES.map(|share| ellipse(EllipseSource::Gradient, centre, covariance, share))
-    });
+    let sampled = LandingMoments::of_sample(landings);
+    let sampled = SHARES.map(|share| ellipse(EllipseSource::Sample, sampled, share));
+    let exists = |linear: &LandingMoments| {
+        let mut entries = linear.covariance.iter().flatten();
+        entries.all(|entry| entry.is_finite())
+    };
+    let linear = linear.filter(exists);
+    let linear =
+        linear.map(|linear| SHARES.map(|share| ellipse(EllipseSource::Gradient, linear, share)));
     sampled
         .into_iter()
         .chain(linear.into_iter().flatten())

@@ -293,7 +293,8 @@ pub(super) fn mean(values: impl Iterator<Item = Option<f64>>) -> f64 {
 /// up to rounding.
 const SAME: f64 = 64.0 * f64::EPSILON;
 
-fn varies(values: &[f64]) -> bool {
+/// True if the values differ by more than rounding.
+pub(in crate::study) fn varies(values: &[f64]) -> bool {
     let [low, high] = extent(values.iter().copied());
     high - low > SAME * low.abs().max(high.abs())
 }
