@@ -195,7 +195,7 @@ fn uncertainties(effects: &Effects, bars: &[SigmaEffect], system: System) -> Doc
     let without: Vec<&str> = effects
         .effects
         .iter()
-        .filter(|effect| is_without(effects, effect))
+        .filter(|effect| shown::is_without(effects, effect))
         .map(|effect| effect.parameter.name)
         .collect();
     if !without.is_empty() {
@@ -239,26 +239,6 @@ fn slopes(effects: &Effects, of_optimum: Option<&[EffectReport]>, system: System
     let mut table = DocumentTable::new(head, rows).right(1..columns);
     table.first_rows = FIRST_ROWS;
     table
-}
-
-/// True if an uncertain parameter p has no effect on an outcome. Then the derivatives by p, and the
-/// changes of the outcome at p − σ and p + σ, are only rounding errors.
-fn is_without(effects: &Effects, effect: &Effect) -> bool {
-    let Some(SigmaEffect {
-        sigma,
-        second_order: Some(second),
-        flown: [Some(below), Some(above)],
-        ..
-    }) = effect.sigma_effect
-    else {
-        return false;
-    };
-    let curvature = 2.0 * second / (sigma.value * sigma.value);
-    let (of, value) = (effects.of, effects.value);
-    let is_moved = [below, above]
-        .into_iter()
-        .any(|by| !shown::is_rounding(of, value, by));
-    !is_moved && !shown::depends(of, value, effect.parameter, effect.gradient, curvature)
 }
 
 fn bar_cells(bar: &SigmaEffect, of: Outcome, system: System) -> Vec<String> {

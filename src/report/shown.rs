@@ -3,7 +3,7 @@
 
 use crate::drive::{Outcome, Sign};
 use crate::parameters::{Parameter, Setup, UNSET, Vary};
-use crate::study::{Active, Constraint, Goal, Search, Sigma};
+use crate::study::{Active, Constraint, Effect, Effects, Goal, Search, Sigma, SigmaEffect};
 use crate::units::{
     Digits, DisplayUnit, Message, Quantity, System, is_zero, leading_number, one, per, signed,
     significant, with_unit,
@@ -385,6 +385,26 @@ pub(super) fn is_rounding(of: Outcome, value: f64, change: f64) -> bool {
 pub(super) fn depends(of: Outcome, value: f64, by: &Parameter, slope: f64, curvature: f64) -> bool {
     zero_if_rounding(slope, value, of, &[by]) != 0.0
         || zero_if_rounding(curvature, value, of, &[by, by]) != 0.0
+}
+
+/// True if an uncertain parameter p has no effect on an outcome. Then the derivatives by p, and the
+/// changes of the outcome at p − σ and p + σ, are only rounding errors.
+pub(super) fn is_without(effects: &Effects, effect: &Effect) -> bool {
+    let Some(SigmaEffect {
+        sigma,
+        second_order: Some(second),
+        flown: [Some(below), Some(above)],
+        ..
+    }) = effect.sigma_effect
+    else {
+        return false;
+    };
+    let curvature = 2.0 * second / (sigma.value * sigma.value);
+    let (of, value) = (effects.of, effects.value);
+    let is_moved = [below, above]
+        .into_iter()
+        .any(|by| !is_rounding(of, value, by));
+    !is_moved && !depends(of, value, effect.parameter, effect.gradient, curvature)
 }
 
 /// The derivative `slope` of an outcome by a parameter, in the units of a system: "2.11 yd per

@@ -10,9 +10,9 @@ use longdrive::report::plot::{
     Axis, Field, Figure, Hue, Layer, Look, NamedQuantity, figure_csv, figure_svg,
 };
 use longdrive::study::certificate::certify;
-use longdrive::study::{Fineness, NamedDrive, Vary, effects, map, with_defaults};
+use longdrive::study::{Fineness, NamedDrive, Sigma, Vary, effects, map, with_defaults};
 use longdrive::units::{System, TableUnits};
-use longdrive::{Error, Outcome, Setup, derivative, flight, impact};
+use longdrive::{Drive, Error, Outcome, Setup, derivative, flight, impact};
 use std::path::Path;
 
 const XMLNS: &str = "http://www.w3.org/2000/svg";
@@ -476,6 +476,55 @@ fn same_tornado_bars_and_drives() {
     );
     let lowest = curve.iter().map(|row| row[1]).fold(f64::INFINITY, f64::min);
     assert!(lowest < 1e-8 && error(1e-12) > 100.0 * lowest, "{curve:?}");
+}
+
+/// A strike far off the centre and an open face lose carry in the second order, so their bars are
+/// much longer than the first-order effects.
+#[test]
+fn independent_sum_of_the_bars_of_a_tornado_plot() {
+    let setup = Setup::preset("modern-driver").unwrap();
+    let given =
+        ["strike.toe=15mm", "swing.face_angle=3deg"].map(|text| Sigma::read(&setup, text).unwrap());
+    let sigmas = with_defaults(&setup, &given, &[Outcome::Carry]).unwrap();
+    let effects = effects(&setup, &[Outcome::Carry], &sigmas, &mut |_, _| ()).unwrap();
+    let figure = tornado_figure(&effects[0], Causes::Control, System::Us).unwrap();
+    let (_, after) = figure.note.split_once("if independent: ± ").unwrap();
+    let stated: f64 = after.split_once(" yd").unwrap().0.parse().unwrap();
+    let carry = |sigma: &Sigma, sign: f64| {
+        let mut moved = setup;
+        let value = setup.value(sigma.parameter).unwrap() + sign * sigma.value;
+        moved.set_value(sigma.parameter, Some(value)).unwrap();
+        Outcome::Carry.value(&Drive::new(&moved).unwrap()).unwrap()
+    };
+    let controlled = sigmas
+        .iter()
+        .filter(|sigma| Causes::Control.has(sigma.parameter));
+    let longest = controlled.map(|sigma| {
+        let change = |sign: f64| (carry(sigma, sign) - carry(sigma, 0.0)).abs();
+        change(-1.0).max(change(1.0))
+    });
+    let longest: Vec<f64> = longest.collect();
+    let sum = longest.iter().map(|end| end * end).sum::<f64>().sqrt() / 0.9144;
+    close(stated, sum, sum, 5e-3, "all together");
+    let first = longest.iter().copied().fold(0.0, f64::max) / 0.9144;
+    assert!(stated > first && first > 8.0, "{stated} {first}");
+}
+
+#[test]
+fn the_last_row_of_a_tornado_plot_has_no_effect_only_if_no_parameter_has_one() {
+    let setup = Setup::preset("modern-driver").unwrap();
+    for (of, given, has_none) in [
+        (Outcome::Carry, "strike.toe=3mm", false),
+        (Outcome::Lateral, "strike.toe=3mm", true),
+    ] {
+        let given = [Sigma::read(&setup, given).unwrap()];
+        let sigmas = with_defaults(&setup, &given, &[of]).unwrap();
+        let effects = effects(&setup, &[of], &sigmas, &mut |_, _| ()).unwrap();
+        let figure = tornado_figure(&effects[0], Causes::All, System::Us).unwrap();
+        let rows = format!("{:?}", figure.y);
+        assert_eq!(rows.contains(" more: no effect"), has_none, "{rows}");
+        assert!(rows.contains(" more: "), "{rows}");
+    }
 }
 
 #[test]

@@ -1,6 +1,6 @@
 use crate::parameters::Parameter;
 use crate::report::plot::{Axis, Figure, HorizontalBar, Hue, Layer, NamedQuantity};
-use crate::report::shown::{self, difference, is_rounding};
+use crate::report::shown::{self, difference, is_without};
 use crate::study::{self, Effect, Effects};
 use crate::units::{System, counted};
 
@@ -49,6 +49,11 @@ fn ends(effect: &study::SigmaEffect) -> [f64; 2] {
 fn size(effect: &study::SigmaEffect) -> f64 {
     let [lower, higher] = ends(effect);
     lower.abs().max(higher.abs())
+}
+
+/// The combined effect of independent parameters: the root of the sum of squares of their sizes.
+fn combined<'a>(effects: impl Iterator<Item = &'a study::SigmaEffect>) -> f64 {
+    effects.map(size).fold(0.0, f64::hypot)
 }
 
 /// The effects of standard uncertainties on an outcome of the drive as set up, as bars, the largest
@@ -129,14 +134,16 @@ fn row_names(
     if folded.is_empty() {
         return names;
     }
-    let together = folded
-        .iter()
-        .map(|effect| effect.first_order)
-        .fold(0.0, f64::hypot);
-    let amount = if is_rounding(effects.of, effects.value, together) {
+    let is_folded = |effect: &&Effect| {
+        let mut folded = folded.iter();
+        folded.any(|folded| folded.sigma.parameter == effect.parameter)
+    };
+    let mut of_row = effects.effects.iter().filter(is_folded);
+    let amount = if of_row.all(|effect| is_without(effects, effect)) {
         "no effect".into()
     } else {
-        format!("together ± {}", difference(effects.of, together, system))
+        let together = difference(effects.of, combined(folded.iter()), system);
+        format!("together ± {together}")
     };
     names.push(format!("{} more: {amount}", folded.len()));
     names
@@ -155,15 +162,13 @@ fn note(
             .effects
             .iter()
             .filter(|effect| causes.has(effect.parameter));
-        let sum = of_causes
-            .filter_map(|effect| effect.sigma_effect)
-            .map(|bar| bar.first_order)
-            .fold(0.0, f64::hypot);
-        difference(effects.of, sum, system)
+        let bars = of_causes.filter_map(|effect| effect.sigma_effect.as_ref());
+        difference(effects.of, combined(bars), system)
     };
     let mut note = format!(
         "Change of {} when each parameter is moved by its standard uncertainty, one at a time, \
-         as set up. All together, if independent: ± {}.",
+         as set up. All together, if independent: ± {}, the root of the sum of squares of the longer \
+         end of each bar.",
         quantity.label,
         sum(causes),
     );
