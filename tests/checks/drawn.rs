@@ -1034,3 +1034,31 @@ fn pictures_are_drawn_at_every_width_and_name_omitted_parts() {
         output.err
     );
 }
+
+/// The sources of naruo-mizota and lyu state no Reynolds number of a measured point.
+#[test]
+fn the_caption_of_laws_names_the_measured_points_at_any_reynolds_number() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.svg").display().to_string();
+    let caption = |laws: &str, reynolds: &str| {
+        let plot = ["plot", "laws", "--show", "cl", "-o", &file, "--overwrite"];
+        let chosen = ["--laws", laws, "--reynolds", reynolds];
+        let output = longdrive(&[&plot[..], &chosen].concat());
+        assert_eq!(output.status, 0, "{}", output.err);
+        on_one_line(&output.err)
+    };
+    let at_any = "those of naruo-mizota, lyu are drawn at any Reynolds number, because their \
+                  sources state no single one.";
+    let none = caption("naruo-mizota,lyu", "6e4");
+    assert!(
+        none.contains(&format!("Points are measured values; {at_any}")),
+        "{none}"
+    );
+    let near = "Points are measured values, within 10 % of a Reynolds number of 150000";
+    let both = caption("naruo-mizota,lyu,bearman-harvey", "1.5e5");
+    assert!(both.contains(&format!("{near}; {at_any}")), "{both}");
+    let stated = caption("bearman-harvey", "1.5e5");
+    assert!(stated.contains(&format!("{near}. ")), "{stated}");
+    let nothing = caption("ferguson", "1.5e5");
+    assert!(!nothing.contains("Points are"), "{nothing}");
+}

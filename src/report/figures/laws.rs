@@ -49,6 +49,14 @@ struct MeasuredCoefficients {
     values: [Option<f64>; 2],
 }
 
+/// A measured point in the plot.
+struct DrawnPoint {
+    /// The variable on the horizontal axis, and the coefficient.
+    at: [f64; 2],
+    /// True if the source states the variable that the plot keeps constant.
+    is_stated: bool,
+}
+
 /// Minimum range of the vertical axis. The values of the setup's law extend the range. Values of
 /// other laws outside of the extended range are not drawn.
 const COEFFICIENTS: [f64; 2] = [0.0, 0.5];
@@ -84,8 +92,20 @@ pub fn laws_figure(
     figure.y = figure.y.exactly(low, high);
     figure.layers.extend(own);
     let used = used.first().map(|law| law.name());
-    let note = note(&figure, used, &plot.constant_text());
-    figure.noted(note)
+    let mut notes = vec![];
+    notes.extend(used.map(|name| format!("In colour: {name}, the law of the setup.")));
+    notes.push(
+        "Solid within the range of a law's fit, dashed outside of it or if the range is unknown."
+            .into(),
+    );
+    notes.extend(plot.points_note(laws));
+    notes.extend(omitted_note(&figure));
+    notes.push(
+        "Laws that depend on the speed or the spin, not only on Reynolds number and spin ratio, are \
+         drawn for the setup's ball and air."
+            .into(),
+    );
+    figure.noted(notes.join(" "))
 }
 
 /// The finite coefficients in the points of `layers`.
@@ -96,34 +116,17 @@ fn values(layers: &[Layer]) -> impl Iterator<Item = f64> {
         .filter(|value| value.is_finite())
 }
 
-fn note(figure: &Figure, used: Option<&str>, constant: &str) -> String {
-    let mut notes = vec![];
-    notes.extend(used.map(|name| format!("In colour: {name}, the law of the setup.")));
-    notes.push(
-        "Solid within the range of a law's fit, dashed outside of it or if the range is unknown."
-            .into(),
-    );
-    let is_dots = |layer: &Layer| matches!(layer, Layer::Dots { .. });
-    if figure.layers.iter().any(is_dots) {
-        notes.push(format!(
-            "Points are measured values, within {:.0} % of {constant}.",
-            100.0 * CONSTANT_TOLERANCE
-        ));
-    }
+/// The note about values outside of the vertical axis. `None` if there are none.
+fn omitted_note(figure: &Figure) -> Option<String> {
     let [low, high] = figure.y.range.unwrap_or(COEFFICIENTS);
-    if values(&figure.layers).any(|value| !(low..=high).contains(&value)) {
-        notes.push(format!(
+    let is_omitted = values(&figure.layers).any(|value| !(low..=high).contains(&value));
+    is_omitted.then(|| {
+        format!(
             "Values below {} and above {} are not drawn.",
             significant(low, 3),
             significant(high, 3)
-        ));
-    }
-    notes.push(
-        "Laws that depend on the speed or the spin, not only on Reynolds number and spin ratio, are \
-         drawn for the setup's ball and air."
-            .into(),
-    );
-    notes.join(" ")
+        )
+    })
 }
 
 /// The axes of a plot of laws, with the ball and the air.
@@ -159,9 +162,14 @@ impl LawPlot {
     /// The constant variable with its value, as text.
     fn constant_text(&self) -> String {
         let value = significant(self.constant, 4);
+        format!("a {} of {value}", self.constant_name())
+    }
+
+    /// The name of the constant variable.
+    fn constant_name(&self) -> &'static str {
         match self.over {
-            Over::SpinRatio => format!("a Reynolds number of {value}"),
-            Over::Reynolds => format!("a spin ratio of {value}"),
+            Over::SpinRatio => "Reynolds number",
+            Over::Reynolds => "spin ratio",
         }
     }
 
@@ -202,7 +210,11 @@ impl LawPlot {
     /// The curve of a law with its measured points.
     fn layers(&self, law: &Law<f64>, hue: Hue) -> Vec<Layer> {
         let mut layers = self.curve(law, hue);
-        let points = self.measured_points(law);
+        let points: Vec<_> = self
+            .drawn_points(law)
+            .iter()
+            .map(|point| point.at)
+            .collect();
         if !points.is_empty() {
             layers.push(Layer::Dots {
                 name: format!("{} (measured)", law.name()),
@@ -215,7 +227,7 @@ impl LawPlot {
 
     /// The measured points of a law near the value that the plot keeps constant (see
     /// [`CONSTANT_TOLERANCE`]).
-    fn measured_points(&self, law: &Law<f64>) -> Vec<[f64; 2]> {
+    fn drawn_points(&self, law: &Law<f64>) -> Vec<DrawnPoint> {
         let [low, high] = self.range;
         let which = self.of as usize;
         measured(law, &law.properties().fitted, self.per_speed, self.radius)
@@ -228,10 +240,40 @@ impl LawPlot {
                 let is_near = other.is_none_or(|other| {
                     (other - self.constant).abs() <= CONSTANT_TOLERANCE * self.constant
                 });
-                let value = point.values[which]?;
-                (is_near && (low..=high).contains(&x)).then_some([x, value])
+                let point = DrawnPoint {
+                    at: [x, point.values[which]?],
+                    is_stated: other.is_some(),
+                };
+                (is_near && (low..=high).contains(&x)).then_some(point)
             })
             .collect()
+    }
+
+    /// The note about the measured points of `laws`. `None` if there are no points.
+    fn points_note(&self, laws: &[Law<f64>]) -> Option<String> {
+        let has = |law: &&Law<f64>, is_stated: bool| {
+            let points = self.drawn_points(law);
+            points.iter().any(|point| point.is_stated == is_stated)
+        };
+        let is_any_near = laws.iter().any(|law| has(&law, true));
+        let unstated = laws.iter().filter(|law| has(law, false));
+        let unstated: Vec<&str> = unstated.map(Law::name).collect();
+        let near = format!(
+            ", within {:.0} % of {}",
+            100.0 * CONSTANT_TOLERANCE,
+            self.constant_text()
+        );
+        let at_any = format!(
+            "; those of {} are drawn at any {}, because their sources state no single one",
+            unstated.join(", "),
+            self.constant_name()
+        );
+        match (is_any_near, unstated.is_empty()) {
+            (false, true) => None,
+            (true, true) => Some(format!("Points are measured values{near}.")),
+            (true, false) => Some(format!("Points are measured values{near}{at_any}.")),
+            (false, false) => Some(format!("Points are measured values{at_any}.")),
+        }
     }
 
     /// The curve of a law: a solid line in the fitted range, and a dashed line elsewhere. The whole
