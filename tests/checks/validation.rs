@@ -297,6 +297,24 @@ fn is_output(file: &str, output: &str) {
     );
 }
 
+/// The worst club is off by more than the mean, so the text states the mean of each set.
+#[test]
+fn mean_error_of_the_descent_in_the_text_is_that_of_the_drives() {
+    let document = ValidationReport { sets: &FOUND }.document(System::Us);
+    let text = document.markdown(System::Us);
+    let mut stated = vec![];
+    for name in ["pga-clubs", "lpga-clubs"] {
+        let errors = differences(set(name), "launch-monitor", Compared::Descent);
+        let mean = errors.iter().map(|error| error.abs()).sum::<f64>() / errors.len() as f64;
+        let worst = errors.iter().map(|error| error.abs()).fold(0.0, f64::max);
+        assert!(worst > 1.5 * mean, "{worst} {mean}");
+        stated.push(format!("{:.1}° ({name})", mean.to_degrees()));
+    }
+    let sentence = "the mean error of its descent over all clubs is ";
+    let sentence = format!("{sentence}{},", stated.join(" and "));
+    assert!(text.contains(&sentence), "{sentence}");
+}
+
 /// Text, tables and pictures of docs/validation.md are the output of the program.
 #[test]
 fn same_numbers_in_validation_md_and_the_program() {

@@ -49,6 +49,7 @@ pub(super) fn summary(document: &mut Document, found: &[SetScores], system: Syst
     head.extend(own.map(|_| "your table"));
     head.extend(["best", "which is", &quantity]);
     document.add(DocumentTable::new(head, rows));
+    let descent = descent_of_clubs(found, default, system);
     document.paragraph(format!(
         "No law is the best on every set, and the default is not the one with the smallest error \
          of carry on averages of tours: naruo-mizota and bearman-harvey are. But the averages are \
@@ -56,13 +57,30 @@ pub(super) fn summary(document: &mut Document, found: &[SetScores], system: Syst
          average launch. A law that is right for single drives must predict some 5 yd more than the \
          averages, as {default} and {ALTERNATIVE} do (column \"averaged\" below); a law that meets \
          the averages is too short for single drives. The default is {default} because it was \
-         fitted to a launch monitor's predictions of single drives, and because its descent is \
-         right within 2.6° over all clubs, while laws with the same error of carry land irons 3 to \
-         6° too flat. {ALTERNATIVE} is the independent alternative, fitted to \
+         fitted to a launch monitor's predictions of single drives, and because the mean \
+         error of its descent over all clubs is {descent}, while laws with the same error of carry \
+         land irons 3 to 6° too flat. {ALTERNATIVE} is the independent alternative, fitted to \
          radar flights of one ball: its apex is nearer \
          on drivers, its descent is not. The difference of the two is a measure of the model's \
          error."
     ));
+}
+
+/// The sets of all clubs but the driver.
+const CLUBS: [&str; 2] = ["pga-clubs", "lpga-clubs"];
+
+/// The mean absolute error of a law's descent in each of the sets [`CLUBS`]: "2.6° (pga-clubs) and
+/// 2.4° (lpga-clubs)".
+fn descent_of_clubs(found: &[SetScores], law: &str, system: System) -> String {
+    let of_set = |name: &&str| {
+        let set = found.iter().find(|set| set.set.name == *name)?;
+        let scores = &set.laws.iter().find(|each| each.law == law)?.scores;
+        let descent = scores.iter().find(|score| score.of == Compared::Descent)?;
+        let mean = shown(descent.of, descent.mean_absolute_error?, system);
+        Some(format!("{mean}° ({name})"))
+    };
+    let of_sets: Vec<String> = CLUBS.iter().filter_map(of_set).collect();
+    of_sets.join(" and ")
 }
 
 /// A set with a row for each law.
