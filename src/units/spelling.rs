@@ -79,11 +79,11 @@ pub fn per(of: &str, by: &str) -> String {
     }
 }
 
-/// The number at the start of a text: "162.0" of "162.0 mph", "-7.5" of "-7.5°", "1e-9" of
-/// "1e-9 m".
+/// The number at the start of a text, also of a typeset text: "162.0" of "162.0 mph", "-7.5" of
+/// "-7.5°", "−7.5" of "−7.5°", "1e-9" of "1e-9 m".
 pub(crate) fn leading_number(text: &str) -> &str {
     let end = text
-        .find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | 'e')))
+        .find(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-' | '−' | '+' | 'e')))
         .unwrap_or(text.len());
     &text[..end]
 }
