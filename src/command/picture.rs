@@ -6,8 +6,8 @@ use crate::command::output::{Answer, note, stated_system, system, warn, warnings
 use crate::command::request::Request;
 #[cfg(not(feature = "png"))]
 use crate::features::how_to_get;
-use crate::report::Reply;
 use crate::report::plot::{Figure, Look, figure_csv, figure_svg};
+use crate::report::{Ending, Reply};
 use crate::units::Message;
 use crate::{Error, Result, Setup};
 use serde::Serialize;
@@ -80,6 +80,7 @@ pub struct PlotDestination<'a> {
     drawing: &'a PictureArgs,
     format: PlotFormat,
     destination: Destination,
+    ending: Ending,
 }
 
 impl<'a> PlotDestination<'a> {
@@ -100,7 +101,14 @@ impl<'a> PlotDestination<'a> {
             drawing,
             format,
             destination: rule.file(&drawing.output)?,
+            ending: Ending::DONE,
         })
+    }
+
+    /// Sets the status of the command. With a message, the plot does not show all that the request
+    /// states.
+    pub fn ended(self, ending: Ending) -> Self {
+        Self { ending, ..self }
     }
 
     /// The error if there is nothing to plot.
@@ -146,7 +154,9 @@ impl<'a> PlotDestination<'a> {
         if !figure.note.is_empty() {
             note(&figure.note);
         }
-        Ok(if is_json {
+        let Ending { status, message } = self.ending.clone();
+        let is_complete = message.is_none();
+        let answer = if is_json {
             let body = PlotFile {
                 name: &figure.name,
                 file,
@@ -154,10 +164,11 @@ impl<'a> PlotDestination<'a> {
                 note: &figure.note,
                 bytes: bytes.len(),
             };
-            Answer::json(&Reply::done("plot", warnings(), body))
+            Answer::json(&Reply::done("plot", warnings(), body).ended(status, message))
         } else {
             Answer::text(String::new())
-        })
+        };
+        Ok(answer.found(is_complete))
     }
 }
 

@@ -48,7 +48,7 @@ bodies! {
     OptimumReport: Optimum::statuses();
     SensitivityReport: [&Optimum::statuses()[..], &["no-answer", "undefined"]].concat();
     ReportFiles<'_>: [&Optimum::statuses()[..], &["done", "aloft"]].concat();
-    PlotFile<'_>: ["done"];
+    PlotFile<'_>: [&Optimum::statuses()[..], &["done"]].concat();
     MessageCounts: ["done"];
     SweepSummary: ["done", "no-answer", "interrupted"];
     #[cfg(feature = "parquet")]

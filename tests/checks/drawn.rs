@@ -1029,10 +1029,35 @@ fn pictures_are_drawn_at_every_width_and_name_omitted_parts() {
         "descent_angle >= 80 deg",
     ]);
     assert!(
-        output.status == 0 && output.err.contains("no optimum is drawn: infeasible"),
+        output.status == 1 && output.err.contains("no optimum is drawn: infeasible"),
         "{}",
         output.err
     );
+}
+
+/// A carry of 400 yd is out of reach. The picture shows the drive as set up.
+#[test]
+fn a_stated_search_without_an_optimum_ends_infeasible_in_every_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.svg").display().to_string();
+    for kind in ["fairway", "contour", "strike", "launch"] {
+        let limit = ["--subject-to", "carry>=400yd", "-q", "--json"];
+        let plot = ["plot", kind, "-o", &file, "--overwrite"];
+        let output = longdrive(&[&plot[..], &limit].concat());
+        let answer: serde_json::Value = serde_json::from_str(&output.out).unwrap();
+        let warnings = answer["warnings"].to_string();
+        assert!(
+            output.status == 1
+                && answer["status"] == "infeasible"
+                && answer["message"].is_string()
+                && warnings.contains("no optimum is drawn: infeasible: ")
+                && output.err.contains("no optimum is drawn: infeasible: "),
+            "{kind}: {} {answer} {}",
+            output.status,
+            output.err
+        );
+        whole(&std::fs::read_to_string(&file).unwrap());
+    }
 }
 
 /// The sources of naruo-mizota and lyu state no Reynolds number of a measured point.

@@ -3,13 +3,13 @@
 use super::args::{PlotFairway, PlotSearch, PlotStrike};
 use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::sigmas;
-use crate::command::output::{Answer, note, spinner, system};
+use crate::command::output::{Answer, note, spinner, system, warn};
 use crate::command::picture::{PictureArgs, PlotDestination};
 use crate::command::request::{Request, Source};
 use crate::optimize::{Observer, Status};
-use crate::report::computed_text;
 use crate::report::figures::{face_figure, fairway_figure, launches_figure, strikes_figure};
 use crate::report::plot::Figure;
+use crate::report::{Ending, computed_text};
 use crate::study::{
     Cause, Face, Landing, Launches, NamedDrive, Optimum, Search, causes, optimum, with_defaults,
 };
@@ -19,8 +19,9 @@ use crate::{Drive, Error, Outcome, Result, Setup};
 pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(request.inputs(), &args.drawing)?;
-    let (setup, best) = setup_and_optimum(&request, &args.search)?;
+    let (setup, DrawnOptimum { best, ending }) = setup_and_optimum(&request, &args.search)?;
     let setup = request.with_assumed_launch(setup)?;
+    let target = target.ended(ending);
     let given = sigmas(&setup, &args.sigma)?;
     let of = [Outcome::Carry, Outcome::Lateral];
     let mut landings = vec![Landing::of(
@@ -40,7 +41,8 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
 pub fn launches(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(request.inputs(), &args.drawing)?;
-    let (setup, best) = setup_and_optimum(&request, &args.search)?;
+    let (setup, DrawnOptimum { best, ending }) = setup_and_optimum(&request, &args.search)?;
+    let target = target.ended(ending);
     let optimum = best.iter().map(|best| (NamedDrive::OPTIMUM, &best.setup));
     let drives: Vec<_> = std::iter::once((NamedDrive::AS_SET_UP, &setup))
         .chain(optimum)
@@ -78,25 +80,17 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         return Err(Error::unreadable(option, source));
     }
     refuse_launch(&request.setup()?, &target)?;
-    let (setup, other, of_other) = match &after {
-        Some(after) => {
-            let other = after.for_many(after.setup()?, &[])?;
-            refuse_launch(&other, &target)?;
-            let setup = request.for_many(request.setup()?, &[])?;
-            refuse_other_hand(&setup, &other, &target)?;
-            let differs = other_differences(&setup, &other);
-            (setup, Some((["before", "after"], other)), differs)
-        }
-        None => {
-            let (setup, best) = setup_and_optimum(&request, &args.search)?;
-            let warnings = at_optimum(best.as_ref());
-            (
-                setup,
-                best.map(|best| ([NamedDrive::AS_SET_UP, NamedDrive::OPTIMUM], best.setup)),
-                warnings,
-            )
-        }
+    let designs = match &after {
+        Some(after) => Designs::before_and_after(&request, after, &target)?,
+        None => Designs::with_optimum(&request, &args.search)?,
     };
+    let Designs {
+        setup,
+        other,
+        warnings,
+        ending,
+    } = designs;
+    let target = target.ended(ending);
     let names = other
         .as_ref()
         .map_or([NamedDrive::AS_SET_UP, ""], |(names, _)| *names);
@@ -111,7 +105,49 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         doing: "draw",
         what: "design",
     })?;
-    target.write_with_setup(&request, &setup, &figure, of_other)
+    target.write_with_setup(&request, &setup, &figure, warnings)
+}
+
+/// The designs of a plot of strikes.
+struct Designs {
+    setup: Setup<f64>,
+    /// The second design, with the names of both.
+    other: Option<([&'static str; 2], Setup<f64>)>,
+    /// Warnings about the second design.
+    warnings: Vec<Message>,
+    ending: Ending,
+}
+
+impl Designs {
+    /// The design of the request, and another one that the request states.
+    fn before_and_after(
+        request: &Request,
+        after: &Request,
+        target: &PlotDestination<'_>,
+    ) -> Result<Self> {
+        let other = after.for_many(after.setup()?, &[])?;
+        refuse_launch(&other, target)?;
+        let setup = request.for_many(request.setup()?, &[])?;
+        refuse_other_hand(&setup, &other, target)?;
+        Ok(Self {
+            warnings: other_differences(&setup, &other),
+            setup,
+            other: Some((["before", "after"], other)),
+            ending: Ending::DONE,
+        })
+    }
+
+    /// The drive as set up and its optimum.
+    fn with_optimum(request: &Request, search: &SearchArgs) -> Result<Self> {
+        let (setup, DrawnOptimum { best, ending }) = setup_and_optimum(request, search)?;
+        let names = [NamedDrive::AS_SET_UP, NamedDrive::OPTIMUM];
+        Ok(Self {
+            setup,
+            warnings: at_optimum(best.as_ref()),
+            other: best.map(|best| (names, best.setup)),
+            ending,
+        })
+    }
 }
 
 /// Adds the parameters of the optimum to the caption.
@@ -191,36 +227,56 @@ pub fn at_optimum(best: Option<&Optimum>) -> Vec<Message> {
         .collect()
 }
 
-/// The setup and its optimum. The optimum is `None`, with a remark, if the search has nothing to
-/// vary or finds no optimum; the plot then shows only the drive.
-fn setup_and_optimum(
-    request: &Request,
-    search: &SearchArgs,
-) -> Result<(Setup<f64>, Option<Optimum>)> {
+/// The optimum of a plot.
+pub struct DrawnOptimum {
+    /// The optimum; `None` if there is no search, or if it finds none.
+    pub best: Option<Optimum>,
+    /// The status of the plot: that of the search if the request states an option of the search and
+    /// there is no optimum, otherwise `done`.
+    pub ending: Ending,
+}
+
+impl DrawnOptimum {
+    /// The optimum of a search. Warns if the search finds none; the plot then shows only the drive.
+    pub fn of(setup: &Setup<f64>, search: Search, args: &SearchArgs) -> Result<Self> {
+        let best = optimum(setup, search, Observer::default())?;
+        if best.solution.status == Status::Converged {
+            return Ok(Self {
+                best: Some(best),
+                ending: Ending::DONE,
+            });
+        }
+        let (status, message) = (best.status(), best.message());
+        let reason = Message::from(format!("no optimum is drawn: {status}: "));
+        warn([reason.message(message.clone())]);
+        let ending = match args.given().next() {
+            Some(_) => Ending {
+                status,
+                message: Some(message.to_string()),
+            },
+            None => Ending::DONE,
+        };
+        Ok(Self { best: None, ending })
+    }
+}
+
+/// The setup and its optimum. If there is nothing to vary and the request states no option of a
+/// search, a remark says that there is no optimum.
+fn setup_and_optimum(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, DrawnOptimum)> {
     let setup = request.setup()?;
     let reason = search.nothing_to_vary(request, &setup)?;
     if let Some(reason) = reason.filter(|_| search.given().next().is_none()) {
         note(&format!("no optimum is drawn: {reason}"));
-        return Ok((request.for_many(setup, &[])?, None));
+        let none = DrawnOptimum {
+            best: None,
+            ending: Ending::DONE,
+        };
+        return Ok((request.for_many(setup, &[])?, none));
     }
-    let search = search.search(request, &setup, None)?;
-    let setup = request.for_many(setup, &search.vary)?;
+    let varied = search.search(request, &setup, None)?;
+    let setup = request.for_many(setup, &varied.vary)?;
     // before the search, refuse a drive that does not land: the plot needs its landing
     Drive::new(&setup)?.landed()?;
-    let best = drawn_optimum(&setup, search)?;
-    Ok((setup, best))
-}
-
-/// The optimum of a search; `None`, with a remark, if the search finds none.
-pub fn drawn_optimum(setup: &Setup<f64>, search: Search) -> Result<Option<Optimum>> {
-    let best = optimum(setup, search, Observer::default())?;
-    if best.solution.status == Status::Converged {
-        return Ok(Some(best));
-    }
-    note(&format!(
-        "no optimum is drawn: {}: {}",
-        best.status(),
-        best.message().in_units(system())
-    ));
-    Ok(None)
+    let drawn = DrawnOptimum::of(&setup, varied, search)?;
+    Ok((setup, drawn))
 }

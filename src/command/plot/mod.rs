@@ -6,6 +6,7 @@ mod drive;
 pub use args::Args;
 
 use crate::atmosphere::AirState;
+use crate::command::args::SearchArgs;
 use crate::command::compare::warnings;
 use crate::command::host::Progress;
 use crate::command::names::{outcomes, sigmas};
@@ -25,15 +26,15 @@ use crate::report::plot::Figure;
 use crate::reproduce::while_loop;
 use crate::study::certificate::certify;
 use crate::study::{
-    ChartObserver, Constraint, Fineness, Map, NamedDrive, Optimum, Region, Search, Vary, chart,
-    effects, map, optimum, short_drive, usual_loss, with_defaults,
+    ChartObserver, Constraint, Fineness, Map, NamedDrive, Region, Search, Vary, chart, effects,
+    map, optimum, short_drive, usual_loss, with_defaults,
 };
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
 use args::{
     PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado, PlotTrajectory, PlotVcurve,
 };
-use drive::{at_optimum, drawn_optimum, face, fairway, launches, strikes};
+use drive::{DrawnOptimum, at_optimum, face, fairway, launches, strikes};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -83,7 +84,8 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
     let search = args.search.search(&request, &setup, None)?;
     let setup = request.for_many(setup, &search.vary)?;
     let spinner = spinner("computing the map");
-    let (best, map) = mapped(&setup, &search)?;
+    let (DrawnOptimum { best, ending }, map) = mapped(&setup, &search, &args.search)?;
+    let target = target.ended(ending);
     if let Some(flat) = map.flat() {
         let reason = format!("{flat}; vary parameters that change it");
         return Err(target.refused(reason));
@@ -115,7 +117,7 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
 }
 
 /// The [`Map`] around an optimum, or around the setup if the search finds none.
-fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)> {
+fn mapped(setup: &Setup<f64>, search: &Search, args: &SearchArgs) -> Result<(DrawnOptimum, Map)> {
     let [across, up, ..] = search.vary[..] else {
         let (name, reason) = (
             "`vary`".into(),
@@ -123,10 +125,10 @@ fn mapped(setup: &Setup<f64>, search: &Search) -> Result<(Option<Optimum>, Map)>
         );
         return Err(Error::SearchRange { name, reason });
     };
-    let best = drawn_optimum(setup, search.clone())?;
-    let around = best.as_ref().map_or(setup, |best| &best.setup);
+    let drawn = DrawnOptimum::of(setup, search.clone(), args)?;
+    let around = drawn.best.as_ref().map_or(setup, |best| &best.setup);
     let map = map(around, search.outcome(), across, up, Fineness::default())?;
-    Ok((best, map))
+    Ok((drawn, map))
 }
 
 /// The constraints of a search, each with a map of the limited outcome over the first two varied
