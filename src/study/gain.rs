@@ -1,6 +1,6 @@
 //! The part of an optimum's gain that a change of the club alone achieves.
 
-use super::optimum::{Optimum, local_optimum};
+use super::optimum::{Optimum, optimum};
 use super::search::Search;
 use crate::error::Result;
 use crate::json::numbers_by_name;
@@ -70,7 +70,7 @@ pub fn club_alone(best: &Optimum) -> Result<Option<ClubAlone>> {
         vary: club,
         ..best.search.clone()
     };
-    let optimum = local_optimum(&best.start, search, Observer::default())?;
+    let optimum = optimum(&best.start, search, Observer::default())?;
     let value = optimum
         .value()
         .filter(|_| optimum.solution.status == Status::Converged);
