@@ -3,7 +3,7 @@
 
 use super::problem::SearchProblem;
 use crate::error::Result;
-use crate::optimize::{Solution, Status, starts};
+use crate::optimize::{Bounds, Solution, Status, starts};
 use crate::statistics::{extent, largest_magnitude};
 use serde::Serialize;
 
@@ -11,7 +11,8 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Sample {
-    /// The number of points, which are a scrambled Sobol' sequence over the ranges.
+    /// The number of points: for up to 4 parameters the corners of their ranges, then a scrambled
+    /// Sobol' sequence over the ranges.
     pub points: usize,
     /// The number of points whose drives fly and meet every constraint.
     pub feasible: usize,
@@ -24,6 +25,10 @@ pub struct Sample {
 
 /// Number of points of a sample.
 const POINTS: usize = 128;
+
+/// Largest number of varied parameters for which a sample has the corners of the ranges: 16 of its
+/// points.
+const MOST_WITH_CORNERS: usize = 4;
 
 /// Number of points of a batch. The interrupt flag is checked before each batch.
 const AT_ONCE: usize = 16;
@@ -93,8 +98,10 @@ struct SampledPoint {
 /// The points of the sample whose drives have every outcome; `None` if the search was interrupted
 /// before all points of the sample were evaluated.
 fn fly(problem: &SearchProblem) -> Result<Option<Vec<SampledPoint>>> {
+    let mut sample = corners(&problem.domain.variables);
+    let others = starts(&problem.domain, &problem.start(), 1 + POINTS - sample.len())?;
     // omit the first start, which is the setup's own
-    let sample = starts(&problem.domain, &problem.start(), 1 + POINTS)?.split_off(1);
+    sample.extend(others.into_iter().skip(1));
     let batch = problem.batch()?;
     let mut points = vec![];
     for some in sample.chunks(AT_ONCE) {
@@ -114,6 +121,26 @@ fn fly(problem: &SearchProblem) -> Result<Option<Vec<SampledPoint>>> {
         }));
     }
     Ok(Some(points))
+}
+
+/// The corners of the ranges. They are outside a Sobol' sequence, and an optimum is often at one of
+/// them. Empty for more than [`MOST_WITH_CORNERS`] parameters.
+fn corners(ranges: &Bounds) -> Vec<Vec<f64>> {
+    let varied = (0..ranges.dimension()).filter(|&i| !ranges.is_fixed(i));
+    let varied: Vec<usize> = varied.collect();
+    if varied.len() > MOST_WITH_CORNERS {
+        return vec![];
+    }
+    let corner = |number: usize| {
+        let mut x = ranges.low.clone();
+        for (k, &i) in varied.iter().enumerate() {
+            if (number >> k) & 1 == 1 {
+                x[i] = ranges.high[i];
+            }
+        }
+        x
+    };
+    (0..1 << varied.len()).map(corner).collect()
 }
 
 /// Rank of a point. Points are compared by constraint violation first, then by objective.

@@ -234,3 +234,21 @@ fn infeasible_reports_the_number_of_points() {
     assert!(message.starts_with(&text), "{message}");
     assert_eq!(found["sample"]["feasible"], 0);
 }
+
+/// The shortest carry is at a corner of the ranges. A search from the setup ends at another corner,
+/// and no point of a Sobol' sequence is near enough to the first.
+#[test]
+fn the_corners_of_the_ranges_are_in_the_sample() {
+    let (_, found) = json(&["optimize", "--minimize", "carry"]);
+    let corner = [
+        "simulate",
+        "--set",
+        "club.loft=4deg",
+        "--set",
+        "swing.attack_angle=-5deg",
+    ];
+    let (_, drive) = json(&corner);
+    let shortest = number(&drive["flight"]["carry"]);
+    assert!(number(&found["value"]) <= shortest + 1e-3, "{shortest}");
+    assert_eq!(found["sample"]["points"], 128);
+}
