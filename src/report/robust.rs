@@ -179,7 +179,7 @@ fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
     let least = format!(
         "the design loses at most {} of {} with any of the models; no design was found whose \
          greatest loss is smaller",
-        show(found.greatest().max(0.0)),
+        show(found.greatest()),
         goal.expression
     );
     let stopped = found
@@ -246,7 +246,7 @@ fn designs(found: &Robust, system: System) -> DocumentTable {
 /// The loss of each model (rows) with each design (columns).
 fn losses(found: &Robust, system: System) -> DocumentTable {
     let goal = &found.search.of;
-    let show = |loss: f64| shown::goal_difference(goal, loss.max(0.0), system);
+    let show = |loss: f64| shown::goal_difference(goal, loss, system);
     let or_dash = |loss: Option<f64>| loss.map_or(shown::NONE.into(), show);
     let head = ["", "robust", "as set up"].map(str::to_owned);
     let head = head.into_iter().chain(heads_of_bests(found));

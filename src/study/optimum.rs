@@ -290,63 +290,36 @@ pub fn optima(
     count: usize,
     follow: &Observers,
 ) -> Result<Optima> {
-    let (study, mut locals) = searched(setup, search, count, follow)?;
-    let mut starts = count;
-    let mut sample = None;
-    let is_interrupted = |local: &LocalMinimum| local.solution.status == Status::Interrupted;
-    if !locals.iter().any(is_interrupted)
-        && let Some(mut best) = locals.first().map(|local| local.solution.clone())
-    {
-        sample = study.improved(&mut best, || follow.of_search(count))?;
-        if sample.is_some_and(|sample| sample.improved) {
-            let improved = LocalMinimum {
-                solution: best,
-                starts: vec![count],
-            };
-            starts += 1;
-            locals.insert(0, improved);
-        }
-    }
-    study.all(locals, starts, sample)
+    Study::new(setup, search.clone(), &follow.interrupt)?.optima(count, follow)
 }
 
-/// Like [`optima`], without a sample of the ranges. At the ends of the searches the goals are
-/// evaluated again, without derivatives, so that they are bitwise comparable with the goals of
-/// other designs.
+/// Like [`optima`]. At the ends of the searches the goals are evaluated again, without derivatives,
+/// so that they are bitwise comparable with the goals of other designs.
 ///
 /// # Errors
 /// The errors of [`optima`].
-pub(super) fn local_optima(
+pub(super) fn comparable_optima(
     setup: &Setup<f64>,
     search: &Search,
     count: usize,
     follow: &Observers,
 ) -> Result<Optima> {
-    let (study, locals) = searched(setup, search, count, follow)?;
-    let study = Study {
-        is_evaluated_again: true,
-        ..study
-    };
-    study.all(locals, count, None)
+    Study::comparable(setup, search, follow)?.optima(count, follow)
 }
 
-fn searched(
-    setup: &Setup<f64>,
-    search: &Search,
-    count: usize,
+/// Repeats the local search of `best`, an optimum of [`comparable_optima`], from `start`.
+///
+/// # Errors
+/// The errors of [`optimum`].
+pub(super) fn comparable_optimum_from(
+    best: &Optimum,
+    start: &[f64],
     follow: &Observers,
-) -> Result<(Study, Vec<LocalMinimum>)> {
-    if count == 0 {
-        return Err(Error::Nothing {
-            doing: "search from",
-            what: "start",
-        });
-    }
-    let study = Study::new(setup, search.clone(), &follow.interrupt)?;
-    let problem = &study.problem;
-    let starts = starts(&problem.domain, &problem.start(), count)?;
-    let locals = minimize_from(problem, &problem.domain, &starts, &search.options, follow)?;
-    Ok((study, locals))
+) -> Result<Optimum> {
+    let study = Study::comparable(&best.start, &best.search, follow)?;
+    let end = study.minimized(start, follow.of_search(0))?;
+    let goals = study.goals(&end);
+    study.optimum(end, goals, best.sample)
 }
 
 /// A search, with the problem that the optimizer solves for it.
@@ -376,6 +349,44 @@ impl Study {
             as_set_up,
             is_evaluated_again: false,
         })
+    }
+
+    /// A study that evaluates the goals again at the end of a search.
+    fn comparable(setup: &Setup<f64>, search: &Search, follow: &Observers) -> Result<Self> {
+        Ok(Self {
+            is_evaluated_again: true,
+            ..Self::new(setup, search.clone(), &follow.interrupt)?
+        })
+    }
+
+    /// The optima of searches from `count` starts and from points of the sample, as in [`optima`].
+    fn optima(self, count: usize, follow: &Observers) -> Result<Optima> {
+        if count == 0 {
+            return Err(Error::Nothing {
+                doing: "search from",
+                what: "start",
+            });
+        }
+        let SearchProblem { domain, search, .. } = &self.problem;
+        let from = starts(domain, &self.problem.start(), count)?;
+        let mut locals = minimize_from(&self.problem, domain, &from, &search.options, follow)?;
+        let mut starts = count;
+        let mut sample = None;
+        let is_interrupted = |local: &LocalMinimum| local.solution.status == Status::Interrupted;
+        if !locals.iter().any(is_interrupted)
+            && let Some(mut best) = locals.first().map(|local| local.solution.clone())
+        {
+            sample = self.improved(&mut best, || follow.of_search(count))?;
+            if sample.is_some_and(|sample| sample.improved) {
+                let improved = LocalMinimum {
+                    solution: best,
+                    starts: vec![count],
+                };
+                starts += 1;
+                locals.insert(0, improved);
+            }
+        }
+        self.all(locals, starts, sample)
     }
 
     fn minimized(&self, start: &[f64], observer: Observer) -> Result<Solution> {

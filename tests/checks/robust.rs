@@ -455,3 +455,54 @@ fn a_search_for_several_models_without_a_start_is_refused() {
     let error = robust(models, search(&setup), 0, &Observers::default()).unwrap_err();
     assert!(matches!(error, Error::Nothing { .. }), "{error}");
 }
+
+/// The limit on the total is met by low drives and by high drives. A local search from the setup
+/// ends at a low drive, which is tens of yards shorter.
+#[test]
+fn same_best_of_a_model_as_of_its_own_search() {
+    let of = ["modern-driver", "--subject-to", "total <= 280yd"];
+    let changes = ["aero.law=ferguson", "impact.gear_scale=0.5"];
+    let models = changes.map(|change| ["--model", change]);
+    let (status, found) = json(&[&["robust"], &of[..], &models.concat()].concat());
+    assert_eq!(status, 0, "{found:#}");
+    let own = [vec![], vec!["--set", changes[0]], vec!["--set", changes[1]]];
+    for (model, own) in found["models"].as_array().unwrap().iter().zip(own) {
+        let (_, best) = json(&[&["optimize"], &of[..], &own].concat());
+        close(
+            number(&model["value"]),
+            number(&best["value"]),
+            1.0,
+            1e-4,
+            "best carry of the model",
+        );
+        assert!(number(&model["loss"]) >= 0.0, "{model:#}");
+    }
+    assert_eq!(found["holds_for_all"], false, "{found:#}");
+}
+
+/// From the setup, the search of the first model goes to one end of the range, and the search of the
+/// second model to the other end, which is better for both models.
+#[test]
+fn a_model_is_searched_again_from_a_better_design_of_another_model() {
+    let args = [
+        "robust",
+        "mae494",
+        "--maximize",
+        "rms(lateral)",
+        "--distribution",
+        "swing.speed=normal(100mph,2mph)",
+        "--set",
+        "swing.face_angle=1deg",
+        "--vary",
+        "swing.face_angle=-5deg..3deg",
+        "--model",
+        "swing.path=4deg",
+    ];
+    let (status, found) = json(&args);
+    assert_eq!(status, 0, "{found:#}");
+    for model in found["models"].as_array().unwrap() {
+        let face = number(&model["optimum"]["swing.face_angle"]).to_degrees();
+        close(face, -5.0, 1.0, 1e-9, "the better end");
+        assert_eq!(number(&model["loss"]), 0.0, "{model:#}");
+    }
+}

@@ -7,10 +7,11 @@ use crate::optimize::{
 use crate::parameters::{LAW, NO_CLUB, Parameter, Setup};
 use crate::repeated::first_repeated;
 use crate::study::cancellable::stopped;
-use crate::study::optimum::{local_optima, stopped_of};
+use crate::study::goal::limit_rounding;
+use crate::study::optimum::{comparable_optima, comparable_optimum_from, stopped_of};
 use crate::study::problem::SearchProblem;
 use crate::study::{ConstraintAtEnd, Optimum, Search};
-use crate::units::DisplayUnit;
+use crate::units::{DisplayUnit, Message};
 use std::sync::atomic::Ordering;
 
 /// One of several models of impact and flight: the setup with some changes.
@@ -219,6 +220,48 @@ impl Robust {
         }
     }
 
+    /// The design that is best for a model, if it is better than the best design that the search of
+    /// this model found. The candidates are the best designs of all models and the minimax design.
+    fn better_design(&self, model: usize) -> Option<&[f64]> {
+        let bests = self.matrix[model].iter().zip(&self.models);
+        let bests = bests.filter_map(|(loss, (_, best))| Some(((*loss)?, &best.solution.x[..])));
+        let mut limits = self.search.subject_to.iter().zip(&self.goals[model][1..]);
+        let is_feasible = limits.all(|(limit, value)| limit.is_met(*value));
+        let minimax = is_feasible.then_some((self.losses[model], &self.design[..]));
+        let (loss, design) = bests
+            .chain(minimax)
+            .min_by(|(a, _), (b, _)| a.total_cmp(b))?;
+        (loss < 0.0).then_some(design)
+    }
+
+    /// The models after new searches for the models that have a better design. `None` if no search
+    /// improves the best design of a model.
+    fn with_better_bests(&self, follow: &Observers) -> Result<Option<Vec<(Model, Optimum)>>> {
+        if self.stopped > 0 {
+            return Ok(None);
+        }
+        let sign = self.search.sense.sign();
+        let mut models = self.models.clone();
+        let mut is_improved = false;
+        for (k, (model, best)) in models.iter_mut().enumerate() {
+            let Some(design) = self.better_design(k) else {
+                continue;
+            };
+            let again = comparable_optimum_from(best, design, follow)?;
+            if again.solution.status == Status::Interrupted {
+                return Err(not_found(model, again.status(), again.message()));
+            }
+            let [old, new] = [&*best, &again]
+                .map(|optimum| optimum.value().map_or(f64::INFINITY, |value| sign * value));
+            let is_better = new < old - rounding(&self.search, old);
+            if again.solution.status == Status::Converged && is_better {
+                *best = again;
+                is_improved = true;
+            }
+        }
+        Ok(is_improved.then_some(models))
+    }
+
     /// The greatest loss.
     pub fn greatest(&self) -> f64 {
         self.losses
@@ -257,7 +300,10 @@ impl Robust {
 /// derivatives. The constraints hold for all models.
 ///
 /// Each search has `count` starts: the setup's own design, and others spread evenly over the
-/// ranges. The minimax search also starts at the best design of each model and at their mean.
+/// ranges. The minimax search also starts at the best design of each model and at their mean. For
+/// one drive, the search for the best design of a model also has a sample of the ranges, as in
+/// [`optima`](crate::study::optima). If another design is better for a model than its best design,
+/// the model is searched again from there, and the minimax search is repeated.
 ///
 /// # Errors
 /// [`Error::Unreadable`] for fewer than two models; [`Error::NotConverged`] if the best design of a
@@ -277,7 +323,25 @@ pub fn robust(
             source: reason.into(),
         });
     }
-    let models = best_of_each(models, &search, count, follow)?;
+    let mut found = minimax(
+        best_of_each(models, &search, count, follow)?,
+        search,
+        count,
+        follow,
+    )?;
+    while let Some(models) = found.with_better_bests(follow)? {
+        found = minimax(models, found.search, count, follow)?;
+    }
+    Ok(found)
+}
+
+/// The minimax search for models with known best designs.
+fn minimax(
+    models: Vec<(Model, Optimum)>,
+    search: Search,
+    count: usize,
+    follow: &Observers,
+) -> Result<Robust> {
     let losses = Losses::new(&search, &models, follow)?;
     let designs: Vec<&[f64]> = models
         .iter()
@@ -338,24 +402,31 @@ fn best_of_each(
     follow: &Observers,
 ) -> Result<Vec<(Model, Optimum)>> {
     let best = |model: Model| {
-        let optima = local_optima(&model.setup, search, count, follow)?;
+        let optima = comparable_optima(&model.setup, search, count, follow)?;
         if let Some(interrupted) = optima.interrupted() {
-            return Err(Error::NotConverged {
-                status: Status::Interrupted.name(),
-                message: format!("with the model '{}': {interrupted}", model.name).into(),
-            });
+            let status = Status::Interrupted.name();
+            return Err(not_found(&model, status, interrupted.into()));
         }
         let best = optima.best;
         if best.solution.status != Status::Converged {
-            let message = format!("with the model '{}': {}", model.name, best.message());
-            return Err(Error::NotConverged {
-                status: best.status(),
-                message: message.into(),
-            });
+            return Err(not_found(&model, best.status(), best.message()));
         }
         Ok((model, best))
     };
     models.into_iter().map(best).collect()
+}
+
+/// Rounding of a loss of a model whose best design has this value.
+fn rounding(search: &Search, least: f64) -> f64 {
+    limit_rounding(least, (&search.of).into())
+}
+
+/// The error for a model whose best design was not found.
+fn not_found(model: &Model, status: &'static str, message: Message) -> Error {
+    Error::NotConverged {
+        status,
+        message: format!("with the model '{}': {message}", model.name).into(),
+    }
 }
 
 /// The solution of the first of `ends`, which is the best end.
@@ -409,8 +480,15 @@ impl<'a> Losses<'a> {
         })
     }
 
+    /// The loss of a model whose goals have these values. A negative loss within rounding is 0.
     fn loss(&self, model: usize, goals: &[f64]) -> f64 {
-        self.search.sense.sign() * goals[0] - self.least[model]
+        let loss = self.search.sense.sign() * goals[0] - self.least[model];
+        let rounding = rounding(self.search, self.least[model]);
+        if (-rounding..0.0).contains(&loss) {
+            0.0
+        } else {
+            loss
+        }
     }
 
     /// The loss of a model whose goals have these values; `None` if the values violate a
