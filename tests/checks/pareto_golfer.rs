@@ -471,3 +471,37 @@ fn bad_goals_of_a_front_have_a_message() {
     ]);
     assert!(straight.status < 2, "{}", straight.err);
 }
+
+/// A local search from the setup ends at another optimum for at least one goal of each front.
+#[test]
+fn same_ends_of_a_front_as_of_searches_with_a_sample() {
+    let fronts: [(&str, [&str; 4], &str); 3] = [
+        (
+            "modern-driver",
+            ["--maximize", "carry", "--maximize", "spin"],
+            "total <= 280yd",
+        ),
+        (
+            "tour-average",
+            ["--maximize", "apex_height", "--minimize", "spin"],
+            "230yd <= carry <= 250yd",
+        ),
+        (
+            "tour-average",
+            ["--maximize", "total", "--minimize", "carry"],
+            "carry >= 0yd",
+        ),
+    ];
+    for (preset, goals, limit) in fronts {
+        let limit = ["--subject-to", limit, "--points", "3"];
+        let (_, front) = json(&[&["pareto", preset], &goals[..], &limit].concat());
+        let points = front["points"].as_array().unwrap();
+        let ends = [points.first(), points.last()].map(|end| end.unwrap());
+        for ((end, goal), place) in ends.into_iter().zip(goals.chunks(2)).zip(0..) {
+            let (_, best) = json(&[&["optimize", preset], goal, &limit[..2]].concat());
+            let best = number(&best["value"]);
+            let own = number(&end["values"][place]);
+            close(own, best, best.abs(), 1e-6, &format!("{preset}: {goal:?}"));
+        }
+    }
+}

@@ -5,6 +5,7 @@ use crate::optimize::sensitivity::ActiveSet;
 use crate::optimize::{Observers, Options, Problem, Status};
 use crate::parameters::{Setup, Vary};
 use crate::study::cancellable::stopped;
+use crate::study::optimum::optimum;
 use crate::study::problem::SearchProblem;
 use crate::study::verdict::{Active, active, status_name, violated_by_design};
 use crate::study::{ChartEvent, Constraint, Goal, Search, Sense};
@@ -126,11 +127,11 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, follow: &Observers) -> R
         }
         Ok(functions)
     };
-    let start = problem.domain.variables.project(&problem.start());
+    let start_of = |function: usize| search.start_of_end(function, &problem, follow);
     let found = front(
         &minimized,
         &problem.domain,
-        &start,
+        start_of,
         &search.options,
         search.points,
         follow,
@@ -176,6 +177,30 @@ impl ParetoSearch {
             subject_to,
             scenarios: self.scenarios.clone(),
             options: self.options.clone(),
+        }
+    }
+
+    /// The start of the search for an end of the front: the optimum of the goal with the index
+    /// `function`. After an interrupt it is the setup's own design.
+    fn start_of_end(
+        &self,
+        function: usize,
+        problem: &SearchProblem,
+        follow: &Observers,
+    ) -> Result<Vec<f64>> {
+        let (of, sense) = self.goals[function].clone();
+        let search = Search {
+            of,
+            sense,
+            subject_to: self.subject_to.clone(),
+            ..problem.search.clone()
+        };
+        match optimum(&problem.set_up, search, follow.of_search(function)) {
+            Ok(best) => Ok(best.solution.x),
+            Err(Error::NotConverged { .. }) => {
+                Ok(problem.domain.variables.project(&problem.start()))
+            }
+            Err(error) => Err(error),
         }
     }
 
