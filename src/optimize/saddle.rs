@@ -3,8 +3,7 @@
 
 use super::model::write_lagrangian_hessian;
 use super::null_space::tangent_basis;
-use super::scaling::{EvaluatedPoint, Scaling, norm};
-use super::sensitivity::ZERO_MULTIPLIER;
+use super::scaling::{EvaluatedPoint, Scaling, ZERO_MULTIPLIER, norm};
 use super::state::{Evaluate, SearchState};
 use nalgebra::{DMatrix, DVector};
 

@@ -99,6 +99,15 @@ pub(super) fn largest_scaled(
         .fold(0.0, f64::max)
 }
 
+/// Threshold for multipliers, relative to the size of the objective. Smaller multipliers count as
+/// zero.
+pub(super) const ZERO_MULTIPLIER: f64 = 1e-9;
+
+/// Size of the objective: the larger of its value and its largest scaled derivative.
+pub(super) fn objective_size(value: f64, gradient: &[f64], scale: &[f64]) -> f64 {
+    largest_scaled(gradient, scale).max(value.abs())
+}
+
 impl Scaling {
     /// Scaling of a search that starts at `first`.
     pub fn new(domain: Domain, scale: Vec<f64>, first: &EvaluatedPoint) -> Self {

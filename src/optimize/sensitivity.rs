@@ -4,7 +4,7 @@ use super::domain::{Bounds, Domain};
 use super::null_space::tangent_basis;
 use super::problem::Evaluation;
 use super::qp::SymmetricSystem;
-use super::scaling::largest_scaled;
+use super::scaling::{largest_scaled, objective_size};
 use super::solution::Solution;
 use super::status::Status;
 use crate::error::{Error, Result};
@@ -43,9 +43,6 @@ pub enum Event {
     LimitLeft(usize, bool),
 }
 
-/// Threshold for multipliers, relative to the size of the objective. Smaller multipliers count as
-/// zero.
-pub(super) const ZERO_MULTIPLIER: f64 = 1e-9;
 /// Threshold for curvature in scaled variables, relative to the size of the objective. Smaller
 /// curvature counts as rounding.
 const ROUNDING: f64 = 1e-12;
@@ -61,22 +58,17 @@ pub struct ActiveSet {
 
 impl ActiveSet {
     /// Active set of a solution: fixed variables, equality constraints, and all bounds and
-    /// constraints with a multiplier above rounding.
+    /// constraints with a multiplier other than 0.
     ///
     /// # Panics
     /// If the domain has fewer variables or constraints than the solution.
     pub fn new(solution: &Solution, domain: &Domain) -> Self {
-        let scale = domain.variables.scale(&solution.x);
-        let size = size(solution, &scale);
         let variable = |i: usize| {
             let multiplier = solution.lower_multipliers[i] + solution.upper_multipliers[i];
-            domain.variables.is_fixed(i) || multiplier * scale[i] > ZERO_MULTIPLIER * size
+            domain.variables.is_fixed(i) || multiplier != 0.0
         };
-        let constraint = |j: usize| {
-            let scaled = solution.constraints[j].multiplier.abs()
-                * largest_scaled(&solution.jacobian[j], &scale);
-            domain.constraints.is_fixed(j) || scaled > ZERO_MULTIPLIER * size
-        };
+        let constraint =
+            |j: usize| domain.constraints.is_fixed(j) || solution.constraints[j].multiplier != 0.0;
         Self {
             variables: (0..solution.x.len()).map(variable).collect(),
             constraints: (0..solution.constraints.len()).map(constraint).collect(),
@@ -98,9 +90,9 @@ impl ActiveSet {
     }
 }
 
-/// Size of the objective: the larger of its value and its largest scaled derivative.
 fn size(solution: &Solution, scale: &[f64]) -> f64 {
-    largest_scaled(&solution.gradient, scale).max(solution.value.unwrap_or_default().abs())
+    let value = solution.value.unwrap_or_default();
+    objective_size(value, &solution.gradient, scale)
 }
 
 /// Hessian of the Lagrangian in scaled variables. Rounding errors are set to 0, because they would

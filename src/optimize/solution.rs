@@ -1,7 +1,9 @@
 use super::domain::{Bounds, Domain};
 use super::kink::Kink;
 use super::quadratic_model::unscaled_hessian;
-use super::scaling::{EvaluatedPoint, KktResidual};
+use super::scaling::{
+    EvaluatedPoint, KktResidual, ZERO_MULTIPLIER, largest_scaled, objective_size,
+};
 use super::sqp::SearchProgress;
 use super::state::{Effort, SearchState};
 use super::status::{SearchVerdict, Status};
@@ -25,10 +27,10 @@ pub struct Solution {
     /// problem has no Hessians.
     pub hessian: Vec<Vec<f64>>,
     /// Multiplier of each lower bound, ≥ 0. If the bound falls by δ, f falls by the multiplier
-    /// times δ, to first order.
+    /// times δ, to first order. A multiplier within rounding is 0.
     pub lower_multipliers: Vec<f64>,
     /// Multiplier of each upper bound, ≥ 0. If the bound rises by δ, f falls by the multiplier
-    /// times δ, to first order.
+    /// times δ, to first order. A multiplier within rounding is 0.
     pub upper_multipliers: Vec<f64>,
     /// The constraints, in order.
     pub constraints: Vec<ConstraintValue>,
@@ -57,7 +59,8 @@ pub struct ConstraintValue {
     /// Signed violation: > 0 above the upper limit, < 0 below the lower limit.
     pub violation: f64,
     /// Multiplier λⱼ in ∇f + Σ λⱼ ∇cⱼ + … = 0: > 0 at the upper limit, < 0 at the lower limit, 0
-    /// between the limits. If the limit rises by δ, f falls by λⱼ δ, to first order.
+    /// between the limits. If the limit rises by δ, f falls by λⱼ δ, to first order. The multiplier
+    /// of an inequality is 0 if it is within rounding.
     pub multiplier: f64,
 }
 
@@ -100,7 +103,7 @@ impl Solution {
         let largest = search.as_ref().map(|search| search.residual.largest());
         let SearchVerdict { status, message } =
             verdict.unwrap_or_else(|| SearchVerdict::iteration_limit(iterations, largest));
-        let Some(search) = search else {
+        let Some(mut search) = search else {
             return Self {
                 effort: Effort {
                     evaluations: undefined_evaluations,
@@ -111,8 +114,11 @@ impl Solution {
             };
         };
         let bounds = &domain.variables;
-        let lower_multipliers = bound_multipliers(&search, 1.0, |i, x| x <= bounds.low[i]);
-        let upper_multipliers = bound_multipliers(&search, -1.0, |i, x| x >= bounds.high[i]);
+        let scale = bounds.scale(&search.point.x);
+        drop_rounding_multipliers(&mut search, &domain.constraints, &scale);
+        let lower_multipliers = bound_multipliers(&search, &scale, 1.0, |i, x| x <= bounds.low[i]);
+        let upper_multipliers =
+            bound_multipliers(&search, &scale, -1.0, |i, x| x >= bounds.high[i]);
         let constraints = constraint_values(&search, &domain.constraints);
         let hessian = unscaled_hessian(&search);
         let SearchState {
@@ -180,18 +186,40 @@ impl Solution {
     }
 }
 
+/// The largest scaled multiplier that counts as rounding.
+fn rounding_of_multipliers(search: &SearchState, scale: &[f64]) -> f64 {
+    let objective = &search.point.f.objective;
+    ZERO_MULTIPLIER * objective_size(objective.value, &objective.gradient, scale)
+}
+
+/// Sets multipliers of inequalities within rounding to 0. A nonzero multiplier would make the
+/// constraint active, and would add its curvature to the Hessian of the Lagrangian.
+fn drop_rounding_multipliers(search: &mut SearchState, limits: &Bounds, scale: &[f64]) {
+    let rounding = rounding_of_multipliers(search, scale);
+    let constraints = search.point.f.constraints.iter().enumerate();
+    for ((j, constraint), multiplier) in constraints.zip(&mut search.multipliers) {
+        let scaled = multiplier.abs() * largest_scaled(&constraint.gradient, scale);
+        if scaled <= rounding && !limits.is_fixed(j) {
+            *multiplier = 0.0;
+        }
+    }
+}
+
 /// Multipliers of the active bounds on one side, from the components of the Lagrangian's gradient.
-/// `inward` is 1 for lower bounds and −1 for upper bounds.
+/// `inward` is 1 for lower bounds and −1 for upper bounds. Multipliers within rounding are 0.
 fn bound_multipliers(
     search: &SearchState,
+    scale: &[f64],
     inward: f64,
     is_active: impl Fn(usize, f64) -> bool,
 ) -> Vec<f64> {
+    let rounding = rounding_of_multipliers(search, scale);
     let gradient = search.point.lagrangian_gradient(&search.multipliers);
     let x = search.point.x.iter().copied().enumerate();
     x.map(|(i, x)| {
-        if is_active(i, x) {
-            (inward * gradient[i]).max(0.0)
+        let multiplier = inward * gradient[i];
+        if is_active(i, x) && multiplier * scale[i] > rounding {
+            multiplier
         } else {
             0.0
         }

@@ -265,3 +265,20 @@ fn a_range_of_several_values_does_not_print_as_one() {
     let text = text_of(&narrow);
     assert!(text.contains("10° .. 10.0000001°"), "{text}");
 }
+
+/// The least spin has one loft and many attack angles. The search ends at the limit on the carry,
+/// which does not decide the spin: its multiplier is rounding.
+#[test]
+fn a_limit_whose_multiplier_is_rounding_is_not_active() {
+    for limit in ["carry >= 280yd", "carry >= 285yd"] {
+        let search = ["--minimize", "spin", "--subject-to", limit];
+        let (_, found) = json(&[&["optimize"], &search[..]].concat());
+        let constraint = &found["constraints"][0];
+        assert_eq!(number(&constraint["multiplier"]), 0.0, "{constraint:#}");
+        let text = text_of(&[&["optimize"], &search[..]].concat());
+        assert!(text.contains("yd not active"), "{text}");
+        let change = ["--wrt", "swing.speed", "--loss", "50rpm"];
+        let text = text_of(&[&["optimum-sensitivity"], &search[..], &change].concat());
+        assert!(!text.contains("together"), "{text}");
+    }
+}
