@@ -32,9 +32,10 @@ fn main() -> Result<()> {
             .map(|text| Uncertain::read(&setup, text))
             .collect::<Result<_>>()?;
         let swings = Swings::distributed(inputs, &[])?;
-        let scenarios = Scenarios::new(&swings, Rule::of(&swings, None, 0)?)?;
+        let of = Goal::mean(Outcome::Carry);
+        let scenarios = Scenarios::new(&swings, Rule::of(&swings, [&of], None, 0)?)?;
         let search = Search {
-            of: Goal::mean(Outcome::Carry),
+            of,
             sense: Sense::Maximize,
             vary: vec![Vary::read(&setup, "club.loft=4deg..20deg")?],
             scenarios,

@@ -24,14 +24,16 @@ fn main() -> Result<()> {
         "club.weight_1.toe=-50mm..50mm",
     ];
     let swings = golfer(&setup)?;
+    let of = Goal::read("mean(carry) - 0.5*rms(lateral)", None)?;
+    let rule = Rule::of(&swings, [&of], None, 0)?;
     let search = Search {
-        of: Goal::read("mean(carry) - 0.5*rms(lateral)", None)?,
+        of,
         sense: Sense::Maximize,
         vary: vary
             .iter()
             .map(|text| Vary::read(&setup, text))
             .collect::<Result<_>>()?,
-        scenarios: Scenarios::new(&swings, Rule::of(&swings, None, 0)?)?,
+        scenarios: Scenarios::new(&swings, rule)?,
         ..Search::largest(Outcome::Carry)
     };
     let design = Design::new(&setup, search, true)?;

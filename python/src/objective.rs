@@ -51,8 +51,8 @@ impl ObjectiveKind {
         wrt: &[&'static Parameter],
         swing_arguments: &SwingArguments,
     ) -> Answer<Self> {
-        let scenarios = swing_arguments.scenarios(setup)?;
         let goal = swing_arguments.goal(of)?;
+        let scenarios = swing_arguments.scenarios(setup, &goal)?;
         let (own, by, swings) = (*setup, wrt.to_vec(), scenarios.clone());
         let integration = pool::run_drive(py, !choice.is_own(setup), move |stop| {
             choice.for_swings(&own, &by, &swings, stop)
@@ -168,7 +168,7 @@ impl SwingArguments {
         variables(setup, &outcomes.unwrap_or_default(), wrt)
     }
 
-    fn scenarios(&self, setup: &Setup<f64>) -> Answer<Scenarios> {
+    fn scenarios(&self, setup: &Setup<f64>, goal: &Goal) -> Answer<Scenarios> {
         let swings = match &self.swings {
             Some(_) if !self.distribution.is_empty() || !self.correlation.is_empty() => {
                 let what = "swings: a file gives the distributions and correlations; leave \
@@ -192,7 +192,7 @@ impl SwingArguments {
                 )?
             }
         };
-        let rule = Rule::of(&swings, self.scenarios, self.seed.unwrap_or(0))?;
+        let rule = Rule::of(&swings, [goal], self.scenarios, self.seed.unwrap_or(0))?;
         rule.refuse_idle_seed(self.seed)?;
         Ok(Scenarios::new(&swings, rule)?)
     }

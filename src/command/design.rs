@@ -60,20 +60,17 @@ pub fn run(args: &Args) -> Result<Answer> {
         "it gives the launch, so no club strikes the ball and there is nothing to design; leave it \
          out, or give the swing",
     )?;
-    let SwingsRequest {
-        setup,
-        swings,
-        scenarios,
-    } = swings_or_golfer(swings_args, &request)?;
-    let started = request.with_starts(setup, &optimum.search.vary)?;
+    let over = swings_or_golfer(swings_args, &request)?;
+    let started = request.with_starts(over.setup, &optimum.search.vary)?;
     let requested = search_over_swings(
         &optimum.search,
         swings_args,
         &started,
-        scenarios,
+        &over,
         Goal::read(GOAL, None)?,
         || DefaultRanges::new(usual_vary(&started)?, &request).vary(),
     )?;
+    let SwingsRequest { setup, swings, .. } = over;
     request.note_starts(&setup, &requested.vary);
     let mut notes = notes_on_defaults(args, &requested);
     let design = Design::new(&setup, requested, args.rules == "golf")?;

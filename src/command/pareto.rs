@@ -10,7 +10,7 @@ use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::command::search::{of_a_drive, options};
-use crate::command::swings::{SwingsRequest, goal, limits, swing_ranges};
+use crate::command::swings::{goal, limits, swing_ranges};
 use crate::optimize::{Iteration, Observers};
 use crate::report::figures::pareto_figure;
 use crate::report::{ParetoReport, Report, pareto_csv, pareto_toml};
@@ -171,10 +171,8 @@ fn follow(setup: &Setup<f64>, search: ParetoSearch, stop: &Arc<AtomicBool>) -> R
 
 /// The setup, and the search for the front of two goals over many swings.
 fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
-    let SwingsRequest {
-        setup, scenarios, ..
-    } = args.swings.request(request, false)?;
-    let started = request.with_starts(setup, &args.vary)?;
+    let over = args.swings.request(request, false)?;
+    let started = request.with_starts(over.setup, &args.vary)?;
     let strokes = args.swings.strokes()?;
     let strokes = strokes.as_ref();
     let goals = args.goals(|option, text| goal(option, text, strokes))?;
@@ -183,15 +181,16 @@ fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Pareto
     let vary = varied(&args.vary, &started, || {
         DefaultRanges::loft(request, &started)?.vary()
     })?;
-    let search = ParetoSearch {
+    let mut search = ParetoSearch {
         goals,
         vary,
         subject_to,
-        scenarios,
+        scenarios: Scenarios::one_drive(),
         points: args.points,
         options: options(args.max_iterations),
     };
-    Ok((setup, search))
+    search.scenarios = args.swings.scenarios(&over, search.all_goals())?;
+    Ok((over.setup, search))
 }
 
 /// The setup, and the search for the front of two goals of one drive.
@@ -222,9 +221,7 @@ impl GoalArgs {
         } else {
             of_one_drive(request, self)?
         };
-        let goals = search.goals.iter().map(|(goal, _)| goal);
-        let limited = search.subject_to.iter().map(|limit| &limit.goal);
-        let outcomes: Vec<Outcome> = goals.chain(limited).flat_map(Goal::outcomes).collect();
+        let outcomes: Vec<Outcome> = search.all_goals().flat_map(Goal::outcomes).collect();
         note_the_run(&outcomes);
         request.note_starts(&setup, &search.vary);
         let ranges = swing_ranges(&search.vary, &search.scenarios);

@@ -8,7 +8,7 @@ use crate::command::output::{Answer, note, note_detail, spinner, system, warn};
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::search::allowed_loss;
-use crate::command::swings::{SwingsRequest, search_over_swings, swing_ranges};
+use crate::command::swings::{search_over_swings, swing_ranges};
 use crate::optimize::Observers;
 use crate::report::{RobustReport, robust_toml};
 use crate::study::swings::{Model, robust};
@@ -155,20 +155,18 @@ impl Args {
     /// The setup, and the search with its objective and swings.
     fn search(&self, request: &Request) -> Result<(Setup<f64>, Search)> {
         if self.swings.is_given() {
-            let SwingsRequest {
-                setup, scenarios, ..
-            } = self.swings.request(request, false)?;
-            let started = request.with_starts(setup, &self.search.vary)?;
+            let over = self.swings.request(request, false)?;
+            let started = request.with_starts(over.setup, &self.search.vary)?;
             let search = search_over_swings(
                 &self.search,
                 &self.swings,
                 &started,
-                scenarios,
+                &over,
                 Goal::mean(Outcome::Carry),
                 || DefaultRanges::loft(request, &started)?.vary(),
             )?;
             note_the_run(&search.outcomes());
-            return Ok((setup, search));
+            return Ok((over.setup, search));
         }
         let setup = request.with_starts(request.partial_setup, &self.search.vary)?;
         let search = self.search.search(request, &setup, None)?;

@@ -29,7 +29,8 @@ pub struct SwingsRequest {
     /// The setup, with a value for each parameter that varies from swing to swing.
     pub setup: Setup<f64>,
     pub swings: Swings,
-    pub scenarios: Scenarios,
+    /// True if the command resamples recorded swings.
+    pub is_resampled: bool,
 }
 
 impl SwingsArgs {
@@ -67,8 +68,8 @@ impl SwingsArgs {
         self.request_of(request, swings, is_resampled)
     }
 
-    /// The setup and the scenarios of these swings. Refuses a seed that has no effect: recorded
-    /// swings use a seed only if the command resamples them (`is_resampled`).
+    /// The setup with the means of these swings. `is_resampled` is true if the command resamples
+    /// recorded swings.
     pub fn request_of(
         &self,
         request: &Request,
@@ -81,16 +82,25 @@ impl SwingsArgs {
             swings.parameters().into_iter().zip(swings.means()),
             "varies about",
         )?;
-        let rule = Rule::of(&swings, self.scenarios, self.seed.unwrap_or(0))?;
-        if !(is_resampled && rule == Rule::Recorded) {
-            rule.refuse_idle_seed(self.seed)?;
-        }
-        let scenarios = Scenarios::new(&swings, rule)?;
         Ok(SwingsRequest {
             setup,
             swings,
-            scenarios,
+            is_resampled,
         })
+    }
+
+    /// The scenarios of swings for all goals of a search. Refuses a seed that has no effect:
+    /// recorded swings use a seed only if the command resamples them.
+    pub fn scenarios<'a>(
+        &self,
+        of: &SwingsRequest,
+        goals: impl IntoIterator<Item = &'a Goal>,
+    ) -> Result<Scenarios> {
+        let rule = Rule::of(&of.swings, goals, self.scenarios, self.seed.unwrap_or(0))?;
+        if !(of.is_resampled && rule == Rule::Recorded) {
+            rule.refuse_idle_seed(self.seed)?;
+        }
+        Scenarios::new(&of.swings, rule)
     }
 
     /// The table of expected strokes, if one is given.
@@ -194,22 +204,18 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
         setup_args, search, ..
     } = &args.optimum;
     let request = setup_args.request()?;
-    let SwingsRequest {
-        setup,
-        swings,
-        scenarios,
-    } = args.swings.request(&request, true)?;
-    let started = request.with_starts(setup, &search.vary)?;
+    let over = args.swings.request(&request, true)?;
+    let started = request.with_starts(over.setup, &search.vary)?;
     let search = search_over_swings(
         search,
         &args.swings,
         &started,
-        scenarios,
+        &over,
         Goal::mean(Outcome::Carry),
         || DefaultRanges::loft(&request, &started)?.vary(),
     )?;
-    request.note_starts(&setup, &search.vary);
-    let found = optimize_and_write(args, &request, setup, swings, search)?;
+    request.note_starts(&over.setup, &search.vary);
+    let found = optimize_and_write(args, &request, over.setup, over.swings, search)?;
     interrupt::disable();
     // `held` is empty: the default search varies only the loft, and is refused if the request
     // states the loft
@@ -279,7 +285,7 @@ pub fn search_over_swings(
     search: &SearchArgs,
     swings: &SwingsArgs,
     setup: &Setup<f64>,
-    scenarios: Scenarios,
+    over: &SwingsRequest,
     usual: Goal,
     usual_vary: impl Fn() -> Result<Vec<Vary>>,
 ) -> Result<Search> {
@@ -289,14 +295,16 @@ pub fn search_over_swings(
     let (of, sense) = search.objective(read, usual)?;
     let vary = varied(&search.vary, setup, usual_vary)?;
     let subject_to = limits(setup, &search.subject_to, [&of], strokes)?;
-    Ok(Search {
+    let mut search = Search {
         of,
         sense,
         vary,
         subject_to,
-        scenarios,
+        scenarios: Scenarios::one_drive(),
         options: options(search.max_iterations),
-    })
+    };
+    search.scenarios = swings.scenarios(over, search.goals())?;
+    Ok(search)
 }
 
 /// The constraints of a search for the objectives `of`. A constraint limits a goal or an expression

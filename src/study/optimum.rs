@@ -240,10 +240,12 @@ pub(super) fn stopped_of(
 /// let setup = Setup::preset("mae494").unwrap();
 /// let attack = Uncertain::read(&setup, "swing.attack_angle=uniform(0deg, 10deg)").unwrap();
 /// let swings = Swings::distributed(vec![attack], &[]).unwrap();
+/// let of = Goal::read("mean(carry)", None).unwrap();
+/// let rule = Rule::of(&swings, [&of], None, 0).unwrap();
 /// let search = Search {
-///     of: Goal::read("mean(carry)", None).unwrap(),
+///     of,
 ///     vary: vec![Vary::read(&setup, "club.loft=4deg..20deg").unwrap()],
-///     scenarios: Scenarios::new(&swings, Rule::of(&swings, None, 0).unwrap()).unwrap(),
+///     scenarios: Scenarios::new(&swings, rule).unwrap(),
 ///     ..Search::longest_drive(&setup).unwrap()
 /// };
 /// let best = optimum(&setup, search, Observer::default()).unwrap();

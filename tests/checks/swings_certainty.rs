@@ -174,7 +174,7 @@ fn independent_truth_is_within_the_error_estimate_of_generated_goals() {
         let swings = Swings::distributed(inputs, &[]).unwrap();
         let count = [None, None, Some(256), Some(600)][round % 4];
         let scenarios =
-            Scenarios::new(&swings, Rule::of(&swings, count, round as u32).unwrap()).unwrap();
+            Scenarios::new(&swings, Rule::of(&swings, [], count, round as u32).unwrap()).unwrap();
         let mut share = || format!("{}%", between(3.0, 40.0));
         let mut goals = vec![
             format!("lowest(carry, {})", share()),

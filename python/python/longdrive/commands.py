@@ -202,7 +202,7 @@ def optimize(
         The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
     scenarios : int
         Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
-        for up to 3 parameters, else 512 swings].
+        for up to 3 parameters if no goal has an edge, else 512 swings].
     seed : int
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike
@@ -402,7 +402,7 @@ def design(
         The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
     scenarios : int
         Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
-        for up to 3 parameters, else 512 swings].
+        for up to 3 parameters if no goal has an edge, else 512 swings].
     seed : int
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike
@@ -822,7 +822,7 @@ def pareto(
         The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
     scenarios : int
         Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
-        for up to 3 parameters, else 512 swings].
+        for up to 3 parameters if no goal has an edge, else 512 swings].
     seed : int
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike
@@ -937,7 +937,7 @@ def robust(
         The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
     scenarios : int
         Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
-        for up to 3 parameters, else 512 swings].
+        for up to 3 parameters if no goal has an edge, else 512 swings].
     seed : int
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike

@@ -59,7 +59,7 @@ pub struct SwingsArgs {
     pub correlation: Vec<String>,
 
     /// Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
-    /// for up to 3 parameters, else 512 swings].
+    /// for up to 3 parameters if no goal has an edge, else 512 swings].
     #[arg(
         long,
         value_name = "N",

@@ -24,9 +24,10 @@ use std::sync::atomic::AtomicBool;
 /// let setup = Setup::preset("mae494").unwrap();
 /// let attack = Uncertain::read(&setup, "swing.attack_angle=uniform(0deg, 10deg)").unwrap();
 /// let swings = Swings::distributed(vec![attack], &[]).unwrap();
-/// let scenarios = Scenarios::new(&swings, Rule::of(&swings, None, 0).unwrap()).unwrap();
-/// let loft = setup.variable("club.loft").unwrap();
 /// let goal = Goal::read("mean(carry)", None).unwrap();
+/// let rule = Rule::of(&swings, [&goal], None, 0).unwrap();
+/// let scenarios = Scenarios::new(&swings, rule).unwrap();
+/// let loft = setup.variable("club.loft").unwrap();
 /// let mean = GoalFunction::new(&setup, &goal, &[loft], scenarios).unwrap();
 /// let at_ten_degrees = mean.at(&[10.0_f64.to_radians()], Order::First).unwrap();
 /// assert!(at_ten_degrees.gradient[0] > 0.0); // a higher loft is better for these swings

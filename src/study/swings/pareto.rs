@@ -164,6 +164,12 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, follow: &Observers) -> R
 }
 
 impl ParetoSearch {
+    /// The two goals, then the limited goals.
+    pub fn all_goals(&self) -> impl Iterator<Item = &Goal> {
+        let limited = self.subject_to.iter().map(|constraint| &constraint.goal);
+        self.goals.iter().map(|(goal, _)| goal).chain(limited)
+    }
+
     /// The search for the best value of the first goal. The second goal is a constraint without
     /// limits, so that its values are computed too.
     fn first_goal(&self) -> Search {

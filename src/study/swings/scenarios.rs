@@ -4,6 +4,7 @@ use crate::error::{Error, Result};
 use crate::optimize::sobol;
 use crate::parameters::{Parameter, Vary};
 use crate::statistics::extent;
+use crate::study::Goal;
 use crate::study::uncertainty::{Distribution, Uncertain};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -12,7 +13,7 @@ use statrs::distribution::{ContinuousCDF, Normal};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
     /// Product of Gauss's rules with this number of nodes for each parameter. [`Rule::of`] chooses
-    /// this rule for up to three parameters.
+    /// this rule for smooth goals over up to three parameters.
     Quadrature(usize),
     /// A scrambled Sobol' sequence.
     Sequence {
@@ -45,7 +46,7 @@ pub struct Scenarios {
 const MOST_INTEGRATED: usize = 3;
 /// Number of Gauss nodes per parameter, for one, two and three parameters.
 const NODES: [usize; MOST_INTEGRATED] = [32, 16, 8];
-/// Number of scenarios for more than three parameters.
+/// Number of scenarios of a sequence.
 const SCENARIOS: usize = 512;
 /// Largest number of scenarios in a search.
 const MOST_SCENARIOS: usize = 100_000;
@@ -64,14 +65,21 @@ impl Rule {
         }
     }
 
-    /// The rule for some swings: [`Rule::Recorded`] for recorded swings, and a sequence of `count`
-    /// scenarios for distributed swings. Without `count`, up to three distributed parameters are
-    /// integrated by Gauss's rules, and more than three by a sequence.
+    /// The rule for some swings and all goals of a search: [`Rule::Recorded`] for recorded swings,
+    /// and a sequence of `count` scenarios for distributed swings. Without `count`, up to three
+    /// distributed parameters are integrated by Gauss's rules. More than three, and goals with a
+    /// kink or jump, are integrated by a sequence: Gauss's rules converge for smooth goals only.
     ///
     /// # Errors
     /// [`Error::Unreadable`] for fewer than 2 scenarios or more than 100,000, and for a `count`
     /// with recorded swings.
-    pub fn of(swings: &Swings, count: Option<usize>, seed: u32) -> Result<Self> {
+    pub fn of<'a>(
+        swings: &Swings,
+        goals: impl IntoIterator<Item = &'a Goal>,
+        count: Option<usize>,
+        seed: u32,
+    ) -> Result<Self> {
+        let is_smooth = !goals.into_iter().any(Goal::has_edge);
         let refuse = |count: usize, reason: String| {
             Err(Error::Unreadable {
                 name: format!("`scenarios {count}`"),
@@ -89,7 +97,7 @@ impl Rule {
             }
             (_, Some(count)) => Ok(Self::Sequence { count, seed }),
             (Swings::Distributed { inputs, .. }, None) => Ok(match inputs.len() {
-                n @ 1..=MOST_INTEGRATED => Self::Quadrature(NODES[n - 1]),
+                n @ 1..=MOST_INTEGRATED if is_smooth => Self::Quadrature(NODES[n - 1]),
                 _ => Self::Sequence {
                     count: SCENARIOS,
                     seed,
@@ -106,8 +114,8 @@ impl Rule {
         let why = match (self, seed) {
             (Self::Sequence { .. }, _) | (_, None) => return Ok(()),
             (Self::Quadrature(_), _) => {
-                "up to 3 distributed parameters are integrated by Gauss's rules, which need no \
-                 seed; give `scenarios` too, or leave the seed out"
+                "smooth goals over up to 3 distributed parameters are integrated by Gauss's rules, \
+                 which need no seed; give `scenarios` too, or leave the seed out"
             }
             (Self::Recorded, _) => {
                 "recorded swings are the scenarios themselves, without a seed; leave the seed out"
