@@ -83,7 +83,7 @@ fn between(functions: impl Functions, low: [f64; 2], high: [f64; 2], count: usiz
     front(
         &Exact(functions),
         &domain,
-        |_| Ok(vec![0.3, 0.9]),
+        |_| Ok(vec![vec![0.3, 0.9]]),
         &options,
         count,
         &Observers::default(),
@@ -193,7 +193,7 @@ fn same_points_of_a_front_stopped_within_any_evaluation() {
             front(
                 &problem,
                 &domain,
-                |_| Ok(vec![0.3, 0.9]),
+                |_| Ok(vec![vec![0.3, 0.9]]),
                 &options,
                 6,
                 &observers,

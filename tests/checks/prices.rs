@@ -278,7 +278,7 @@ fn a_limit_whose_multiplier_is_rounding_is_not_active() {
         let text = text_of(&[&["optimize"], &search[..]].concat());
         assert!(text.contains("yd not active"), "{text}");
         let change = ["--wrt", "swing.speed", "--loss", "50rpm"];
-        let text = text_of(&[&["optimum-sensitivity"], &search[..], &change].concat());
+        let text = longdrive(&[&["optimum-sensitivity"], &search[..], &change].concat()).out;
         assert!(!text.contains("together"), "{text}");
     }
 }

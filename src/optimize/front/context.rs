@@ -104,10 +104,29 @@ impl FrontContext<'_> {
         minimize_observed(problem, domain, from, options, observer)
     }
 
-    /// Minimizes one function and ignores the other.
-    pub fn minimum_of(&self, function: usize, start: &[f64]) -> Result<Solution, FrontError> {
+    /// Minimizes one function and ignores the other. Returns the best end of the searches from
+    /// `starts`.
+    ///
+    /// # Errors
+    /// [`FrontError::NoEnd`] with the first end, if no search converges; [`FrontError::Refused`]
+    /// without starts.
+    pub fn minimum_of(&self, function: usize, starts: &[Vec<f64>]) -> Result<Solution, FrontError> {
         let problem = WeightedSums::minimized(self.problem, weights_of(function));
-        let found = self.search(&problem, &self.domain, start, self.options)?;
+        let ends = starts
+            .iter()
+            .map(|start| self.search(&problem, &self.domain, start, self.options))
+            .collect::<Result<Vec<_>>>()?;
+        let value = |end: &Solution| match end.status {
+            Status::Converged => end.value.unwrap_or(f64::INFINITY),
+            _ => f64::INFINITY,
+        };
+        let best = ends
+            .into_iter()
+            .min_by(|a, b| value(a).total_cmp(&value(b)));
+        let found = best.ok_or(Error::Nothing {
+            doing: "search from",
+            what: "start",
+        })?;
         match found.status {
             Status::Converged => Ok(found),
             _ => Err(FrontError::NoEnd {

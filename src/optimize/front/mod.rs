@@ -27,18 +27,18 @@ use std::cell::Cell;
 /// The front has `count` points, including the ends, spread evenly in the plane of the two
 /// functions. Points at changes of the active set and at the knee are added.
 ///
-/// `start_of` returns the start of the search for the minimum of a function: of the objective for
-/// 0, of the last constraint function for 1.
+/// `starts_of` returns the starts of the searches for the minimum of a function: of the objective
+/// for 0, of the last constraint function for 1. The best of their ends is the end of the front.
 ///
 /// `observers` receive every search, with its number, and can interrupt the work.
 ///
 /// # Errors
 /// [`FrontError::NoEnd`] if the minimization of one function does not converge, and
-/// [`FrontError::Refused`] with the errors of `start_of` and of [`minimize`](super::minimize()).
+/// [`FrontError::Refused`] with the errors of `starts_of` and of [`minimize`](super::minimize()).
 pub fn front(
     problem: &dyn Problem,
     domain: &Domain,
-    start_of: impl Fn(usize) -> Result<Vec<f64>>,
+    starts_of: impl Fn(usize) -> Result<Vec<Vec<f64>>>,
     options: &Options,
     count: usize,
     observers: &Observers,
@@ -50,12 +50,12 @@ pub fn front(
         observers,
         searches: Cell::new(0),
     };
-    let first = context.minimum_of(0, &start_of(0)?)?;
+    let first = context.minimum_of(0, &starts_of(0)?)?;
     let at_first = context.values(&first.x)?;
     // after an interrupt the front consists of the ends found so far
-    let second = start_of(1)
+    let second = starts_of(1)
         .map_err(FrontError::from)
-        .and_then(|start| context.minimum_of(1, &start))
+        .and_then(|starts| context.minimum_of(1, &starts))
         .and_then(|second| Ok((context.values(&second.x)?, second)));
     let (at_second, second) = match second {
         Err(_) if context.is_interrupted() => return Ok(context.ends_only([(first, at_first)])),

@@ -127,11 +127,11 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, follow: &Observers) -> R
         }
         Ok(functions)
     };
-    let start_of = |function: usize| search.start_of_end(function, &problem, follow);
+    let starts_of = |function: usize| search.starts_of_end(function, &problem, follow);
     let found = front(
         &minimized,
         &problem.domain,
-        start_of,
+        starts_of,
         &search.options,
         search.points,
         follow,
@@ -186,14 +186,14 @@ impl ParetoSearch {
         }
     }
 
-    /// The start of the search for an end of the front: the optimum of the goal with the index
-    /// `function`. After an interrupt it is the setup's own design.
-    fn start_of_end(
+    /// The starts of the searches for an end of the front: the setup's own design, and the optimum
+    /// of the goal with the index `function`, if there is one.
+    fn starts_of_end(
         &self,
         function: usize,
         problem: &SearchProblem,
         follow: &Observers,
-    ) -> Result<Vec<f64>> {
+    ) -> Result<Vec<Vec<f64>>> {
         let (of, sense) = self.goals[function].clone();
         let search = Search {
             of,
@@ -201,11 +201,10 @@ impl ParetoSearch {
             subject_to: self.subject_to.clone(),
             ..problem.search.clone()
         };
+        let own = problem.domain.variables.project(&problem.start());
         match optimum(&problem.set_up, search, follow.of_search(function)) {
-            Ok(best) => Ok(best.solution.x),
-            Err(Error::NotConverged { .. }) => {
-                Ok(problem.domain.variables.project(&problem.start()))
-            }
+            Ok(best) if best.solution.status == Status::Converged => Ok(vec![own, best.solution.x]),
+            Ok(_) | Err(Error::NotConverged { .. }) => Ok(vec![own]),
             Err(error) => Err(error),
         }
     }
