@@ -124,9 +124,8 @@ impl Club {
         Self::NAMES.iter().position(|name| *name == parameter.name)
     }
 
-    /// Converts between the convention of this type, + right, and the convention of the parameters,
-    /// + in to out and + open. They differ for a left-handed golfer. The conversion is its own
-    /// inverse.
+    /// Converts between the convention of this type (+ right) and that of the parameters (+ in to
+    /// out, + open). They differ for a left-handed golfer. The conversion is its own inverse.
     pub(crate) fn other_convention(self, golfer: Golfer) -> Self {
         match golfer {
             Golfer::Right => self,
