@@ -483,10 +483,11 @@ fn chart_as_json_csv_and_table() {
         "{}",
         chart["begun"]
     );
+    // up to 120 mph the optimum is not at a corner of the ranges, where a search needs no iteration
     let (status, chart) = json(&[
         "chart",
         "--along",
-        "swing.speed=80mph..130mph",
+        "swing.speed=80mph..120mph",
         "--max-iterations",
         "0",
     ]);
