@@ -444,11 +444,11 @@ ATTACK = "swing.attack_angle=truncated(-1deg,2deg,-5deg,3deg)"
         ),
         (
             lambda: longdrive.optimize(distribution=ATTACK, vary="club.loft=4deg..20deg", seed=4),
-            "^seed: up to 3 distributed parameters are integrated.*give scenarios",
+            "^seed: smooth goals over up to 3 distributed parameters are integrated.*give scenarios",
         ),
         (
             lambda: longdrive.objective("mae494", "mean(carry)", distribution=ATTACK, seed=4),
-            "^seed: up to 3 distributed parameters are integrated",
+            "^seed: smooth goals over up to 3 distributed parameters are integrated",
         ),
         (
             lambda: longdrive.robust(swings=RECORDED, vary="club.loft=4deg..20deg", seed=4),

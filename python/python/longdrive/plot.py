@@ -363,7 +363,7 @@ def pareto(
         The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
     scenarios : int
         Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
-        for up to 3 parameters, else 512 swings].
+        for up to 3 parameters if no goal has an edge, else 512 swings].
     seed : int
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike
