@@ -49,7 +49,7 @@ impl Landing {
     pub fn of(name: impl Into<String>, setup: &Setup<f64>, sigmas: &[Sigma]) -> Result<Self> {
         sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
         let drive = Drive::new(setup)?;
-        drive.landed()?;
+        let landed = drive.landed()?;
         // keep stated uncertainties, and default uncertainties of parameters that the golfer
         // controls
         let sigmas: Vec<Sigma> = sigmas
@@ -74,7 +74,7 @@ impl Landing {
         let rest = [Outcome::LateralTotal, Outcome::Total].map(|of| of.value(&drive));
         Ok(Self {
             name: name.into(),
-            at: LANDING.map(|of| of.value(&drive).unwrap_or(f64::NAN)),
+            at: [landed.lateral, landed.carry],
             rest: rest[0]
                 .zip(rest[1])
                 .map(|(right, downrange)| [right, downrange]),

@@ -12,8 +12,8 @@ pub struct Front {
     /// smaller values, with both functions scaled from 0 to 1 (Das 1999). `None` if the front is
     /// nearly straight, or curves towards larger values.
     pub knee: Option<usize>,
-    /// How far the front bulges towards smaller values: its largest distance from the straight line
-    /// between its ends, divided by the length of that line. Both functions are scaled from 0 to 1.
+    /// Largest distance of the front from the straight line between its ends, towards smaller
+    /// values, divided by the length of that line. Both functions are scaled from 0 to 1.
     pub relative_bulge: f64,
     /// Number of dominated points that were removed.
     pub dominated: usize,
