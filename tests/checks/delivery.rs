@@ -1,6 +1,6 @@
 //! The delivery behind a measured launch.
 
-use crate::command_line::{json, longdrive, number, on_one_line};
+use crate::command_line::{file_with, json, longdrive, number, on_one_line};
 use crate::common::close;
 use longdrive::derivative::gradient;
 use longdrive::parameters::SetupFile;
@@ -689,10 +689,9 @@ fn bad_arguments_of_delivery_are_refused_with_advice() {
 #[test]
 fn a_delivery_uses_the_club_and_the_launch_of_a_file_but_no_launch_beside_shots() {
     let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("both.toml").display().to_string();
     let text = "[swing]\nspeed = \"95 mph\"\n[launch]\nball_speed = \"140 mph\"\n\
                 launch_angle = \"12 deg\"\nspin = \"2600 rpm\"\n";
-    std::fs::write(&file, text).unwrap();
+    let file = file_with(folder.path(), "both.toml", text);
     let found = longdrive(&["delivery", &file]);
     assert_eq!(found.status, 0, "{}", found.err);
     assert!(found.err.contains("swing.speed = 95 mph"), "{}", found.err);

@@ -279,24 +279,25 @@ fn bad_models_are_refused_with_the_reason() {
     assert!(matches!(alone, Err(Error::Unreadable { .. })));
 }
 
-/// The goal rms(lateral) has a local optimum at each end of the range, and the setup is nearer to
-/// the worse one. A search from several starts finds the better one.
+/// A search whose goal has a local optimum at each end of the range. The setup is nearer to the worse
+/// one.
+const BETTER_AT_AN_END: [&str; 10] = [
+    "robust",
+    "mae494",
+    "--maximize",
+    "rms(lateral)",
+    "--distribution",
+    "swing.speed=normal(100mph,2mph)",
+    "--set",
+    "swing.face_angle=1deg",
+    "--vary",
+    "swing.face_angle=-5deg..3deg",
+];
+
+/// A search from several starts finds the better end of the range.
 #[test]
 fn several_starts_find_the_better_end_for_every_model() {
-    let args = [
-        "robust",
-        "mae494",
-        "--maximize",
-        "rms(lateral)",
-        "--distribution",
-        "swing.speed=normal(100mph,2mph)",
-        "--set",
-        "swing.face_angle=1deg",
-        "--vary",
-        "swing.face_angle=-5deg..3deg",
-        "--model",
-        "ball.mass=45g",
-    ];
+    let args = [&BETTER_AT_AN_END[..], &["--model", "ball.mass=45g"]].concat();
     let face = |more: &[&str]| {
         let (status, found) = json(&[&args[..], more].concat());
         assert_eq!(status, 0, "{found}");
@@ -484,20 +485,7 @@ fn same_best_of_a_model_as_of_its_own_search() {
 /// second model to the other end, which is better for both models.
 #[test]
 fn a_model_is_searched_again_from_a_better_design_of_another_model() {
-    let args = [
-        "robust",
-        "mae494",
-        "--maximize",
-        "rms(lateral)",
-        "--distribution",
-        "swing.speed=normal(100mph,2mph)",
-        "--set",
-        "swing.face_angle=1deg",
-        "--vary",
-        "swing.face_angle=-5deg..3deg",
-        "--model",
-        "swing.path=4deg",
-    ];
+    let args = [&BETTER_AT_AN_END[..], &["--model", "swing.path=4deg"]].concat();
     let (status, found) = json(&args);
     assert_eq!(status, 0, "{found:#}");
     for model in found["models"].as_array().unwrap() {

@@ -588,9 +588,8 @@ fn answers_state_an_assumption_where_it_applies_alone() {
 #[test]
 fn same_refusal_of_a_setup_from_standard_input_and_from_a_file() {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("dense.toml");
-    std::fs::write(&path, "[air]\ndensity = \"1.1 kg/m^3\"\n").unwrap();
-    let file = path.display().to_string();
+    let text = "[air]\ndensity = \"1.1 kg/m^3\"\n";
+    let file = file_with(folder.path(), "dense.toml", text);
     let says = "air.density and air.temperature are both given";
     for arguments in [
         &["simulate", "--temperature", "50F"][..],
@@ -603,7 +602,7 @@ fn same_refusal_of_a_setup_from_standard_input_and_from_a_file() {
             command
         };
         let by_name = command(&file).output().unwrap();
-        let input = std::fs::File::open(&path).unwrap();
+        let input = fs::File::open(&file).unwrap();
         let by_input = command("-").stdin(input).output().unwrap();
         for output in [by_name, by_input] {
             let message = String::from_utf8(output.stderr).unwrap();

@@ -274,7 +274,7 @@ fn ellipses_note(landings: &[Landing], system: System) -> Option<String> {
         .collect();
     Some(format!(
         "The inner and the outer ellipse hold 50 % and 95 % of the landings if these inputs vary \
-         from drive to drive (standard deviations): {}. They are counted in {} drives with normally \
+         from drive to drive (standard deviations): {}. The shares are counted in {} drives with normally \
          distributed inputs; all other inputs are constant.",
         sigmas.join(", "),
         Landing::SAMPLED

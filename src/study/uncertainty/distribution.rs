@@ -122,10 +122,7 @@ impl Distribution {
             return Some("its numbers must be finite");
         }
         if !rises {
-            return Some(
-                "its values must rise from the lower end to the upper (110% of a negative value is \
-                 below 90%)",
-            );
+            return Some("its values must rise from the lower end to the upper");
         }
         let is_left = self.deviation() > 0.0
             && self.deviation().is_finite()

@@ -70,7 +70,8 @@ impl CsvRows {
         let own = PointColumns::new(&self.setup, file, &head)?;
         let at = own.places_of(parameters).map_err(|missing| {
             let reason = format!(
-                "the column heads in line {} lack {missing}; the column heads at the top of the table have it",
+                "the column heads in line {} lack {missing}; the column heads at the top of the \
+                 table have it",
                 record.line
             );
             file.refused(String::new(), reason)
