@@ -21,7 +21,8 @@ impl GridAxis {
     /// ```
     ///
     /// # Errors
-    /// [`Error::SearchRange`] if the count in `text` is missing or zero; errors of [`Vary::read`].
+    /// [`Error::SearchRange`] if the count in `text` is missing or zero, or 1 for two different
+    /// ends; errors of [`Vary::read`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
         let refuse = |reason: String| Error::SearchRange {
             name: text.trim().into(),
@@ -38,8 +39,11 @@ impl GridAxis {
         let over = Vary::read_column(setup, range)?;
         match count.trim().parse() {
             Ok(0) => Err(refuse(
-                "the number of values must be at least 1; write for example :101, or :1 for the \
-                 lower end alone"
+                "the number of values must be at least 1; write for example :101".into(),
+            )),
+            Ok(1) if over.low < over.high => Err(refuse(
+                "one value does not include both ends; write for example :2, or the same value \
+                 for both ends"
                     .into(),
             )),
             Ok(count) => Ok(Self { over, count }),

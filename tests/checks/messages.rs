@@ -28,7 +28,7 @@ fn one_thing_is_in_the_singular() {
     let fast = [
         "sweep",
         "--over",
-        "swing.speed=170mph..190mph:1",
+        "swing.speed=170mph..170mph:1",
         "-o",
         &rows,
     ];
