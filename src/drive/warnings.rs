@@ -8,10 +8,10 @@ use super::{Drive, Outcome};
 use crate::aerodynamics::{AerodynamicLaw, Stream};
 use crate::atmosphere::{AirState, WindField};
 use crate::flight::{
-    Flight, Inputs, Landed, TrajectoryPoint, carry_by_holding, stays_within, trajectory_until,
+    Flight, Inputs, Landed, TrajectoryPoint, change_by_holding, stays_within, trajectory_until,
 };
 use crate::parameters::Setup;
-use crate::units::{Digits, Message, Quantity, YARD};
+use crate::units::{Digits, Message, Quantity};
 use serde::Serialize;
 use std::sync::atomic::AtomicBool;
 
@@ -25,16 +25,6 @@ pub(super) struct Extrapolated {
     /// most 0.3 yd, or if the law itself holds the variable. Also `None` if the ball does not land.
     change: Option<f64>,
 }
-
-/// Published changes of a driver's carry, m, if air and ball become 10 °F warmer: from 1.3 to 2 yd
-/// (docs/limitations.md).
-const PUBLISHED_PER_TEN_DEGREES: [f64; 2] = [1.3 * YARD, 2.0 * YARD];
-
-/// 10 °F, K.
-const TEN_DEGREES: f64 = 10.0 / 1.8;
-
-/// Temperature of the balls whose restitution was measured, K: 25 °C.
-const BALL_TEMPERATURE: f64 = 298.15;
 
 /// Largest shift of the landing, m, when the step is halved. If the shift is larger, a warning says
 /// that the step is long.
@@ -74,7 +64,6 @@ impl Drive<f64> {
     /// - a strike outside the largest face that the Rules of Golf allow;
     /// - a flight outside the ranges of the law;
     /// - a step so long that the landing depends on it;
-    /// - a temperature at which the real ball has another restitution;
     /// - if an outcome in `of` depends on the run, a landing flatter than any measured bounce.
     ///
     /// The warnings need further flights, so a search requests them for its result only.
@@ -98,7 +87,6 @@ impl Drive<f64> {
         if !is_step_chosen {
             warnings.extend(self.long_step_warning(setup, stop));
         }
-        warnings.extend(self.ball_temperature_warning(setup, stop));
         warnings.extend(
             self.flat_landing_warning(setup)
                 .filter(|_| of.iter().any(|of| of.needs_run())),
@@ -145,38 +133,6 @@ impl Drive<f64> {
             Ok(Flight::Landed(landed)) => Some(landed),
             _ => None,
         }
-    }
-
-    /// Warning that a stated temperature changes the air only: the ball keeps its restitution at 25
-    /// °C.
-    fn ball_temperature_warning(&self, setup: &Setup<f64>, stop: &AtomicBool) -> Option<Message> {
-        let temperature = setup.air.temperature?;
-        let [least, most] = PUBLISHED_PER_TEN_DEGREES;
-        let apart = (temperature - BALL_TEMPERATURE) / TEN_DEGREES;
-        if apart.abs() * least <= LEAST_WARNED_CHANGE {
-            return None;
-        }
-        let carry = |temperature: f64| {
-            let mut warmer = *setup;
-            warmer.air.temperature = Some(temperature);
-            self.landed_with(&warmer, stop).map(|landed| landed.carry)
-        };
-        let half = 0.5 * TEN_DEGREES;
-        let ours = carry(temperature + half)? - carry(temperature - half)?;
-        let yards = |message: Message, value: f64| {
-            message.quantity(Quantity::LENGTH, "yd", value, Digits::Significant(2))
-        };
-        let ball = match apart < 0.0 {
-            true => "a cold ball is slower",
-            false => "a warm ball is faster",
-        };
-        let message = Message::from(format!(
-            "air.temperature changes the air alone: {ball} too, which is not modelled; per 10 °F \
-             the carry changes by "
-        ));
-        let message = yards(message, ours).words(" here, and by ");
-        let message = yards(message, least).words(" to ");
-        Some(yards(message, most).words(" by published rules for air and ball together"))
     }
 
     fn off_face_warning(&self, setup: &Setup<f64>) -> Option<String> {
@@ -227,10 +183,8 @@ impl Drive<f64> {
             let is_extrapolated = is_below && !held_below || is_above && !held_above;
             let is_held = is_below && held_below || is_above && held_above;
             let change = is_extrapolated
-                .then(|| carry_by_holding(setup, &self.launch, variable, range, stop))
-                .flatten()
-                .zip(self.landed().ok())
-                .map(|(held, landed)| held - landed.carry);
+                .then(|| change_by_holding(setup, &self.launch, variable, range, stop))
+                .flatten();
             let has_share = (is_held || change.is_none()) && flown.outside >= LEAST_WARNED_SHARE;
             let change = change.filter(|change| change.abs() > LEAST_WARNED_CHANGE);
             (has_share || change.is_some()).then_some(Extrapolated {

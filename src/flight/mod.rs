@@ -11,7 +11,7 @@ mod step;
 mod tableau;
 mod trajectory;
 
-pub(crate) use held::{carry_by_holding, stays_within};
+pub(crate) use held::{change_by_holding, stays_within};
 pub(crate) use inputs::Inputs;
 pub(crate) use result::RequestedOutputs;
 pub use result::{Apex, Flight, Landed, NoFlight};

@@ -3,7 +3,7 @@
 use super::declare::{Parameter, is_unset};
 use super::table::{Air, Setup};
 use crate::error::{Error, Result};
-use crate::units::{Digits, Message, Quantity};
+use crate::units::{Digits, Message, Quantity, YARD};
 
 /// Temperature, K, that is used if pressure, altitude or humidity is given without a temperature:
 /// 25 °C, TrackMan's normalized air.
@@ -171,6 +171,20 @@ pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> 
     Ok(())
 }
 
+/// Published changes of a driver's carry, m, if air and ball become 10 °F warmer: from 1.3 to 2 yd
+/// (docs/limitations.md).
+const PUBLISHED_PER_TEN_DEGREES: [f64; 2] = [1.3 * YARD, 2.0 * YARD];
+
+/// 10 °F, K.
+const TEN_DEGREES: f64 = 10.0 / 1.8;
+
+/// Difference of temperatures, in 10 °F, above which there is a warning: by the published changes
+/// it is worth 0.3 to 0.5 yd.
+const LEAST_WARNED_APART: f64 = 0.25;
+
+/// Temperature of the balls whose restitution was measured, K: 25 °C.
+const BALL_TEMPERATURE: f64 = 298.15;
+
 impl Setup<f64> {
     /// Refuses a parameter of `names` that another parameter, set or in `names`, replaces. Any
     /// weather parameter replaces density and viscosity. Speed and direction of the wind replace
@@ -198,7 +212,7 @@ impl Setup<f64> {
     /// Warnings about weather outside the range in which the equation of the density is validated
     /// (docs/sources.md): there the equation is extrapolated. The range begins at 15 °C, but colder
     /// air causes no warning: cold air holds little vapour, and the density of dry air is known.
-    pub(super) fn weather_warnings(&self) -> Vec<Message> {
+    pub(crate) fn weather_warnings(&self) -> Vec<Message> {
         const PRESSURE: [f64; 2] = [60_000.0, 110_000.0];
         // altitudes, m, at which the standard atmosphere has about these pressures
         const ALTITUDE: [f64; 2] = [-700.0, 4200.0];
@@ -230,7 +244,31 @@ impl Setup<f64> {
         rows.into_iter()
             .filter_map(warning)
             .chain(self.altitude_warning())
+            .chain(self.ball_temperature_warning())
             .collect()
+    }
+
+    /// Warning that a temperature changes the air only: the ball keeps its restitution at 25 °C.
+    /// `None` for a given launch, which a cold ball has already left.
+    fn ball_temperature_warning(&self) -> Option<Message> {
+        let apart = (self.air.temperature? - BALL_TEMPERATURE) / TEN_DEGREES;
+        if self.launch.is_given() || apart.abs() <= LEAST_WARNED_APART {
+            return None;
+        }
+        let [least, most] = PUBLISHED_PER_TEN_DEGREES;
+        let ball = match apart < 0.0 {
+            true => "a cold ball is slower",
+            false => "a warm ball is faster",
+        };
+        let message = Message::from(format!(
+            "air.temperature changes the air alone: {ball} too, which is not modelled; by \
+             published rules for air and ball together the carry changes by "
+        ));
+        let yards = |message: Message, value: f64| {
+            message.quantity(Quantity::LENGTH, "yd", value, Digits::Significant(2))
+        };
+        let message = yards(message, least).words(" to ");
+        Some(yards(message, most).words(" per 10 °F"))
     }
 
     /// Warning about an altitude without a temperature. The default of 25 °C is warmer than the
@@ -241,9 +279,13 @@ impl Setup<f64> {
             return None;
         }
         let row = self.parameter("air.temperature").ok()?;
+        let message = self
+            .parameter("air.altitude")
+            .ok()?
+            .append_value("air.altitude = ".into(), altitude);
         let standard = SEA_LEVEL_TEMPERATURE - LAPSE_RATE * altitude;
         let denser = 100.0 * (DEFAULT_TEMPERATURE / standard - 1.0);
-        let message = "air.altitude is given without air.temperature, which is then ".into();
+        let message = message.words(" is given without air.temperature, which is then ");
         let message = row.append_value(message, DEFAULT_TEMPERATURE);
         let message = message.words("; the standard atmosphere has ").quantity(
             Quantity::TEMPERATURE,
@@ -308,34 +350,17 @@ impl Setup<f64> {
         }
     }
 
-    /// Warning about a roughness or a reference height without effect, and about a reference height
-    /// that is not above the roughness length. [`warnings`](Self::warnings) does not contain this
-    /// warning, because it holds for a single drive only: if a batch varies the wind or the
-    /// roughness, both settings have an effect.
-    pub fn wind_profile_warning(&self) -> Option<Message> {
+    /// Warning about a reference height of the wind that is not above the roughness length.
+    pub(super) fn reference_height_warning(&self) -> Option<Message> {
         let wind = &self.wind;
-        let stated = self.parameter("wind.reference_height").ok()?;
-        let Some(roughness) = wind.roughness else {
-            let is_usual = stated
-                .default_value()
-                .is_none_or(|usual| wind.reference_height == usual);
-            let warning = "wind.reference_height has no effect without wind.roughness: the wind \
-                           is the same at every height";
-            return (!is_usual).then(|| warning.into());
-        };
-        let along = wind
-            .speed
-            .unwrap_or_else(|| wind.right.hypot(wind.downrange));
-        if along == 0.0 && wind.up == 0.0 {
-            let warning = "wind.roughness has no effect without a wind: give wind.downrange and \
-                           wind.right, or wind.speed and wind.from";
-            return Some(warning.into());
+        if wind.reference_height > wind.roughness? {
+            return None;
         }
-        let low = stated.append_value("wind.reference_height = ".into(), wind.reference_height);
-        (wind.reference_height <= roughness).then(|| {
-            low.words(
-                " is not above wind.roughness: a logarithmic profile does not define the wind there",
-            )
-        })
+        let stated = self.parameter("wind.reference_height").ok()?;
+        let message = "wind.reference_height = ".into();
+        let message = stated.append_value(message, wind.reference_height);
+        Some(message.words(
+            " is not above wind.roughness: a logarithmic profile does not define the wind there",
+        ))
     }
 }

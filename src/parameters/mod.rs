@@ -6,6 +6,7 @@ mod choices;
 #[macro_use]
 mod declare;
 mod file;
+mod idle;
 mod inertia;
 mod launch;
 mod law_table;
@@ -33,6 +34,7 @@ pub(crate) use declare::is_unset;
 pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;
 pub(crate) use file::{in_file, place_in};
+pub(crate) use idle::idle_warnings;
 pub use launch::is_of_strike;
 pub use law_table::{AxisVariable, LawTable, LawTableAxis, TABLE, TABLE_LAW};
 pub(crate) use law_table::{Cell, CoefficientGrid, Surface, cells_of};

@@ -1,6 +1,7 @@
 use super::air::{is_reset, replacement_advice};
 use super::choices::{GOLFER, Golfer, METHOD, Method, SPEED_OF, SpeedOf};
 use super::declare::{Kind, Parameter, Slot, is_unset};
+use super::idle::idle_warnings;
 use super::law_table::{LawTable, TABLE, TABLE_LAW};
 use super::range::Range;
 use super::steps::is_of_step;
@@ -538,21 +539,12 @@ impl Setup<f64> {
             .triangle_warning()
             .into_iter()
             .chain(self.massless_weight_warnings())
-            .chain(self.idle_shaft_growth_warning())
             .map(Message::from);
-        of_club.chain(self.weather_warnings()).collect()
-    }
-
-    fn idle_shaft_growth_warning(&self) -> Option<String> {
-        let swing = &self.swing;
-        let is_idle = swing.shaft_growth.is_some_and(|growth| growth != 0.0)
-            && swing.shaft_bend.is_none()
-            && swing.shaft_droop.is_none();
-        is_idle.then(|| {
-            "swing.shaft_growth has no effect: the shaft neither bends nor droops; set \
-             swing.shaft_bend or swing.shaft_droop too"
-                .into()
-        })
+        of_club
+            .chain(idle_warnings(["swing.shaft_growth"], &[*self]))
+            .chain(self.weather_warnings())
+            .chain(self.reference_height_warning())
+            .collect()
     }
 
     /// The parameter of this name, if it can be varied and outcomes can be differentiated by it.
