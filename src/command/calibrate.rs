@@ -105,7 +105,7 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let setup = request.setup()?;
+    let setup = request.partial_setup;
     let rule = OutputRule::new(request.inputs().chain([args.data.clone()]), args.overwrite);
     let folder = match &args.plot {
         Some(path) => Some(rule.folder(path, &DOCUMENT)?),
@@ -114,11 +114,17 @@ pub fn run(args: &Args) -> Result<Answer> {
     let rule = rule.and_not(args.plot.as_deref());
     let output = rule.setup_file(args.output.as_deref())?;
     request.refuse_launch(&setup, &launch_columns_advice(&args.data))?;
-    warn(setup.warnings());
-    let table = read_shots(args, &request, &setup)?;
+    let table = read_shots(args, &request, &setup).or_else(|error| {
+        // columns may complete the setup; without them, its own error says more
+        request.setup()?;
+        Err(error)
+    })?;
     warn(table.warnings.clone());
     let plan = args.plan(&setup)?;
-    let setup = request.for_many(setup, &ranges(&table, &plan.fit))?;
+    request.note_starts(&setup, &plan.fit);
+    let ranges = ranges(&table, &plan.fit);
+    warn(Vary::initialized(&setup, &ranges)?.warnings());
+    let setup = request.for_many(setup, &ranges)?;
     let validation = CrossValidation::new(args, &setup, &table, &plan)?;
     warn(table.one_drive(&setup, &plan.fit));
     warn(assumed_ground(&request, &table, &plan));

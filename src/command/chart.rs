@@ -48,7 +48,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let setup = request.partial_setup;
     let (along, at) = args.places(&setup)?;
     let mut starts = request.starts(&setup, &args.search.vary)?;
-    starts.push((along.parameter, 0.5 * (along.low + along.high)));
+    starts.push((along.parameter, along.low));
     let setup = request.with_values(setup, starts, "begins at")?;
     let search = args
         .search
@@ -58,7 +58,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     let setup = request.for_many(setup, &ranges)?;
     warn(setup.warnings());
     let stop = interrupt::enable(BEST_SO_FAR);
-    request.note_starts(&setup, &search.vary);
     if !at.is_sorted_by(|a, b| a < b) {
         note("the values of `at` are used in ascending order, each once");
     }

@@ -1,11 +1,13 @@
 use crate::command::args::SetupArgs;
 use crate::command::names::outcomes;
-use crate::command::output::{Answer, note, note_error, spinner, warn};
+use crate::command::output::{Answer, note, note_error, spinner, warn, warn_early};
 use crate::command::request::{CommandSetting, Request, Source, refuse_duplicates};
+use crate::parameters::idle_warnings;
 use crate::report::{ComparisonReport, SetupOrigin};
 use crate::study::Comparison;
 use crate::units::Message;
 use crate::{Error, Outcome, Result};
+use std::collections::BTreeSet;
 
 /// The two drives.
 #[derive(clap::Args)]
@@ -159,10 +161,15 @@ impl PairArgs {
     /// [`Comparison::new`].
     pub fn comparison(&self, [a, b]: &[Request; 2]) -> Result<Comparison> {
         let setup = |request: &Request| request.one_of_two_within_tolerance(request.setup()?);
-        let comparison = Comparison::new(
-            &setup(a).map_err(|error| error.of_drive(A))?,
-            &setup(b).map_err(|error| error.of_drive(B))?,
-        )?;
+        let setups = [
+            setup(a).map_err(|error| error.of_drive(A))?,
+            setup(b).map_err(|error| error.of_drive(B))?,
+        ];
+        let given: BTreeSet<_> = a.given().chain(b.given()).collect();
+        idle_warnings(given, &setups)
+            .into_iter()
+            .for_each(warn_early);
+        let comparison = Comparison::new(&setups[0], &setups[1])?;
         if comparison.is_refined {
             let setup = &comparison.setups[0];
             note(&format!(

@@ -4,7 +4,7 @@ use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, command_line, note, stated_system, system, warn};
 use crate::command::ranges::varied;
-use crate::command::request::{CommandSetting, Request, Source};
+use crate::command::request::{CommandSetting, LOFT, Request, Source};
 use crate::parameters::is_of_strike;
 use crate::report::{
     DeliveryReport, SetupOrigin, bound_warnings, delivery_toml, difference_warnings,
@@ -73,7 +73,8 @@ pub struct Args {
     pub vary: Vec<String>,
 
     /// The prior standard uncertainty of a parameter about its value in the setup, e.g.
-    /// swing.attack_angle=1deg. Repeatable.
+    /// swing.attack_angle=1deg. Repeatable [default: that of a launch monitor for a club value that
+    /// an option or a row states, and that of golfers for a value of the setup file].
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 
@@ -253,9 +254,6 @@ fn of_shots(
     })
 }
 
-/// The club parameter whose value is printed on the club.
-const LOFT: &str = "club.loft";
-
 /// A warning if the loft is neither stated nor varied, and the setup is the preset of an average
 /// golfer. The delivery is then found for the loft of the preset, and a later search finds a best
 /// loft relative to the loft of the preset.
@@ -263,8 +261,7 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
     let is_varied = unknowns
         .iter()
         .any(|unknown| unknown.parameter.name == LOFT);
-    let is_stated = club.states(LOFT);
-    if is_varied || is_stated || !club.source.is_average() {
+    if is_varied || !club.has_average(|name| name == LOFT) {
         return vec![];
     }
     let loft = setup.variable(LOFT).ok().map(|parameter| {
@@ -272,7 +269,7 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
         format!(
             "{LOFT} = {loft} is the loft of {}, and a best loft is found relative to it; state the \
              loft of your club, for example `set {LOFT}=10.5deg`",
-            club.source.name()
+            club.source.content.preset.name
         )
     });
     loft.into_iter().map(Message::from).collect()
@@ -286,15 +283,12 @@ fn idle_settings_warning(args: &Args, club: &Request) -> Option<Message> {
         return None;
     }
     // the parameters of strike and ball determine the impact
-    let is_idle = |name: &&str| !is_of_strike(name) && !name.starts_with("ball.");
-    let idle: Vec<_> = club.stated().filter(is_idle).collect();
-    (!idle.is_empty()).then(|| {
-        let idle = idle.join(", ");
-        Message::from(format!(
-            "{idle}: no effect on the delivery, which depends on the impact only; leave it out, or \
-             write the setup with `output FILE`"
-        ))
-    })
+    let is_of_impact = |name: &str| is_of_strike(name) || name.starts_with("ball.");
+    club.unused_warning(
+        is_of_impact,
+        "the delivery, which depends on the impact only; leave it out, or write the setup with \
+         `output FILE`",
+    )
 }
 
 /// The parameters to find, each with its prior. A stated club value counts as measured by a launch

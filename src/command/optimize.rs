@@ -18,7 +18,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let setup = request.with_starts(request.partial_setup, &args.search.vary)?;
     let search = args.search.search(&request, &setup, None)?;
-    request.note_starts(&setup, &search.vary);
     let setup = request.for_many(setup, &search.vary)?;
     let output = args.destination(&request, std::iter::empty())?;
     let mut optima = args.optima(&setup, &search)?;

@@ -46,7 +46,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     let request = setup_args.request()?;
     let own = request.with_starts(request.partial_setup, &search.vary)?;
     let search = search.search(&request, &own, None)?;
-    request.note_starts(&own, &search.vary);
     let setup = request.for_many(own, &search.vary)?;
     let requested = AnalysisRequest::new(args, &setup, &search)?;
     let output = args.optimum.destination(&request, std::iter::empty())?;

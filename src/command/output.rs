@@ -36,9 +36,13 @@ pub fn warn_early(warning: Message) {
     running().early().push(warning);
 }
 
-/// Reports warnings, and adds them to the answer.
+/// Reports warnings, and adds them to the answer. Does nothing for a warning that was reported
+/// early.
 pub fn warn(warnings: impl IntoIterator<Item = Message>) {
     for warning in warnings {
+        if running().early().contains(&warning) {
+            continue;
+        }
         say_warning(&warning);
         running().warnings().push(warning);
     }

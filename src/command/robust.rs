@@ -6,7 +6,7 @@ use crate::command::interrupt;
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, note_detail, spinner, system, warn};
 use crate::command::ranges::DefaultRanges;
-use crate::command::request::Request;
+use crate::command::request::{Request, replaced};
 use crate::command::search::allowed_loss;
 use crate::command::swings::{search_over_swings, swing_ranges};
 use crate::optimize::Observers;
@@ -65,7 +65,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     let output = rule.setup_file(args.output.as_deref())?;
     let (setup, search) = args.search(&request)?;
     let within = args.within(&search.of)?;
-    request.note_starts(&setup, &search.vary);
     let ranges = swing_ranges(&search.vary, &search.scenarios);
     let mut models = args.models(&setup, &search)?;
     for model in &mut models {
@@ -111,33 +110,23 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(is_found))
 }
 
-/// Warnings about stated coefficients of the setup's law: they have no effect in a model with
-/// another law.
+/// Warnings about values that the command line, the host or the setup file gives, and that a model
+/// replaces although it does not name them: another law has coefficients of its own, another turf
+/// its own friction, and a temperature its own density.
 fn lost_settings(request: &Request, setup: &Setup<f64>, models: &[Model]) -> Vec<Message> {
-    let other_laws = models
-        .iter()
-        .filter(|model| model.setup.law.name() != setup.law.name());
-    let is_lost = |model: &Model, name: &str| {
-        let own = setup
-            .parameter(name)
-            .map(|parameter| setup.value(parameter));
-        let other = model.setup.parameter(name);
-        let other = other.map(|parameter| model.setup.value(parameter));
-        name.starts_with("aero.") && own.ok() != other.ok()
-    };
-    other_laws
-        .flat_map(|model| {
-            let lost = request.stated().filter(|name| is_lost(model, name));
-            lost.map(|name| {
+    let lost_in = |model: &Model| {
+        let names = request.given().filter(|name| !model.names(name));
+        replaced(names, setup, &model.setup)
+            .into_iter()
+            .map(|name| {
                 Message::from(format!(
-                    "the stated {name} has no effect in the model '{}': its law has coefficients of \
-                     its own",
+                    "{name} as given has no effect in the model '{}', which replaces it",
                     model.name
                 ))
             })
             .collect::<Vec<_>>()
-        })
-        .collect()
+    };
+    models.iter().flat_map(lost_in).collect()
 }
 
 fn note_models(models: &[Model]) {
@@ -166,6 +155,7 @@ impl Args {
                 || DefaultRanges::loft(request, &started)?.vary(),
             )?;
             note_the_run(&search.outcomes());
+            request.note_starts(&over.setup, &search.vary);
             return Ok((over.setup, search));
         }
         let setup = request.with_starts(request.partial_setup, &self.search.vary)?;
@@ -194,11 +184,7 @@ impl Args {
                 .iter()
                 .map(|vary| vary.parameter)
                 .chain(search.scenarios.parameters.iter().copied());
-            let is_changed = |name: &str| {
-                text.split(',')
-                    .any(|part| part.split('=').next().map(str::trim) == Some(name))
-            };
-            if let Some(parameter) = taken.find(|parameter| is_changed(parameter.name)) {
+            if let Some(parameter) = taken.find(|parameter| model.names(parameter.name)) {
                 return Err(refuse(format!(
                     "{} is varied, by the search or by the swings, so this value would have no \
                      effect; leave it out",

@@ -50,6 +50,7 @@ impl SearchArgs {
             options: options(self.max_iterations),
         };
         note_the_run(&search.outcomes());
+        request.note_starts(setup, &search.vary);
         Ok(search)
     }
 

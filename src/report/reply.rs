@@ -25,6 +25,10 @@ pub struct Reply<T> {
     /// are none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub held: Vec<&'static str>,
+    /// Advice on the setup; omitted if there is none.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    #[cfg_attr(test, schemars(default))]
+    pub advice: String,
     /// The result.
     #[serde(flatten)]
     pub body: T,
@@ -129,17 +133,20 @@ impl<T> Reply<T> {
             warnings,
             from: None,
             held: vec![],
+            advice: String::new(),
             body,
         }
     }
 
-    /// Sets `from` to the name of the setup and `held` to the names of the held parameters.
+    /// Sets `from` to the name of the setup, `held` to the names of the held parameters, and
+    /// `advice` to the advice on the setup.
     #[must_use]
     pub fn about(self, origin: &SetupOrigin) -> Self {
         let held = origin.held.iter();
         Self {
             from: origin.has_name.then(|| origin.title.clone()),
             held: held.map(|(parameter, _)| parameter.name).collect(),
+            advice: origin.advice.clone(),
             ..self
         }
     }
@@ -174,6 +181,7 @@ impl Reply<Empty> {
             warnings: vec![],
             from: None,
             held: vec![],
+            advice: String::new(),
             body: Empty {},
         }
     }

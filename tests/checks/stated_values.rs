@@ -363,16 +363,45 @@ fn columns_of_a_table_of_swings_that_are_not_read_are_named() {
     );
 }
 
-/// A warning names a stated coefficient of the setup's law if the law of a model does not have it.
+/// A warning names a given value that a model replaces although it does not name it: a coefficient
+/// of the setup's law, a density beside a temperature, the friction of another turf.
 #[test]
-fn coefficients_that_the_law_of_a_model_does_not_have_are_named() {
-    let (status, found) = json(&["robust", "--set", "aero.cd0=0.2"]);
-    let warnings = found["warnings"].to_string();
-    assert_eq!(status, 0);
-    assert!(
-        warnings.contains("the stated aero.cd0 has no effect in the model 'aero.law=ferguson'"),
-        "{warnings}"
-    );
+fn given_values_that_a_model_replaces_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "preset = \"modern-driver\"\nground.friction = 0.5\n";
+    let file = &*file_with(folder.path(), "ground.toml", text);
+    for (args, name, model) in [
+        (
+            ["--set", "aero.cd0=0.2"].as_slice(),
+            "aero.cd0",
+            "aero.law=ferguson",
+        ),
+        (
+            &[
+                "--set",
+                "air.density=1.1",
+                "--model",
+                "air.temperature=10degC",
+            ],
+            "air.density",
+            "air.temperature=10degC",
+        ),
+        (
+            &[file, "--model", "ground.turf=firm"],
+            "ground.friction",
+            "ground.turf=firm",
+        ),
+    ] {
+        let (status, found) = json(&[&["robust"], args].concat());
+        let warnings = found["warnings"].to_string();
+        assert_eq!(status, 0);
+        assert!(
+            warnings.contains(&format!(
+                "{name} as given has no effect in the model '{model}', which replaces it"
+            )),
+            "{warnings}"
+        );
+    }
     let (_, found) = json(&["robust", "--set", "swing.speed=110mph"]);
     assert!(
         !found["warnings"]
@@ -611,5 +640,282 @@ fn same_refusal_of_a_setup_from_standard_input_and_from_a_file() {
                 "{arguments:?}: {message}"
             );
         }
+    }
+}
+
+/// A law, a table or a turf of the command line replaces numbers of the setup file. A warning names
+/// them.
+#[test]
+fn numbers_of_a_file_that_a_stated_law_or_turf_replaces_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let text =
+        "preset = \"tour-average\"\n[aero]\ncd0 = 0.2\n[ground]\nfriction = 0.1\nrolling = 1.2\n";
+    let file = &*file_with(folder.path(), "own.toml", text);
+    for (setting, says) in [
+        (
+            "aero.law=ferguson",
+            format!("aero.cd0 of {file} is replaced by --set aero.law=ferguson"),
+        ),
+        (
+            "ground.turf=firm",
+            format!(
+                "ground.friction, ground.rolling of {file} are replaced by --set ground.turf=firm"
+            ),
+        ),
+    ] {
+        let (status, found) = json(&["simulate", file, "--set", setting]);
+        assert_eq!(status, 0);
+        assert!(
+            found["warnings"].to_string().contains(&says),
+            "{}",
+            found["warnings"]
+        );
+    }
+    let (_, found) = json(&[
+        "simulate",
+        file,
+        "--set",
+        "aero.law=ferguson",
+        "--set",
+        "aero.cd0=0.2",
+    ]);
+    assert!(!found["warnings"].to_string().contains("replaced"));
+}
+
+/// A stated value that no drive of the command depends on has a warning in every command, and none
+/// where a varied parameter or the other drive gives it an effect.
+#[test]
+fn stated_values_without_an_effect_are_named_in_every_command() {
+    let profile = ["--set", "wind.reference_height=3m"];
+    let says = "wind.reference_height has no effect: without wind.roughness";
+    let sweep = [
+        "sweep",
+        "--over",
+        "wind.downrange=-5mph..5mph:2",
+        "--outcomes",
+        "carry",
+    ];
+    let compare = ["compare", "--set-b", "wind.downrange=5mph"];
+    let shots = [
+        "fly",
+        concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv"),
+        "--quiet",
+    ];
+    for command in [&sweep[..], &compare, &shots] {
+        let output = longdrive(&[command, &profile].concat());
+        assert!(
+            on_one_line(&output.err).contains(says),
+            "{command:?}: {}",
+            output.err
+        );
+    }
+    let rough = ["--over", "wind.roughness=1mm..2mm:2"];
+    let output = longdrive(&[&sweep[..], &rough, &profile].concat());
+    assert!(!output.err.contains("no effect"), "{}", output.err);
+    let rough = ["--set-b", "wind.roughness=1mm"];
+    let output = longdrive(&[&compare[..], &rough, &profile].concat());
+    assert!(!output.err.contains("no effect"), "{}", output.err);
+    for (settings, says) in [
+        (
+            ["ground.turf=wet", "ground.slope=2deg"],
+            "ground.slope has no effect: the ball stays",
+        ),
+        (
+            ["swing.shaft_bend=0deg", "swing.shaft_growth=1"],
+            "swing.shaft_growth has no effect",
+        ),
+        (
+            ["impact.friction=0", "impact.tangential_restitution=0.1"],
+            "impact.tangential_restitution has no effect: impact.friction is 0",
+        ),
+        (
+            ["wind.speed=0mph", "wind.from=20deg"],
+            "wind.from has no effect: wind.speed is 0",
+        ),
+    ] {
+        let output = longdrive(&["simulate", "--set", settings[0], "--set", settings[1]]);
+        assert!(
+            on_one_line(&output.err).contains(says),
+            "{settings:?}: {}",
+            output.err
+        );
+    }
+}
+
+/// The plot of laws depends on law, air and ball only.
+#[test]
+fn a_stated_speed_without_an_effect_on_a_plot_of_laws_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("laws.csv").display().to_string();
+    let plot = ["plot", "laws", "--overwrite", "-o", &file];
+    let output = longdrive(&[&plot[..], &["--speed", "90mph"]].concat());
+    let says = "swing.speed: no effect on this plot";
+    assert!(on_one_line(&output.err).contains(says), "{}", output.err);
+    let output = longdrive(&[&plot[..], &["--temperature", "30degC"]].concat());
+    assert!(!output.err.contains("no effect"), "{}", output.err);
+}
+
+/// A note says where the search begins in every command that searches.
+#[test]
+fn every_search_says_where_a_stated_and_varied_parameter_begins() {
+    let folder = tempfile::tempdir().unwrap();
+    let vary = ["--vary", "club.loft=4deg..8deg", "--loft", "10deg"];
+    let plot = folder.path().join("plot.csv").display().to_string();
+    let page = folder.path().join("page").display().to_string();
+    for command in [
+        &["optimize"][..],
+        &["sensitivity", "--at-optimum"],
+        &["report", "-o", &page],
+        &["plot", "fairway", "-o", &plot],
+    ] {
+        let output = longdrive(&[command, &vary].concat());
+        let says = "the search from the setup begins at 8°, the end of its range";
+        assert!(
+            on_one_line(&output.err).contains(says),
+            "{command:?}: {}",
+            output.err
+        );
+    }
+    let fit = ["--fit", "aero.cd0=0.2..0.3", "--set", "aero.cd0=0.1"];
+    let output = longdrive(
+        &[
+            &[
+                "calibrate",
+                concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv"),
+                "modern-driver",
+            ],
+            &fit[..],
+        ]
+        .concat(),
+    );
+    assert!(
+        on_one_line(&output.err)
+            .contains("aero.cd0 is varied; the search from the setup begins at 0.2"),
+        "{}",
+        output.err
+    );
+}
+
+/// Columns of a table may complete the wind of the setup.
+#[test]
+fn the_rows_of_shots_may_give_the_speed_of_a_stated_wind() {
+    let folder = tempfile::tempdir().unwrap();
+    let head = "ball_speed [mph],launch_angle [deg],backspin [rpm],wind.speed [mph]\n";
+    let rows = "160,11,2500,3\n165,10,2600,0\n";
+    let shots = &*file_with(folder.path(), "shots.csv", &format!("{head}{rows}"));
+    let from = ["--set", "wind.from=0deg", "--of", "carry"];
+    let windy = longdrive(&[&["fly", shots], &from[..]].concat());
+    assert_eq!(windy.status, 0, "{}", windy.err);
+    let own = longdrive(&[&["fly", shots, "--own-step"], &from[..]].concat());
+    assert_eq!(windy.out, own.out);
+    let measured = "160,11,2500,3,250\n165,10,2600,0,255\n";
+    let head = head.replace('\n', ",carry [yd]\n");
+    let table = &*file_with(folder.path(), "measured.csv", &format!("{head}{measured}"));
+    let fit = ["--fit", "aero.cd0", "--set", "wind.from=0deg"];
+    let fitted = longdrive(&[&["calibrate", table, "modern-driver"], &fit[..]].concat());
+    assert_eq!(fitted.status, 0, "{}", fitted.err);
+    // without the column the wind is incomplete
+    let head = head.replace("wind.speed [mph]", "note");
+    let table = &*file_with(folder.path(), "calm.csv", &format!("{head}{measured}"));
+    let refused = longdrive(&[&["calibrate", table, "modern-driver"], &fit[..]].concat());
+    assert_eq!(refused.status, 2);
+    assert!(
+        refused
+            .err
+            .contains("wind.from is given without wind.speed"),
+        "{}",
+        refused.err
+    );
+}
+
+/// The advice on an average loft does not depend on how the preset is named, and JSON has it too.
+#[test]
+fn advice_on_the_loft_of_an_average_preset_reaches_files_and_json() {
+    let folder = tempfile::tempdir().unwrap();
+    let slow = "preset = \"tour-average\"\n[swing]\nspeed = \"95 mph\"\n";
+    let file = &*file_with(folder.path(), "slow.toml", slow);
+    let (_, by_name) = json(&["simulate", "--speed", "95mph"]);
+    let (_, by_file) = json(&["simulate", file]);
+    let advice = by_name["advice"].as_str().unwrap();
+    assert!(
+        advice.contains("8.8° is the loft of tour-average at 115 mph"),
+        "{advice}"
+    );
+    assert_eq!(by_file["advice"], by_name["advice"]);
+    let lofted = &*file_with(
+        folder.path(),
+        "lofted.toml",
+        &format!("{slow}[club]\nloft = \"12 deg\"\n"),
+    );
+    let (_, own) = json(&["simulate", lofted]);
+    assert!(own["advice"].is_null());
+    let (_, best) = json(&["optimize", file]);
+    assert!(
+        best["advice"]
+            .as_str()
+            .unwrap()
+            .contains("the shaft and strike of tour-average")
+    );
+    let (_, best) = json(&["optimize", file, "--set", "swing.shaft_lean=1deg"]);
+    assert!(best["advice"].is_null());
+    let launch = [
+        "--ball-speed",
+        "140mph",
+        "--launch-angle",
+        "12deg",
+        "--spin",
+        "2600rpm",
+    ];
+    let output = longdrive(&[&["delivery", file], &launch[..]].concat());
+    assert!(
+        on_one_line(&output.err).contains("is the loft of tour-average"),
+        "{}",
+        output.err
+    );
+}
+
+/// A measured ball has already left the cold club; the same temperature has a warning for a swing.
+#[test]
+fn a_cold_ball_has_a_warning_only_where_a_club_strikes_it() {
+    let cold = ["--temperature", "40F"];
+    let says = "a cold ball is slower too";
+    let launch = [
+        "--launch",
+        "ball_speed=150mph,launch_angle=12deg,backspin=2600rpm",
+    ];
+    for command in [
+        &["simulate"][..],
+        &["chart", "--along", "swing.speed", "--at", "100mph,110mph"],
+        &[
+            "pareto",
+            "--maximize",
+            "carry",
+            "--minimize",
+            "apex_height",
+            "--points",
+            "2",
+        ],
+        &["sweep", "--over", "club.loft=8deg..9deg:2"],
+    ] {
+        let output = longdrive(&[command, &cold].concat());
+        assert!(
+            on_one_line(&output.err).contains(says),
+            "{command:?}: {}",
+            output.err
+        );
+    }
+    for command in [
+        &["simulate", launch[0], launch[1]][..],
+        &[
+            "fly",
+            concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv"),
+        ],
+    ] {
+        let output = longdrive(&[command, &cold].concat());
+        assert!(
+            !on_one_line(&output.err).contains(says),
+            "{command:?}: {}",
+            output.err
+        );
     }
 }

@@ -52,8 +52,8 @@ fn exact_uncertainties_of_temperatures_are_differences() {
 
 #[test]
 fn an_altitude_without_a_temperature_has_a_note_on_the_standard_temperature() {
-    let says = "air.altitude is given without air.temperature, which is then 77 °F; the standard \
-                atmosphere has 41 °F there, so its air is 7 % denser";
+    let says = "air.altitude = 5000 ft is given without air.temperature, which is then 77 °F; the \
+                standard atmosphere has 41 °F there, so its air is 7 % denser";
     let output = longdrive(&["simulate", "-q", "--altitude", "5000ft"]);
     assert!(on_one_line(&output.err).contains(says), "{}", output.err);
     let (_, found) = json(&["simulate", "--altitude", "5000ft"]);
@@ -64,6 +64,43 @@ fn an_altitude_without_a_temperature_has_a_note_on_the_standard_temperature() {
     );
     let whole = ["simulate", "--altitude", "5000ft", "--temperature", "41F"];
     assert!(!on_one_line(&longdrive(&whole).err).contains("without air.temperature"));
+}
+
+/// A sweep and a chart have the warnings of the weather at the ends of their ranges.
+#[test]
+fn ranges_of_the_weather_have_the_warnings_of_their_ends() {
+    let sweep = [
+        "sweep",
+        "--over",
+        "air.altitude=0m..2000m:2",
+        "--outcomes",
+        "carry",
+    ];
+    let says = "air.altitude = 2000 m is given without air.temperature";
+    let output = longdrive(&[&sweep[..], &["--units", "metric"]].concat());
+    assert!(on_one_line(&output.err).contains(says), "{}", output.err);
+    let sea = [
+        "sweep",
+        "--over",
+        "air.altitude=-200m..0m:2",
+        "--outcomes",
+        "carry",
+    ];
+    assert!(!on_one_line(&longdrive(&sea).err).contains("without air.temperature"));
+    let (_, chart) = json(&[
+        "chart",
+        "--along",
+        "air.temperature",
+        "--at",
+        "20degC,50degC",
+    ]);
+    assert!(
+        chart["warnings"]
+            .to_string()
+            .contains("(CIPM-2007) is extrapolated"),
+        "{}",
+        chart["warnings"]
+    );
 }
 
 /// The columns in other units have the converted values of the columns in SI.

@@ -63,11 +63,11 @@ fn a_wind_profile_without_effect_has_a_warning() {
     for (set, message) in [
         (
             &["wind.roughness=30mm"][..],
-            "wind.roughness has no effect without a wind",
+            "wind.roughness has no effect: there is no wind",
         ),
         (
             &["wind.reference_height=3m", blows],
-            "wind.reference_height has no effect without wind.roughness",
+            "wind.reference_height has no effect: without wind.roughness",
         ),
         (
             &["wind.reference_height=1m", "wind.roughness=5m", blows],

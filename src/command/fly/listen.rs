@@ -5,7 +5,7 @@ use super::request::{flying_within_tolerance, requested_outcomes, setup};
 use crate::batch::Status;
 use crate::command::interrupt;
 use crate::command::listener::Listener;
-use crate::command::output::{Answer, note, warn, warnings};
+use crate::command::output::{Answer, note, warnings};
 use crate::command::request::Request;
 use crate::parameters::{DEFAULT_PRESET, Golfer};
 use crate::report::{Reply, open_connect_answer};
@@ -58,9 +58,7 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
     let setup = setup(&request, "the messages")?;
     request.refuse_replaced(&setup, &[])?;
     let of = requested_outcomes(args)?;
-    let flying =
-        flying_within_tolerance(&request, &setup, &of, |setup| Flying::new(setup, &[], &of))?;
-    warn(setup.warnings());
+    let flying = flying_within_tolerance(&request, &setup, &[], &of)?;
     let wanted = SocketAddr::new(args.address, port);
     let listener = Listener::bind(wanted).map_err(|error| refused(wanted, &error))?;
     let stop = interrupt::enable("ending after the messages under way");

@@ -54,7 +54,6 @@ fn fly(args: &Args) -> Result<Answer> {
     // `requested_outcomes` prints notes about the outcomes: call it after all checks of the input
     let of = requested_outcomes(args)?;
     let flying = flying(&request, &setup, &shots, &of)?;
-    warn(setup.warnings());
     let mut remarks = shots.remarks().to_vec();
     remarks.extend(not_compared(&shots, &of, request.gives_ground()));
     note_each(file.display(), &remarks);
@@ -100,9 +99,7 @@ fn fly(args: &Args) -> Result<Answer> {
 /// with the computed roll-outs on this ground.
 fn flying(request: &Request, setup: &Setup<f64>, shots: &Shots, of: &[Outcome]) -> Result<Flying> {
     request.refuse_replaced(setup, &shots.other_parameters)?;
-    let mut flying = flying_within_tolerance(request, setup, of, |setup| {
-        Flying::new(setup, &shots.other_parameters, of)
-    })?;
+    let mut flying = flying_within_tolerance(request, setup, &shots.other_parameters, of)?;
     flying.compares_roll_out = request.gives_ground();
     Ok(flying)
 }

@@ -2,8 +2,10 @@
 
 use super::args::Args;
 use crate::command::names::outcomes;
+use crate::command::output::warn;
 use crate::command::request::Request;
 use crate::drive::OutcomeGroup;
+use crate::parameters::{Parameter, Vary};
 use crate::shots::Flying;
 use crate::{Outcome, Result, Setup};
 
@@ -27,16 +29,42 @@ pub fn setup(request: &Request, rows: &str) -> Result<Setup<f64>> {
     Ok(setup)
 }
 
-/// The [`Flying`] that `new` makes for the setup with the integration method and step of
-/// [`Request::integration`].
+/// The flights of shots, with the integration method and step of [`Request::integration`].
+/// `other_parameters` are those of [`Flying::new`].
 pub fn flying_within_tolerance(
     request: &Request,
     setup: &Setup<f64>,
+    other_parameters: &[&'static Parameter],
     of: &[Outcome],
-    new: impl Fn(&Setup<f64>) -> Result<Flying>,
 ) -> Result<Flying> {
     // report errors in the request before the first flight
-    new(setup)?;
-    let found = request.integration(setup, &Flying::usual(setup)?, of)?;
-    new(&found.setup)?.with_largest_defect(found.largest_defect)
+    Flying::new(setup, other_parameters, of)?;
+    let ordinary = ordinary_shot(setup, other_parameters)?;
+    warn(ordinary.warnings());
+    let found = request.integration(&ordinary, &Flying::usual(setup)?, of)?;
+    let setup = found
+        .accuracy
+        .map_or(*setup, |accuracy| accuracy.applied_to(setup));
+    Flying::new(&setup, other_parameters, of)?.with_largest_defect(found.largest_defect)
+}
+
+/// The setup with the launch of an ordinary shot. It has the default air if the rows give a part of
+/// the air, and no wind if they give a part of the wind: the setup alone may then be incomplete.
+fn ordinary_shot(
+    setup: &Setup<f64>,
+    other_parameters: &[&'static Parameter],
+) -> Result<Setup<f64>> {
+    let usual = Setup::default();
+    let mut ordinary = Vary::initialized(setup, &Flying::usual(setup)?)?;
+    let gives = |group| {
+        let mut names = other_parameters.iter().map(|parameter| parameter.name);
+        names.any(|name| name.starts_with(group))
+    };
+    if gives("air.") {
+        ordinary.air = usual.air;
+    }
+    if gives("wind.") {
+        ordinary.wind = usual.wind;
+    }
+    Ok(ordinary)
 }

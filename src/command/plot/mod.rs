@@ -10,7 +10,7 @@ use crate::command::args::SearchArgs;
 use crate::command::compare::warnings;
 use crate::command::host::Progress;
 use crate::command::names::{outcomes, sigmas};
-use crate::command::output::{Answer, bar, note, spinner, system, with_bar};
+use crate::command::output::{Answer, bar, note, spinner, system, warn, with_bar};
 use crate::command::pareto;
 use crate::command::picture::PlotDestination;
 use crate::command::request::Request;
@@ -317,6 +317,15 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
         return Err(target.refused(reason));
     }
     let own = setup.law.table().map(|_| setup.law.name());
+    let is_of_law = |name: &str| {
+        ["aero.", "air.", "ball."]
+            .iter()
+            .any(|group| name.starts_with(group))
+    };
+    warn(request.unused_warning(
+        is_of_law,
+        "this plot, which depends on law, air and ball only; leave it out",
+    ));
     let all = || Law::NAMES.iter().copied().chain(own);
     // the setup's law has the coefficients of the setup; the other laws have their published
     // coefficients

@@ -11,14 +11,18 @@ pub use setting::{CommandSetting, refuse_duplicates};
 pub use source::Source;
 
 use crate::command::args::{DriveArgs, OwnLaw, SetupArgs};
-use crate::command::output::{note, system};
+use crate::command::output::{note, system, warn_early};
 use crate::integration::StepChoice;
 use crate::parameters::{
-    Law, Parameter, TABLE, Vary, follows_from, is_of_strike, is_reset, is_unset,
+    LAW, Law, Parameter, TABLE, TURF, Vary, follows_from, is_of_strike, is_reset, is_unset,
 };
 use crate::report::{SetupOrigin, parameter_text};
+use crate::units::Message;
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
+
+/// The name of the loft.
+pub const LOFT: &str = "club.loft";
 
 /// The setup of a command, with the settings of its command line.
 #[derive(Clone)]
@@ -101,6 +105,7 @@ impl Request {
             is_json: false,
         };
         request.apply_settings()?;
+        request.warn_of_replaced();
         request.refuse_given_twice(&request.partial_setup, &[])?;
         request.partial_setup.validate_values()?;
         if request.partial_setup.launch.is_given() {
@@ -284,13 +289,21 @@ impl Request {
         }
     }
 
+    /// True if the setup starts from the preset of an average of many golfers, and neither the
+    /// setup file nor a setting gives one of the parameters for which `is` is true.
+    pub fn has_average(&self, is: impl Fn(&str) -> bool) -> bool {
+        let preset = self.source.content.preset.name;
+        preset.ends_with("-average") && !self.gives(is)
+    }
+
     /// Advice if the loft is that of an average golfer, but the speed is not: at another speed,
     /// another loft carries farther.
     pub fn loft_advice(&self) -> Option<String> {
-        if self.states("club.loft") || !self.source.is_average() {
+        if !self.has_average(|name| name == LOFT) {
             return None;
         }
-        let own = Setup::preset(&self.source.argument).ok()?;
+        let preset = self.source.content.preset.name;
+        let own = Setup::preset(preset).ok()?;
         if self.partial_setup.swing.speed == own.swing.speed {
             return None;
         }
@@ -299,10 +312,9 @@ impl Request {
             Some(parameter_text(parameter, own.value(parameter)?, system()))
         };
         Some(format!(
-            "club.loft {} is the loft of {} at {}: at another speed another loft carries farther; \
-             state your loft, for example `set club.loft=10.5deg`",
-            show("club.loft")?,
-            self.source.name(),
+            "{LOFT} {} is the loft of {preset} at {}: at another speed another loft carries farther; \
+             state your loft, for example `set {LOFT}=10.5deg`",
+            show(LOFT)?,
             show("swing.speed")?
         ))
     }
@@ -311,16 +323,18 @@ impl Request {
     /// search varies the loft, and shaft and strike are averages of many golfers: the best loft of
     /// a single golfer differs by some degrees.
     pub fn origin_of_search(&self, vary: &[Vary]) -> SetupOrigin {
-        let varies_loft = vary.iter().any(|vary| vary.parameter.name == "club.loft");
+        let varies_loft = vary.iter().any(|vary| vary.parameter.name == LOFT);
         if !varies_loft {
             return self.origin();
         }
-        let advice = if self.source.is_average() {
+        let is_of_shaft_or_strike =
+            |name: &str| name.starts_with("swing.shaft") || name.starts_with("strike.");
+        let advice = if self.has_average(is_of_shaft_or_strike) {
             format!(
                 "the loft is for the shaft and strike of {}: for the same launch other golfers \
                  need a loft some degrees higher or lower; `delivery()` starts from your own \
                  launch, `presets()` lists other golfers",
-                self.source.name()
+                self.source.content.preset.name
             )
         } else {
             String::new()
@@ -374,8 +388,16 @@ impl Request {
     }
 
     fn gives(&self, is: impl Fn(&str) -> bool) -> bool {
-        let mut in_file = self.source.content.given.iter();
-        self.stated().any(&is) || in_file.any(|parameter| is(parameter.name))
+        self.given().any(is)
+    }
+
+    /// The names of the parameters that the command line, the host or a setup file gives, each
+    /// once.
+    pub fn given(&self) -> impl Iterator<Item = &str> {
+        let in_file = self.source.content.given.iter();
+        let only_in_file = in_file.filter(|parameter| !self.states(parameter.name));
+        self.stated()
+            .chain(only_in_file.map(|parameter| parameter.name))
     }
 
     /// The input files of the setup: the setup file, and tables of drag and lift.
@@ -550,6 +572,38 @@ impl Request {
         ));
     }
 
+    /// Warning about stated parameters for which `is_used` is false: they have no effect on the
+    /// answer. `answer` names the answer, with advice.
+    pub fn unused_warning(&self, is_used: impl Fn(&str) -> bool, answer: &str) -> Option<Message> {
+        let unused: Vec<_> = self.stated().filter(|name| !is_used(name)).collect();
+        let unused = unused.join(", ");
+        (!unused.is_empty()).then(|| format!("{unused}: no effect on {answer}").into())
+    }
+
+    /// Warns of values of the setup file that a law, a table or a turf of the command line
+    /// replaces.
+    fn warn_of_replaced(&self) {
+        let settings = self.settings.iter();
+        let choices = settings.filter(|setting| [LAW, TABLE, TURF].contains(&&*setting.parameter));
+        let in_file: Vec<_> = self.source.content.given.iter().collect();
+        for choice in choices {
+            let group = choice.parameter.split('.').next().unwrap_or_default();
+            let of_group = in_file
+                .iter()
+                .map(|parameter| parameter.name)
+                .filter(|name| name.split('.').next() == Some(group) && !self.states(name));
+            let gone = replaced(of_group, &self.source.content.setup, &self.partial_setup);
+            if !gone.is_empty() {
+                let are = if gone.len() == 1 { "is" } else { "are" };
+                warn_early(Message::from(format!(
+                    "{} of {} {are} replaced by {choice}",
+                    gone.join(", "),
+                    self.source.name()
+                )));
+            }
+        }
+    }
+
     /// Prints a note on the club parameters in a setup file, which have no effect because the drive
     /// is given by its launch.
     fn note_unused_club(&self) {
@@ -569,6 +623,22 @@ impl Request {
             ));
         }
     }
+}
+
+/// Those of the parameters `names` whose values the setup `changed` does not have in common with
+/// the setup `own`.
+pub fn replaced<'a>(
+    names: impl Iterator<Item = &'a str>,
+    own: &Setup<f64>,
+    changed: &Setup<f64>,
+) -> Vec<&'a str> {
+    let value = |setup: &Setup<f64>, name: &str| {
+        let parameter = setup.parameter(name).ok();
+        parameter.and_then(|parameter| setup.value(parameter))
+    };
+    names
+        .filter(|name| value(own, name) != value(changed, name))
+        .collect()
 }
 
 impl OwnLaw {

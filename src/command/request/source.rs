@@ -100,11 +100,6 @@ impl Source {
         self.argument != STANDARD_INPUT
     }
 
-    /// True if the setup is the preset of an average of many golfers.
-    pub fn is_average(&self) -> bool {
-        Preset::named(&self.argument).is_some_and(|preset| preset.name.ends_with("-average"))
-    }
-
     /// The setup file, if the source is a file on disk.
     pub fn file(&self) -> Option<&Path> {
         let is_file = self.has_name() && Preset::named(&self.argument).is_none();

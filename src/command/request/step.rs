@@ -6,7 +6,7 @@ use crate::command::args::SetupArgs;
 use crate::command::files::Destination;
 use crate::command::output::{note, warn_early};
 use crate::integration::{Integration, StepChoice, of_the_flight};
-use crate::parameters::{Vary, is_of_step};
+use crate::parameters::{Vary, idle_warnings, is_of_step};
 use crate::report::{setup_toml, with_step_of};
 use crate::units::{Quantity, counted};
 use crate::{Error, Outcome, Result, Setup};
@@ -26,49 +26,51 @@ impl SetupArgs {
     }
 }
 
-/// Warns of parameters of the wind profile that have no effect. Does not warn if a parameter of the
-/// wind is in `ranges`.
-fn warn_of_idle_wind(setup: &Setup<f64>, ranges: &[Vary]) {
-    let mut varied = ranges.iter().map(|vary| vary.parameter.name);
-    if varied.all(|name| !name.starts_with("wind.")) {
-        setup
-            .wind_profile_warning()
-            .into_iter()
-            .for_each(warn_early);
-    }
+/// The setups at the low and at the high ends of these ranges. An end that is not allowed, as in a
+/// table, is left out: it has no drive.
+fn ends(setup: &Setup<f64>, ranges: &[Vary]) -> [Setup<f64>; 2] {
+    let ends: [fn(&Vary) -> f64; 2] = [|vary| vary.low, |vary| vary.high];
+    ends.map(|end| {
+        let mut there = *setup;
+        for vary in ranges {
+            let _ = there.set_value(vary.parameter, Some(end(vary)));
+        }
+        there
+    })
 }
 
 impl Request {
     /// The setup of a single drive, with an integration step for `--tolerance`. Without this
-    /// option, the step is unchanged. Warns of a wind profile that has no effect.
+    /// option, the step is unchanged. Warns of given values that have no effect.
     ///
     /// # Errors
     /// The errors of [`integration`](Self::integration).
     pub fn within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
-        warn_of_idle_wind(&setup, &[]);
+        self.warn_of_values(&setup, &[]);
         self.one_of_two_within_tolerance(setup)
     }
 
     /// Like [`within_tolerance`](Self::within_tolerance), for one of two drives to compare. Does
-    /// not warn of a wind profile that has no effect on this drive: it may have an effect on the
-    /// other drive.
+    /// not warn of values without an effect on this drive: they may have an effect on the other
+    /// drive.
     ///
     /// # Errors
     /// The errors of [`integration`](Self::integration).
     pub fn one_of_two_within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
         match self.step {
-            StepChoice::Within(_) => Ok(self.integration(&setup, &[], &of_the_flight())?.setup),
+            StepChoice::Within(_) => {
+                let found = self.chosen_integration(&setup, &[], &of_the_flight())?;
+                Ok(found.setup)
+            }
             StepChoice::Micrometre | StepChoice::Own => Ok(setup),
         }
     }
 
-    /// The setup with method and step for many drives whose parameters are in these ranges. Warns
-    /// of a wind profile that has no effect.
+    /// The setup with method and step for many drives whose parameters are in these ranges.
     ///
     /// # Errors
     /// The errors of [`integration`](Self::integration).
     pub fn for_many(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
-        warn_of_idle_wind(&setup, ranges);
         let begun = Vary::initialized(&setup, ranges)?;
         let found = self.integration(&begun, ranges, &of_the_flight())?;
         let accuracy = found.accuracy;
@@ -79,11 +81,34 @@ impl Request {
     /// within `--tolerance`, or within one micrometre without this option. The method and step of
     /// the setup are kept with `--own-step`. They are also kept if the setup states one of them and
     /// neither option is given.
+    /// Warns of given values without an effect, and of the weather in the ranges.
     ///
     /// # Errors
     /// [`Error::Tolerance`] if no step is fine enough, and [`Error::Unreadable`] if a setting
     /// states method or step, which `--tolerance` chooses.
     pub fn integration(
+        &self,
+        setup: &Setup<f64>,
+        ranges: &[Vary],
+        of: &[Outcome],
+    ) -> Result<Integration> {
+        self.warn_of_values(setup, ranges);
+        self.chosen_integration(setup, ranges, of)
+    }
+
+    /// Warns of given values without an effect, and of the weather at the ends of the ranges. The
+    /// weather of the setup itself has its own warnings.
+    fn warn_of_values(&self, setup: &Setup<f64>, ranges: &[Vary]) {
+        let ends = ends(setup, ranges);
+        let known = setup.weather_warnings();
+        let of_weather = ends.iter().flat_map(Setup::weather_warnings);
+        idle_warnings(self.given(), &ends)
+            .into_iter()
+            .chain(of_weather.filter(|warning| !known.contains(warning)))
+            .for_each(warn_early);
+    }
+
+    fn chosen_integration(
         &self,
         setup: &Setup<f64>,
         ranges: &[Vary],

@@ -70,7 +70,6 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
         destination.file(),
     )?;
     let mut output = SweepOutput::open(&destination, &identity, &formatter, args)?;
-    warn(batch.setup().warnings());
     let total = points.rows();
     let is_complete = write_rows(
         args,

@@ -56,7 +56,6 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
     let dataset = dataset_of(args, batch, points.as_ref(), part.parts)?;
     let rows = parts::rows_of(part.part, part.parts, points.rows())?;
     make(folder)?;
-    warn(setup.warnings());
     let bar = bar("drives");
     bar.set_length(rows.end - rows.start);
     let run = Run {

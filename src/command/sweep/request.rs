@@ -1,9 +1,10 @@
 use super::args::Args;
 use crate::batch::{Batch, Points};
 use crate::command::names::{outcomes, variables};
-use crate::command::output::note_each;
+use crate::command::output::{note_each, warn};
 use crate::command::request::Request;
 use crate::integration::Integration;
+use crate::parameters::Vary;
 use crate::table::sweep_points;
 use crate::units::Message;
 use crate::{Error, Result};
@@ -46,11 +47,13 @@ impl SweepRequest {
         {
             request.refuse_club("the points are launches")?;
         }
+        let ranges = points.ranges();
+        warn(Vary::initialized(&setup, &ranges)?.warnings());
         let Integration {
             setup,
             largest_defect,
             ..
-        } = request.integration(&setup, &points.ranges(), &of)?;
+        } = request.integration(&setup, &ranges, &of)?;
         let swept = points.parameters().iter().copied();
         let mut wrt: Vec<_> = swept.filter(|_| args.gradient).collect();
         for parameter in variables(&setup, &args.wrt, &of)? {

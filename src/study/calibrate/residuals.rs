@@ -61,10 +61,10 @@ pub(super) struct ShotResiduals<'a> {
 }
 
 impl ShotResiduals<'_> {
-    /// The setup with the fitted parameters set to `x`.
+    /// The setup with the fitted parameters set to `x`. The values of a shot may complete it.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
         let moved = self.setup.with_values(&self.fitted, x)?;
-        moved.validate()?;
+        moved.validate_values()?;
         Ok(moved)
     }
 

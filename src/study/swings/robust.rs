@@ -103,6 +103,12 @@ impl Model {
         })
     }
 
+    /// True if the text of the changes names this parameter.
+    pub fn names(&self, parameter: &str) -> bool {
+        let mut changes = self.name.split(',');
+        changes.any(|change| change.split('=').next().map(str::trim) == Some(parameter))
+    }
+
     /// The setup, and the default models that differ from it.
     ///
     /// # Errors
