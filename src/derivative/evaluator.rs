@@ -6,7 +6,7 @@ use crate::drive::{Outcome, OutcomeGroup, with_accepted_step};
 use crate::error::{Error, Result};
 use crate::number::Level;
 use crate::parameters::{Parameter, Setup, refuse_twice};
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Order of differentiation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -136,7 +136,8 @@ impl Evaluator {
         self.at_order(values, self.order, None)
     }
 
-    /// Like [`at`](Self::at); interrupted once `stop` is true.
+    /// Like [`at`](Self::at); interrupted if `stop` is true at the start, or becomes true during a
+    /// flight of more than 4096 steps.
     ///
     /// # Errors
     /// The errors of [`at`](Self::at); [`Error::Stopped`] after an interrupt.
@@ -144,6 +145,9 @@ impl Evaluator {
     /// # Panics
     /// If the numbers of values and parameters differ.
     pub fn at_until(&self, values: &[f64], stop: &AtomicBool) -> Result<Vec<Taylor>> {
+        if stop.load(Ordering::Relaxed) {
+            return Err(Error::Stopped);
+        }
         self.at_order(values, self.order, Some(stop))
     }
 

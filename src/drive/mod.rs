@@ -25,7 +25,7 @@ use crate::launch::Launch;
 use crate::number::Number;
 use crate::parameters::Setup;
 use crate::units::significant;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// A drive: impact, launch and flight of a setup.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -166,12 +166,16 @@ const ZERO_SPIN_LIMIT: f64 = 1e-3;
 const MAX_HALVINGS: u32 = 12;
 
 impl Drive<f64> {
-    /// Like [`new`](Self::new); interrupted once `stop` is true.
+    /// Like [`new`](Self::new); interrupted if `stop` is true at the start, or becomes true during a
+    /// flight of more than 4096 steps.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new); [`Error::Stopped`] after an interrupt.
     pub fn until(setup: &Setup<f64>, stop: &AtomicBool) -> Result<Self> {
         setup.flight.check_steps()?;
+        if stop.load(Ordering::Relaxed) {
+            return Err(Error::Stopped);
+        }
         Self::without_step_check(setup, Some(stop))
     }
 

@@ -131,7 +131,9 @@ pub(crate) fn exceeded_in_flight(
     of: &[Outcome],
     stop: &AtomicBool,
 ) -> Option<ExceededLimits> {
-    let drive = Drive::until(setup, stop).ok()?;
+    setup.flight.check_steps().ok()?;
+    // an interrupted search still checks its result, so the flag is not read before a short flight
+    let drive = Drive::without_step_check(setup, Some(stop)).ok()?;
     drive.landed().ok()?;
     Some(drive.exceeded_limits(setup, CheckScope::Flight, of, stop))
 }

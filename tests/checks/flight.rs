@@ -589,8 +589,8 @@ fn steep() -> Law<f64> {
 }
 
 /// The ball hardly falls, and its flight has 10 million short steps up to the time limit. The
-/// interrupt flag ends this flight, and its row of a batch. A drive of a few hundred steps ends by
-/// itself.
+/// interrupt flag ends this flight, and its row of a batch. A drive of a few hundred steps does not
+/// begin if the flag is set already.
 #[test]
 fn a_flag_ends_a_flight_of_millions_of_steps() {
     let mut endless = Setup::default();
@@ -629,10 +629,12 @@ fn a_flag_ends_a_flight_of_millions_of_steps() {
         });
         assert!(matches!(ended, Err(Error::Stopped)), "{n}: {ended:?}");
     }
-    // the flag is still set, but this drive has few steps
-    Drive::until(&Setup::default(), &stop)
-        .unwrap()
-        .landed()
-        .unwrap();
+    // the flag is still set
+    let (setup, of) = (Setup::default(), [Outcome::Carry]);
+    let drive = Drive::until(&setup, &stop);
+    assert!(matches!(drive, Err(Error::Stopped)), "{drive:?}");
+    let carry = Evaluator::new(&setup, &of, &[loft], Order::First).unwrap();
+    let found = carry.at_until(&[0.2], &stop);
+    assert!(matches!(found, Err(Error::Stopped)), "{found:?}");
     assert_eq!(Error::Stopped.status(), "interrupted");
 }
