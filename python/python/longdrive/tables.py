@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -13,28 +14,71 @@ from .errors import InputError
 from .quantities import contains_quantities, elements_of, is_quantity
 from .table import Table
 
-__all__ = ["columns_of", "csv_of", "head_of", "points_in_si"]
+__all__ = ["columns_of", "csv_of", "head_of", "points_in_si", "warnings_of_results"]
 
 
 def columns_of(table: Any) -> Any:
     """The columns of a table by name; other values unchanged.
 
-    For a :class:`longdrive.Table`, its points. For a frame that was made from such a table, the
-    columns without statuses, outcomes and derivatives.
+    For a :class:`longdrive.Table`, its points. For a frame, the columns without statuses, outcomes
+    and derivatives, which a frame that was made from such a table has.
+
+    Raises
+    ------
+    InputError
+        For a frame with two columns of one name.
     """
     if isinstance(table, Table):
         return table.points
-    if isinstance(table, Mapping):
+    frame = None if isinstance(table, Mapping) else _columns_of_frame(table)
+    if frame is None or not all(isinstance(name, str) for name, _ in frame):
         return table
-    names = getattr(table, "column_names", getattr(table, "columns", None))
-    if names is None or not all(isinstance(name, str) for name in names):
-        return table
-    results = {"status", *(row["name"] for row in _longdrive.outcomes())}
-    return {
-        name: table[name].to_numpy()
-        for name in names
-        if name not in results and not name.startswith("d_")
-    }
+    columns: dict[str, Any] = {}
+    for name, column in frame:
+        if name in columns:
+            raise InputError(f"points: two columns have the name '{name}'; keep one")
+        if not _is_result(name):
+            columns[name] = column.to_numpy()
+    return columns
+
+
+def _is_result(name: str) -> bool:
+    """True for the name of a status, an outcome or a derivative in a table of results."""
+    is_derivative = name.startswith("d_") and "/d_" in name
+    return name == "status" or is_derivative or name in _outcomes()
+
+
+@cache
+def _outcomes() -> frozenset[str]:
+    return frozenset(row["name"] for row in _longdrive.outcomes())
+
+
+def warnings_of_results(table: Any) -> list[str]:
+    """A warning about the columns of a frame that are results, which a batch does not read.
+
+    A frame whose results have their units was made from a :class:`longdrive.Table`: no warning.
+    """
+    if isinstance(table, (Table, Mapping)):
+        return []
+    units = _units_of(table)
+    known = {*units, "status"} if units else set()
+    names = [name for name, _ in _columns_of_frame(table) or () if isinstance(name, str)]
+    results = [name for name in names if _is_result(name) and name not in known]
+    if not results:
+        return []
+    what = "columns not read, since they are results and not parameters"
+    return [f"points: {what}: {', '.join(results)}"]
+
+
+def _columns_of_frame(table: Any) -> list[tuple[Any, Any]] | None:
+    """The heads and columns of a table of pandas, polars or pyarrow; None for another value."""
+    if hasattr(table, "itercolumns"):  # pyarrow
+        return list(zip(table.column_names, table.itercolumns()))
+    if hasattr(table, "iter_columns"):  # polars
+        return [(column.name, column) for column in table.iter_columns()]
+    if hasattr(table, "items") and hasattr(table, "to_numpy"):  # pandas
+        return list(table.items())
+    return None
 
 
 def points_in_si(table: Any) -> dict[str, Any] | None:
@@ -42,15 +86,28 @@ def points_in_si(table: Any) -> dict[str, Any] | None:
 
     Such tables are a :class:`longdrive.Table`, and a table of pyarrow or pandas that was made from
     one: its metadata or its ``attrs`` have the units.
+
+    Raises
+    ------
+    InputError
+        For a parameter in another unit, and a lazy frame of polars.
     """
     if isinstance(table, Table):
         return table.points
+    if type(table).__name__ == "LazyFrame":
+        raise InputError("a LazyFrame has no values before its collect(); give frame.collect()")
     units = _units_of(table)
-    if not units:
+    columns: Any = columns_of(table) if units else None
+    if not isinstance(columns, dict):
         return None
-    columns: dict[str, Any] = columns_of(table)
-    are_in_si = all(name in units and units[name] == _longdrive.unit_of(name) for name in columns)
-    return columns if columns and are_in_si else None
+    for name in columns:
+        expected = _longdrive.unit_of(name)
+        if expected is not None and units.get(name, expected) != expected:
+            raise InputError(
+                f"the column '{name}' has the unit '{units[name]}'; expected '{expected}', as SI: "
+                "convert its values, and change the unit in the table"
+            )
+    return columns if columns and all(name in units for name in columns) else None
 
 
 def _units_of(table: Any) -> dict[str, str]:
@@ -83,14 +140,9 @@ def csv_of(name: str, table: Any) -> bytes:
     in_si = points_in_si(table)
     if in_si is not None:
         return csv_of(name, points_with_units(in_si))
-    if hasattr(table, "to_csv"):
-        return str(table.to_csv(index=False)).encode()
-    if hasattr(table, "write_csv"):
-        return str(table.write_csv()).encode()
-    if hasattr(table, "to_pydict"):
-        return csv_of(name, table.to_pydict())
-    if isinstance(table, Mapping):
-        return _csv_of_columns(name, table)
+    columns = table.items() if isinstance(table, Mapping) else _columns_of_frame(table)
+    if columns is not None:
+        return _csv_of_columns(name, columns)
     raise InputError(
         f"{name} is {kind_of(table)}; expected a file, a dict of columns, or a table of pandas, "
         "polars or pyarrow"
@@ -108,15 +160,17 @@ def head_of(name: str) -> str:
     return f"{name} [{unit}]" if unit else name
 
 
-def _csv_of_columns(name: str, table: Mapping[Any, Any]) -> bytes:
+def _csv_of_columns(name: str, table: Iterable[tuple[Any, Any]]) -> bytes:
     # imported here: `import longdrive` does not need them
     import csv
     import io
 
-    for head in table:
+    heads, columns = [], []
+    for head, values in table:
         # raise UnicodeEncodeError for a lone surrogate
         str(head).encode()
-    columns = [_column(name, head, values) for head, values in table.items()]
+        heads.append(head)
+        columns.append(_column(name, head, values))
     lengths = sorted({len(column) for column in columns})
     if len(lengths) > 1:
         raise InputError(
@@ -125,7 +179,7 @@ def _csv_of_columns(name: str, table: Mapping[Any, Any]) -> bytes:
         )
     text = io.StringIO(newline="")
     writer = csv.writer(text)
-    writer.writerow(table.keys())
+    writer.writerow(heads)
     writer.writerows([_cell(value) for value in row] for row in zip(*columns))
     return text.getvalue().encode()
 
@@ -144,6 +198,10 @@ def _column(name: str, head: Any, values: Any) -> list[Any]:
             f"{name}: the column '{head}' {found}; the head of a column names the unit, so give "
             "the numbers in that unit, as in values.to('mph').magnitude"
         )
+    for method in ("to_pylist", "to_list"):  # of a column of pyarrow; of pandas and polars
+        if hasattr(values, method):
+            values = getattr(values, method)()
+            break
     elements = elements_of(values)
     shape: tuple[int, ...] = getattr(values, "shape", (len(elements or ()),))
     if elements is None or len(shape) != 1:
@@ -156,6 +214,8 @@ def _column(name: str, head: Any, values: Any) -> list[Any]:
 
 def _cell(value: Any) -> Any:
     """A value as a cell of CSV; a missing value is an empty cell."""
+    if type(value) is float:
+        return value if value == value else ""
     if value is None or value is np.ma.masked:
         return ""
     if type(value).__name__ in ("NAType", "NaTType") or value != value:
