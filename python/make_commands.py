@@ -34,6 +34,8 @@ LEFT_OUT = {"set", "set-a", "set-b", "json", "csv"}
 LEFT_OUT |= {"speed", "attack", "loft", "temperature", "wind", "altitude"}
 # options that only the program has, because it listens to a port
 OF_THE_PROGRAM = {"fly": {"listen", "address"}}
+# answers of the program's other modes: a listener; a part of a sweep, and the check of all parts
+ANSWERS_OF_THE_PROGRAM = {"MessageCounts", "WrittenPart", "CheckedParts"}
 SEARCHES = {"optimize", "optimum-sensitivity", "design", "robust"}
 # commands whose answers have no class of their own
 NO_CLASS = BY_HAND - {"sweep"} | SEARCHES | {"plot"}
@@ -185,13 +187,15 @@ def replies(commands: list[str]) -> str:
 
 
 def properties_of(schema: dict[str, Any], definitions: dict[str, Any]) -> dict[str, Any]:
-    """The properties of an answer, in all its branches."""
+    """The properties of an answer, in all its branches that Python can get."""
     schema = resolved(schema, definitions)
     found = dict(schema.get("properties", {}))
     branches = [schema[word] for word in ("then", "else") if word in schema]
     for word in ("anyOf", "oneOf", "allOf"):
         branches += schema.get(word, [])
     for branch in branches:
+        if branch.get("$ref", "").rpartition("/")[2] in ANSWERS_OF_THE_PROGRAM:
+            continue
         for key, value in properties_of(branch, definitions).items():
             found.setdefault(key, value)
     return found
@@ -281,7 +285,7 @@ def type_of(option: dict[str, Any]) -> str:
     if what in ("FILE", "SHOTS", "DATA") and option["name"] in (
         "swings", "strokes", "shots", "data", "points"
     ):
-        return "TableLike"
+        return "PathLike" if (option["help"] or "").startswith("Write ") else "TableLike"
     if option["takes"] == "several":
         return "Given" if "=" in what else "Goals" if what == "GOAL" else "Names"
     return "Given" if "=" in what else "str"

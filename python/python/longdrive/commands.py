@@ -583,7 +583,7 @@ def delivery(
     vary: Given | None = None,
     sigma: Given | None = None,
     output: PathLike | None = None,
-    swings: TableLike | None = None,
+    swings: PathLike | None = None,
     overwrite: bool = False,
     angles: AngleUnit = "rad",
     progress: Progress = False,
@@ -631,7 +631,7 @@ def delivery(
     output : PathLike
         Write the setup with the delivery into this file; for several shots, with the mean of the
         deliveries that explain their launches. Without such a delivery, no file is written.
-    swings : TableLike
+    swings : PathLike
         Write the swings that explain the shots into this file, for "longdrive optimize swings": a
         table with a row for each shot (.csv), or distributions with correlations, without the
         errors of the launch monitor (.toml).

@@ -152,6 +152,7 @@ def optimum(reply: Reply, request: Request) -> Optimum:
         status=STATUSES.index(ended) if ended in STATUSES else -1,
         ended=ended,
         message=reply["message"],
+        command=reply["command"],
         nit=reply.get("iterations") or 0,
         nfev=reply.get("evaluations") or 0,
         optimum=place,

@@ -35,6 +35,11 @@ class Option:
         return bool(self.default or "default" in self.help)
 
     @property
+    def is_output(self) -> bool:
+        """True for the name of a file that the command writes, as `swings` of ``delivery``."""
+        return self.help.startswith("Write ")
+
+    @property
     def is_named(self) -> bool:
         """True if the option takes names of parameters or outcomes with a value each."""
         return "=" in self.value

@@ -169,13 +169,6 @@ class FlyReply(Reply):
     """The shots of each club; empty unless the table names several clubs."""
     remarks: list[str]
     """Remarks about the columns."""
-    address: str
-    """Address and port of the listener."""
-    connections: int
-    """Number of connections."""
-    others: int
-    """Number of messages without a shot (code 201), and of shots whose ball does not land (code
-    200)."""
     shots: list[dict[str, Any]]
     """The rows, if they are not written to a file."""
 
@@ -298,43 +291,6 @@ class SweepReply(Reply):
     """Remarks about unused columns of the table of points; empty if there are none."""
     left_out: list[str]
     """Parameters that `all` leaves out, with the reason. The key is omitted if there are none."""
-    folder: str
-    """The folder."""
-    bytes: int
-    """Size, bytes."""
-    sha256: str
-    """SHA-256 of the whole file, in the format of `sha256sum`."""
-    part: int
-    """Number of the part, from 1."""
-    parts: int
-    """Number of parts."""
-    first_row: int
-    """Index of the part's first row among all rows of the sweep, from 0."""
-    question: str
-    """SHA-256 of the definition of the sweep. The file has the definition under the key
-    `longdrive`."""
-    instructions: str
-    """Architecture and instruction set of the processor: `x86_64 avx2`."""
-    data: str
-    """SHA-256 of the bytes before the footer: the rows."""
-    beyond: list[int]
-    """Number of landed drives beyond each validity limit, in this order: launch outside the ranges
-    that the law was fitted to, strike outside the largest face that the Rules of Golf allow, and
-    landing flatter than any measured bounce."""
-    moments: dict[str, dict[str, Any]]
-    """Moments of each outcome and derivative, by column name."""
-    histograms: list[dict[str, Any]]
-    """Requested histograms."""
-    best: list[dict[str, Any]]
-    """Requested rows with the highest and lowest values."""
-    present: int
-    """Number of valid parts."""
-    missing: list[int]
-    """Numbers of the missing parts, from 1."""
-    faults: list[dict[str, Any]]
-    """Faults of files."""
-    unfinished: list[str]
-    """Temporary files of writers that are running or were killed. The check ignores them."""
 
 
 class UncertaintyReply(Reply):
