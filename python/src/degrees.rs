@@ -39,8 +39,7 @@ impl Degrees {
         let allowed = parameter.range.show(parameter.quantity, "rad");
         Some(format!(
             "points: out of range: {which} of {name} ({values}; it may be {allowed}); numbers are \
-             radians, and these look like degrees: if they are, \
-             give numpy.radians(…) of them, or angles=\"deg\""
+             radians, and these look like degrees: if they are, give numpy.radians(…) of them"
         ))
     }
 }

@@ -324,6 +324,12 @@ def test_same_file_of_an_interrupted_and_resumed_sweep(tmp_path: Path) -> None:
     ) as caught:
         longdrive.sweep("mae494", **requested, progress=when(lambda done: done > 0))
     assert "--" not in str(caught.value)
+    with pytest.raises(
+        Interrupted, match="same call with resume=True in place of overwrite=True goes on"
+    ):
+        longdrive.sweep(
+            "mae494", **requested, overwrite=True, progress=when(lambda done: done > 0)
+        )
     longdrive.sweep("mae494", **requested, resume=True)
     whole = tmp_path / "whole.csv"
     longdrive.sweep("mae494", **{**requested, "output": whole})

@@ -36,8 +36,8 @@ def outcome(
     the reason.
 
     Method and step are chosen once, for values around the values of the setup.
-    Numbers have the precision of x: with the 32 bits that are usual in JAX, carry is exact to 1e-5
-    m; ``jax.config.update("jax_enable_x64", True)`` gives all digits.
+    Numbers have the precision of x: with the 32 bits that are usual in JAX, carry is exact to about
+    3e-5 m; ``jax.config.update("jax_enable_x64", True)`` gives all digits.
 
     The function can be pickled, for processes and clusters. The results of ``jit``, ``grad`` and
     ``vmap`` can be pickled only with ``cloudpickle``, which Dask and joblib use; with ``pickle``,

@@ -123,7 +123,8 @@ def _how_to_continue(command: str, arguments: Mapping[str, Any]) -> str:
             "goes on from there"
         )
     if "resume" in options:
-        return "the rows so far are kept, and the same call with resume=True goes on"
+        without = " in place of overwrite=True" if arguments.get("overwrite") else ""
+        return f"the rows so far are kept, and the same call with resume=True{without} goes on"
     return "the same call begins again"
 
 

@@ -104,7 +104,7 @@ class Table:
         self.first_row = first_row
         """The index of this table's first row among all points of the request, from 0."""
         self.warnings = list(warnings)
-        """Warnings about the drives."""
+        """Warnings about all drives of the request, also in a table of some of its rows."""
         self.setup = setup
         """The setup of all drives, without the values of the points."""
 
@@ -220,7 +220,7 @@ class Table:
                 f"a table has columns by name and rows by slice; {kind} is neither: index its "
                 f"columns, as in table['{self.of[0]}'][…]"
             )
-        start, _, step = key.indices(len(self))
+        start, _, _ = key.indices(len(self))
         return Table(
             status=self.status[key],
             columns=self._columns[:, key],
@@ -230,7 +230,7 @@ class Table:
             parameters=self.parameters,
             units=self._units,
             hessians=None if self.hessians is None else self.hessians[key],
-            first_row=self.first_row + start if step == 1 else 0,
+            first_row=self.first_row + max(start, 0),
             warnings=self.warnings,
             setup=self.setup,
         )
