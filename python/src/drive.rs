@@ -72,9 +72,9 @@ impl PySimulated {
     }
 }
 
-/// One drive; see :func:`longdrive.simulate`.
+/// One drive; see :func:`longdrive.simulate`. `warnings` are those about the setup of the call.
 #[pyfunction]
-#[pyo3(signature = (setup, of, is_traced, tolerance, own_step))]
+#[pyo3(signature = (setup, of, is_traced, tolerance, own_step, warnings))]
 pub fn simulate<'py>(
     py: Python<'py>,
     setup: Option<&Bound<'py, PyAny>>,
@@ -82,6 +82,7 @@ pub fn simulate<'py>(
     is_traced: bool,
     tolerance: Option<&Bound<'py, PyAny>>,
     own_step: bool,
+    warnings: Vec<String>,
 ) -> PyResult<PySimulated> {
     answer(|| {
         let of = of.map_or_else(
@@ -94,8 +95,9 @@ pub fn simulate<'py>(
         let is_long = pool::is_long(&integration.setup, 1);
         let found = pool::run_drive(py, is_long, move |stop| {
             let drive = integration.drive_until(stop)?;
-            let warnings = integration.warnings_until(&drive, &of, stop);
-            let warnings = integration.warning.iter().cloned().chain(warnings);
+            let of_drive = integration.warnings_until(&drive, &of, stop);
+            let of_setup = warnings.into_iter().map(Message::from);
+            let warnings = of_setup.chain(integration.warning.clone()).chain(of_drive);
             let trajectory = match is_traced {
                 true => traced(&integration.setup, &drive, stop)?,
                 false => None,

@@ -50,9 +50,10 @@ impl ObjectiveKind {
         of: &str,
         wrt: &[&'static Parameter],
         swing_arguments: &SwingArguments,
+        swings: &Swings,
     ) -> Answer<Self> {
         let goal = swing_arguments.goal(of)?;
-        let scenarios = swing_arguments.scenarios(setup, &goal)?;
+        let scenarios = swing_arguments.scenarios(swings, &goal)?;
         let (own, by, swings) = (*setup, wrt.to_vec(), scenarios.clone());
         let integration = pool::run_drive(py, !choice.is_own(setup), move |stop| {
             choice.for_swings(&own, &by, &swings, stop)
@@ -168,8 +169,9 @@ impl SwingArguments {
         variables(setup, &outcomes.unwrap_or_default(), wrt)
     }
 
-    fn scenarios(&self, setup: &Setup<f64>, goal: &Goal) -> Answer<Scenarios> {
-        let swings = match &self.swings {
+    /// Reads the swings.
+    fn read(&self, setup: &Setup<f64>) -> Answer<Swings> {
+        Ok(match &self.swings {
             Some(_) if !self.distribution.is_empty() || !self.correlation.is_empty() => {
                 let what = "swings: a file gives the distributions and correlations; leave \
                             distribution and correlation out, or swings";
@@ -191,10 +193,13 @@ impl SwingArguments {
                     &correlations.collect::<longdrive::Result<Vec<_>>>()?,
                 )?
             }
-        };
-        let rule = Rule::of(&swings, [goal], self.scenarios, self.seed.unwrap_or(0))?;
+        })
+    }
+
+    fn scenarios(&self, swings: &Swings, goal: &Goal) -> Answer<Scenarios> {
+        let rule = Rule::of(swings, [goal], self.scenarios, self.seed.unwrap_or(0))?;
         rule.refuse_idle_seed(self.seed)?;
-        Ok(Scenarios::new(&swings, rule)?)
+        Ok(Scenarios::new(swings, rule)?)
     }
 
     /// Parses the goal over the swings from `of`. Errors state the position in `of`.
@@ -415,7 +420,7 @@ fn value(found: Option<&Taylor>) -> f64 {
 impl PyObjective {
     #[new]
     #[pyo3(
-        signature = (setup, of = "carry", wrt = None, sense = None, invalid = "raise", swings = None, distribution = vec![], correlation = vec![], scenarios = None, seed = None, strokes = None, tolerance = None, own_step = false),
+        signature = (setup, of = "carry", wrt = None, sense = None, invalid = "raise", swings = None, distribution = vec![], correlation = vec![], scenarios = None, seed = None, strokes = None, tolerance = None, own_step = false, stated = vec![]),
     )]
     #[expect(clippy::too_many_arguments, reason = "each is one that Python names")]
     fn new(
@@ -432,6 +437,7 @@ impl PyObjective {
         strokes: Option<PathBuf>,
         tolerance: Option<&Bound<'_, PyAny>>,
         own_step: bool,
+        stated: Vec<String>,
     ) -> PyResult<Self> {
         answer(|| {
             let choice = step_choice(tolerance, own_step)?;
@@ -446,9 +452,14 @@ impl PyObjective {
             };
             let wrt = swing_arguments.variables(&setup.setup, of, wrt)?;
             let function = if swing_arguments.is_given() {
-                ObjectiveKind::over_swings(py, choice, &setup.setup, of, &wrt, &swing_arguments)?
+                let swings = swing_arguments.read(&setup.setup)?;
+                let why = "the swings have values of it";
+                setup.refuse_idle(&stated, &swings.parameters(), why)?;
+                let arguments = &swing_arguments;
+                ObjectiveKind::over_swings(py, choice, &setup.setup, of, &wrt, arguments, &swings)?
             } else {
                 swing_arguments.refuse_stray()?;
+                setup.refuse_idle(&stated, &[], "")?;
                 ObjectiveKind::of_drive(py, choice, &setup.setup, of, &wrt)?
             };
             Ok(Self {

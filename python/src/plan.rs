@@ -5,17 +5,23 @@ use crate::setup::PySetup;
 use longdrive::batch::{CHUNK, Points};
 use longdrive::command::{with_degrees, with_memory_files};
 use longdrive::table::sweep_points;
+use longdrive::units::{Message, System};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::collections::HashMap;
 use std::path::PathBuf;
 
-/// The points by parameter, and each parameter's name with the ends of its range.
-type Plan<'py> = (Bound<'py, PyDict>, Vec<(&'static str, f64, f64)>);
+/// The points by parameter, each parameter's name with the ends of its range, and notes on the
+/// columns of a table.
+type Plan<'py> = (
+    Bound<'py, PyDict>,
+    Vec<(&'static str, f64, f64)>,
+    Vec<String>,
+);
 
-/// The points as a dict of arrays, and the range of each parameter. The step is chosen for these
-/// ranges.
+/// The points as a dict of arrays, the range of each parameter, for which the step is chosen, and
+/// notes on the table, such as the columns that are not read.
 ///
 /// Parameters
 /// ----------
@@ -70,7 +76,9 @@ pub fn plan<'py>(
             .iter()
             .map(|vary| (vary.parameter.name, vary.low, vary.high))
             .collect();
-        Ok((dict, ranges))
+        let notes = points.notes();
+        let of_table = |note: &Message| format!("points: {}", note.in_units(System::default()));
+        Ok((dict, ranges, notes.iter().map(of_table).collect()))
     })
 }
 

@@ -4,6 +4,7 @@ use crate::boundary::{Answer, Failure, answer, kind_of, shown, text_of};
 use crate::given::{self, AngleUnit, BareAngle, PRESET};
 use crate::pool;
 use longdrive::atmosphere::in_effect;
+use longdrive::command::refuse_idle;
 use longdrive::integration::{Integration, StepChoice};
 use longdrive::parameters::{
     DEFAULT_PRESET, GOLFER, LAW, Law, METHOD, Parameter, SPEED_OF, SetupFile, TABLE, TURF,
@@ -76,6 +77,16 @@ pub struct PySetup {
     chosen: Arc<OnceLock<Arc<Integration>>>,
 }
 
+/// A setup from Python in a call.
+struct CallSetup {
+    setup: PySetup,
+    /// Parameters that a dict in place of a setup states, without launch conditions: a launch needs
+    /// all of its conditions, so a dict also states those that a column replaces.
+    stated: Vec<String>,
+    /// Angles that the dict gives as numbers.
+    bare_angles: Vec<BareAngle>,
+}
+
 impl PartialEq for PySetup {
     fn eq(&self, other: &Self) -> bool {
         self.setup == other.setup
@@ -146,28 +157,75 @@ impl PySetup {
     }
 
     /// A setup from Python: a setup, the name of a preset, a dict, or None for the preset
-    /// `tour-average`.
+    /// `tour-average`. Refuses values of a dict that have no effect, and warns of its angles.
     pub fn of(given: &Bound<'_, PyAny>) -> Answer<Self> {
-        if let Ok(setup) = given.cast::<Self>() {
-            return Ok(setup.get().clone());
-        }
-        if given.is_none() {
-            return Self::of_preset(DEFAULT_PRESET);
-        }
-        if let Ok(name) = given.cast::<PyString>() {
-            return Self::of_preset(text_of("setup", name)?);
-        }
-        Self::of_dict(given, AngleUnit::Radian)
+        let call = Self::of_call(given, AngleUnit::Radian)?;
+        call.setup.refuse_idle(&call.stated, &[], "")?;
+        call.setup.warn_of(given.py(), call.bare_angles)?;
+        Ok(call.setup)
     }
 
-    fn of_dict(dict: &Bound<'_, PyAny>, angles: AngleUnit) -> Answer<Self> {
+    fn of_call(given: &Bound<'_, PyAny>, angles: AngleUnit) -> Answer<CallSetup> {
+        let setup = if let Ok(setup) = given.cast::<Self>() {
+            setup.get().clone()
+        } else if given.is_none() {
+            Self::of_preset(DEFAULT_PRESET)?
+        } else if let Ok(name) = given.cast::<PyString>() {
+            Self::of_preset(text_of("setup", name)?)?
+        } else {
+            return Self::of_dict(given, angles);
+        };
+        Ok(CallSetup {
+            setup,
+            stated: vec![],
+            bare_angles: vec![],
+        })
+    }
+
+    fn of_dict(dict: &Bound<'_, PyAny>, angles: AngleUnit) -> Answer<CallSetup> {
         let mut given = given::flattened(dict)?;
         given::refuse_repeated(&given)?;
         let preset = given::preset(&mut given)?;
         let base = Self::of_preset(preset.as_deref().unwrap_or(DEFAULT_PRESET))?;
         let (setup, bare_angles) = base.with(&given, angles)?;
-        setup.warn_of(dict.py(), bare_angles)?;
-        Ok(setup)
+        let names = given.into_iter().map(|given| given.name);
+        Ok(CallSetup {
+            setup,
+            stated: names.filter(|name| !name.starts_with("launch.")).collect(),
+            bare_angles,
+        })
+    }
+
+    /// Refuses `stated` parameters without effect, as the commands do. `columns` have a value of
+    /// their own in each drive; `why` is the reason for the message.
+    pub fn refuse_idle(
+        &self,
+        stated: &[String],
+        columns: &[&'static Parameter],
+        why: &str,
+    ) -> Answer<()> {
+        if stated.is_empty() {
+            return Ok(());
+        }
+        let content = SetupFile {
+            setup: self.setup,
+            ..SetupFile::clone(&self.file)
+        };
+        Ok(refuse_idle(content, stated, columns, why)?)
+    }
+
+    /// The warning about changed values of the club, if the launch is given.
+    fn warning_of_club(&self) -> Answer<Option<String>> {
+        if !self.setup.launch.is_given() {
+            return Ok(None);
+        }
+        let changed = self.changes()?;
+        let names = changed.iter().map(|change| change.key);
+        let names: Vec<_> = names.filter(|name| is_of_strike(name)).collect();
+        Ok((!names.is_empty()).then(|| {
+            let names = names.join(", ");
+            format!("not used, since the drive is given by its launch: {names}")
+        }))
     }
 
     /// Warns of angles that were probably meant in degrees.
@@ -406,7 +464,9 @@ impl PySetup {
                 Some(given)
                     if given.cast::<PyMapping>().is_ok() && !given.is_instance_of::<Self>() =>
                 {
-                    Self::of_dict(given, angles)
+                    let call = Self::of_dict(given, angles)?;
+                    call.setup.warn_of(given.py(), call.bare_angles)?;
+                    Ok(call.setup)
                 }
                 given => Self::of_any(given),
             }
@@ -464,6 +524,40 @@ impl PySetup {
                 .map_err(|_| not_of_the_kind("text", text, "the text of a setup file"))?;
             Self::of_file(SetupFile::read(text_of("text", toml)?, file)?)
         })
+    }
+
+    /// The setup for an argument of a function, the parameters that a dict states, and its angles
+    /// without a unit.
+    #[staticmethod]
+    fn _of_call(
+        given: &Bound<'_, PyAny>,
+        angles: &Bound<'_, PyAny>,
+    ) -> PyResult<(Self, Vec<String>, Vec<BareAngle>)> {
+        answer(|| {
+            let call = Self::of_call(given, AngleUnit::of(Some(angles))?)?;
+            Ok((call.setup, call.stated, call.bare_angles))
+        })
+    }
+
+    /// Refuses stated parameters without effect; see `longdrive.setups.CallSetup.refuse_idle`.
+    fn _refuse_idle(
+        &self,
+        stated: Vec<String>,
+        columns: Vec<Bound<'_, PyString>>,
+        why: &str,
+    ) -> PyResult<()> {
+        answer(|| {
+            // an unknown column is refused later
+            let rows = columns
+                .iter()
+                .filter_map(|name| self.setup.parameter(&name.to_string_lossy()).ok());
+            self.refuse_idle(&stated, &rows.collect::<Vec<_>>(), why)
+        })
+    }
+
+    /// The warning about values of the club that a given launch replaces, in a list.
+    fn _warnings_of_club(&self) -> PyResult<Vec<String>> {
+        answer(|| Ok(self.warning_of_club()?.into_iter().collect()))
     }
 
     #[staticmethod]
@@ -651,24 +745,11 @@ impl PySetup {
     /// The warnings about the setup, a list of sentences.
     fn warnings(&self) -> PyResult<Vec<String>> {
         answer(|| {
-            let mut warnings: Vec<_> = self
-                .setup
-                .warnings()
+            let warnings = self.setup.warnings();
+            let warnings = warnings
                 .iter()
-                .map(|message| message.in_units(System::default()))
-                .collect();
-            if self.setup.launch.is_given() {
-                let changed = self.changes()?;
-                let names = changed.iter().map(|change| change.key);
-                let names: Vec<_> = names.filter(|name| is_of_strike(name)).collect();
-                if !names.is_empty() {
-                    warnings.push(format!(
-                        "not used, since the drive is given by its launch: {}",
-                        names.join(", ")
-                    ));
-                }
-            }
-            Ok(warnings)
+                .map(|message| message.in_units(System::default()));
+            Ok(warnings.chain(self.warning_of_club()?).collect())
         })
     }
 

@@ -147,6 +147,10 @@ def test_views_share_the_columns(table: Table) -> None:
         and np.shares_memory(part["carry"], table["carry"])
     )
     assert np.array_equal(part["carry"], table["carry"][1000:2000])
+    rows = np.arange(len(table))
+    for some in (slice(2, 10, 3), slice(None, None, -1), slice(-5, None)):
+        assert table[some].first_row == rows[some][0]
+    assert part[5:].first_row == 1005
     assert Table.concatenate([table[:1000], part, table[2000:]]) == table
     with pytest.raises(
         KeyError,
@@ -348,6 +352,86 @@ def test_polars_and_pandas_read_a_table(table: Table) -> None:
     pandas = pytest.importorskip("pandas")
     assert polars.DataFrame(table)["carry"].to_list() == table["carry"].tolist()
     assert pandas.DataFrame.from_arrow(table)["carry"].tolist() == table["carry"].tolist()
+
+
+@pytest.mark.parametrize("kind", ["dict", "pandas", "polars", "pyarrow"])
+def test_a_missing_value_in_the_only_column_keeps_its_row(kind: str) -> None:
+    module = None if kind == "dict" else pytest.importorskip(kind)
+
+    def made(columns: dict[str, Any]) -> Any:
+        if module is None:
+            return columns
+        return module.table(columns) if kind == "pyarrow" else module.DataFrame(columns)
+
+    table = longdrive.sweep("mae494", points=made({"club.loft [deg]": [9.0, None, 11.0]}))
+    assert [Status(code).label for code in table.status] == ["landed", "out-of-range", "landed"]
+    with pytest.raises(InputError, match="swing 2: swing.path is missing"):
+        longdrive.optimize(
+            "mae494",
+            maximize="mean(carry)",
+            vary="club.loft=8deg..12deg",
+            swings=made({"swing.path [deg]": [1.0, None, 2.0]}),
+        )
+
+
+@pytest.mark.parametrize("kind", ["pandas", "polars", "pyarrow"])
+def test_exact_numbers_of_32_bits_and_other_columns_of_a_frame(kind: str) -> None:
+    module = pytest.importorskip(kind)
+    loft = np.array([0.1, 0.2], np.float32)
+    columns = {"club.loft [rad]": loft, "note": ["a, b", None]}
+    frame = module.table(columns) if kind == "pyarrow" else module.DataFrame(columns)
+    table = longdrive.sweep("mae494", points=frame)
+    assert table["club.loft"].tolist() == loft.astype(float).tolist()
+    assert table.warnings[0].startswith("points: columns not read, since they are results or remarks")
+    assert table.warnings[0].endswith(": note")
+
+
+def test_results_among_the_columns_of_a_frame_are_named() -> None:
+    pandas = pytest.importorskip("pandas")
+    columns = {"swing.speed": [45.0, 50.0], "ball_speed": [60.0, 80.0], "launch_angle": [0.2, 0.3]}
+    kinds = [pandas.DataFrame(columns)]
+    for kind in ("polars", "pyarrow"):
+        module = pytest.importorskip(kind)
+        kinds.append(module.table(columns) if kind == "pyarrow" else module.DataFrame(columns))
+    warning = "columns not read, since they are results and not parameters: ball_speed, launch_angle"
+    for frame in kinds:
+        assert longdrive.batch("mae494", frame).warnings == [f"points: {warning}"]
+    heads = {"swing.speed [m/s]": [45.0, 50.0], "ball_speed [m/s]": [60.0, 80.0]}
+    swept = longdrive.sweep("mae494", points=heads)
+    assert "since they are results or remarks" in swept.warnings[0]
+    assert swept.warnings[0].endswith(": ball_speed")
+    # a frame that was made from a table has its results with their units
+    table = longdrive.batch("mae494", {"club.loft": [0.15, 0.18]}, wrt="club.loft")
+    for frame in (table.to_pandas(), pytest.importorskip("pyarrow").table(table)):
+        assert longdrive.batch("mae494", frame, wrt="club.loft").warnings == []
+        assert longdrive.sweep("mae494", points=frame, wrt="club.loft") == table
+    with pytest.raises(InputError, match="unknown parameter 'd_loft'"):
+        longdrive.batch("mae494", pandas.DataFrame({"club.loft": [0.15], "d_loft": [1.0]}))
+    twice = pandas.DataFrame([[0.1, 0.2]], columns=["club.loft", "club.loft"])
+    with pytest.raises(InputError, match="two columns have the name 'club.loft'"):
+        longdrive.batch("mae494", twice)
+
+
+def test_a_column_in_another_unit_than_si_is_refused() -> None:
+    pandas, pyarrow = pytest.importorskip("pandas"), pytest.importorskip("pyarrow")
+    frame = pandas.DataFrame({"swing.speed": [100.0, 110.0]})
+    frame.attrs["units"] = {"swing.speed": "mph"}
+    field = pyarrow.field("swing.speed", pyarrow.float64(), metadata={"unit": "mph"})
+    lent = pyarrow.table({"swing.speed": [100.0, 110.0]}, schema=pyarrow.schema([field]))
+    for points in (frame, lent):
+        for call in (longdrive.batch, lambda setup, points: longdrive.sweep(setup, points=points)):
+            with pytest.raises(
+                InputError, match="'swing.speed' has the unit 'mph'; expected 'm/s', as SI"
+            ):
+                call("mae494", points)
+
+
+def test_a_lazy_frame_is_refused_with_advice() -> None:
+    polars = pytest.importorskip("polars")
+    lazy = polars.DataFrame({"club.loft": [0.15]}).lazy()
+    for call in (longdrive.batch, lambda setup, points: longdrive.sweep(setup, points=points)):
+        with pytest.raises(InputError, match="LazyFrame has no values .*give frame.collect()"):
+            call("mae494", lazy)
 
 
 def test_progress_begins_at_zero_and_ends_at_all_rows() -> None:

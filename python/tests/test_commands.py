@@ -114,6 +114,90 @@ def test_a_value_of_a_dict_that_no_drive_uses_is_refused(call):
         call()
 
 
+AIR = {"air.density": 1.1}
+LOFT = {"club.loft": "20 deg"}
+# a launch in SI, as points of a batch
+FLOWN = {
+    "launch.ball_speed": [70.0, 71.0],
+    "launch.launch_angle": [0.2, 0.2],
+    "launch.backspin": [250.0, 260.0],
+}
+OF_BALL = {**LOFT, "launch": {"ball_speed": 70.0, "launch_angle": 0.2, "backspin": 250.0}}
+OVER_SWINGS = ("mean(carry)", "club.loft")
+
+
+def swings_of(folder, text):
+    file = folder / "swings.toml"
+    file.write_text(f"[distributions]\n{text}\n", encoding="utf-8")
+    return file
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda _: longdrive.batch(AIR, {"air.temperature": [280.0, 300.0]}), "both given"),
+        (lambda _: longdrive.sweep(AIR, {"air.temperature": (280.0, 300.0, 2)}), "both given"),
+        (
+            lambda folder: longdrive.sweep(
+                AIR, {"air.temperature": (280.0, 300.0, 2)}, output=folder / "rows.csv"
+            ),
+            "both given",
+        ),
+        (
+            lambda _: longdrive.objective(
+                AIR, *OVER_SWINGS, distribution={"air.temperature": ("normal", 290.0, 5.0)}
+            ),
+            "both given",
+        ),
+        (
+            lambda folder: longdrive.objective(
+                {"swing.path": 0.01},
+                *OVER_SWINGS,
+                swings=swings_of(folder, '"swing.path" = "normal(0deg,2deg)"'),
+            ),
+            "^swing.path of the setup: the swings have values of it",
+        ),
+        (lambda _: longdrive.batch(LOFT, FLOWN), "^club.loft of the setup: the points are launches"),
+        (
+            lambda _: longdrive.sweep(LOFT, points={"launch.ball_speed [m/s]": [70.0]}),
+            "^club.loft of the setup: the points are launches",
+        ),
+        *(
+            (call, "^club.loft of the setup: the drive is given by its launch")
+            for call in (
+                lambda _: longdrive.simulate(OF_BALL),
+                lambda _: longdrive.batch(OF_BALL, {"air.density": [1.1]}),
+                lambda _: longdrive.sweep(OF_BALL, {"air.density": (1.1, 1.2, 2)}),
+                lambda _: longdrive.gradient(OF_BALL, wrt="air.density"),
+                lambda _: longdrive.objective(OF_BALL, wrt="air.density"),
+                lambda _: longdrive.sensitivity(OF_BALL),
+            )
+        ),
+    ],
+)
+def test_a_value_of_a_dict_that_others_replace_is_refused_as_by_the_commands(
+    call, words, tmp_path
+):
+    with pytest.raises(longdrive.InputError, match=words):
+        call(tmp_path)
+
+
+def test_every_declared_key_of_an_answer_may_be_in_one(tmp_path):
+    flown = longdrive.fly(LAUNCHES)
+    swept = longdrive.sweep(over=SPEEDS, output=tmp_path / "rows.csv")
+    for found, omitted in ((flown, set()), (swept, {"left_out"})):
+        assert set(type(found).__annotations__) - omitted <= set(found)
+    assert longdrive.optimize("mae494").command == "optimize"
+
+
+def test_swings_of_a_delivery_are_a_file_to_write():
+    launch = {"ball_speed": 67.0, "launch_angle": "12 deg", "spin": 260.0}
+    with pytest.raises(
+        longdrive.InputError, match="^swings is a dict; expected the name of a file"
+    ):
+        longdrive.delivery(**launch, swings={"swing.path": [0.0]})
+
+
 def test_a_swept_launch_condition_may_be_in_the_dict_of_the_launch():
     launch = {"ball_speed": "150 mph", "launch_angle": "12 deg", "backspin": "2600 rpm"}
     table = longdrive.sweep({"launch": launch}, points={"launch.backspin [rpm]": [2000, 3000]})

@@ -178,6 +178,7 @@ def test_the_message_on_a_number_that_is_too_large_names_the_argument(
         (lambda: longdrive.Setup.read(HALF), ""),
         (lambda: longdrive.fly({HALF: [1.0]}), "shots: "),
         (lambda: longdrive.batch("mae494", {HALF: [0.2]}), "points: a name = "),
+    (lambda: longdrive.batch({"club.loft": 0.2}, {HALF: [0.2]}), "points: a name = "),
         (lambda: longdrive.batch("mae494", {"club.loft": HALF}), "points: club.loft = "),
         (lambda: longdrive.batch("mae494", {"club.loft": [0.2]}, tolerance=HALF), "tolerance = "),
         (lambda: longdrive.sweep("mae494", [HALF]), "over: "),

@@ -18,6 +18,11 @@ FAST = {"preset": "tour-average", "swing.speed": "160 mph", "aero.law": "smits-s
 # a setup, not a dict: a call states no speed with it, so swings may replace the speed
 SWUNG = longdrive.Setup(FAST)
 POINTS = {"club.loft": np.linspace(0.1, 0.2, 50)}
+# a large angle without a unit
+BARE = {**FAST, "swing.path": 0.6}
+BALL = {"ball_speed": 90.0, "launch_angle": 0.2, "backspin": 250.0}
+# the drive does not use the club of this setup
+LAUNCHED = longdrive.Setup({"aero.law": "smits-smith", "club.loft": "20 deg", "launch": BALL})
 
 CALLS: list[Callable[[], Any]] = [
     lambda: longdrive.simulate(FAST),
@@ -25,6 +30,12 @@ CALLS: list[Callable[[], Any]] = [
     lambda: longdrive.sweep(FAST, {"club.loft": (0.1, 0.2, 50)}),
     lambda: longdrive.sweep(FAST, points={"club.loft [rad]": POINTS["club.loft"]}),
     lambda: longdrive.optimize(FAST),
+    lambda: longdrive.simulate(BARE),
+    lambda: longdrive.batch(BARE, POINTS),
+    lambda: longdrive.sweep(BARE, {"club.loft": (0.1, 0.2, 50)}),
+    lambda: longdrive.optimize(BARE),
+    lambda: longdrive.simulate(LAUNCHED),
+    lambda: longdrive.batch(LAUNCHED, {"air.density": [1.1]}),
     lambda: longdrive.chart(
         SWUNG, along={"swing.speed": ("150 mph", "160 mph")}, vary={"club.loft": (0.1, 0.3)}
     ),
@@ -40,6 +51,21 @@ def test_a_call_warns_once_of_each_warning_of_its_answer(call: Callable[[], Any]
     assert [(str(one.message), one.category, one.filename) for one in caught] == [
         ("\n".join(found.warnings), LongdriveWarning, __file__)
     ]
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        longdrive.simulate,
+        lambda setup: longdrive.batch(setup, {"air.density": [1.1]}),
+        lambda setup: longdrive.sweep(setup, {"air.density": (1.1, 1.2, 2)}),
+    ],
+)
+def test_warnings_about_the_setup_come_first(call: Callable[[Any], Any]) -> None:
+    (of_club,) = (text for text in LAUNCHED.warnings() if "not used" in text)
+    assert of_club == "not used, since the drive is given by its launch: club.loft"
+    assert call(LAUNCHED).warnings[0] == of_club
+    assert call(BARE).warnings[0].startswith("swing.path = 0.6 is 0.6 rad: ")
 
 
 @pytest.mark.parametrize("call", CALLS)
@@ -81,7 +107,7 @@ def test_degrees_in_place_of_radians_have_a_warning() -> None:
     degrees = {"club.loft": [8.0, 10.0, 12.0], "swing.attack_angle": np.radians([1.0, 2.0, 3.0])}
     with pytest.warns(
         LongdriveWarning,
-        match=r"points: out of range: 3 of 3 values of club.loft \(8 to 12; .*look like degrees: if they are, give numpy.radians",
+        match=r"points: out of range: 3 of 3 values of club.loft \(8 to 12; .*look like degrees: if they are, give numpy.radians\(…\) of them$",
     ) as caught:
         table = longdrive.batch("tour-average", degrees)
     assert (

@@ -87,6 +87,7 @@ pub use call::{ArgumentValue, Call, quantity_of, quantity_of_goal, with_degrees}
 pub use described::described;
 pub use host::{Host, MessageKind, Progress, Work};
 pub use mention::{Mention, mark_options};
+pub use request::refuse_idle;
 pub use run::{call, run};
 #[cfg(feature = "cli")]
 pub use run::{main, run_in_terminal};

@@ -5,7 +5,7 @@ from __future__ import annotations
 import operator
 import os
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
@@ -24,10 +24,8 @@ __all__ = [
     "one_name",
     "path_of",
     "refuse_idle_seed",
-    "refuse_stated",
     "refuse_stated_launch",
     "shown",
-    "stated_in",
     "switch_of",
     "whole_characters",
 ]
@@ -91,30 +89,6 @@ _MEASURED_LAUNCH = (
     "shots",
 )
 """Arguments of ``delivery`` that give a measured launch."""
-
-
-def stated_in(setup: Any) -> list[str]:
-    """The parameters that a dict in place of a setup states; none for a setup or a preset.
-
-    Launch conditions are left out: a launch needs all of its conditions, so a dict also states
-    those that a column replaces.
-    """
-    if not isinstance(setup, Mapping) or isinstance(setup, _longdrive.Setup):
-        return []
-    return [name for name in _longdrive.parameter_names_in(setup) if not name.startswith("launch.")]
-
-
-def refuse_stated(
-    stated: Sequence[str], columns: Any, why: str = "every drive has a value of its own"
-) -> None:
-    """Refuses a parameter that has both a stated value and a column of values.
-
-    The stated value would have no effect; `why` is the reason, for the message.
-    """
-    names = columns if isinstance(columns, Mapping) else ()
-    twice = next((name for name in stated if name in names), None)
-    if twice is not None:
-        raise InputError(f"{twice} of the setup: {why}, so this one is not used; leave it out")
 
 
 def refuse_stated_launch(setup: Any, arguments: Mapping[str, Any]) -> None:

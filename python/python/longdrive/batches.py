@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any
 from . import _longdrive
 from ._longdrive import Setup
 from .angles import check_unit, columns_in_radians, refuse_degrees_of_points, warnings_of_columns
-from .arguments import count_of, refuse_stated, stated_in, switch_of
+from .arguments import count_of, switch_of
 from .errors import InputError, Interrupted, interruptible, warn_of
 from .progress import follower
 from .quantities import contains_quantities, elements_of, is_quantity, to_si, tolerance_of
+from .setups import CallSetup
 from .table import Table
-from .tables import columns_of, points_in_si
+from .tables import columns_of, points_in_si, warnings_of_results
 
 if TYPE_CHECKING:
     from .progress import Progress
@@ -106,9 +107,8 @@ def batch(
     with interruptible("longdrive.batch was interrupted before the first row"), follower(
         "drives", progress
     ) as show:
-        stated = stated_in(setup)
-        setup = setup if isinstance(setup, Setup) else Setup(setup, angles=angles)
         check_unit(angles)
+        call = CallSetup.of(setup, angles)
         in_si = points_in_si(points)
         if in_si is not None:
             refuse_degrees_of_points(angles)
@@ -116,9 +116,10 @@ def batch(
         is_bare = in_si is None and isinstance(columns, Mapping)
         if is_bare:
             columns = columns_in_radians(columns, angles)
-        refuse_stated(stated, columns)
+        if isinstance(columns, Mapping):
+            call.refuse_idle(name for name in columns if isinstance(name, str))
         table = computed(
-            setup,
+            call.setup,
             columns,
             of,
             wrt,
@@ -129,6 +130,7 @@ def batch(
             first_row=first_row,
             hessians=hessians,
         )
+    table.warnings[:0] = [*call.warnings_of_drive, *warnings_of_results(points)]
     if is_bare and angles == "rad":
         table.warnings += warnings_of_columns(columns)
     warn_of(table.warnings, table)

@@ -12,11 +12,10 @@ from .arguments import (
     count_of,
     kind_of,
     one_name,
-    refuse_stated,
     switch_of,
     whole_characters,
 )
-from .errors import InputError
+from .errors import InputError, warn_of
 from .quantities import tolerance_of
 
 if TYPE_CHECKING:
@@ -71,7 +70,7 @@ def gradient(
     wrt : Names | None
         Parameters to differentiate by, a name or several; ``"all"`` for every one that can be
         varied in this setup, for an outcome of the flight without those of the roll-out. Without it
-        loft and attack angle.
+        loft and attack angle, or the ball speed, launch angle and backspin of a given launch.
     tolerance : Amount | None
         The largest error of a length, m or a text; without it 1 µm, unless the setup states its
         method or step.
@@ -271,7 +270,7 @@ def objective(
     ------
     InputError
         As :func:`gradient`, for unreadable swings, and for a parameter that the swings already
-        give, also if a dict in place of a setup states it beside its `distribution`.
+        give, also if a dict in place of a setup states it.
 
     Examples
     --------
@@ -310,21 +309,21 @@ def objective(
     request = Request(
         "optimize", {"setup": setup, "distribution": distribution, "correlation": correlation}
     )
-    distributions = request.texts("distribution")
-    varied = {text.partition("=")[0].strip(): text for text in distributions}
-    refuse_stated(request.stated, varied, "the swings have values of it")
-    return _longdrive.Objective(
+    found = _longdrive.Objective(
         request.setup,
         one_name("of", of, "jacobian takes several"),
         [wrt] if isinstance(wrt, str) else wrt,
         sense,
         invalid,
         swings,
-        distributions,
+        request.texts("distribution"),
         request.texts("correlation"),
         None if scenarios is None else count_of("scenarios", scenarios, 1, MOST_SCENARIOS),
         None if seed is None else count_of("seed", seed, most=MOST_SEED),
         strokes,
         tolerance_of(tolerance),
         switch_of("own_step", own_step),
+        request.stated,
     )
+    warn_of(request.warnings, found)
+    return found

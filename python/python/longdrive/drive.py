@@ -12,6 +12,7 @@ from . import _longdrive
 from .arguments import nearest_outcome, no_attribute, switch_of
 from .errors import UnknownKeyError, warn_of
 from .quantities import tolerance_of
+from .setups import CallSetup
 
 if TYPE_CHECKING:
     from .types import Amount, Floats, Names, SetupLike
@@ -226,12 +227,15 @@ def simulate(
     >>> longdrive.simulate({"swing.attack_angle": "-40 deg"}).status
     'no-flight'
     """
+    call = CallSetup.of(setup)
+    call.refuse_idle()
     found = _longdrive.simulate(
-        setup,
+        call.setup,
         of,
         switch_of("trajectory", trajectory),
         tolerance_of(tolerance),
         switch_of("own_step", own_step),
+        call.warnings_of_drive,
     )
     path = found.path
     drive = Drive(found.outcomes, found.report, None if path is None else Trajectory(*path))

@@ -10,8 +10,9 @@ import numpy as np
 from . import _longdrive
 from .arguments import switch_of
 from .batches import computed
-from .errors import InputError
+from .errors import InputError, warn_of
 from .quantities import tolerance_of
+from .setups import CallSetup
 
 if TYPE_CHECKING:
     from .types import Amount, Floats, Names, SetupLike
@@ -41,7 +42,10 @@ class Pointwise:
         tolerance: Amount | None,
         own_step: bool,
     ) -> None:
-        self.setup = setup if isinstance(setup, _longdrive.Setup) else _longdrive.Setup(setup)
+        call = CallSetup.of(setup)
+        call.refuse_idle()
+        warn_of(call.warnings, call.setup)
+        self.setup = call.setup
         self.is_single = isinstance(of, str) and of != "all"
         names = _longdrive.requested_names(self.setup, of, wrt)
         self.of: list[str] = names[0]

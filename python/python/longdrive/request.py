@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, Any
 from . import _longdrive
 from ._longdrive import Setup
 from .angles import BareAngles, check_unit
-from .arguments import kind_of, refuse_stated_launch, stated_in, switch_of, whole_characters
+from .arguments import kind_of, refuse_stated_launch, switch_of, whole_characters
 from .axes import check_axes
 from .conversion import FILES, Converter, Value, refuse_empty
 from .errors import InputError
 from .options import Option, options_of
+from .setups import CallSetup
 from .tables import csv_of
 
 if TYPE_CHECKING:
@@ -63,6 +64,7 @@ class Request:
             raise InputError("ax and output both say where the plot goes; keep one of the two")
         if command == "delivery":
             refuse_stated_launch(arguments.get("setup"), arguments)
+        self._setup_warnings: list[str] = []
         self._angles: AngleUnit = check_unit(arguments.get("angles") or "rad")
         self._bare_angles = BareAngles(self._angles)
         goals = (arguments.get(name) for name in ("maximize", "minimize"))
@@ -80,8 +82,8 @@ class Request:
 
     @property
     def warnings(self) -> list[str]:
-        """Warnings about the arguments."""
-        return self._bare_angles.warnings()
+        """Warnings about the setups and the arguments."""
+        return [*self._setup_warnings, *self._bare_angles.warnings()]
 
     def _take(self, option: Option, arguments: Mapping[str, Any]) -> None:
         name = option.argument
@@ -108,8 +110,7 @@ class Request:
         if _takes_table(option):
             return self._table(name, given)
         if option.value.startswith("SETUP"):
-            setup = self._setup_of(given)
-            self.files[name] = setup.to_toml().encode()
+            self.files[name] = self._setup_of(given).setup.to_toml().encode()
             return name
         if name == "at" and "along" in arguments and not isinstance(given, str):
             return self._converter.places(arguments["along"], given)
@@ -121,14 +122,16 @@ class Request:
 
     def _take_setup(self, given: Any, option: Option) -> None:
         given = option.default if given is None else given
-        self.setup = self._setup_of(given)
-        self.stated = stated_in(given)
+        call = self._setup_of(given)
+        self.setup, self.stated = call.setup, call.stated
         text, is_file = self.setup._for_command()
         self.setup_text = text if is_file else ""
         self.values[option.name] = "-" if is_file else text
 
-    def _setup_of(self, given: Any) -> Setup:
-        return given if isinstance(given, Setup) else Setup(given, angles=self._angles)
+    def _setup_of(self, given: Any) -> CallSetup:
+        call = CallSetup.of(given, self._angles)
+        self._setup_warnings += call.warnings
+        return call
 
     def _memory_output(self, arguments: Mapping[str, Any]) -> str:
         """The name of the output file that stays in memory.
@@ -189,7 +192,8 @@ class Request:
 
 
 def _takes_table(option: Option) -> bool:
-    return option.argument in _TABLES and option.value in ("FILE", "SHOTS", "DATA")
+    is_input = option.value in ("FILE", "SHOTS", "DATA") and not option.is_output
+    return option.argument in _TABLES and is_input
 
 
 def _refuse_half_characters(value: object) -> None:

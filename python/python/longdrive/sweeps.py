@@ -6,15 +6,15 @@ import os
 from typing import TYPE_CHECKING, Any, Union, overload
 
 from . import _longdrive
-from ._longdrive import Setup
 from .angles import refuse_degrees_of_points
-from .arguments import count_of, refuse_idle_seed, refuse_stated, stated_in, switch_of
+from .arguments import count_of, refuse_idle_seed, switch_of
 from .batches import computed
 from .errors import InputError, interruptible, warn_of
 from .progress import follower
 from .replies import SweepReply
 from .reply import as_reply
 from .run_command import run_command
+from .setups import CallSetup
 from .table import Table
 from .tables import points_in_si
 
@@ -185,13 +185,12 @@ def sweep(
         }
         return run_command("sweep", {**given, **by, **file}, as_reply(SweepReply))
     with interruptible("longdrive.sweep was interrupted before the first row"):
-        stated = stated_in(setup)
-        setup = setup if isinstance(setup, Setup) else Setup(setup, angles=angles)
-        at, ranges, warnings = _points({**given, "setup": setup})
-        refuse_stated(stated, at)
+        call = CallSetup.of(setup, angles)
+        at, ranges, warnings = _points({**given, "setup": call.setup})
+        call.refuse_idle(at)
         with follower("sweep", progress) as show:
             table = computed(
-                setup,
+                call.setup,
                 at,
                 of,
                 wrt,
@@ -202,7 +201,7 @@ def sweep(
                 ranges=ranges,
                 interrupted=_interrupted,
             )
-    table.warnings[:0] = warnings
+    table.warnings[:0] = [*call.warnings_of_drive, *warnings]
     warn_of(table.warnings, table)
     return table
 
@@ -210,7 +209,8 @@ def sweep(
 def _points(
     given: dict[str, Any],
 ) -> tuple[dict[str, Any], list[tuple[str, float, float]] | None, list[str]]:
-    """The points of a sweep by parameter, their ranges, and warnings about the arguments."""
+    """The points of a sweep by parameter, their ranges, and warnings about the arguments and the
+    columns."""
     in_si = points_in_si(given["points"])
     if in_si is not None:
         return in_si, None, []
@@ -223,7 +223,7 @@ def _points(
         _refuse_counts(over)
     table = request.values.get("points")
     assert table is None or isinstance(table, str)
-    at, ranges = _longdrive.plan(
+    at, ranges, notes = _longdrive.plan(
         given["setup"],
         over,
         given["sample"],
@@ -232,7 +232,7 @@ def _points(
         request.files,
         request.bare_angles,
     )
-    return at, ranges, request.warnings
+    return at, ranges, [*request.warnings, *notes]
 
 
 def _interrupted(after: int, whole: int) -> str:

@@ -14,7 +14,8 @@ use crate::command::args::{DriveArgs, OwnLaw, SetupArgs};
 use crate::command::output::{note, system, warn_early};
 use crate::integration::StepChoice;
 use crate::parameters::{
-    LAW, Law, Parameter, TABLE, TURF, Vary, follows_from, is_of_strike, is_reset, is_unset,
+    LAW, Law, Parameter, SetupFile, TABLE, TURF, Vary, follows_from, is_of_strike, is_reset,
+    is_unset,
 };
 use crate::report::{SetupOrigin, parameter_text};
 use crate::units::Message;
@@ -38,6 +39,23 @@ pub struct Request {
     step: StepChoice,
     /// True for an answer in JSON.
     pub is_json: bool,
+}
+
+/// Refuses parameters that a host states in the setup `content` without effect, as the commands do:
+/// parameters of the club if the launch is given, and parameters whose values `columns` give or
+/// replace. `columns` have a value of their own in each drive; `why` is the reason why a stated
+/// value of a column is not used.
+///
+/// # Errors
+/// [`Error::Unreadable`], which names the parameter, and [`Error::Together`].
+pub fn refuse_idle(
+    content: SetupFile,
+    stated: &[String],
+    columns: &[&'static Parameter],
+    why: &str,
+) -> Result<()> {
+    let source = Source::of_host(content, stated.to_vec());
+    Request::of_drive(source, vec![])?.refuse_columns(columns, why)
 }
 
 impl SetupArgs {
@@ -474,6 +492,22 @@ impl Request {
         let mut parameters = parameters.to_vec();
         parameters.retain(|parameter| !parameter.is_of_launch());
         self.refuse_stated(&parameters, why)
+    }
+
+    /// Refuses settings without effect beside `columns`, which have a value of their own in each
+    /// drive: settings of these parameters, of parameters that they replace, and of the club if
+    /// they are a launch. `why` is the reason why a setting of a column is not used.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`], which names the setting, and [`Error::Together`].
+    pub fn refuse_columns(&self, columns: &[&'static Parameter], why: &str) -> Result<()> {
+        self.refuse_stated(columns, why)?;
+        self.refuse_replaced(&self.partial_setup, columns)?;
+        let is_launch = columns.iter().any(|parameter| parameter.is_of_launch());
+        if is_launch && !self.partial_setup.launch.is_given() {
+            self.refuse_club("the points are launches")?;
+        }
+        Ok(())
     }
 
     /// Refuses parameters that the setup file or a setting states, if other stated parameters, or

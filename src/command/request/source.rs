@@ -32,14 +32,10 @@ impl Source {
         let path = Path::new(argument);
         let is_named_like_a_file = argument.contains(['/', '\\']) || path.extension().is_some();
         let is_preset = Preset::named(argument).is_some();
-        let mut stated = vec![];
         let content = if argument == STANDARD_INPUT {
-            let mut content = read_standard_input()?;
-            if let Some(by_host) = running().host.stated() {
-                content
-                    .given
-                    .retain(|row| by_host.iter().any(|name| name == row.name));
-                stated = by_host;
+            let content = read_standard_input()?;
+            if let Some(stated) = running().host.stated() {
+                return Ok(Self::of_host(content, stated));
             }
             content
         } else if !is_preset
@@ -53,8 +49,19 @@ impl Source {
         Ok(Self {
             argument: argument.into(),
             content,
-            stated,
+            stated: vec![],
         })
+    }
+
+    /// The setup named `-` of a host that states these of its parameters.
+    pub fn of_host(content: SetupFile, stated: Vec<String>) -> Self {
+        let row = |name: &String| content.setup.parameter(name).ok();
+        let given = stated.iter().filter_map(row).collect();
+        Self {
+            argument: STANDARD_INPUT.into(),
+            content: SetupFile { given, ..content },
+            stated,
+        }
     }
 
     /// True if the argument names a setup: a preset, standard input or an existing file. A text

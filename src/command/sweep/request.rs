@@ -34,19 +34,10 @@ impl SweepRequest {
                 reason,
             });
         }
-        request.refuse_stated(
+        request.refuse_columns(
             points.parameters(),
             "every drive of the sweep has a value of its own",
         )?;
-        request.refuse_replaced(&setup, points.parameters())?;
-        if !setup.launch.is_given()
-            && points
-                .parameters()
-                .iter()
-                .any(|parameter| parameter.is_of_launch())
-        {
-            request.refuse_club("the points are launches")?;
-        }
         let ranges = points.ranges();
         warn(Vary::initialized(&setup, &ranges)?.warnings());
         let Integration {
