@@ -5,7 +5,7 @@ use super::shot::{Club, Origin, REFUSED, RowParameter, Shot, StatedValue, within
 use crate::drive::Outcome;
 use crate::table::{
     CONDITIONS, Record, Refusal, RowFault, StatedConditions, air_of_setup, cells, conditions,
-    contradiction, implausible_launch, outside,
+    contradiction, implausible_launch, not_compared,
 };
 use std::borrow::Cow;
 
@@ -56,6 +56,11 @@ impl ShotColumns {
         let spin = self.spin_type.and_then(|at| Origin::read(cell(at)));
         let mut shot = Shot::refused(0, String::new(), Refusal::new(Refusal::MISSING, ""));
         let mut wrong = None;
+        let carry = || {
+            let mut read = self.read.iter();
+            let carry = read.find(|read| read.of == Outcome::CarryDistance)?;
+            carry.column.value(cell(carry.at)).ok().flatten()
+        };
         for read in &self.read {
             let (of, name) = (read.of, &read.column.head);
             let is_condition = CONDITIONS.contains(&of);
@@ -63,7 +68,7 @@ impl ShotColumns {
                 Ok(None) => {}
                 Ok(Some(value)) => {
                     let origin = read.origin.or(spin.filter(|_| OF_SPIN.contains(&of)));
-                    match outside(of, value).filter(|_| !is_condition) {
+                    match not_compared(of, value, carry).filter(|_| !is_condition) {
                         Some(why) => shot.notes.push(format!("not compared: {name}: {why}")),
                         None => shot.values.push(StatedValue { of, value, origin }),
                     }

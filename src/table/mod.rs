@@ -40,7 +40,9 @@ pub(crate) use export_columns::{
 pub(crate) use head::{TableHead, TableOptions, columns_remark, remark_from_line};
 pub(crate) use heads::{is_condition_head, rest_of_head};
 pub(crate) use launch_monitor::{split_unit, words};
-pub(crate) use plausible::{implausible_club, implausible_launch, impossible, outside};
+pub(crate) use plausible::{
+    implausible_club, implausible_launch, impossible, not_compared, outside,
+};
 pub use points::{open_table, sweep_points};
 pub use records::Record;
 pub(crate) use records::{cells, quoted};

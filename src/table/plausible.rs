@@ -3,7 +3,7 @@
 
 use super::CONDITIONS;
 use super::conditions::{StatedConditions, conditions, without_redundant_spins};
-use crate::drive::{Outcome, Sign};
+use crate::drive::{Outcome, OutcomeGroup, Sign};
 use crate::parameters::Range;
 use crate::units::{DisplayUnit, Quantity};
 use std::sync::LazyLock;
@@ -117,6 +117,21 @@ pub(crate) fn outside(of: Outcome, value: f64) -> Option<String> {
         "{shown} is outside of the range of drives, {from}{low} to {high} {unit}; check the value \
          and its unit"
     ))
+}
+
+/// Reason why a measured value of an export is not compared; `None` for a usable value. In a row
+/// with a `carry` of 0, a 0 of any other outcome of the flight was not measured either: launch
+/// monitors write zeros for a ball that they lost.
+pub(crate) fn not_compared(
+    of: Outcome,
+    value: f64,
+    carry: impl FnOnce() -> Option<f64>,
+) -> Option<String> {
+    if let Some(why) = outside(of, value) {
+        return Some(why);
+    }
+    let is_unmeasured = value == 0.0 && of.group() == OutcomeGroup::Flight && carry() == Some(0.0);
+    is_unmeasured.then(|| "0 was not measured, since the carry of the row is 0 too".into())
 }
 
 /// Message for a value that is impossible for a landed drive: a negative value of an outcome that

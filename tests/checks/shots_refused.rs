@@ -288,3 +288,27 @@ fn a_format_of_rows_that_a_json_answer_has_no_place_for_is_refused() {
     let (status, _) = json(&["fly", &file, "--format", "jsonl", "-o", &rows]);
     assert_eq!(status, 0);
 }
+
+/// A launch monitor that loses the ball writes zeros: neither the carry nor the side is measured. A
+/// side of 0 beside a carry is measured.
+#[test]
+fn the_side_of_a_ball_without_a_carry_is_not_compared() {
+    let text = format!("{HEAD}{GOOD}150,12,0,2600,3,0,0\n150,12,0,2600,3,245,0\n");
+    let (_, all, _) = fly_shots(Cursor::new(text.clone()));
+    let sides = all[0].shots.iter().map(|shot| shot.value(Outcome::Lateral));
+    let sides: Vec<_> = sides.map(|side| side.map(|side| side.value)).collect();
+    assert_eq!(sides, [Some(5.0 * 0.9144), None, Some(0.0)]);
+    let note = "not compared: Side: 0 was not measured, since the carry of the row is 0 too";
+    assert!(
+        all[0].shots[1].notes.contains(&note.to_owned()),
+        "{:?}",
+        all[0].shots[1].notes
+    );
+    let table = read(&text);
+    assert_eq!(rows(&table), [1, 3]);
+    assert!(
+        remarks(&table).contains("Side: 0 was not measured"),
+        "{}",
+        remarks(&table)
+    );
+}

@@ -11,7 +11,7 @@ use crate::table::{
     StatedConditions as Launch, TableHead, TextTable, assumed_units_remark, club_column,
     columns_remark, conditions, contradiction, given_air, has_whole_launch, heads_of,
     ignore_stated_air, implausible_club, implausible_launch, impossible, in_degrees,
-    is_straight_by_assumption, near_known, outside, redundant_spins_remark,
+    is_straight_by_assumption, near_known, not_compared, outside, redundant_spins_remark,
     without_redundant_spins,
 };
 use crate::units::{Digits, Message, Quantity};
@@ -444,7 +444,11 @@ impl Reading {
                 "the rows state the launch, so that no impact is computed; remove this column",
             ));
         }
-        if let Some(why) = outside(outcome, value).filter(|_| self.is_export) {
+        let carry = || {
+            let carry = self.cell(record, Content::Outcome(Outcome::CarryDistance));
+            carry.ok().flatten()
+        };
+        if let Some(why) = not_compared(outcome, value, carry).filter(|_| self.is_export) {
             row.implausible.push(format!("{}: {why}", column.head));
             return Ok(());
         }
