@@ -49,7 +49,7 @@ pub(super) fn turned_remark(columns: &[Column], turned: &[usize]) -> Option<Stri
 
 /// The spins whose positive values are to the left, in exports of Garmin:
 ///
-/// - `Sidespin`, if the table has no spin axis, or if sidespin and spin axis have opposite signs
+/// - `Sidespin`, if no row has a spin axis, or if sidespin and spin axis have opposite signs
 /// - `Sidespin` and the spin axis, if their signs agree, but the balls curve to the opposite side
 fn turned_spins(
     maker: Option<&str>,
@@ -59,7 +59,9 @@ fn turned_spins(
     if maker != Some("Garmin") || !has_outcome(columns, Outcome::Sidespin) {
         return &[];
     }
-    if !has_outcome(columns, Outcome::SpinAxis) {
+    // a column without a value states no axis
+    let has_axis = |row: &Vec<String>| value(columns, row, Outcome::SpinAxis).is_some();
+    if !rows.iter().any(has_axis) {
         return &[Outcome::Sidespin];
     }
     // true if positive, false if negative, `None` if 0

@@ -311,6 +311,21 @@ fn published_signs_of_garmin_are_turned() {
     );
 }
 
+/// A sidespin of Garmin stands alone if no row has a spin axis, even if the table has the column.
+#[test]
+fn exact_sidespin_of_garmin_beside_an_empty_spin_axis() {
+    let heads = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
+                 Axis [deg],Backspin [rpm],Sidespin [rpm],Carry Distance [yd],Carry Deviation \
+                 Distance [yd]\n";
+    let rows = "150,12,0,2500,,2462,434,235,-25\n150,12,0,2500,,2462,-434,235,25\n";
+    let (_, found, _) = fly_shots(Cursor::new(format!("{heads}{rows}")));
+    let rpm = std::f64::consts::PI / 30.0;
+    let spins = found[0].shots.iter().map(|shot| shot.launch().unwrap()[4]);
+    for (spin, expected) in spins.zip([-434.0, 434.0]) {
+        close(spin / rpm, expected, 434.0, 1e-12, "sidespin");
+    }
+}
+
 /// `sweep --points` reads the signs of Garmin as `fly` does, and says so.
 #[test]
 fn same_signs_of_garmin_in_points_and_in_shots() {
