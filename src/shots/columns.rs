@@ -6,7 +6,7 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::table::{
-    Column, Content, DecimalMark, OF_FLOWN, TableFormat, TableHead, TextTable, air_of_rows,
+    Column, Content, DecimalMark, OF_FLOWN, ShotLabels, TableFormat, TableHead, TextTable, air_of_rows,
     assume_unit, assumed_units_remark, club_column, columns_remark, given_air, ignore_stated_air,
     in_degrees, is_condition_head, missing_of_launch, near_known, rest_of_head, split_unit,
     with_nearest, words,
@@ -46,6 +46,8 @@ pub struct ShotColumns {
     /// Column with the name of the club.
     pub(super) club_name: Option<usize>,
     pub(super) is_export: bool,
+    /// The columns that say which shot a row is; `None` for a table that is no export.
+    pub(super) labels: Option<ShotLabels>,
     /// The decimal mark of the table; `None` if the first rows do not show it.
     pub(crate) decimal_mark: Option<DecimalMark>,
     /// Indices of the columns that an earlier run of `fly` added; empty without such columns.
@@ -83,6 +85,7 @@ impl ShotColumns {
             encoding,
             maker,
             turned,
+            labels,
             ..
         } = head;
         let is_export = format.is_export;
@@ -97,6 +100,7 @@ impl ShotColumns {
             condition: None,
             club_name: club_column(&heads, |at| columns[at].content == Content::Note),
             is_export,
+            labels,
             decimal_mark: format.decimal_mark,
             added: added(&columns),
             golfer: setup.golfer,

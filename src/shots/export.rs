@@ -23,7 +23,13 @@ impl ShotColumns {
     pub(super) fn shot(&self, record: Record) -> Shot {
         let row = cells(&record.text, self.separator);
         let column = |at: usize| self.read_column(at);
-        let fault = RowFault::find(&record, &row, self.heads.len(), self.is_export, column);
+        let fault = RowFault::find(
+            &record,
+            &row,
+            self.heads.len(),
+            self.labels.as_ref(),
+            column,
+        );
         if let Some(fault) = fault {
             let refusal = fault.refusal();
             return Shot::refused(record.line, record.text, refusal);

@@ -7,6 +7,7 @@ use super::export_columns::{ClubColumns, ignore_columns};
 use super::heads::rest_of_head;
 use super::launch_monitor::{is_export, units_row, words};
 use super::maker::maker;
+use super::row_fault::ShotLabels;
 use super::sign_conventions::{turn_spins, turned_remark};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
@@ -83,6 +84,8 @@ pub(crate) struct TableHead {
     pub maker: Option<&'static str>,
     /// Remark on columns whose positive values are to the left.
     pub turned: Option<String>,
+    /// The columns that say which shot a row is; `None` for a table that is no export.
+    pub labels: Option<ShotLabels>,
 }
 
 impl TableHead {
@@ -126,6 +129,7 @@ impl TableHead {
             encoding: None,
             maker: None,
             turned: None,
+            labels: None,
         })
     }
 
@@ -136,6 +140,7 @@ impl TableHead {
         self.detect_decimal_mark();
         if self.format.is_export {
             self.maker = maker(&self.heads);
+            self.labels = Some(ShotLabels::find(&self.columns, &self.rows));
             let turned = turn_spins(self.maker, &mut self.columns, &self.rows);
             self.remarks =
                 ignore_columns(&mut self.columns, wanted.club, wanted.selects_spin_by_row);
@@ -164,6 +169,7 @@ impl TableHead {
             encoding: None,
             maker: None,
             turned: None,
+            labels: None,
         })
     }
 

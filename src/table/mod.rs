@@ -47,7 +47,7 @@ pub use points::{open_table, sweep_points};
 pub use records::Record;
 pub(crate) use records::{cells, quoted};
 pub use refusal::Refusal;
-pub(crate) use row_fault::{NonShotRows, RowFault};
+pub(crate) use row_fault::{NonShotRows, RowFault, ShotLabels};
 pub use row_filter::RowFilter;
 pub(crate) use row_filter::{club_column, counted_values};
 pub(crate) use text::{SourceName, TableEntry, Text, TextTable};

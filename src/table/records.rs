@@ -49,6 +49,8 @@ pub(super) struct Lines {
     is_ascii: bool,
     /// Line terminator.
     end: u8,
+    /// True if lines that begin with `#` are remarks, which are skipped.
+    pub has_remarks: bool,
     /// Number of lines that have been read from the source.
     read: u64,
     /// Lines that were read ahead or pushed back. If reading ahead failed, the last item is the
@@ -69,6 +71,7 @@ impl Lines {
             encoding,
             is_ascii: true,
             end,
+            has_remarks: false,
             read: 0,
             held: VecDeque::new(),
         }
@@ -131,7 +134,7 @@ impl Lines {
         self.held.iter().flatten().map(|line| line.1.as_str())
     }
 
-    /// The next line other than blank lines, comments (`#`) and a separator declaration (`sep=;`).
+    /// The next line other than blank lines, remarks and a separator declaration (`sep=;`).
     pub fn text_line(&mut self) -> io::Result<Option<(u64, String)>> {
         loop {
             let Some((line, text)) = self.line()? else {
@@ -139,7 +142,7 @@ impl Lines {
             };
             let words = text.trim_start_matches('\u{feff}');
             let is_none = words.trim().is_empty()
-                || words.starts_with('#')
+                || self.has_remarks && words.starts_with('#')
                 || line == 1 && words.starts_with("sep=");
             if !is_none {
                 return Ok(Some((line, text)));
@@ -271,6 +274,7 @@ mod tests {
     fn an_unclosed_quote_affects_no_other_row() {
         let rows = |text: &'static str| {
             let mut lines = Lines::new(Box::new(text.as_bytes()), text, Encoding::Utf8);
+            lines.has_remarks = true;
             std::iter::from_fn(|| lines.record(b',').unwrap())
                 .map(|record| (record.line, record.text, !record.is_whole))
                 .collect::<Vec<_>>()

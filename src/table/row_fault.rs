@@ -1,6 +1,7 @@
 //! Rows that are not read: rows without a shot, and rows that cannot be split into cells.
 
 use super::column::Column;
+use super::launch_monitor::words;
 use super::numbers::cell_number;
 use super::records::Record;
 use super::refusal::Refusal;
@@ -8,7 +9,7 @@ use crate::units::counted;
 
 /// Reason why a row of a table is not read.
 pub(crate) enum RowFault<'a> {
-    /// A row of an export that summarizes other rows, with the word that identifies it, such as
+    /// A row of an export that summarizes other rows, with the cell that says so, such as
     /// `Average`.
     Summary(&'a str),
     /// A row of an export with a single filled cell, which is a title, such as the name of a club.
@@ -19,29 +20,28 @@ pub(crate) enum RowFault<'a> {
 
 impl<'a> RowFault<'a> {
     /// The fault of a record with the cells `row`, in a table with `width` columns; `None` for a
-    /// row that can be read. `column` returns the column with an index, if its cells are read.
+    /// row that can be read. `labels` are the labels of an export, `None` for another table.
+    /// `column` returns the column with an index, if its cells are read.
     pub fn find<'c, S: AsRef<str>>(
         record: &Record,
         row: &'a [S],
         width: usize,
-        is_export: bool,
+        labels: Option<&ShotLabels>,
         column: impl Fn(usize) -> Option<&'c Column>,
     ) -> Option<Self> {
         if let Some(refusal) = record.unclosed() {
             return Some(Self::Unreadable(refusal));
         }
-        let no_shot = is_export.then(|| Self::of_export(row, column)).flatten();
+        let no_shot = labels.and_then(|labels| Self::of_export(row, labels, column));
         no_shot.or_else(|| miscounted(row, width).map(Self::Unreadable))
     }
 
     /// Classifies a row of an export; `None` for a row that may hold a shot.
     fn of_export<'c, S: AsRef<str>>(
         row: &'a [S],
+        labels: &ShotLabels,
         column: impl Fn(usize) -> Option<&'c Column>,
     ) -> Option<Self> {
-        if let Some(word) = summary(row.iter().map(AsRef::as_ref)) {
-            return Some(Self::Summary(word));
-        }
         let mut filled = row
             .iter()
             .map(AsRef::as_ref)
@@ -52,8 +52,10 @@ impl<'a> RowFault<'a> {
         let is_value =
             |column: &Column| cell_number(only, column.format.has_decimal_comma()).is_some();
         let is_number = || only.parse::<f64>().is_ok() || column(at).is_some_and(is_value);
-        let is_title = filled.next().is_none() && !is_number();
-        is_title.then_some(Self::Title(only))
+        if filled.next().is_none() && !is_number() {
+            return Some(Self::Title(only));
+        }
+        labels.summary(row).map(Self::Summary)
     }
 
     /// Reason for rejecting the row.
@@ -106,51 +108,176 @@ impl NonShotRows {
     }
 }
 
-/// The word that identifies a statistic of other rows, such as `Average`; `None` for a row that may
-/// hold a shot.
-fn summary<'a>(cells: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    const WORDS: [&str; 17] = [
-        "dev",
-        "average",
-        "averages",
-        "avg",
-        "mean",
-        "median",
-        "consistency",
-        "std dev",
-        "stddev",
-        "stdev",
-        "standard deviation",
-        "deviation",
-        "std deviation",
-        "durchschnitt",
-        "mittelwert",
-        "standardabweichung",
-        "Ø",
-    ];
-    let mut cells = cells.map(str::trim);
-    // fast path: most cells contain none of the words
-    cells.find(|cell| {
+/// The columns of an export whose cells say which shot a row is. The name of a statistic in one of
+/// them, such as `Average`, marks a row that sums up others. In other columns, such as a rating of
+/// the strike, the word is a value.
+#[derive(Clone, Debug)]
+pub(crate) struct ShotLabels(Vec<Option<Label>>);
+
+/// What the cells of a label column are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Label {
+    /// Numbers, dates or times.
+    Number,
+    /// Names of players or clubs.
+    Name,
+}
+
+/// Words in the heads of columns with names of players and clubs.
+const NAME_HEADS: [&str; 17] = [
+    "player",
+    "golfer",
+    "name",
+    "club",
+    "spieler",
+    "spielername",
+    "schläger",
+    "schlägername",
+    "schlägerart",
+    "joueur",
+    "nom",
+    "jugador",
+    "nombre",
+    "palo",
+    "プレーヤー",
+    "プレイヤー",
+    "クラブ",
+];
+
+/// Last words in the heads of columns with numbers, dates and times of shots.
+const NUMBER_HEADS: [&str; 10] = [
+    "shot", "no", "nr", "number", "index", "id", "date", "time", "datum", "fecha",
+];
+
+/// Names of statistics in English, German, French, Spanish and Japanese.
+const STATISTICS: [&str; 33] = [
+    "average",
+    "averages",
+    "avg",
+    "mean",
+    "median",
+    "consistency",
+    "deviation",
+    "stddev",
+    "stdev",
+    "ø",
+    "σ",
+    "durchschnitt",
+    "gesamtdurchschnitt",
+    "mittelwert",
+    "abweichung",
+    "standardabweichung",
+    "standardabw",
+    "moyenne",
+    "médiane",
+    "écart",
+    "promedio",
+    "mediana",
+    "desviación",
+    "平均",
+    "平均値",
+    "中央値",
+    "標準偏差",
+    "最大",
+    "最大値",
+    "最小",
+    "最小値",
+    "最高",
+    "合計",
+];
+
+/// Names of statistics that may also be names of players and clubs, such as `Max`. They count
+/// only in a cell without other words.
+const SHORT_STATISTICS: [&str; 23] = [
+    "dev",
+    "std",
+    "standard",
+    "sd",
+    "max",
+    "maximum",
+    "min",
+    "minimum",
+    "best",
+    "range",
+    "total",
+    "sum",
+    "mittel",
+    "abw",
+    "gesamt",
+    "summe",
+    "beste",
+    "media",
+    "máximo",
+    "mínimo",
+    "mejor",
+    "meilleur",
+    "meilleure",
+];
+
+impl ShotLabels {
+    /// Finds the label columns by their heads. Left of the measured values, a column with a number
+    /// or a date in one of the first `rows` is a label too.
+    pub fn find(columns: &[Column], rows: &[Vec<String>]) -> Self {
+        let is_measured = |column: &Column| column.quantity().is_some();
+        let first = columns.iter().position(is_measured).unwrap_or_default();
+        let label = |(at, column): (usize, &Column)| {
+            let head = words(&column.head);
+            let is_name = || head.split(' ').any(|word| NAME_HEADS.contains(&word));
+            let last = head.rsplit(' ').next().unwrap_or_default();
+            let is_number = || {
+                is_measured(column)
+                    || NUMBER_HEADS.contains(&last)
+                    || at < first && rows.iter().any(|row| is_number_or_date(&row[at]))
+            };
+            if !is_measured(column) && is_name() {
+                return Some(Label::Name);
+            }
+            is_number().then_some(Label::Number)
+        };
+        Self(columns.iter().enumerate().map(label).collect())
+    }
+
+    /// The cell that names a statistic of other rows; `None` for a row that may hold a shot.
+    fn summary<'a, S: AsRef<str>>(&self, row: &'a [S]) -> Option<&'a str> {
+        let cells = row.iter().map(AsRef::as_ref).zip(&self.0);
+        cells
+            .filter_map(|(cell, label)| Some((cell, (*label)?)))
+            .find(|(cell, label)| label.is_statistic(cell))
+            .map(|(cell, _)| cell)
+    }
+}
+
+impl Label {
+    /// True if a cell is the name of a statistic: `Average (12)`, `Driver Average`, `Std. Dev.`,
+    /// `Max`. `Max` alone may be a player.
+    fn is_statistic(self, cell: &str) -> bool {
+        // fast path for numbers
+        if !cell.contains(char::is_alphabetic) {
+            return false;
+        }
         let words = || {
-            cell.split(|c: char| c.is_whitespace() || c == '.' || c == ':')
-                .filter(|word| !word.is_empty())
+            cell.split(|c: char| !c.is_alphanumeric())
+                .filter(|word| word.contains(char::is_alphabetic))
         };
-        let is = |known: &&str| {
-            let mut known = known.split(' ');
-            words().all(|word| {
-                known
-                    .next()
-                    .is_some_and(|other| word.eq_ignore_ascii_case(other))
-            }) && known.next().is_none()
+        let is_in = |known: &[&str], word: &str| {
+            let lower = || word.chars().flat_map(char::to_lowercase);
+            known.iter().any(|known| lower().eq(known.chars()))
         };
-        let first = cell
-            .bytes()
-            .find(|byte| !matches!(byte, b'.' | b':' | b' '));
-        let begins = |known: &&&str| {
-            first.is_some_and(|first| known.as_bytes()[0].eq_ignore_ascii_case(&first))
+        if words().any(|word| is_in(&STATISTICS, word)) {
+            return true;
+        }
+        let least = match self {
+            Self::Number => 1,
+            Self::Name => 2,
         };
-        WORDS.iter().filter(begins).any(is)
-    })
+        words().all(|word| is_in(&SHORT_STATISTICS, word)) && words().count() >= least
+    }
+}
+
+/// True for a cell with more digits than letters: `12`, `#12`, `Nov 26, 2025`, `10:30 AM`.
+fn is_number_or_date(cell: &str) -> bool {
+    let digits = cell.chars().filter(char::is_ascii_digit).count();
+    digits > cell.chars().filter(|c| c.is_alphabetic()).count()
 }
 
 /// Refusal of a row that has fewer cells than `heads`, the number of column heads, or a filled cell

@@ -3,7 +3,7 @@
 
 use super::encoding::{Encoding, decoded};
 use super::head::{TableHead, TableOptions};
-use super::launch_monitor::is_head;
+use super::launch_monitor::{is_export, is_head};
 use super::records::{Lines, Record, cells};
 use super::row_filter::RowFilter;
 use crate::csv_dialect::detect_separator;
@@ -114,6 +114,8 @@ pub(crate) enum TableEntry {
 pub(crate) struct TextTable {
     pub name: SourceName,
     lines: Lines,
+    /// The only filled cell of the record above the first column heads, such as the name of a club.
+    pub title: Option<String>,
     /// Cell separator.
     pub separator: u8,
     /// Encoding of the lines up to the first column heads.
@@ -156,6 +158,7 @@ impl TextTable {
         let mut table = Self {
             name,
             lines,
+            title: place.title,
             separator: place.separator,
             encoding_of_head: encoding,
             has_sections: false,
@@ -163,12 +166,14 @@ impl TextTable {
             units: None,
             filter,
         };
-        let record = loop {
-            match table.record()? {
-                None => return Err(table.name.empty()),
-                Some(record) if record.line >= place.line => break record,
-                Some(_) => {}
+        while let Some(line) = table.name.io(table.lines.line())? {
+            if line.0 >= place.line {
+                table.lines.give_back(line);
+                break;
             }
+        }
+        let Some(record) = table.record()? else {
+            return Err(table.name.empty());
         };
         let mut head = table.head(&record, setup, wanted)?;
         table.has_sections = head.format.is_export;
@@ -218,6 +223,8 @@ impl TextTable {
         self.filter
             .begin(&heads)
             .map_err(|reason| self.name.refused(place(), reason))?;
+        // in an export, `#1` is a shot number
+        self.lines.has_remarks = !is_export(heads.iter().map(String::as_str));
         let below = self.record()?;
         let first = below.as_ref().map(|below| self.cells(below));
         let file = &self.name.0;
@@ -296,11 +303,14 @@ impl TextTable {
 struct HeadPlace {
     separator: u8,
     line: u64,
+    /// The only filled cell of the record above.
+    title: Option<String>,
 }
 
 impl HeadPlace {
     /// Finds the first record with two known column heads. If there is none, returns the first
-    /// record.
+    /// record. Lines that begin with `#` are remarks, unless `#` is the whole first cell, as the head
+    /// of shot numbers.
     fn find(beginning: &str) -> Option<Self> {
         let mut lines = Lines::new(
             Box::new(Cursor::new(beginning.to_owned())),
@@ -310,29 +320,46 @@ impl HeadPlace {
         let stated = detect_separator(beginning);
         let stated =
             (stated.1.len() != beginning.trim_start_matches('\u{feff}').len()).then_some(stated.0);
-        let mut first = None;
+        let (mut first, mut title, mut records) = (None, None, 0);
         // if the text does not state a separator (`sep=;`), the separator is detected in the first
         // line of each record
-        for _ in 0..MOST_RECORDS {
+        while records < MOST_RECORDS {
             let Ok(Some((line, text))) = lines.text_line() else {
                 break;
             };
-            let separator = stated.unwrap_or_else(|| detect_separator(&text).0);
+            let words = text.trim_start_matches('\u{feff}');
+            let begins_with_mark = words.starts_with('#');
+            let separator =
+                stated.unwrap_or_else(|| detect_separator(words.trim_start_matches('#')).0);
+            if begins_with_mark && cells(words, separator)[0] != "#" {
+                continue;
+            }
+            records += 1;
             lines.give_back((line, text));
             let Ok(Some(record)) = lines.record(separator) else {
                 break;
             };
-            if is_head(&record.text, separator) {
-                return Some(Self {
-                    separator,
-                    line: record.line,
-                });
-            }
-            first.get_or_insert(Self {
+            let place = Self {
                 separator,
                 line: record.line,
-            });
+                title: title.take(),
+            };
+            if is_head(&record.text, separator) {
+                return Some(place);
+            }
+            if !begins_with_mark {
+                first.get_or_insert(place);
+            }
+            title = only_cell(&record.text, separator);
         }
         first
     }
+}
+
+/// The only filled cell of a record; `None` if it has several.
+fn only_cell(text: &str, separator: u8) -> Option<String> {
+    let row = cells(text, separator);
+    let mut filled = row.into_iter().filter(|cell| !cell.is_empty());
+    let only = filled.next()?;
+    filled.next().is_none().then(|| only.into())
 }

@@ -47,6 +47,24 @@ fn several_clubs_are_a_warning_with_their_counts() {
     }
 }
 
+/// Titles above the shots name the clubs of a table without a column of clubs.
+#[test]
+fn shots_below_several_titles_are_a_warning_with_their_counts() {
+    let file = format!(
+        "{}/data/cases/sections-with-heads.csv",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    let says = "sections-with-heads.csv has shots below several titles, such as clubs, which are \
+                fitted together: Driver (2), 3 Wood (1)";
+    for words in [
+        ["calibrate", &file, "--fit", "aero.cd0"],
+        ["delivery", "--shots", &file, "--all"],
+    ] {
+        let (_, found) = json(&words);
+        assert!(warnings(&found).contains(says), "{}", warnings(&found));
+    }
+}
+
 #[test]
 fn the_rows_of_a_delivery_keep_their_numbers() {
     let (_folder, file) = table();

@@ -698,6 +698,122 @@ fn summary_rows_are_recognised_in_german_too() {
     assert_eq!((tally.rows, tally.flown), (4, 1));
 }
 
+const LAUNCH: &str = "160.0,12.0,-1.5,2500,3.0,262.0";
+
+/// A table with these heads and first cells, and one shot in each row.
+fn with_first_cells(heads: &str, cells: &[&str]) -> String {
+    let rows: String = cells
+        .iter()
+        .map(|cell| format!("{cell},{LAUNCH}\n"))
+        .collect();
+    format!(
+        "{heads},Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
+         Axis [deg],Carry [yd]\n{rows}"
+    )
+}
+
+/// The number of rows that `fly` reads and flies, and those of `calibrate`.
+fn counts(text: &str) -> ([u64; 2], usize) {
+    let (_, _, tally) = fly_shots(Cursor::new(text.to_owned()));
+    let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
+    ([tally.rows, tally.flown], table.shots.len())
+}
+
+/// `#` begins a remark in a table with this program's names only.
+#[test]
+fn rows_and_heads_that_begin_with_a_number_sign_are_read() {
+    let rows = with_first_cells("Shot", &["#1", "#2", "3"]);
+    let head = with_first_cells("#", &["1", "2", "3"]);
+    for text in [rows, head.clone(), format!("# a remark\n{head}")] {
+        assert_eq!(counts(&text), ([3, 3], 3), "{text}");
+        let folder = tempfile::tempdir().unwrap();
+        let file = file_with(folder.path(), "a.csv", &text);
+        let mut points = open_table(&Setup::default(), file.as_ref()).unwrap();
+        assert_eq!(points.read(9, &mut vec![]).unwrap(), 3, "{text}");
+    }
+    let semicolons = head.replace(',', ";");
+    assert_eq!(counts(&semicolons), ([3, 3], 3));
+    // a line without cells is counted too
+    let title = with_first_cells("Shot", &["1", "2"]) + "# the end\n";
+    assert_eq!(counts(&title), ([3, 2], 2));
+    let own = "# a remark\nball_speed [mph],launch_angle [deg],spin [rpm],carry [yd]\n# ball \
+               speed, carry\n160,12,2500,262\n#170,12,2500,262\n";
+    assert_eq!(counts(own), ([1, 1], 1));
+}
+
+/// The name of a statistic marks a summary only in a cell that says which shot the row is, and
+/// `Dev` or `Max` may be a player or a club.
+#[test]
+fn names_and_ratings_that_are_words_of_statistics_are_shots() {
+    for (head, cells) in [
+        ("Player", &["Dev", "Amy", "Max"][..]),
+        ("Club", &["G430 Max", "Driver", "Max"]),
+        ("Quality", &["Average", "Good", "Best"]),
+        ("Shot Quality", &["Average", "Good", "Best"]),
+        ("Shot,Quality", &["1,Average", "2,Good", "3,Mean"]),
+    ] {
+        let text = with_first_cells(head, cells);
+        assert_eq!(counts(&text), ([3, 3], 3), "{text}");
+    }
+}
+
+#[test]
+fn summary_rows_are_recognised_in_the_usual_words_and_languages() {
+    let words = [
+        "Average",
+        "Averages:",
+        "AVG",
+        "Avg.",
+        "Average (12)",
+        "Club Average",
+        "Driver Average",
+        "Session Average",
+        "Total Average",
+        "Median",
+        "Std. Dev.",
+        "StDev",
+        "Std",
+        "SD",
+        "Dev",
+        "\u{3c3}",
+        "Max",
+        "Min",
+        "Range",
+        "Best",
+        "Mittel",
+        "Mittelwert",
+        "Gesamtdurchschnitt",
+        "Standardabw.",
+        "Std.-Abw.",
+        "Moyenne",
+        "\u{c9}cart type",
+        "Promedio",
+        "Media",
+        "Desviaci\u{f3}n est\u{e1}ndar",
+        "\u{5e73}\u{5747}",
+        "\u{6a19}\u{6e96}\u{504f}\u{5dee}",
+    ];
+    let of_statistics = words.len() as u64;
+    for (head, first) in [("Shot", "7"), ("Jour", "Nov 26, 2025"), ("", "7")] {
+        // a comma would need quotes
+        let cells: Vec<String> = [first]
+            .iter()
+            .chain(&words)
+            .map(|cell| format!("\"{cell}\""))
+            .collect();
+        let cells: Vec<&str> = cells.iter().map(String::as_str).collect();
+        let text = with_first_cells(head, &cells);
+        assert_eq!(counts(&text), ([1 + of_statistics, 1], 1), "{head}");
+    }
+    // below the names of clubs and players a word that may be a name counts beside another only
+    let of_clubs = ["Driver", "Driver Average", "Std. Dev.", "Average"];
+    for head in ["Club", "Player"] {
+        assert_eq!(counts(&with_first_cells(head, &of_clubs)), ([4, 1], 1));
+    }
+    let text = with_first_cells("Club,Index", &["Driver,1", "Driver,Average", "Driver,Max"]);
+    assert_eq!(counts(&text), ([3, 1], 1));
+}
+
 /// A row with a number alone lacks values, but it is no title. `60°` is the name of a wedge in the
 /// column of the club.
 #[test]

@@ -81,7 +81,7 @@ impl ShotTable {
         let (mut table, head) = TextTable::open(text, setup, &wanted)?;
         let mut reading = Reading::of_head(setup, &table, head, club, is_air_given)?;
         let is_launched = reading.is_launched;
-        let mut rows = ShotRows::new(&file);
+        let mut rows = ShotRows::new(&file, table.title.clone());
         rows.begin(None, &reading);
         while let Some(entry) = table.next_entry()? {
             match entry {
@@ -119,7 +119,7 @@ impl ShotTable {
         let shots = shots.all()?;
         let mut reading = Reading::of_shots(setup, &shots, &other_parameters, club);
         reading.remarks.extend(remarks);
-        let mut rows = ShotRows::new(file);
+        let mut rows = ShotRows::new(file, None);
         rows.begin(None, &reading);
         for shot in &shots {
             rows.take_shot(&reading, shot, &other_parameters);

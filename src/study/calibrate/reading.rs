@@ -7,7 +7,7 @@ use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Shot, interpret};
 use crate::table::{
-    CLUB_LEFT_OUT, CONDITIONS, ClubColumns, Column, ConditionFault, Content,
+    CLUB_LEFT_OUT, CONDITIONS, ClubColumns, Column, ConditionFault, Content, ShotLabels,
     StatedConditions as Launch, TableHead, TextTable, assumed_units_remark, club_column,
     columns_remark, conditions, contradiction, given_air, has_whole_launch, heads_of,
     ignore_stated_air, implausible_club, implausible_launch, impossible, in_degrees,
@@ -32,6 +32,8 @@ pub(super) struct Reading {
     pub is_launched: bool,
     /// True for an export of a launch monitor.
     pub is_export: bool,
+    /// The columns that say which shot a row is; `None` for a table that is no export.
+    pub labels: Option<ShotLabels>,
     /// [`Read`](ClubColumns::Read) if the deliveries of the launches are to be estimated. The
     /// launch is then the measurement, and no ball flies.
     pub club: ClubColumns,
@@ -210,6 +212,7 @@ impl Reading {
             setup: *setup,
             is_launched,
             is_export,
+            labels: head.labels,
             club,
             club_name,
             columns: head.columns,
@@ -287,6 +290,7 @@ impl Reading {
             setup: *setup,
             is_launched,
             is_export: true,
+            labels: None,
             club,
             club_name: None,
             columns,

@@ -42,8 +42,11 @@ pub(super) struct ShotRows {
     shots: Vec<MeasuredShot>,
     no_shots: NonShotRows,
     refused_messages: Vec<String>,
-    /// Number of shots by the name of the club.
+    /// Number of shots by the name of the club. In a table without a column of clubs, the last title
+    /// above a shot is its name.
     clubs: BTreeMap<String, u64>,
+    /// The last title above the current row.
+    title: Option<String>,
     incomplete: Vec<String>,
     unreadable: Vec<String>,
     /// Lateral columns, each with the rows in which it is not compared because the launch direction
@@ -60,9 +63,11 @@ pub(super) struct ShotRows {
 }
 
 impl ShotRows {
-    pub fn new(file: &str) -> Self {
+    /// No rows. `title` is the title above the column heads.
+    pub fn new(file: &str, title: Option<String>) -> Self {
         Self {
             file: file.into(),
+            title,
             ..Self::default()
         }
     }
@@ -97,8 +102,11 @@ impl ShotRows {
             let column = columns.get(at)?;
             column.quantity().map(|_| column)
         };
-        let fault = RowFault::find(record, &row, columns.len(), reading.is_export, column);
+        let fault = RowFault::find(record, &row, columns.len(), reading.labels.as_ref(), column);
         if let Some(fault) = fault {
+            if let RowFault::Title(title) = fault {
+                self.title = Some(title.into());
+            }
             if let Err(wrong) = self.no_shots.add(self.row as u64, fault) {
                 if !reading.is_export {
                     return Err(self.refused("", wrong.reason));
@@ -111,8 +119,10 @@ impl ShotRows {
         let row: Vec<&str> = row.iter().map(AsRef::as_ref).collect();
         let shots = self.shots.len();
         self.add(reading, reading.shot(self.row, Values::Cells(&row)))?;
-        if let Some(club) = reading.club_name.filter(|_| self.shots.len() > shots) {
-            *self.clubs.entry(row[club].trim().into()).or_default() += 1;
+        let club = reading.club_name.map(|at| row[at].trim());
+        let club = club.or(self.title.as_deref());
+        if let Some(club) = club.filter(|_| self.shots.len() > shots) {
+            *self.clubs.entry(club.into()).or_default() += 1;
         }
         Ok(())
     }
@@ -267,9 +277,24 @@ impl ShotRows {
 
     /// Warning about shots of several clubs, unless the filter selects shots by the club.
     fn clubs_warning(&self, filter: &RowFilter) -> Option<Message> {
+        if self.clubs.len() < 2 {
+            return None;
+        }
+        let counts = counted_values(&self.clubs);
         let mut readings = self.sections.iter().map(|section| &section.reading);
-        let head = readings.find_map(|reading| Some(&reading.columns[reading.club_name?].head))?;
-        if self.clubs.len() < 2 || filter.names(head) {
+        let head = readings.find_map(|reading| Some(&reading.columns[reading.club_name?].head));
+        let Some(head) = head else {
+            return Some(
+                format!(
+                    "{} has shots below several titles, such as clubs, which are fitted together: \
+                     {counts}; to fit those of one title, put them with the column heads into a \
+                     file of their own",
+                    self.file
+                )
+                .into(),
+            );
+        };
+        if filter.names(head) {
             return None;
         }
         let most = self
@@ -282,7 +307,6 @@ impl ShotRows {
             true => format!("\"{condition}\""),
             false => condition,
         };
-        let counts = counted_values(&self.clubs);
         Some(
             format!(
                 "{} has shots of several clubs, which are fitted together: {counts}; one club \

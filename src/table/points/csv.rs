@@ -5,7 +5,7 @@ use crate::parameters::{Parameter, Setup};
 use crate::table::column::Column;
 use crate::table::head::{TableHead, TableOptions, columns_remark, remark_from_line};
 use crate::table::records::{Record, cells};
-use crate::table::row_fault::{NonShotRows, RowFault};
+use crate::table::row_fault::{NonShotRows, RowFault, ShotLabels};
 use crate::table::text::{SourceName, TableEntry, Text, TextTable};
 use crate::units::Message;
 use std::path::{Path, PathBuf};
@@ -31,8 +31,9 @@ struct CsvSection {
     width: usize,
     /// Columns to read, with their positions.
     read: Vec<(usize, Column)>,
-    /// True for an export of a launch monitor. Its rows with averages or titles are skipped.
-    is_export: bool,
+    /// The columns that say which shot a row of an export is; `None` for another table. Rows of an
+    /// export with averages or titles are skipped.
+    labels: Option<ShotLabels>,
 }
 
 impl CsvRows {
@@ -107,13 +108,13 @@ impl CsvRows {
             let CsvSection {
                 width,
                 read,
-                is_export,
+                labels,
             } = &self.section;
             let column = |at: usize| {
                 let (_, column) = read.iter().find(|(own, _)| *own == at)?;
                 Some(column)
             };
-            let Some(fault) = RowFault::find(&record, &row, *width, *is_export, column) else {
+            let Some(fault) = RowFault::find(&record, &row, *width, labels.as_ref(), column) else {
                 return Ok(Some(row.into_iter().map(Into::into).collect()));
             };
             self.no_shots.add(self.row, fault).map_err(|refusal| {
@@ -142,7 +143,7 @@ impl CsvSection {
         Ok(Self {
             width: head.heads.len(),
             read,
-            is_export: head.format.is_export,
+            labels: head.labels.clone(),
         })
     }
 }
