@@ -2,9 +2,7 @@
 
 use crate::drive::Outcome;
 use crate::parameters::Setup;
-use crate::table::{
-    Column, Content, TableHead, assume_unit, is_condition_head, split_unit, states_weather, words,
-};
+use crate::table::{Column, Content, TableHead, assume_unit, weather_column, words};
 
 /// Interprets the columns of an export: changes contents and units of the columns in `head`. A
 /// table that is not an export stays unchanged. With a `setup`, a column that states the weather
@@ -13,11 +11,6 @@ pub(crate) fn interpret(setup: Option<&Setup<f64>>, head: &mut TableHead) -> Vec
     if !head.format.is_export {
         return vec![];
     }
-    let plain: Vec<String> = head
-        .heads
-        .iter()
-        .map(|head| words(split_unit(head).0))
-        .collect();
     let (columns, rows) = (&mut head.columns, &head.rows);
     if head.maker == Some("Foresight") {
         // `Offline` is the lateral position at rest
@@ -29,7 +22,7 @@ pub(crate) fn interpret(setup: Option<&Setup<f64>>, head: &mut TableHead) -> Vec
         }
     }
     if let Some(setup) = setup {
-        weather_of_rows(setup, &plain, columns, rows);
+        weather_of_rows(setup, columns, rows);
     }
     columns
         .iter_mut()
@@ -40,24 +33,11 @@ pub(crate) fn interpret(setup: Option<&Setup<f64>>, head: &mut TableHead) -> Vec
 
 /// TrackMan's column `Condition` states altitude and temperature, which determine the air of each
 /// row. A column of the density, or weather in the setup, replaces this air.
-fn weather_of_rows(
-    setup: &Setup<f64>,
-    plain: &[String],
-    columns: &mut [Column],
-    rows: &[Vec<String>],
-) {
+fn weather_of_rows(setup: &Setup<f64>, columns: &mut [Column], rows: &[Vec<String>]) {
     let Ok(density) = setup.parameter("air.density") else {
         return;
     };
-    if columns
-        .iter()
-        .any(|column| column.content == Content::Input(density) || column.is_overridden_air)
-    {
-        return;
-    }
-    let is_condition = |at: &usize| is_condition_head(&plain[*at]);
-    let is_weather = |at: &usize| rows.iter().any(|row| states_weather(&row[*at]));
-    if let Some(at) = (0..columns.len()).filter(is_condition).find(is_weather) {
+    if let Some(at) = weather_column(columns, rows) {
         let column = &mut columns[at];
         if setup.why_replaced(density).is_some() {
             (column.content, column.is_overridden_air) = (Content::Note, true);

@@ -2,7 +2,8 @@
 
 use super::column::{Column, Content};
 use super::decimal_mark::DecimalMark;
-use super::heads::AIR;
+use super::heads::{AIR, is_condition_head};
+use super::launch_monitor::words;
 use super::numbers::number;
 use crate::atmosphere::in_effect;
 use crate::parameters::Setup;
@@ -48,7 +49,7 @@ impl Column {
 /// altitude, 77 °F and Premium ball`. `None` without a valid altitude and temperature, and for a
 /// number whose mark may separate decimals or thousands.
 fn density_in(text: &str, of_table: Option<DecimalMark>) -> Option<f64> {
-    let text = with_spaced_commas(text);
+    let text = with_spaces(text);
     let words: Vec<&str> = text.split_whitespace().collect();
     let number_before = |at: usize| number_at_end(&words[..at], of_table);
     let (altitude, temperature) = (altitude_unit(&words)?, temperature_unit(&words)?);
@@ -75,11 +76,22 @@ fn density_in(text: &str, of_table: Option<DecimalMark>) -> Option<f64> {
     Some(in_effect(&setup).air.density)
 }
 
-/// True if a text states an altitude and a temperature, also if their numbers cannot be read.
-pub(crate) fn states_weather(text: &str) -> bool {
-    let text = with_spaced_commas(text);
-    let words: Vec<&str> = text.split_whitespace().collect();
-    altitude_unit(&words).is_some() && temperature_unit(&words).is_some()
+/// Index of the column whose texts describe the weather of each row, as TrackMan's `Condition`: the
+/// head is known, and one of the first `rows` has a number. `None` if a column states the density.
+pub(crate) fn weather_column(columns: &[Column], rows: &[Vec<String>]) -> Option<usize> {
+    let is_density = |column: &Column| match column.content {
+        Content::Input(parameter) => parameter.name == AIR,
+        _ => column.is_overridden_air,
+    };
+    if columns.iter().any(is_density) {
+        return None;
+    }
+    let has_number = |at: usize| {
+        let is_digit = |c: char| c.is_ascii_digit();
+        rows.iter().any(|row| row[at].contains(is_digit))
+    };
+    let is_known = |at: usize| is_condition_head(&words(&columns[at].head));
+    (0..columns.len()).find(|at| is_known(*at) && has_number(*at))
 }
 
 /// Index of the unit in `1135 ft altitude`.
@@ -94,8 +106,9 @@ fn temperature_unit(words: &[&str]) -> Option<usize> {
     words.iter().position(is_degrees)
 }
 
-/// The text with a space before and after each comma and semicolon that is not in a number.
-fn with_spaced_commas(text: &str) -> String {
+/// The text with a space before and after each comma and semicolon that is not in a number, and
+/// between a number and its unit.
+fn with_spaces(text: &str) -> String {
     let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
     let mut spaced = String::with_capacity(text.len() + 8);
     let mut characters = text.chars().peekable();
@@ -105,6 +118,9 @@ fn with_spaced_commas(text: &str) -> String {
         if c == ';' || c == ',' && !is_in_number {
             spaced.extend([' ', c, ' ']);
         } else {
+            if is_digit(before) && (c == '\u{b0}' || c.is_alphabetic()) {
+                spaced.push(' ');
+            }
             spaced.push(c);
         }
         before = Some(c);

@@ -2,8 +2,7 @@
 
 use super::air::air_replaced;
 use super::column::{Column, Content};
-use super::heads::is_condition_head;
-use super::launch_monitor::{nearest_head, words};
+use super::launch_monitor::nearest_head;
 use crate::drive::Outcome;
 use crate::units::{Message, Quantity};
 
@@ -146,7 +145,8 @@ pub(crate) fn in_degrees<'a>(columns: impl IntoIterator<Item = &'a Column>) -> O
 pub(crate) const CLUB_LEFT_OUT: &str =
     "the ball flies from its measured launch; columns of the club are left out";
 
-/// Ignores the unknown columns of an export. If the launch is measured, also ignores
+/// Ignores the unknown columns of an export, except the column `of_air`, which states the air of each
+/// row. If the launch is measured, also ignores
 ///
 /// - the smash factor,
 /// - columns of the club, if `club` is [`ClubColumns::Ignored`],
@@ -155,10 +155,11 @@ pub(crate) const CLUB_LEFT_OUT: &str =
 /// Returns remarks.
 pub(super) fn ignore_columns(
     columns: &mut [Column],
+    of_air: Option<usize>,
     club: ClubColumns,
     selects_spin_by_row: bool,
 ) -> Vec<Message> {
-    let mut remarks: Vec<Message> = unknown_columns(columns).into_iter().collect();
+    let mut remarks: Vec<Message> = unknown_columns(columns, of_air).into_iter().collect();
     if !has_whole_launch(columns) {
         return remarks;
     }
@@ -231,13 +232,14 @@ pub(crate) fn heads_of<'a>(
         .collect()
 }
 
-fn unknown_columns(columns: &[Column]) -> Option<Message> {
-    // a column with the head `conditions` is not reported, because it may state the air of the rows
-    let is_condition = |column: &Column| is_condition_head(&words(&column.head));
+fn unknown_columns(columns: &[Column], of_air: Option<usize>) -> Option<Message> {
     let unknown: Vec<String> = columns
         .iter()
-        .filter(|column| column.is_unknown() && !column.head.is_empty() && !is_condition(column))
-        .map(|column| with_nearest(&column.head))
+        .enumerate()
+        .filter(|(at, column)| {
+            column.is_unknown() && !column.head.is_empty() && of_air != Some(*at)
+        })
+        .map(|(_, column)| with_nearest(&column.head))
         .collect();
     let list = unknown.join(", ");
     (!unknown.is_empty()).then(|| format!("columns that are not used: {list}").into())

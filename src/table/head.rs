@@ -1,6 +1,7 @@
 //! The column heads of a table: meaning of the columns, and errors in column heads.
 
 use super::CONDITIONS;
+use super::air::weather_column;
 use super::column::{Column, Content, LAUNCH, SHOTS_ADVICE, STATUS, TableFormat};
 use super::decimal_mark::DecimalMark;
 use super::export_columns::{ClubColumns, ignore_columns};
@@ -142,8 +143,13 @@ impl TableHead {
             self.maker = maker(&self.heads);
             self.labels = Some(ShotLabels::find(&self.columns, &self.rows));
             let turned = turn_spins(self.maker, &mut self.columns, &self.rows);
-            self.remarks =
-                ignore_columns(&mut self.columns, wanted.club, wanted.selects_spin_by_row);
+            let of_air = weather_column(&self.columns, &self.rows);
+            self.remarks = ignore_columns(
+                &mut self.columns,
+                of_air.filter(|_| wanted.has_air_of_rows),
+                wanted.club,
+                wanted.selects_spin_by_row,
+            );
             self.turned = turned_remark(&self.columns, &turned);
         }
         resolve_sweep_names(&mut self.columns);

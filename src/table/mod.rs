@@ -24,7 +24,7 @@ mod row_filter;
 mod sign_conventions;
 mod text;
 
-pub(crate) use air::{air_of_rows, air_of_setup, air_replaced, ignore_stated_air, states_weather};
+pub(crate) use air::{air_of_rows, air_of_setup, air_replaced, ignore_stated_air, weather_column};
 pub(crate) use column::{Column, Content, OF_FLOWN, TableFormat};
 pub(crate) use conditions::{
     ConditionFault, StatedConditions, conditions, contradiction, is_straight_by_assumption,

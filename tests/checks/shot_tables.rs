@@ -1,6 +1,6 @@
 //! Tables of shots in the formats of real exports: each shot equals the same shot in a plain table.
 
-use crate::command_line::{file_with, longdrive};
+use crate::command_line::{file_with, longdrive, on_one_line};
 use crate::common::close;
 use crate::shots::fly_shots;
 use longdrive::report::ShotWriter;
@@ -438,6 +438,7 @@ fn same_air_of_weather_texts_with_marks_and_spaces_in_numbers() {
         ("1\u{202f}135 ft altitude,77 °F", ';'),
         ("345,9480 m altitude; 25,0 °C", ';'),
         ("345.948 m altitude, 25.0 °C", ','),
+        ("1135ft altitude, 77°F", ','),
     ] {
         let found = density(weather, separator).unwrap_or_default();
         close(found, expected, 1.0, 1e-9, weather);
@@ -445,6 +446,37 @@ fn same_air_of_weather_texts_with_marks_and_spaces_in_numbers() {
     // a comma marks no decimals between commas, and may mark thousands between semicolons
     assert_eq!(density("346 m altitude, 25,5 °C", ','), None);
     assert_eq!(density("1,135 ft altitude, 77 °F", ';'), None);
+    // texts that cannot be read have a note even if no row can be read
+    for weather in [
+        "25 °C",
+        "1830 m H\u{f6}he, 25 °C",
+        "altitude 1135 ft, 77 °F",
+    ] {
+        assert_eq!(density(weather, ','), None, "{weather}");
+    }
+}
+
+/// A `sweep` and a delivery do not use the air of the rows.
+#[test]
+fn a_condition_that_is_not_used_is_named() {
+    let file = format!(
+        "{}/data/cases/trackman-short-heads.csv",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    for words in [
+        ["sweep", "--points", &file, "--outcomes", "carry"],
+        ["delivery", "--shots", &file, "--all", "--verbose"],
+    ] {
+        let output = longdrive(&words);
+        let said = on_one_line(&(output.err + &output.out));
+        let list = said.split_once("columns that are not used: ").unwrap().1;
+        assert!(
+            list.split_whitespace()
+                .take(3)
+                .any(|head| head == "Condition"),
+            "{words:?}: {said}"
+        );
+    }
 }
 
 #[test]

@@ -356,7 +356,7 @@ fn the_condition_of_a_shot_is_written_and_known_heads_get_no_suggestion() {
     let head = "Club Name,Club Type,Face to Path,Lie Angle,Ball Speed [mph],Launch Angle \
                 [deg],Spin Rate [rpm],Condition\n";
     let text = format!(
-        "{head}Driver,d,1,2,160,12,2500,\"Normalized, 25 C\"\nDriver,d,1,2,160,12,2500,Actual\n"
+        "{head}Driver,d,1,2,160,12,2500,\"Normalized, no wind\"\nDriver,d,1,2,160,12,2500,Actual\n"
     );
     let (shots, all, tally) = fly_shots(Cursor::new(text));
     let remarks = shots
@@ -372,7 +372,7 @@ fn the_condition_of_a_shot_is_written_and_known_heads_get_no_suggestion() {
     let written = String::from_utf8([writer.head(), writer.rows(&all[0])].concat()).unwrap();
     for says in [
         "Spin Rate Type,Condition,Club,Line",
-        "\"Normalized, 25 C\"",
+        "\"Normalized, no wind\"",
         ",Actual,",
     ] {
         assert!(written.contains(says), "no '{says}' in {written}");
