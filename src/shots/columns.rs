@@ -6,7 +6,7 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::table::{
-    Column, Content, DecimalMark, OF_FLOWN, ShotLabels, TableFormat, TableHead, TextTable, air_of_rows,
+    Column, Content, DecimalMark, ShotLabels, TableFormat, TableHead, TextTable, air_of_rows,
     assume_unit, assumed_units_remark, club_column, columns_remark, given_air, ignore_stated_air,
     in_degrees, is_condition_head, missing_of_launch, near_known, rest_of_head, split_unit,
     with_nearest, words,
@@ -76,6 +76,7 @@ impl ShotColumns {
         if is_air_given {
             ignore_stated_air(&mut head.columns);
         }
+        let repeated = head.ignore_repeated();
         let TableHead {
             heads,
             columns,
@@ -86,6 +87,7 @@ impl ShotColumns {
             maker,
             turned,
             labels,
+            flown,
             ..
         } = head;
         let is_export = format.is_export;
@@ -102,7 +104,7 @@ impl ShotColumns {
             is_export,
             labels,
             decimal_mark: format.decimal_mark,
-            added: added(&columns),
+            added: flown,
             golfer: setup.golfer,
             air: setup.air.density,
             remarks: encoding.map(Message::from).into_iter().collect(),
@@ -121,7 +123,7 @@ impl ShotColumns {
             return Err(name.refused(String::new(), reason));
         }
         found.find_descriptions();
-        found.add_remarks(&columns, assumed_units_remark(&assumed_units));
+        found.add_remarks(&columns, assumed_units_remark(&assumed_units), repeated);
         found.remarks.extend(turned.map(Message::from));
         Ok(found)
     }
@@ -166,10 +168,10 @@ impl ShotColumns {
     }
 
     /// Adds a column by its meaning: a measured outcome, a parameter of the flight, or a value of
-    /// the club. Of several columns with the same meaning, only the first is added.
+    /// the club. Of several columns with the same value of the club, only the first is added.
     fn add(&mut self, setup: &Setup<f64>, at: usize, column: &Column) -> Result<()> {
         match column.content {
-            Content::Outcome(of) if self.read.iter().all(|read| read.of != of) => {
+            Content::Outcome(of) => {
                 column.check_unit()?;
                 self.read.push(MeasuredColumn {
                     at,
@@ -250,20 +252,21 @@ impl ShotColumns {
         ))
     }
 
-    fn add_remarks(&mut self, columns: &[Column], assumed_units: Option<Message>) {
+    fn add_remarks(
+        &mut self,
+        columns: &[Column],
+        assumed_units: Option<Message>,
+        repeated: Option<Message>,
+    ) {
         let is_read = |at: usize| {
             self.read.iter().any(|read| read.at == at)
                 || self.other_parameters.iter().any(|row| row.at == at)
                 || self.club.iter().flatten().any(|(club, _)| *club == at)
-                || [self.spin_type, self.condition].contains(&Some(at))
+                || [self.spin_type, self.condition, self.club_name].contains(&Some(at))
         };
         let is_reported_elsewhere = |column: &Column| {
-            let is_twice = || {
-                self.read
-                    .iter()
-                    .any(|read| read.column.content == column.content)
-            };
-            column.content == Content::Written || column.is_overridden_air || is_twice()
+            let has_remark = [Content::Written, Content::Repeated].contains(&column.content);
+            has_remark || column.is_overridden_air
         };
         let not_read = columns.iter().enumerate().filter(|(at, column)| {
             !is_read(*at) && !column.head.is_empty() && !is_reported_elsewhere(column)
@@ -287,7 +290,7 @@ impl ShotColumns {
             .into_iter()
             .chain(in_degrees.map(Message::from))
             .chain(of_air.map(Message::from))
-            .chain(self.given_twice(columns))
+            .chain(repeated)
             .chain(replaced.map(Message::from))
             .chain(columns_remark(
                 "columns that are copied and not used",
@@ -295,18 +298,6 @@ impl ShotColumns {
             ));
         let remarks: Vec<Message> = remarks.collect();
         self.remarks.extend(remarks);
-    }
-
-    fn given_twice(&self, columns: &[Column]) -> Option<Message> {
-        let twice = self.read.iter().flat_map(|first| {
-            let is_again = |(at, column): &(usize, &Column)| {
-                *at != first.at && column.content == first.column.content
-            };
-            let again = columns.iter().enumerate().filter(is_again);
-            again.map(|(at, _)| format!("'{}' repeats '{}'", self.heads[at], self.heads[first.at]))
-        });
-        let twice: Vec<String> = twice.collect();
-        columns_remark("columns given twice; only the first is used", &twice)
     }
 
     /// The parameters that each row states in addition to the launch.
@@ -354,23 +345,6 @@ fn add_totals(setup: &Setup<f64>, head: &mut TableHead) -> Result<()> {
         head.columns[at] = total;
     }
     Ok(())
-}
-
-/// Indices of the columns that an earlier run of `fly` added: line, flight status, reason, notes,
-/// then outcomes. Empty without such columns.
-fn added(columns: &[Column]) -> Range<usize> {
-    let heads: Vec<&str> = columns.iter().map(|column| column.head.as_str()).collect();
-    let Some(from) = heads
-        .windows(OF_FLOWN.len())
-        .position(|heads| heads == OF_FLOWN)
-    else {
-        return 0..0;
-    };
-    let of_outcomes = columns[from..]
-        .iter()
-        .take_while(|column| column.content == Content::Written)
-        .count();
-    from..from + of_outcomes
 }
 
 /// Unit of a column, from the line below the column heads, without brackets.

@@ -27,6 +27,8 @@ pub(crate) enum Content {
     Note,
     /// Output of this program (status, derivatives, predictions), ignored.
     Written,
+    /// What an earlier column holds, ignored.
+    Repeated,
 }
 
 /// A column. Its numbers are in `unit`, or in SI if there is no unit.
@@ -89,10 +91,6 @@ const STATIONARY: &str = "stationary";
 const NOTE: &str = "note";
 /// Column head of the status in sweeps.
 pub(super) const STATUS: &str = "status";
-/// Columns that `fly` adds to the shots.
-pub(crate) const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
-/// Prefixes of columns that `fly` adds.
-const FLOWN_PREFIXES: [&str; 2] = ["Predicted ", "Residual "];
 /// Prefix of the names of launch conditions.
 pub(super) const LAUNCH: &str = "launch.";
 
@@ -137,12 +135,6 @@ impl Column {
             (None, Some(Meaning::Outcome(outcome))) => Content::Outcome(outcome),
             (None, Some(Meaning::Input(parameter))) if is_replaced(parameter) => Content::Note,
             (None, Some(Meaning::Input(parameter))) => Content::Input(setup.column(parameter)?),
-            (None, None)
-                if OF_FLOWN.contains(&name)
-                    || FLOWN_PREFIXES.iter().any(|before| name.starts_with(before)) =>
-            {
-                Content::Written
-            }
             (None, None) if is_head_of_launch_monitor(name, format) => Content::Note,
             _ => named(setup, name)?,
         };
@@ -245,7 +237,7 @@ impl Column {
         match (&self.unit, self.quantity()) {
             _ if self.is_unknown()
                 || self.is_overridden_air
-                || self.content == Content::Written =>
+                || matches!(self.content, Content::Written | Content::Repeated) =>
             {
                 Ok(())
             }
@@ -336,7 +328,7 @@ impl Column {
             Content::Input(parameter) => Some(parameter.quantity),
             Content::Outcome(outcome) | Content::Sigma(outcome) => Some(outcome.quantity()),
             Content::SigmaStationary => Some(Quantity::ANGLE),
-            Content::Stationary | Content::Note | Content::Written => None,
+            Content::Stationary | Content::Note | Content::Written | Content::Repeated => None,
         }
     }
 

@@ -1,7 +1,9 @@
 //! Columns of an export: default units, and columns that are ignored.
 
+use super::CONDITIONS;
 use super::air::air_replaced;
 use super::column::{Column, Content};
+use super::heads::Meaning;
 use super::launch_monitor::nearest_head;
 use crate::drive::Outcome;
 use crate::units::{Message, Quantity};
@@ -94,21 +96,22 @@ pub(crate) fn missing_of_launch(columns: &[Column]) -> Vec<&'static str> {
 /// An unknown column head, with the nearest known one.
 pub(crate) fn with_nearest(head: &str) -> String {
     match nearest_head(head) {
-        Some(near) => format!("{head} (did you mean '{near}'?)"),
+        Some((near, _)) => format!("{head} (did you mean '{near}'?)"),
         None => head.into(),
     }
 }
 
-/// The words "; near a known head: …" with the unknown column heads that are similar to known ones;
-/// empty if there are none.
+/// The words "; near a known head: …" with the unknown column heads that are similar to known ones
+/// of the club or of launch conditions without a column; empty if there are none.
 pub(crate) fn near_known(columns: &[Column]) -> String {
+    let is_missing = |meaning: Meaning| match meaning {
+        Meaning::Outcome(of) => CONDITIONS.contains(&of) && !has_outcome(columns, of),
+        Meaning::Input(_) => true,
+    };
     let near = columns.iter().filter(|column| column.is_unknown());
     let near = near.filter_map(|column| {
-        Some(format!(
-            "'{}' (did you mean '{}'?)",
-            column.head,
-            nearest_head(&column.head)?
-        ))
+        let (near, _) = nearest_head(&column.head).filter(|near| is_missing(near.1))?;
+        Some(format!("'{}' (did you mean '{near}'?)", column.head))
     });
     let near: Vec<String> = near.collect();
     if near.is_empty() {

@@ -6,7 +6,7 @@ use super::column::{Column, Content, LAUNCH, SHOTS_ADVICE, STATUS, TableFormat};
 use super::decimal_mark::DecimalMark;
 use super::export_columns::{ClubColumns, ignore_columns};
 use super::heads::rest_of_head;
-use super::launch_monitor::{is_export, units_row, words};
+use super::launch_monitor::{is_export, split_unit, units_row, words};
 use super::maker::maker;
 use super::row_fault::ShotLabels;
 use super::sign_conventions::{turn_spins, turned_remark};
@@ -15,6 +15,12 @@ use crate::error::{Error, Result};
 use crate::parameters::Setup;
 use crate::units::Message;
 use std::borrow::Borrow;
+use std::ops::Range;
+
+/// First columns that `fly` adds to the shots.
+pub(crate) const OF_FLOWN: [&str; 4] = ["Line", "Flight", "Reason", "Notes"];
+/// Prefixes of the columns that `fly` adds behind [`OF_FLOWN`].
+const FLOWN_PREFIXES: [&str; 2] = ["Predicted ", "Residual "];
 
 /// Options for reading a table.
 #[derive(Clone, Copy, Debug)]
@@ -87,6 +93,9 @@ pub(crate) struct TableHead {
     pub turned: Option<String>,
     /// The columns that say which shot a row is; `None` for a table that is no export.
     pub labels: Option<ShotLabels>,
+    /// Indices of the columns that an earlier run of `fly` added: line, flight status, reason,
+    /// notes, then outcomes. Empty without such columns.
+    pub flown: Range<usize>,
 }
 
 impl TableHead {
@@ -110,7 +119,11 @@ impl TableHead {
             decimal_mark: (separator == b',').then_some(DecimalMark::Point),
         };
         let units = first.as_ref().and_then(|first| units_row(&heads, first));
+        let flown = flown_columns(&heads);
         let column = |(at, head): (usize, &String)| {
+            if flown.contains(&at) {
+                return (at, Ok(Column::of(Content::Written, split_unit(head).0)));
+            }
             let below = units.as_ref().and_then(|units| units.get(at)?.as_deref());
             (at, Column::read(setup, head, below, format))
         };
@@ -131,6 +144,7 @@ impl TableHead {
             maker: None,
             turned: None,
             labels: None,
+            flown,
         })
     }
 
@@ -176,6 +190,7 @@ impl TableHead {
             maker: None,
             turned: None,
             labels: None,
+            flown: 0..0,
         })
     }
 
@@ -195,10 +210,45 @@ impl TableHead {
         }
     }
 
+    /// Ignores each column whose content an earlier column has, and returns a remark.
+    pub fn ignore_repeated(&mut self) -> Option<Message> {
+        let mut repeated = vec![];
+        for at in 0..self.columns.len() {
+            let content = self.columns[at].content;
+            let mut before = self.columns[..at].iter();
+            let first = before.position(|column| column.content == content);
+            if let Some(first) = first
+                && !matches!(
+                    content,
+                    Content::Note | Content::Written | Content::Repeated
+                )
+            {
+                self.columns[at].content = Content::Repeated;
+                repeated.push(format!(
+                    "'{}' repeats '{}'",
+                    self.heads[at], self.heads[first]
+                ));
+            }
+        }
+        columns_remark("columns given twice; only the first is used", &repeated)
+    }
+
     /// True if a column is a parameter of swing, strike, club or impact.
     pub fn has_strike(&self) -> bool {
         self.columns.iter().any(Column::is_of_the_strike)
     }
+}
+
+/// Indices of the columns that an earlier run of `fly` added. Empty without such columns.
+fn flown_columns(heads: &[String]) -> Range<usize> {
+    let names: Vec<&str> = heads.iter().map(|head| split_unit(head).0).collect();
+    let mut places = names.windows(OF_FLOWN.len());
+    let Some(from) = places.position(|names| names == OF_FLOWN) else {
+        return 0..0;
+    };
+    let of_outcomes = from + OF_FLOWN.len();
+    let is_added = |name: &&&str| FLOWN_PREFIXES.iter().any(|before| name.starts_with(before));
+    from..of_outcomes + names[of_outcomes..].iter().take_while(is_added).count()
 }
 
 /// All columns, or the error for the columns of `file` that cannot be read. A message about unknown

@@ -82,6 +82,7 @@ pub(super) const NOT_USED: &[&str] = &[
     "dynamic lie",
     "dynamic loft",
     "face to path",
+    "flight",
     "impacthorizontal",
     "impactvertical",
     "lie angle",

@@ -48,18 +48,38 @@ pub(crate) fn words(name: &str) -> String {
 }
 
 /// The known column head nearest to an unknown column head, if at most two letters differ: "ball
-/// speed" for `Ball Sped [mph]`.
-pub(crate) fn nearest_head(head: &str) -> Option<&'static str> {
+/// speed" for `Ball Sped [mph]`. `None` if heads with other meanings are equally near: `Launch` may
+/// be "launch v" or "launch h".
+pub(super) fn nearest_head(head: &str) -> Option<(&'static str, Meaning)> {
+    let near = nearest_heads(head);
+    let first = *near.first()?;
+    near.iter()
+        .all(|(_, meaning)| *meaning == first.1)
+        .then_some(first)
+}
+
+/// The known column heads nearest to an unknown column head, if at most two letters differ, in
+/// alphabetical order.
+fn nearest_heads(head: &str) -> Vec<(&'static str, Meaning)> {
     let words = words(split_unit(head).0);
-    let near = heads()
-        .map(|(known, _)| (strsim::levenshtein(&words, known), known))
-        .min()?;
-    let is_known = NOT_USED.contains(&words.as_str());
-    (words.len() > 4 && !is_known && (1..=2).contains(&near.0)).then_some(near.1)
+    if words.len() <= 4 || NOT_USED.contains(&words.as_str()) {
+        return vec![];
+    }
+    let distance = |known: &str| strsim::levenshtein(&words, known);
+    let least = heads().map(|(known, _)| distance(known)).min();
+    let mut near: Vec<_> = heads()
+        .filter(|(known, _)| Some(distance(known)) == least)
+        .collect();
+    near.sort_by_key(|(known, _)| *known);
+    if !least.is_some_and(|least| (1..=2).contains(&least)) {
+        near.clear();
+    }
+    near
 }
 
 /// Meaning of a column head with its unit. Some heads are ambiguous without a unit: `Ball (km/h)`
-/// is a speed, but `Ball` may be the name of a ball model.
+/// is a speed, but `Ball` may be the name of a ball model, and Square writes `ClubSpeed` in a unit
+/// that it does not state.
 pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
     let is_speed = unit.is_some_and(|unit| Quantity::SPEED.size_of(unit).is_some());
     let is_time = unit.is_some_and(|unit| Quantity::TIME.size_of(unit).is_some());
@@ -75,12 +95,13 @@ pub(super) fn meaning_with(name: &str, unit: Option<&str>) -> Option<Meaning> {
         }
         _ => None,
     };
-    by_unit.or_else(|| meaning(name))
+    let is_not_used = unit.is_none() && NOT_USED.contains(&words(name).as_str());
+    by_unit.or_else(|| meaning(name).filter(|_| !is_not_used))
 }
 
 /// Recognizes exports: at least two column heads of launch monitors, misspelt or not.
 pub(crate) fn is_export<'a>(heads: impl Iterator<Item = &'a str>) -> bool {
-    let is_near = |head: &str| !is_own(split_unit(head).0) && nearest_head(head).is_some();
+    let is_near = |head: &str| !is_own(split_unit(head).0) && !nearest_heads(head).is_empty();
     heads.filter(|head| is_known(head) || is_near(head)).count() >= 2
 }
 

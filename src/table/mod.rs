@@ -25,7 +25,7 @@ mod sign_conventions;
 mod text;
 
 pub(crate) use air::{air_of_rows, air_of_setup, air_replaced, ignore_stated_air, weather_column};
-pub(crate) use column::{Column, Content, OF_FLOWN, TableFormat};
+pub(crate) use column::{Column, Content, TableFormat};
 pub(crate) use conditions::{
     ConditionFault, StatedConditions, conditions, contradiction, is_straight_by_assumption,
     without_redundant_spins,
@@ -37,7 +37,7 @@ pub(crate) use export_columns::{
     CLUB_LEFT_OUT, ClubColumns, assume_unit, assumed_units_remark, given_air, has_whole_launch,
     heads_of, in_degrees, missing_of_launch, near_known, redundant_spins_remark, with_nearest,
 };
-pub(crate) use head::{TableHead, TableOptions, columns_remark, remark_from_line};
+pub(crate) use head::{OF_FLOWN, TableHead, TableOptions, columns_remark, remark_from_line};
 pub(crate) use heads::{is_condition_head, rest_of_head};
 pub(crate) use launch_monitor::{split_unit, words};
 pub(crate) use plausible::{

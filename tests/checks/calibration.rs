@@ -423,11 +423,6 @@ fn bad_tables_and_plans_are_refused_with_row_and_column() {
                 .collect(),
         ),
         (
-            "carry [yd],carry [m]\n200,180\n",
-            &fit,
-            vec!["column 2", "two columns"],
-        ),
-        (
             "carry [yd]\n200\n",
             &fit,
             vec!["1 measured value, fewer than the 2 parameters"],

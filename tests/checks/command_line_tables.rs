@@ -146,7 +146,7 @@ fn written_columns_are_read_again_and_ignored_ones_listed() {
             "aero.cd0",
         ];
         let output = longdrive(&args);
-        let sentence = "columns that a sweep computes are not read: status";
+        let sentence = "columns that an earlier 'sweep' or 'fly' wrote are not read: status";
         assert!(
             output.status == 0 && on_one_line(&output.out).contains(sentence),
             "{}{}",

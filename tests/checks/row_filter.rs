@@ -117,6 +117,10 @@ fn shots_are_summarized_by_club() {
         })
         .collect();
     assert_eq!(counts, [("3 Wood", 2), ("Driver", 3)]);
+    // the club is used
+    let remarks = found["remarks"].to_string();
+    let says = "columns that are copied and not used: Player\"";
+    assert!(remarks.contains(says), "{remarks}");
     // the biases of the clubs, weighted by their rows, give the bias of all rows
     let all = &found["residuals"][0];
     let of = |club: &Value, key: &str| number(&club["outcomes"][0][key]);

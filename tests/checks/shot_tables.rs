@@ -891,3 +891,105 @@ fn a_launch_that_is_set_beside_shots_is_refused() {
         );
     }
 }
+
+fn remarks(text: &str) -> [String; 2] {
+    let joined = |remarks: Vec<String>| remarks.join("\n");
+    let (shots, ..) = fly_shots(Cursor::new(text.to_owned()));
+    let of_fly = shots.remarks().iter().map(ToString::to_string).collect();
+    let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
+    let of_calibrate = table.remarks.iter().map(ToString::to_string).collect();
+    [joined(of_fly), joined(of_calibrate)]
+}
+
+/// The heads of the columns that `fly` adds are known only one behind the other.
+#[test]
+fn columns_with_the_names_of_those_of_fly_are_ordinary_columns() {
+    let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd],Flight (s),Notes,\
+                Line,Predicted Carry (yd),Reason\n160,12,2500,262,6.5,good,1,270,x\n";
+    let list = "Flight, Notes, Line, Predicted Carry, Reason";
+    let [of_fly, of_calibrate] = remarks(text);
+    let says = format!("columns that are copied and not used: {list}");
+    assert!(of_fly.contains(&says), "{of_fly}");
+    let says = format!("columns that are not used: {list}");
+    assert!(of_calibrate.contains(&says), "{of_calibrate}");
+    let (shots, found, _) = fly_shots(Cursor::new(text));
+    let writer = ShotWriter::csv(&shots, &[Outcome::CarryDistance], System::Us);
+    let again = [writer.head(), writer.rows(&found[0])].concat();
+    let [of_fly, of_calibrate] = remarks(&String::from_utf8(again).unwrap());
+    let says = "the column Line and all after it, which an earlier 'fly' added, are replaced";
+    assert!(of_fly.contains(says), "{of_fly}");
+    let says = "columns that an earlier 'sweep' or 'fly' wrote are not read: Line, Flight, \
+                Reason, Notes, Predicted carry_distance";
+    assert!(of_calibrate.contains(says), "{of_calibrate}");
+}
+
+/// Square writes `ClubSpeed` in a unit that it does not state.
+#[test]
+fn a_club_speed_of_square_is_not_used() {
+    let heads = "Index,Ball Speed(mph),Launch Angle(deg),Launch Direction(deg),Backspin(rpm),\
+                 Sidespin(rpm),Carry(yd),Offline(yd),Dynamic Loft(deg),ClubSpeed";
+    let row = "1,150,12,R2.0,2500,L300,240,L5,12,103";
+    let text = format!("{heads}\n{row}\n");
+    let (_, found, _) = fly_shots(Cursor::new(text.clone()));
+    assert_eq!(found[0].shots[0].club.values(), [None; 4]);
+    for remarks in remarks(&text) {
+        let (_, list) = remarks.split_once("not used: ").unwrap();
+        assert!(list.contains("ClubSpeed"), "{remarks}");
+    }
+    let text = format!("{heads} [mph]\n{row}\n");
+    let (_, found, _) = fly_shots(Cursor::new(text));
+    assert_eq!(found[0].shots[0].club.speed, Some(103.0 * 0.447_04));
+}
+
+/// Of two columns of one quantity every command reads the first, also of a parameter.
+#[test]
+fn the_first_of_two_columns_of_one_quantity_is_read() {
+    let folder = tempfile::tempdir().unwrap();
+    for (heads, cells, says) in [
+        (
+            "Carry (m),Carry (yds)",
+            "239.6,300",
+            "'Carry (yds)' repeats 'Carry (m)'",
+        ),
+        (
+            "air.density [kg/m^3],air.density [g/L],Carry (yds)",
+            "1.1,1.3,262",
+            "'air.density [g/L]' repeats 'air.density [kg/m^3]'",
+        ),
+        (
+            "Air Density [kg/m^3],Air Density [g/L],Carry (yds)",
+            "1.0,1.3,262",
+            "'Air Density [g/L]' repeats 'Air Density [kg/m^3]'",
+        ),
+        (
+            "ball speed [m/s],Carry (yds)",
+            "30,262",
+            "'ball speed [m/s]' repeats 'Ball Speed [mph]'",
+        ),
+    ] {
+        let text = format!(
+            "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],{heads}\n160,12,2500,{cells}\n"
+        );
+        let says = format!("columns given twice; only the first is used: {says}");
+        for remarks in remarks(&text) {
+            assert!(remarks.contains(&says), "{remarks}");
+        }
+        let (_, found, _) = fly_shots(Cursor::new(text.clone()));
+        let shot = &found[0].shots[0];
+        let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
+        assert_eq!(table.shots[0].measured.len(), 1);
+        let measured = table.shots[0].measured[0].value;
+        assert_eq!(
+            shot.value(Outcome::CarryDistance).map(|carry| carry.value),
+            Some(measured)
+        );
+        let first = [("air", 1.1), ("Air", 1.0)];
+        let first = first.iter().find(|(head, _)| heads.starts_with(head));
+        let values: Vec<f64> = first.iter().map(|(_, value)| *value).collect();
+        assert_eq!(shot.other_parameters(), values);
+        let file = file_with(folder.path(), "a.csv", &text);
+        let launches =
+            ShotTable::open_launches(&Setup::default(), file.as_ref(), RowFilter::default());
+        assert_eq!(launches.unwrap().shots.len(), 1, "{heads}");
+    }
+}

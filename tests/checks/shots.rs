@@ -495,6 +495,16 @@ fn tables_without_a_launch_name_the_nearest_head() {
             "no column has the ball speed; near a known head: 'Ball Sped' (did you mean 'ball \
              speed'?)",
         ),
+        // `Launch` may be `Launch V` or `Launch H`
+        (
+            "Ball Speed [mph],Launch [deg],Back Spin [rpm]\n1,2,3\n",
+            "no column has the launch angle; give each a head that is known",
+        ),
+        // advice on heads of other quantities does not help
+        (
+            "Ball Speed [mph],Back Spin [rpm],Descent [deg],Carri [yd]\n1,2,3,4\n",
+            "no column has the launch angle; give each a head that is known",
+        ),
         (
             "Ball Speed [mph],Launch Angle [deg],Carry [yds]\n1,2,3\n",
             "no column has the spin (spin rate, total spin or backspin)",

@@ -48,8 +48,8 @@ impl ShotTable {
     /// ignored too, and physically impossible measured values are not compared.
     ///
     /// # Errors
-    /// [`Error::Table`](crate::Error::Table) with row and column for an unknown or repeated column,
-    /// a wrong unit, a cell that is not a number, an uncertain decimal mark, a sigma ≤ 0, a value
+    /// [`Error::Table`](crate::Error::Table) with row and column for an unknown column, a wrong
+    /// unit, a cell that is not a number, an uncertain decimal mark, a sigma ≤ 0, a value
     /// outside its range, and a table without rows.
     pub fn read(setup: &Setup<f64>, file: &str, mut source: impl Read) -> Result<Self> {
         let mut bytes = vec![];

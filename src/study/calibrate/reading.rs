@@ -157,8 +157,7 @@ impl Reading {
     /// Reads the columns of a section from their column heads.
     ///
     /// # Errors
-    /// [`Error::Table`] for a repeated column, a wrong unit, a sigma without its measurement, and
-    /// an export whose rows are neither launches nor deliveries.
+    /// [`Error::Table`] for a wrong unit, a sigma without its measurement, and an export whose rows are neither launches nor deliveries.
     pub fn of_head(
         setup: &Setup<f64>,
         table: &TextTable,
@@ -184,11 +183,12 @@ impl Reading {
         } else if club == ClubColumns::Read {
             remarks.extend(redundant_spins_remark(&head.columns));
         }
+        remarks.extend(head.ignore_repeated());
         check_columns(&head)
             .map_err(|(at, reason)| refused(format!(", column {}", at + 1), reason))?;
         let written = heads_of(&head.columns, |column| column.content == Content::Written);
         remarks.extend(columns_remark(
-            "columns that a sweep computes are not read",
+            "columns that an earlier 'sweep' or 'fly' wrote are not read",
             &written,
         ));
         // with a column of swing, club, strike or impact, the rows are deliveries: the launch is
@@ -754,7 +754,7 @@ fn without_totals(head: &mut TableHead) -> Option<Message> {
     remark
 }
 
-/// Checks units, repeated columns, and columns of uncertainties.
+/// Checks units and columns of uncertainties.
 ///
 /// # Errors
 /// Index of the first faulty column, and the reason.
@@ -763,14 +763,6 @@ fn check_columns(head: &TableHead) -> Result<(), (usize, String)> {
         column
             .check_unit()
             .map_err(|error| (at, error.to_string()))?;
-        let is_read = !matches!(column.content, Content::Note | Content::Written);
-        if is_read
-            && head.columns[..at]
-                .iter()
-                .any(|other| other.content == column.content)
-        {
-            return Err((at, format!("'{}' has two columns; keep one", column.head)));
-        }
         let of = match column.content {
             Content::Sigma(outcome) => Content::Outcome(outcome),
             Content::SigmaStationary => Content::Stationary,
