@@ -23,6 +23,12 @@ const NEAR: f64 = 0.06;
 /// Replaces [`NEAR`] if the ratio of the two units is near 1 (m and yd).
 const NEAR_ONE: f64 = 0.025;
 
+/// Slowest launch of a driver, m/s.
+const SLOWEST_DRIVE: f64 = 49.0;
+/// Largest spin of a driver's launch, rpm. For more spin, as of irons, the laws may miss the carry
+/// by as much as metres and yards differ.
+const MOST_SPIN_OF_A_DRIVE: f64 = 5000.0;
+
 /// Smallest distance of a landing point from the target line, m, at which the side of the landing
 /// is compared.
 const LEAST_OFFLINE: f64 = 3.0;
@@ -61,6 +67,8 @@ const SLOW: f64 = 22.0;
 pub(super) struct UnitChecks {
     /// Ratios predicted/measured of each outcome.
     ratios: Vec<Vec<f64>>,
+    /// The same ratios, of launches of a driver only.
+    ratios_of_drives: Vec<Vec<f64>>,
     /// Two numbers of rows:
     ///
     /// - with predicted and measured landings farther than [`LEAST_OFFLINE`] from the target line
@@ -74,12 +82,15 @@ impl UnitChecks {
     pub fn new(outcomes: usize) -> Self {
         Self {
             ratios: vec![vec![]; outcomes],
+            ratios_of_drives: vec![vec![]; outcomes],
             ..Self::default()
         }
     }
 
     /// Adds a row.
     pub fn add(&mut self, flown: &Flown, row: usize) {
+        let shot = &flown.shots[row];
+        let is_drive = shot.launch().is_some_and(is_of_driver);
         for (at, of) in flown.of.iter().enumerate() {
             let (Some(predicted), Some(residual)) =
                 (flown.predicted(row, at), flown.residual(row, at))
@@ -94,9 +105,11 @@ impl UnitChecks {
                 }
             } else if measured > 0.0 && self.ratios[at].len() < MOST {
                 self.ratios[at].push(predicted / measured);
+                if is_drive {
+                    self.ratios_of_drives[at].push(predicted / measured);
+                }
             }
         }
-        let shot = &flown.shots[row];
         if let (Some(launch), Some(carry)) = (shot.launch(), shot.value(Outcome::CarryDistance))
             && launch[0] > SLOW
             && self.carries.len() < MOST
@@ -107,7 +120,9 @@ impl UnitChecks {
 
     /// Merges the values of later rows.
     pub fn merge(&mut self, other: Self) {
-        for (own, theirs) in self.ratios.iter_mut().zip(other.ratios) {
+        let ratios = self.ratios.iter_mut().chain(&mut self.ratios_of_drives);
+        let others = other.ratios.into_iter().chain(other.ratios_of_drives);
+        for (own, theirs) in ratios.zip(others) {
             own.extend(theirs.into_iter().take(MOST.saturating_sub(own.len())));
         }
         self.carries.extend(
@@ -131,9 +146,10 @@ impl UnitChecks {
             let speed = name(Outcome::BallSpeed);
             warnings.push(format!("{speed}: the balls carry {fault}; {advice}"));
         } else {
-            let units = of.iter().zip(&self.ratios).filter_map(|(of, ratios)| {
+            let ratios = self.ratios.iter().zip(&self.ratios_of_drives);
+            let units = of.iter().zip(ratios).filter_map(|(of, (ratios, of_drives))| {
                 let (ratio, (_, meant, read)) =
-                    likely_unit_error(of.quantity(), ratios, shots.unit_of(*of))?;
+                    likely_unit_error(of.quantity(), ratios, of_drives, shots.unit_of(*of))?;
                 Some(format!(
                     "{}: predicted values are {ratio:.2} times the measured values in the median, \
                      as if the measured values were in {meant} and read in {read}; {advice}",
@@ -177,31 +193,42 @@ impl UnitChecks {
     }
 }
 
+/// True for a launch that a driver may give.
+fn is_of_driver(launch: &[f64]) -> bool {
+    let [speed, _, _, back, side, ..] = launch else {
+        return false;
+    };
+    let rpm = Quantity::ANGULAR_VELOCITY.size_of("rpm").unwrap_or(1.0);
+    *speed >= SLOWEST_DRIVE && back.hypot(*side) <= MOST_SPIN_OF_A_DRIVE * rpm
+}
+
 /// The median of predicted/measured for values that were read in `unit`, and the pair of units that
-/// explains this median. `None` if no pair explains it, or if there are too few values.
+/// explains this median. `None` if no pair explains it, or if there are too few values. Two units
+/// whose ratio is near 1 need the ratios `of_drives`, for which the laws are accurate enough.
 fn likely_unit_error(
     quantity: Quantity,
     ratios: &[f64],
+    of_drives: &[f64],
     unit: Option<&str>,
 ) -> Option<(f64, (Quantity, &'static str, &'static str))> {
-    let ratio = median(ratios)?;
-    let is_it = |(of, meant, read): &(Quantity, &'static str, &'static str)| {
+    let explains = |(of, meant, read): &(Quantity, &'static str, &'static str)| {
         let size = |unit: &str| of.size_of(unit).unwrap_or(1.0);
         let expected = size(meant) / size(read);
         let is_near_one = (0.8..1.25).contains(&expected);
-        let (near, least) = if is_near_one {
-            (NEAR_ONE, LEAST_NEAR_ONE)
+        let (ratios, near, least) = if is_near_one {
+            (of_drives, NEAR_ONE, LEAST_NEAR_ONE)
         } else {
-            (NEAR, LEAST)
+            (ratios, NEAR, LEAST)
         };
         let is_read = |unit| of.size_of(unit) == of.size_of(read);
-        *of == quantity
+        let ratio = median(ratios)?;
+        let is_explained = *of == quantity
             && unit.is_none_or(is_read)
             && ratios.len() >= least
-            && (ratio / expected - 1.0).abs() <= near
+            && (ratio / expected - 1.0).abs() <= near;
+        is_explained.then_some(ratio)
     };
     MISTAKEN
         .iter()
-        .find(|mistake| is_it(mistake))
-        .map(|mistake| (ratio, *mistake))
+        .find_map(|mistake| Some((explains(mistake)?, *mistake)))
 }
