@@ -151,11 +151,12 @@ fn every_message_is_answered_and_the_connection_stays() {
     assert_eq!(
         (
             &answer["flown"],
+            &answer["not_landed"],
             &answer["others"],
             &answer["refused"],
             &answer["connections"]
         ),
-        (&5.into(), &2.into(), &6.into(), &2.into())
+        (&5.into(), &1.into(), &1.into(), &6.into(), &2.into())
     );
     let mut rest = String::new();
     assert_eq!(

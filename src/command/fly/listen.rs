@@ -32,8 +32,9 @@ pub struct MessageCounts {
     connections: u64,
     /// Number of shots that were answered with a flight (code 200).
     flown: AtomicU64,
-    /// Number of messages without a shot (code 201), and of shots whose ball does not land (code
-    /// 200).
+    /// Number of shots whose ball does not land (code 200).
+    not_landed: AtomicU64,
+    /// Number of messages without a shot (code 201).
     others: AtomicU64,
     /// Number of messages that cannot be read (code 501).
     refused: AtomicU64,
@@ -77,8 +78,9 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
         Answer::json(&Reply::done("fly", warnings(), &counts))
     } else {
         Answer::text(format!(
-            "{} flown, {} without a shot, {} refused, over {}\n",
+            "{} flown, {} without a landing, {} without a shot, {} refused, over {}\n",
             counted(counts.flown.into_inner(), "shot"),
+            counted(counts.not_landed.into_inner(), "shot"),
             counted(counts.others.into_inner(), "message"),
             counted(counts.refused.into_inner(), "message"),
             counted(counts.connections, "connection")
@@ -134,7 +136,7 @@ fn serve(
             let flown = flying.message(message);
             let of = match flown.status(0) {
                 Some(Status::Landed) => &counts.flown,
-                Some(_) => &counts.others,
+                Some(_) => &counts.not_landed,
                 None if flown.shots[0]
                     .refusal()
                     .is_some_and(|refusal| refusal.is_no_shot()) =>
