@@ -64,12 +64,11 @@ impl DecimalMark {
     /// Message if the mark in a cell may separate either decimals or thousands; otherwise `None`.
     /// `of_table` is the decimal mark of the table, `None` if it is not known.
     pub fn ambiguity(of_table: Option<Self>, cell: &str) -> Option<String> {
-        if of_table == Some(Self::Point) {
+        if of_table.is_some() {
             return None;
         }
         let number = digits(cell);
-        let mark = Self::only_in(number)
-            .filter(|mark| of_table != Some(*mark) && has_thousands(number, mark.sign()))?;
+        let mark = Self::only_in(number).filter(|mark| has_thousands(number, mark.sign()))?;
         let thousands = number.replace(mark.sign(), "");
         let decimals = number.replace(mark.sign(), ".");
         Some(format!(

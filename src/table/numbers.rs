@@ -170,17 +170,24 @@ pub(super) fn cell_number(cell: &str, has_decimal_comma: bool) -> Option<CellNum
     })
 }
 
-/// Parses a number. Decimal commas are allowed only if commas do not separate cells.
+/// Parses a number. Decimal commas are allowed only if commas do not separate cells; points may
+/// then separate thousands. The caller refuses a number of two meanings before
+/// ([`DecimalMark::ambiguity`](super::decimal_mark::DecimalMark::ambiguity)).
 pub(super) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
     let cell = cell.trim();
+    let thousands = if has_decimal_comma { '.' } else { ',' };
+    let has_thousands = cell.contains(thousands) && has_thousands(cell, thousands);
     // fast path for plain numbers
-    if let Ok(number) = cell.parse::<f64>() {
+    if !has_thousands && let Ok(number) = cell.parse::<f64>() {
         return Some(number).filter(|number| number.is_finite());
     }
     let cell = without_thousands(&cell.replace('\u{2212}', "-"));
+    let cell = match has_thousands {
+        true => cell.replace(thousands, ""),
+        false => cell,
+    };
     let cell = match has_decimal_comma {
         true if !cell.contains('.') => cell.replacen(',', ".", 1),
-        false if has_thousands(&cell, ',') => cell.replace(',', ""),
         _ => cell,
     };
     cell.parse().ok().filter(|number: &f64| number.is_finite())

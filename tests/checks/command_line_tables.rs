@@ -208,7 +208,7 @@ fn a_parameter_of_every_drive_is_not_set_beside_them() {
 }
 
 /// A table that may have decimal commas: `2.500` is clear only if the other numbers of the table
-/// show that its mark is the decimal mark.
+/// show the decimal mark.
 #[test]
 fn numbers_of_two_meanings_are_refused_by_every_reader() {
     let table = |cells: [&str; 4]| {
@@ -220,17 +220,14 @@ fn numbers_of_two_meanings_are_refused_by_every_reader() {
         )
     };
     for (cells, sentence) in [
-        (["160,5", "11", "2.500", "250"], Some(("spin", "2.500"))),
-        (
-            ["160.500", "11,2", "2500", "250"],
-            Some(("ball_speed", "160.500")),
-        ),
         // no other number shows a mark
         (["160", "11", "2.500", "250"], Some(("spin", "2.500"))),
         (["160", "11", "2,500", "250"], Some(("spin", "2,500"))),
         // the mark of decimals, a mark of thousands beside decimal points, and marks that cannot
         // separate thousands
         (["160.5", "11", "2,500", "250"], None),
+        (["160,5", "11", "2.500", "250"], None),
+        (["160,5", "11", "2.500,5", "250"], None),
         (["160.5", "11.2", "2500.125", "250"], None),
         (["160,5", "11,2", "2500", "250,3"], None),
         (["160,5", "11.25", "2500", "0.250"], None),

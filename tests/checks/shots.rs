@@ -84,7 +84,7 @@ fn same_flight_of_a_shot_in_every_makers_export() {
         ("uneekor.csv", Some("Uneekor"), 1, 1),
         ("awesome-golf.csv", Some("Awesome Golf"), 1, 1),
         ("square.csv", Some("Square"), 3, 1),
-        ("decimal-commas.csv", None, 2, 1),
+        ("decimal-commas.csv", None, 2, 2),
         ("open-connect.json", Some("GSPro Open Connect"), 2, 1),
         ("open-connect.jsonl", Some("GSPro Open Connect"), 5, 1),
     ] {
@@ -599,14 +599,9 @@ fn ambiguous_decimal_and_thousands_marks_are_refused() {
                 whose cells are separated by semicolons or \
                 tabs; write 165.5, or separate the cells by one of these";
     assert_eq!(reason, says);
+    // commas are decimals here, so that a point separates thousands
     let (_, flown, _) = file("decimal-commas.csv");
-    let refusal = flown.shots[1].refusal().unwrap();
-    assert!(
-        refusal
-            .reason
-            .contains("the mark in '2.500' may separate decimals or thousands"),
-        "{refusal:?}"
-    );
+    assert_eq!(flown.predicted(0, 0), flown.predicted(1, 0));
     let rows = |text: &'static str| crate::shots::fly_shots(text.as_bytes());
     // points are decimals here, so that a comma separates thousands
     let (_, all, _) = rows(
@@ -615,6 +610,19 @@ fn ambiguous_decimal_and_thousands_marks_are_refused() {
     assert_eq!(all[0].predicted(0, 0), all[0].predicted(1, 0));
     let (_, all, _) = rows("Ball Speed [mph];Launch Angle [deg];Spin Rate [rpm]\n160;12;2,500\n");
     assert!(all[0].shots[0].refusal().is_some(), "nothing tells");
+}
+
+/// Decimal commas of other numbers show that a point separates thousands.
+#[test]
+fn exact_thousands_beside_decimal_commas() {
+    let text = "Ball Speed (km/h);Launch Angle (deg);Spin Rate (rpm);Carry (m)\n\
+                257,5;12,0;2.500;239,6\n257,5;12,0;2.500,5;239,6\n";
+    let (_, all, _) = fly_shots(text.as_bytes());
+    let rpm = std::f64::consts::PI / 30.0;
+    for (shot, expected) in all[0].shots.iter().zip([2500.0, 2500.5]) {
+        let spin = shot.value(Outcome::Spin).unwrap().value / rpm;
+        close(spin, expected, expected, 1e-12, "spin");
+    }
 }
 
 #[test]
