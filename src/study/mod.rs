@@ -13,6 +13,7 @@ mod expression;
 mod face;
 mod flatness;
 mod gain;
+mod gauss;
 mod goal;
 mod landing;
 mod launches;

@@ -1,8 +1,10 @@
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::Sigma;
+use crate::study::gauss::legendre;
 use crate::study::sigma::{AmountKind, amount_of};
-use statrs::distribution::{Continuous, ContinuousCDF, Normal, Triangular, Uniform};
+use statrs::distribution::{ContinuousCDF, Normal, Triangular, Uniform};
+use std::sync::LazyLock;
 
 /// Distribution of an uncertain number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -159,6 +161,9 @@ impl Distribution {
                 low,
                 high,
             } => {
+                if low < high && high - low < FLAT * deviation {
+                    return low + p * (high - low);
+                }
                 let normal = Normal::standard();
                 let (ends, sign) = below_the_mean([low, high].map(|end| (end - mean) / deviation));
                 let [below, above] = ends.map(|end| normal.cdf(end));
@@ -195,10 +200,7 @@ impl Distribution {
                 deviation,
                 low,
                 high,
-            } => {
-                mean + deviation
-                    * truncated_moments([(low - mean) / deviation, (high - mean) / deviation])[1]
-            }
+            } => truncated_moments(mean, deviation, [low, high]).mean,
         }
     }
 
@@ -223,18 +225,7 @@ impl Distribution {
                 deviation,
                 low,
                 high,
-            } => {
-                let [_, m1, m2, m3, m4] =
-                    truncated_moments([(low - mean) / deviation, (high - mean) / deviation]);
-                let second = m2 - m1 * m1;
-                let third = m3 - 3.0 * m1 * m2 + 2.0 * m1.powi(3);
-                let fourth = m4 - 4.0 * m1 * m3 + 6.0 * m1 * m1 * m2 - 3.0 * m1.powi(4);
-                [
-                    second * deviation.powi(2),
-                    third * deviation.powi(3),
-                    fourth * deviation.powi(4),
-                ]
-            }
+            } => truncated_moments(mean, deviation, [low, high]).central,
         }
     }
 
@@ -281,20 +272,53 @@ fn below_the_mean([low, high]: [f64; 2]) -> ([f64; 2], f64) {
     }
 }
 
-/// Raw moments 0 to 4 of a truncated standard normal distribution, by recurrence.
-fn truncated_moments(ends: [f64; 2]) -> [f64; 5] {
-    let ([low, high], sign) = below_the_mean(ends);
-    let normal = Normal::standard();
-    let share = normal.cdf(high) - normal.cdf(low);
-    let [at_low, at_high] = [low, high].map(|end| normal.pdf(end) / share);
-    let mut moments = [1.0, at_low - at_high, 0.0, 0.0, 0.0];
-    for k in 2..moments.len() {
-        let power = k as i32 - 1;
-        moments[k] = (k - 1) as f64 * moments[k - 2]
-            - (high.powi(power) * at_high - low.powi(power) * at_low);
+/// A truncated normal distribution counts as uniform if its width is below this fraction of its
+/// standard deviation before truncation: its density then varies by less than 4e-7, even 38 standard
+/// deviations from the mean. Probabilities of the normal distribution do not resolve such a width.
+const FLAT: f64 = 1e-8;
+
+/// Gauss–Legendre rule on [0, 1] for the moments of a truncated normal distribution.
+static UNIT_RULE: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| legendre([0.0, 1.0], 96));
+
+/// The part of the support of a truncated normal distribution outside of which the density is below
+/// e⁻⁴¹ (1.6e-18) of its maximum. `mean` and `deviation` are those before truncation.
+pub(in crate::study) fn dense_part(mean: f64, deviation: f64, [low, high]: [f64; 2]) -> [f64; 2] {
+    let nearest = (mean.max(low).min(high) - mean) / deviation;
+    let farthest = deviation * (nearest * nearest + 82.0).sqrt();
+    [low.max(mean - farthest), high.min(mean + farthest)]
+}
+
+/// Moments of a distribution.
+struct DistributionMoments {
+    mean: f64,
+    /// Central moments of order 2, 3 and 4.
+    central: [f64; 3],
+}
+
+/// Moments of a truncated normal distribution by quadrature. The closed forms are differences of
+/// nearly equal numbers where the support is narrow or in a tail. NaN if the density rounds to 0.
+fn truncated_moments(mean: f64, deviation: f64, ends: [f64; 2]) -> DistributionMoments {
+    let [low, high] = dense_part(mean, deviation, ends);
+    let density = |part: f64| {
+        let score = (low + part * (high - low) - mean) / deviation;
+        (-0.5 * score * score).exp()
+    };
+    let weighted: Vec<_> = UNIT_RULE
+        .iter()
+        .map(|&(part, weight)| (part, weight * density(part)))
+        .collect();
+    let sum: f64 = weighted.iter().map(|(_, weight)| weight).sum();
+    let expected = |f: &dyn Fn(f64) -> f64| {
+        let terms = weighted.iter().map(|&(part, weight)| weight * f(part));
+        terms.sum::<f64>() / sum
+    };
+    let middle = expected(&|part| part);
+    let central =
+        |order: i32| (high - low).powi(order) * expected(&|part: f64| (part - middle).powi(order));
+    DistributionMoments {
+        mean: low + middle * (high - low),
+        central: [2, 3, 4].map(central),
     }
-    let [zeroth, first, second, third, fourth] = moments;
-    [zeroth, sign * first, second, sign * third, fourth]
 }
 
 /// An uncertain parameter.

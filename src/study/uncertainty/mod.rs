@@ -15,6 +15,7 @@ mod model;
 
 pub use bootstrap::Interval;
 pub use delta::{DeltaMoments, delta_method};
+pub(super) use distribution::dense_part;
 pub use distribution::{Distribution, Uncertain};
 use ellipse::LandingMoments;
 pub use ellipse::{EllipseSource, LandingEllipse, LandingPoint, SampledEllipse};
