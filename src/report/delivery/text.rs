@@ -28,7 +28,8 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
     if !delivered.unidentified.is_empty() {
         let title = Line::flush(
             "Each of these changes, of one parameter or of several together, hardly changes the \
-             launch. How far the delivery goes along them is assumed (± before), not measured:",
+             launch. How far the delivery goes along them follows from ± before, not from the \
+             launch:",
         );
         let changes = delivered
             .unidentified

@@ -7,7 +7,7 @@ use crate::parameters::{Parameter, Setup};
 use crate::statistics::largest_magnitude;
 use crate::study::calibrate::Measurement;
 use crate::units::{Digits, DisplayUnit, Message, fixed};
-use nalgebra::{DMatrix, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use serde::Serialize;
 
 /// A parameter of a delivery.
@@ -151,8 +151,11 @@ impl Delivered {
 /// A direction is unidentified if the shot removes less than this fraction of the prior variance
 /// along the direction.
 const UNIDENTIFIED_BELOW: f64 = 0.5;
-/// Smaller components of a direction, which is a unit vector, are omitted.
+/// Smaller components of a direction, which is a unit vector, may be omitted.
 const LEAST_COMPONENT: f64 = 0.1;
+/// Omitted components together change the launch by at most this part of its standard
+/// uncertainties (root of the sum of squares).
+const OMITTED_EFFECT: f64 = 0.05;
 
 /// A change of the delivery that the launch does not determine.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -163,8 +166,8 @@ pub struct Unidentified {
     #[serde(rename = "told")]
     pub variance_removed: f64,
     /// The change of each parameter, SI: a component of the unit vector along the direction, times
-    /// the prior standard uncertainty of the parameter. Small components are omitted. The first
-    /// change is positive.
+    /// the prior standard uncertainty of the parameter. Small components are omitted if they
+    /// hardly change the launch. The first change is positive.
     #[serde(serialize_with = "by_name")]
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, f64>"))]
     pub changes: Vec<(&'static Parameter, f64)>,
@@ -189,15 +192,13 @@ pub(super) fn unidentified(
     let mut all: Vec<Unidentified> = (0..free_parameters.len())
         .map(|k| {
             let eigenvalue = eigenvalues[k].max(0.0);
-            let direction = eigenvectors.column(k);
-            let part = free_parameters.iter().zip(direction.iter());
-            let large: Vec<_> = part
-                .filter(|(_, part)| part.abs() >= LEAST_COMPONENT)
-                .collect();
-            let sign = large.first().map_or(1.0, |(_, part)| part.signum());
-            let changes = large
-                .into_iter()
-                .map(|((parameter, sigma), part)| (*parameter, sign * part * sigma));
+            let direction: Vec<f64> = eigenvectors.column(k).iter().copied().collect();
+            let shown = shown_components(jacobian, &direction);
+            let sign = shown.first().map_or(1.0, |i| direction[*i].signum());
+            let changes = shown.into_iter().map(|i| {
+                let (parameter, sigma) = free_parameters[i];
+                (parameter, sign * direction[i] * sigma)
+            });
             Unidentified {
                 variance_removed: eigenvalue / (1.0 + eigenvalue),
                 changes: changes.collect(),
@@ -207,4 +208,22 @@ pub(super) fn unidentified(
         .collect();
     all.sort_by(|a, b| a.variance_removed.total_cmp(&b.variance_removed));
     all
+}
+
+/// The components of a direction that are shown, in order. The smallest components are omitted, as
+/// long as they are below [`LEAST_COMPONENT`] and their effect is at most [`OMITTED_EFFECT`].
+fn shown_components(jacobian: &DMatrix<f64>, direction: &[f64]) -> Vec<usize> {
+    let mut shown: Vec<usize> = (0..direction.len()).collect();
+    shown.sort_by(|a, b| direction[*a].abs().total_cmp(&direction[*b].abs()));
+    let mut omitted = DVector::zeros(jacobian.nrows());
+    let count = shown
+        .iter()
+        .take_while(|&&i| {
+            omitted += jacobian.column(i) * direction[i];
+            direction[i].abs() < LEAST_COMPONENT && omitted.norm() <= OMITTED_EFFECT
+        })
+        .count();
+    shown.drain(..count);
+    shown.sort_unstable();
+    shown
 }
