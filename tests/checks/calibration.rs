@@ -1334,6 +1334,42 @@ fn a_fit_without_agreement_or_on_a_bound_has_a_warning() {
     );
 }
 
+/// With Huber's loss, outliers alone are no misfit: a fit is judged by the robust scale, which is
+/// that of the standard errors.
+#[test]
+fn outliers_alone_are_no_misfit_with_hubers_loss() {
+    let warnings = |carries: &[f64], sigma: f64| {
+        let rows = carries.iter().map(|carry| format!("{carry},{sigma}\n"));
+        let text = format!("carry [yd],sigma carry [yd]\n{}", rows.collect::<String>());
+        let file = table(&text);
+        let file = file.path().to_str().unwrap();
+        let fit = ["calibrate", file, "tour-average", "--fit", "aero.cd0"];
+        let (_, found) = json(&[&fit[..], &["--huber"]].concat());
+        (found["warnings"].to_string(), found)
+    };
+    // normal scores of 20 values, and two outliers
+    let noise = [0.06, 0.19, 0.32, 0.45, 0.59, 0.74, 0.92, 1.13, 1.4, 1.87];
+    let mut carries: Vec<f64> = noise.iter().flat_map(|z| [270.0 + z, 270.0 - z]).collect();
+    carries.extend([320.0, 310.0]);
+    let (right, found) = warnings(&carries, 1.0);
+    assert!(!right.contains("miss the fit"), "{right} {found}");
+    let (small, found) = warnings(&carries, 0.2);
+    let scale = number(&found["uncertainty_scale"]);
+    let says = format!(
+        "the values miss the fit by {} of their standard uncertainties (robust scale of Huber's \
+         loss), where noise alone gives 1",
+        longdrive::units::significant(scale, 3)
+    );
+    assert!(scale > 3.0 && small.contains(&says), "{scale}: {small}");
+    // every residual exceeds the limit of the loss: there is no scale
+    let (none, found) = warnings(&[230.0, 260.0, 280.0, 310.0], 0.01);
+    let says = "miss the fit by more than 1.345 of their standard uncertainties, without exception";
+    assert!(
+        none.contains(says) && found["uncertainty_scale"].is_null(),
+        "{found}"
+    );
+}
+
 /// Only the second section has columns for the wind: its speed and its direction.
 #[test]
 fn a_component_of_the_wind_is_not_fitted_to_shots_of_which_some_state_its_speed() {

@@ -41,7 +41,7 @@ pub(super) fn set_status_of_searches(fits: &mut [Fit], is_settled: bool, is_inte
 }
 
 /// A fit gets a warning if the root mean square of its residuals, in standard uncertainties,
-/// exceeds this number. Noise alone gives 1. The number is a choice: an uncertainty may well be
+/// exceeds this number (with Huber's loss, their robust scale). Noise alone gives 1. The number is a choice: an uncertainty may well be
 /// stated too small by a factor of 2.
 pub(super) const WARNED_MISFIT: f64 = 3.0;
 
@@ -50,20 +50,37 @@ pub(super) const WARNED_MISFIT: f64 = 3.0;
 const MISFIT: f64 = 6.0;
 
 /// Text for a fit whose residuals have a root mean square above `most` standard uncertainties;
-/// `None` for any other fit.
+/// `None` for any other fit. With Huber's loss, the robust scale of the residuals replaces the root
+/// mean square, which grows with each outlier.
 pub(super) fn misfit_text(statistics: &FitStatistics, most: f64) -> Option<String> {
-    let freedom = statistics.degrees_of_freedom;
-    let misfit = (statistics.chi_square / freedom as f64).sqrt();
-    if !(freedom > 0 && misfit > most) {
+    let (freedom, chi_square) = (statistics.degrees_of_freedom, statistics.chi_square);
+    let misfit = match statistics.loss {
+        Loss::Squares => Some((chi_square / freedom as f64).sqrt()),
+        Loss::Huber(_) => statistics.scale,
+    };
+    if freedom == 0 || statistics.is_exact || misfit.is_some_and(|misfit| misfit <= most) {
         return None;
     }
+    let size = match (statistics.loss, misfit) {
+        (Loss::Squares, misfit) => format!(
+            "{} of their standard uncertainties (root mean square; χ² = {} with {} of freedom), \
+             where noise alone gives 1",
+            significant(misfit?, 3),
+            significant(chi_square, 5),
+            counted(freedom as u64, "degree")
+        ),
+        (Loss::Huber(_), Some(scale)) => format!(
+            "{} of their standard uncertainties (robust scale of Huber's loss), where noise alone \
+             gives 1",
+            significant(scale, 3)
+        ),
+        (Loss::Huber(limit), None) => {
+            format!("more than {limit} of their standard uncertainties, without exception")
+        }
+    };
     Some(format!(
-        "the values miss the fit by {} of their standard uncertainties (root mean square; χ² = {} \
-         with {} of freedom), where noise alone gives 1: the fitted model does not describe them, \
-         or their uncertainties are too small; look at the largest residuals",
-        significant(misfit, 3),
-        significant(statistics.chi_square, 5),
-        counted(freedom as u64, "degree")
+        "the values miss the fit by {size}: the fitted model does not describe them, or their \
+         uncertainties are too small; look at the largest residuals"
     ))
 }
 
