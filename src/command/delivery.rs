@@ -243,7 +243,7 @@ fn of_shots(
         .iter()
         .partition(|unknown| table.gives(unknown.parameter));
     note_assumed(&assumed);
-    note_measured(setup, &measured);
+    note_measured(setup, &measured, &table);
     let all = deliveries(setup, &table, unknowns, &interrupt::enable(BEST_SO_FAR));
     let population = Population::of(setup, &all, unknowns);
     Ok(Deliveries {
@@ -415,6 +415,13 @@ fn why_no_swings(
     }
 }
 
+/// A parameter's prior, such as "swing.speed = 110 mph ± 15 mph".
+fn prior_text(unknown: &Unknown) -> String {
+    let value = parameter_text(unknown.parameter, unknown.prior, system());
+    let sigma = parameter_difference_text(unknown.parameter, unknown.sigma, system());
+    format!("{} = {value} ± {sigma}", unknown.parameter.name)
+}
+
 /// Prints the default priors: one note for each source.
 fn note_assumed(unknowns: &[Unknown]) {
     let mut sources: Vec<&str> = vec![];
@@ -423,16 +430,11 @@ fn note_assumed(unknowns: &[Unknown]) {
             sources.push(source);
         }
     }
-    let prior = |unknown: &Unknown| {
-        let value = parameter_text(unknown.parameter, unknown.prior, system());
-        let sigma = parameter_difference_text(unknown.parameter, unknown.sigma, system());
-        format!("{} = {value} ± {sigma}", unknown.parameter.name)
-    };
     for source in sources {
         let from_source = unknowns
             .iter()
             .filter(|unknown| unknown.source == Some(source));
-        let priors: Vec<String> = from_source.map(prior).collect();
+        let priors: Vec<String> = from_source.map(prior_text).collect();
         note(&format!(
             "prior, ± one standard deviation: {}; {source}",
             priors.join(", ")
@@ -440,16 +442,25 @@ fn note_assumed(unknowns: &[Unknown]) {
     }
 }
 
-/// Prints a note for each unknown that a column of the table measures, with its uncertainty.
-fn note_measured(setup: &Setup<f64>, unknowns: &[Unknown]) {
+/// Prints a note for each unknown that a column of the table measures, with its uncertainty, and
+/// with the prior of the rows that do not state it.
+fn note_measured(setup: &Setup<f64>, unknowns: &[Unknown], table: &ShotTable) {
     for unknown in unknowns {
         let name = unknown.parameter.name;
         let measured =
             unknown.with_measured_prior(setup.value(unknown.parameter).unwrap_or_default());
         let sigma = parameter_difference_text(unknown.parameter, measured.sigma, system());
         let source = measured.source.unwrap_or("as given");
+        let mut shots = table.shots.iter();
+        let (rows, others) = if shots.all(|shot| shot.gives(unknown.parameter)) {
+            ("each row", String::new())
+        } else {
+            let source = unknown.source.unwrap_or("as given");
+            let others = format!(". In the other rows: {}; {source}", prior_text(unknown));
+            ("the rows that state it", others)
+        };
         note(&format!(
-            "prior: {name} as in each row ± {sigma} (one standard deviation); {source}"
+            "prior: {name} as in {rows} ± {sigma} (one standard deviation); {source}{others}"
         ));
     }
 }

@@ -257,6 +257,37 @@ fn the_text_on_unidentified_changes_names_the_prior_as_it_is_stated() {
     assert!(text.contains(says), "{text}");
 }
 
+/// Remarks on the priors are about all rows of a table, in any order of the rows.
+#[test]
+fn remarks_on_priors_include_rows_that_do_not_state_a_club_value() {
+    let folder = tempfile::tempdir().unwrap();
+    let head = "Club Speed [mph],Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n";
+    let remarks = |rows: [&str; 2]| {
+        let text = format!("{head}{}", rows.concat());
+        let file = file_with(folder.path(), "shots.csv", &text);
+        let request = ["delivery", "--shots", &file, "modern-driver"];
+        let output = longdrive(&[&request[..], &["--set", "club.loft=10.5deg"]].concat());
+        (on_one_line(&output.err), on_one_line(&output.out))
+    };
+    let (empty, stated) = (",150,12,2600\n", "104,150,12,2600\n");
+    for rows in [[empty, stated], [stated, empty]] {
+        let (err, out) = remarks(rows);
+        let in_others = "In the other rows: swing.speed = 110 mph ± 15 mph; assumed: how golfers";
+        assert!(
+            err.contains("prior: swing.speed as in the rows that state it ± 1.5 mph")
+                && err.contains(in_others),
+            "{err}"
+        );
+        let assumed = "assumed errors of the given club values: swing.speed ± 1.50 mph;";
+        assert!(out.contains(assumed), "{out}");
+    }
+    let (err, _) = remarks([stated, stated]);
+    assert!(
+        err.contains("prior: swing.speed as in each row ± 1.5 mph") && !err.contains("other rows"),
+        "{err}"
+    );
+}
+
 #[test]
 fn a_parameter_at_its_bound_is_unidentified_and_has_no_uncertainty() {
     let setup = struck(&[]);

@@ -221,12 +221,12 @@ pub fn unusual_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
         .filter_map(|delivery| delivery.found.as_ref().ok())
         .collect();
     let first = found.first().map_or(&[][..], |first| &first.posteriors);
-    let unstated = first.iter().filter(|known| !known.unknown.is_stated());
     let warning = |parameter: &'static Parameter| {
         let known = found.iter().flat_map(|delivered| &delivered.posteriors);
         let far: Vec<&Posterior> = known
             .filter(|known| known.unknown.parameter == parameter && known.sigma.is_some())
-            .filter(|known| known.residual().abs() > FAR)
+            // a row may state a value that other rows do not state
+            .filter(|known| !known.unknown.is_stated() && known.residual().abs() > FAR)
             .collect();
         let first = far.first()?;
         let show = |value| shown::parameter(parameter, value, system);
@@ -241,7 +241,8 @@ pub fn unusual_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
             parameter.name,
         )))
     };
-    unstated
+    first
+        .iter()
         .filter_map(|known| warning(known.unknown.parameter))
         .collect()
 }

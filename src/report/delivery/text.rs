@@ -23,7 +23,7 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
         "determined",
     ];
     document.add(DocumentTable::new(head, known).right([1, 2, 3, 4]));
-    document.list(measured_club(delivered, system));
+    document.list(measured_club([delivered], system));
     document.add(differences(delivered, system));
     if !delivered.unidentified.is_empty() {
         let title = Line::flush(
@@ -69,12 +69,19 @@ fn differences(delivered: &Delivered, system: System) -> DocumentTable {
     DocumentTable::new(head, of_launch.chain(of_club)).right([1, 2, 3, 4])
 }
 
-/// The assumed errors of the given club values; `None` if no error is assumed.
-fn measured_club(delivered: &Delivered, system: System) -> Option<Line> {
-    let unknowns = delivered.posteriors.iter().map(|known| &known.unknown);
-    let measured: Vec<_> = unknowns
-        .filter(|unknown| unknown.has_assumed_error())
-        .collect();
+/// The assumed errors of the given club values, of each parameter once; `None` if no error is
+/// assumed.
+fn measured_club<'a>(all: impl IntoIterator<Item = &'a Delivered>, system: System) -> Option<Line> {
+    let mut measured: Vec<&Unknown> = vec![];
+    for Posterior { unknown, .. } in all.into_iter().flat_map(|one| &one.posteriors) {
+        let is_new = || {
+            let mut others = measured.iter();
+            others.all(|other| other.parameter != unknown.parameter)
+        };
+        if unknown.has_assumed_error() && is_new() {
+            measured.push(unknown);
+        }
+    }
     let one = |unknown: &&Unknown| {
         let sigma = shown::difference(unknown.parameter, unknown.sigma, system);
         format!("{} ± {sigma}", unknown.parameter.name)
@@ -157,8 +164,10 @@ pub(super) fn of_table(
     });
     let head = ["over all shots", "mean", "standard deviation", "determined"];
     document.add(DocumentTable::new(head, rows).right([1, 2, 3]));
-    let first = all.iter().find_map(ShotDelivery::explained);
-    document.list(first.and_then(|first| measured_club(first, system)));
+    document.list(measured_club(
+        all.iter().filter_map(ShotDelivery::explained),
+        system,
+    ));
     if let Some(population) = population {
         document.add(swings(population, system));
         document.list([Line::flush(

@@ -63,9 +63,7 @@ impl ShotTable {
 
     /// True if at least one shot states this parameter.
     pub fn gives(&self, parameter: &'static Parameter) -> bool {
-        self.shots
-            .iter()
-            .any(|shot| shot.inputs.iter().any(|(row, _)| *row == parameter))
+        self.shots.iter().any(|shot| shot.gives(parameter))
     }
 }
 
@@ -112,6 +110,11 @@ impl MeasuredShot {
     /// Number of residuals.
     pub fn residuals(&self) -> usize {
         self.measured.len() + self.stationary.len()
+    }
+
+    /// True if the row states this parameter.
+    pub fn gives(&self, parameter: &'static Parameter) -> bool {
+        self.inputs.iter().any(|(row, _)| *row == parameter)
     }
 }
 
