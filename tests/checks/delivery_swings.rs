@@ -307,6 +307,44 @@ fn sampled_swings_are_within_their_stated_uncertainties() {
     }
 }
 
+/// Ball speed is nearly linear in club speed, with the slope b. Restricted maximum likelihood then
+/// has a closed form: the variance of the swings is (V − σ²)/b², with the variance V of the shots
+/// (divisor n − 1) and the error σ of the launch monitor.
+#[test]
+fn exact_deviation_of_the_swings_from_shots_of_equal_information() {
+    let speeds = [
+        66.0, 66.4, 67.1, 67.5, 67.6, 68.0, 68.2, 68.9, 69.4, 69.9, 70.3, 71.1,
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    let rows: String = speeds.iter().map(|speed| format!("{speed}\n")).collect();
+    let text = format!("Ball Speed [m/s]\n{rows}");
+    let file = crate::command_line::file_with(folder.path(), "shots.csv", &text);
+    let vary = ["--vary", "swing.speed=80mph..130mph"];
+    let request = ["delivery", "--shots", &file, "tour-average"];
+    let (_, answer) = json(&[&request[..], &vary].concat());
+    let found = &answer["population"];
+    let n = speeds.len() as f64;
+    let mean = speeds.iter().sum::<f64>() / n;
+    let squares = speeds.iter().map(|speed| (speed - mean).powi(2));
+    let variance = squares.sum::<f64>() / (n - 1.0);
+    let launch = &found["launches"][0];
+    let of_shots = number(&launch["measured"]["deviation"]);
+    assert!((of_shots - variance.sqrt()).abs() < 1e-9, "{launch}");
+    let mut setup = Setup::preset("tour-average").unwrap();
+    setup.swing.speed = number(&found["spread"][0]["mean"]);
+    let speed = setup.variable("swing.speed").unwrap();
+    let slope = longdrive::derivative::gradient(&setup, Outcome::BallSpeed, &[speed]);
+    let slope = slope.unwrap().gradient[0];
+    let error = Outcome::BallSpeed.measurement_uncertainty().unwrap();
+    let exact = (variance - error * error).sqrt() / slope;
+    let deviation = number(&found["spread"][0]["deviation"]);
+    // the divisor n would give a deviation that is 4 % smaller
+    assert!(
+        (deviation / exact - 1.0).abs() < 2e-3,
+        "{deviation} {exact}"
+    );
+}
+
 /// Asserts that mean and scatter of each outcome over the recovered swings are those of the shots,
 /// within a quarter of the scatter.
 fn assert_same_launch_statistics(answer: &serde_json::Value) {

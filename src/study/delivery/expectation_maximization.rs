@@ -1,5 +1,6 @@
-//! Maximum-likelihood mean and covariance of swings by expectation maximization (Dempster, Laird &
-//! Rubin 1977).
+//! Mean and covariance of swings by expectation maximization (Dempster, Laird & Rubin 1977). The
+//! covariance between the swings has the divisor n − 1. For shots with equal information, this is
+//! restricted maximum likelihood (Patterson & Thompson 1971).
 
 use super::linearized::{LinearizedLaunches, moments, swing_at};
 use super::result::{Delivered, Explained};
@@ -181,8 +182,7 @@ impl SwingInformation {
         self.groups.iter().fold(DMatrix::zeros(n, n), weighted)
     }
 
-    /// Maximum-likelihood mean and covariance of the swings along the identified directions,
-    /// iterated from `initial_covariance`. Along the unidentified directions, the mean is
+    /// Mean and covariance of the swings along the identified directions, iterated from `initial_covariance`. Along the unidentified directions, the mean is
     /// `fixed_mean` and the covariance is `fixed_covariance`. Means are relative to the mean swing
     /// of the linearization.
     pub(super) fn maximize_likelihood(

@@ -105,13 +105,15 @@ impl LinearizedLaunches {
     }
 }
 
-/// Mean and covariance of a sample.
+/// Mean and covariance of a sample. The covariance has the divisor n − 1, because the mean is
+/// estimated from the same n values.
 pub(super) fn moments<'a>(
     of: impl Iterator<Item = &'a DVector<f64>> + Clone,
     size: usize,
 ) -> (DVector<f64>, DMatrix<f64>) {
-    let count = of.clone().count().max(1) as f64;
-    let mean = of.clone().fold(DVector::zeros(size), |sum, one| sum + one) / count;
+    let count = of.clone().count().max(1);
+    let mean = of.clone().fold(DVector::zeros(size), |sum, one| sum + one) / count as f64;
+    let freedom = (count - 1).max(1) as f64;
     let mut covariance = DMatrix::zeros(size, size);
     for one in of {
         let deviation = one - &mean;
@@ -119,7 +121,7 @@ pub(super) fn moments<'a>(
             column
                 .iter_mut()
                 .zip(deviation.iter())
-                .for_each(|(sum, one)| *sum += one * other / count);
+                .for_each(|(sum, one)| *sum += one * other / freedom);
         }
     }
     (mean, covariance)

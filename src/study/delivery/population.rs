@@ -107,8 +107,8 @@ impl PredictedOutcome {
 }
 
 impl Population {
-    /// Estimates the normal distribution of a golfer's swings by maximum likelihood, from the shots
-    /// for which a delivery was found.
+    /// Estimates the normal distribution of a golfer's swings from the shots for which a delivery
+    /// was found, by maximum likelihood with n − 1 in place of the number of shots n.
     ///
     /// In directions of the unknowns that the launches do not determine, the swings have their
     /// prior distribution. The launches predicted from this distribution may scatter more than the
