@@ -71,7 +71,7 @@ pub struct Band {
     pub sums: Vec<Sums>,
 }
 
-/// Maximum number of clubs with statistics of their own.
+/// Maximum number of clubs with statistics of their own in merged statistics.
 const MOST_CLUBS: usize = 40;
 
 /// Statistics of the shots with one club: the sums of each outcome.
@@ -144,9 +144,10 @@ pub struct ShotStatistics {
     pub bands: Vec<Band>,
     /// Residuals of all rows.
     pub all: Vec<Sums>,
-    /// Shots by the name of the club; empty if the table has no such column. At most 40 clubs.
+    /// Shots by the name of the club; empty if the table has no such column. Merged statistics
+    /// have at most 40 clubs, each with all its rows.
     pub clubs: BTreeMap<String, ClubShots>,
-    /// Number of rows of clubs beyond the first 40, which are not in `clubs`.
+    /// Number of rows of further clubs, which are not in `clubs`.
     pub rows_of_further_clubs: u64,
     /// Number of rows whose spin is estimated or modelled, as the export states.
     pub spin_not_measured: u64,
@@ -215,10 +216,8 @@ impl ShotStatistics {
             }
             self.unit_checks.add(flown, row);
             if let Some(name) = shot.club_name.as_deref() {
-                match self.club(name) {
-                    Some(club) => club.add(flown, row),
-                    None => self.rows_of_further_clubs += 1,
-                }
+                // no limit here: a club that is new in these rows may have earlier rows
+                self.club(name).add(flown, row);
             }
             let Some(speed) = shot.launch().map(|launch| launch[0]) else {
                 continue;
@@ -233,11 +232,8 @@ impl ShotStatistics {
         }
     }
 
-    /// The statistics of a club; `None` for a new club if there are already [`MOST_CLUBS`].
-    fn club(&mut self, name: &str) -> Option<&mut ClubShots> {
-        if self.clubs.len() >= MOST_CLUBS && !self.clubs.contains_key(name) {
-            return None;
-        }
+    /// The statistics of a club.
+    fn club(&mut self, name: &str) -> &mut ClubShots {
         let sums = || vec![Sums::default(); self.of.len()];
         let new = || ClubShots {
             rows: 0,
@@ -245,7 +241,7 @@ impl ShotStatistics {
             predicted: sums(),
             residuals: sums(),
         };
-        Some(self.clubs.entry(name.into()).or_insert_with(new))
+        self.clubs.entry(name.into()).or_insert_with(new)
     }
 
     /// Warnings about columns of `shots` with a likely wrong unit or sign.
@@ -264,9 +260,10 @@ impl ShotStatistics {
         self.unit_checks.merge(other.unit_checks);
         self.rows_of_further_clubs += other.rows_of_further_clubs;
         for (name, shots) in &other.clubs {
-            match self.club(name) {
-                Some(club) => club.merge(shots),
-                None => self.rows_of_further_clubs += shots.rows,
+            if self.clubs.len() < MOST_CLUBS || self.clubs.contains_key(name) {
+                self.club(name).merge(shots);
+            } else {
+                self.rows_of_further_clubs += shots.rows;
             }
         }
         for (kind, refused) in other.refused {

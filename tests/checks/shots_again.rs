@@ -725,6 +725,25 @@ fn rows_of_clubs_without_statistics_of_their_own_are_counted() {
     );
 }
 
+/// 41 clubs and more in a block of 1024 rows: a club with statistics has all its rows.
+#[test]
+fn exact_number_of_rows_of_each_club_in_a_table_of_many_clubs() {
+    let folder = tempfile::tempdir().unwrap();
+    let row = |club: u32| format!("150,12,2700,club {club:02}\n");
+    let first = (0..1040).map(|k| row(40 + k % 40));
+    let both = (0..1200).map(|k| row(k % 80));
+    let rows: String = first.chain(both).collect();
+    let text = format!("Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Club Type\n{rows}");
+    let (_, answer) = json(&["fly", &file_with(folder.path(), "shots.csv", &text)]);
+    let clubs = answer["clubs"].as_array().unwrap();
+    assert_eq!(clubs.len(), 40);
+    for club in clubs {
+        assert_eq!(club["rows"], 1040 / 40 + 1200 / 80, "{club}");
+    }
+    let says = "the statistics by club lack 600 rows";
+    assert!(answer["remarks"].to_string().contains(says), "{answer}");
+}
+
 #[test]
 fn json_lines_of_fly_have_all_measured_values() {
     let sample = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv");
