@@ -167,9 +167,6 @@ pub(super) fn distribution_text(input: &Uncertain, system: System) -> String {
     }
 }
 
-/// Minimum number of points of a sample for estimates of the variance contributions.
-const ENOUGH: usize = 100;
-
 fn add_outcome(
     document: &mut Document,
     outcome: &OutcomeUncertainty,
@@ -191,15 +188,10 @@ fn add_outcome(
         return;
     }
     document.add(moments(outcome, found, system));
-    let Some(sampled) = &outcome.sampled else {
+    // a small sample has no shares
+    let Some(sampled) = (outcome.sampled.as_ref()).filter(|found| found.quantiles.is_some()) else {
         return;
     };
-    if found.plan.samples < ENOUGH {
-        document.list([Line::item(format!(
-            "shares of the variance need {ENOUGH} points or more; `samples` sets the number of points"
-        ))]);
-        return;
-    }
     document.list(shares_lines(outcome, system));
     let mut table = Document::default();
     table.add(shares(outcome, sampled.left_out, found));
@@ -216,34 +208,39 @@ fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) ->
     rows.extend(outcome.delta.map(|first| row("by the gradient", first)));
     let second = outcome.second_order;
     rows.extend(second.map(|second| row("by gradient and Hessian", second)));
-    let mut intervals = None;
-    let remark = if let Some(sampled) = &outcome.sampled {
+    let mut remarks = vec![];
+    if let Some(sampled) = &outcome.sampled {
+        let (mean, deviation) = (sampled.mean, sampled.deviation);
         rows.push(vec![
             "by the sample".into(),
-            value(sampled.mean.value),
-            spread(sampled.deviation.value),
+            value(mean.value),
+            spread(deviation.value),
         ]);
-        intervals = Some(format!(
-            "95 % intervals of the sample: mean {} to {}, standard deviation {} to {}",
-            value(sampled.mean.low),
-            value(sampled.mean.high),
-            spread(sampled.deviation.low),
-            spread(sampled.deviation.high)
-        ));
-        let [low, middle, high] = sampled.quantiles.map(value);
         let drives = match of.group() {
             OutcomeGroup::Flight if found.part_without_landing() > 0.0 => "drives that land",
             _ => "drives",
         };
-        format!("95 % of the {drives} lie between {low} and {high}; the median is {middle}")
+        remarks.extend(sampled.quantiles.map(|quantiles| {
+            let [low, middle, high] = quantiles.map(value);
+            format!("95 % of the {drives} lie between {low} and {high}; the median is {middle}")
+        }));
+        let intervals = mean.interval().zip(deviation.interval());
+        remarks.extend(intervals.map(|(mean, deviation)| {
+            format!(
+                "95 % intervals of the sample: mean {} to {}, standard deviation {} to {}",
+                value(mean.low),
+                value(mean.high),
+                spread(deviation.low),
+                spread(deviation.high)
+            )
+        }));
     } else {
-        "no drive of the sample has this outcome".into()
-    };
+        remarks.push("no drive of the sample has this outcome".into());
+    }
     let mut table =
         DocumentTable::new([of.name(), "mean", "standard deviation"], rows).right([1, 2]);
-    table.remark(remark);
-    if let Some(intervals) = intervals {
-        table.remark(intervals);
+    for remark in remarks {
+        table.remark(remark);
     }
     table
 }

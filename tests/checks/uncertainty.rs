@@ -1,7 +1,7 @@
 //! The uncertainty of outcomes: shares of the variance of known functions, moments of known
 //! distributions, ellipses and gusts, and messages.
 
-use crate::command_line::WHOLE;
+use crate::command_line::{WHOLE, json, longdrive, on_one_line};
 use crate::common::{LARGE_STEPS, close, panic_of};
 use longdrive::batch::Status;
 use longdrive::derivative::Taylor;
@@ -65,7 +65,12 @@ fn sampled_shares_of_ishigamis_function_lie_within_their_intervals() {
         ishigami,
     );
     assert!(
-        found.mean.contains(3.5) && found.deviation.contains(variance.sqrt()),
+        found.mean.interval().unwrap().contains(3.5)
+            && found
+                .deviation
+                .interval()
+                .unwrap()
+                .contains(variance.sqrt()),
         "{found:?}"
     );
     for (i, indices) in found.indices.iter().enumerate() {
@@ -110,8 +115,12 @@ fn sampled_shares_of_the_g_function_lie_within_their_intervals() {
         g,
     );
     let mut held = vec![
-        found.mean.contains(1.0),
-        found.deviation.contains(variance.sqrt()),
+        found.mean.interval().unwrap().contains(1.0),
+        found
+            .deviation
+            .interval()
+            .unwrap()
+            .contains(variance.sqrt()),
     ];
     for (i, indices) in found.indices.iter().enumerate() {
         let indices = indices.unwrap();
@@ -158,8 +167,12 @@ fn sampled_coverage_of_95_percent_intervals_of_shares() {
             ]
         });
         let held = held.chain([
-            found.mean.contains(3.5),
-            found.deviation.contains(variance.sqrt()),
+            found.mean.interval().unwrap().contains(3.5),
+            found
+                .deviation
+                .interval()
+                .unwrap()
+                .contains(variance.sqrt()),
         ]);
         held.for_each(|is_within| {
             within += usize::from(is_within);
@@ -307,8 +320,12 @@ fn sampled_moments_are_those_of_the_distributions() {
             |x| Some(x[0]),
         );
         assert!(
-            found.mean.contains(distribution.mean())
-                && found.deviation.contains(distribution.deviation()),
+            found.mean.interval().unwrap().contains(distribution.mean())
+                && found
+                    .deviation
+                    .interval()
+                    .unwrap()
+                    .contains(distribution.deviation()),
             "{found:?}"
         );
         let indices = found.indices[0].unwrap();
@@ -403,12 +420,16 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
             outcome.of.name(),
         );
         assert!(
-            sampled.deviation.contains(second.deviation),
+            sampled
+                .deviation
+                .interval()
+                .unwrap()
+                .contains(second.deviation),
             "{}: {sampled:?} {second:?}",
             outcome.of.name()
         );
         assert!(
-            sampled.mean.contains(second.mean),
+            sampled.mean.interval().unwrap().contains(second.mean),
             "{}: {sampled:?} {second:?}",
             outcome.of.name()
         );
@@ -672,7 +693,7 @@ fn an_outcome_without_uncertain_parameters_says_so() {
                 sampled.deviation.low,
                 sampled.deviation.high
             ),
-            (0.0, 0.0, 0.0)
+            (0.0, Some(0.0), Some(0.0))
         );
         let [one] = outcome.indices[..] else { panic!() };
         assert!(one.first.is_none() && one.total.is_none() && one.bound.is_none());
@@ -1226,6 +1247,36 @@ fn exact_rule_of_a_truncated_normal_distribution_with_far_ends() {
     let variance = swings().map(|(x, weight)| (x[0] - mean).powi(2) * weight);
     close(mean, 50.0, 0.05, 1e-10, "mean");
     close(variance.sum(), 0.0025, 0.0025, 1e-10, "variance");
+}
+
+/// An interval or quantile of few points is too narrow: there is none, and a warning says so.
+#[test]
+fn a_small_sample_has_no_intervals_quantiles_or_shares() {
+    let request = ["uncertainty", "modern-driver", "--of", "carry", "--samples"];
+    let says = "carry: 95 % intervals, quantiles and shares of the variance need 100 points";
+    for (samples, is_enough) in [("99", false), ("100", true)] {
+        let request = [&request[..], &[samples]].concat();
+        let (status, answer) = json(&request);
+        let carry = &answer["outcomes"][0];
+        let sampled = &carry["monte_carlo"];
+        assert_eq!(status, 0);
+        assert!(sampled["mean"]["value"].is_number(), "{sampled}");
+        for one in [
+            &sampled["mean"]["low"],
+            &sampled["standard_uncertainty"]["high"],
+            &sampled["quantiles"]["2.5 %"],
+            &carry["indices"][0]["first"]["value"],
+            &carry["indices"][0]["total"]["low"],
+            &carry["indices"][0]["bound"]["value"],
+            &carry["measure_first"]["parameter"],
+        ] {
+            assert_eq!(one.is_null(), !is_enough, "{samples}: {carry}");
+        }
+        assert_eq!(answer["warnings"].to_string().contains(says), !is_enough);
+        let output = longdrive(&[&request[..], &["--all"]].concat());
+        assert_eq!(on_one_line(&output.err).contains(says), !is_enough);
+        assert_eq!(output.out.contains("95 %"), is_enough, "{}", output.out);
+    }
 }
 
 /// Wrong lengths are programming errors: they panic with a message that has both lengths. An

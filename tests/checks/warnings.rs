@@ -531,7 +531,7 @@ fn drives_without_a_landing_have_a_warning_if_the_flight_is_requested() {
         "--distribution",
         "swing.attack_angle=normal(-8deg,6deg)",
         "--samples",
-        "64",
+        "400",
         "--of",
     ];
     let says = "% of the drives do not land";

@@ -19,9 +19,10 @@ pub(super) use distribution::dense_part;
 pub use distribution::{Distribution, Uncertain};
 use ellipse::LandingMoments;
 pub use ellipse::{EllipseSource, LandingEllipse, LandingPoint, SampledEllipse};
+use model::LEAST_POINTS;
 use model::mean;
 pub(super) use model::varies;
-pub use model::{Indices, SaltelliDesign, SamplePlan, Statistics};
+pub use model::{Indices, SaltelliDesign, SampleEstimate, SamplePlan, Statistics};
 
 use crate::batch::{Batch, Block, CHUNK, Status, StatusCounts};
 use crate::derivative::{Order, Taylor, evaluate};
@@ -64,8 +65,9 @@ impl Uncertainty {
         self.part_of(|status| !matches!(status, Status::Landed | Status::OutOfRange))
     }
 
-    /// Warnings if the values of many drives are not allowed, or if many drives do not land. The
-    /// results are computed from the other drives, which do not represent the distributions.
+    /// Warnings if the values of many drives are not allowed, or if many drives do not land: the
+    /// results are computed from the other drives, which do not represent the distributions. A
+    /// warning if the sample is too small for intervals, quantiles and shares of the variance.
     pub fn warnings(&self) -> Vec<Message> {
         let percent = |part: f64| significant(100.0 * part, 2);
         let outside = self.part_of(|status| status == Status::OutOfRange);
@@ -91,9 +93,23 @@ impl Uncertainty {
                 percent(missing)
             )
         });
+        let is_small = |outcome: &&OutcomeUncertainty| {
+            let sampled = outcome.sampled.as_ref();
+            outcome.varies && sampled.is_some_and(|sampled| sampled.quantiles.is_none())
+        };
+        let small: Vec<_> = self.outcomes.iter().filter(is_small).collect();
+        let small = (!small.is_empty()).then(|| {
+            let names: Vec<_> = small.iter().map(|outcome| outcome.of.name()).collect();
+            format!(
+                "{}: 95 % intervals, quantiles and shares of the variance need {LEAST_POINTS} \
+                 points or more that have the outcome; `samples` sets the number of points",
+                names.join(", ")
+            )
+        });
         outside
             .into_iter()
             .chain(missing)
+            .chain(small)
             .map(Message::from)
             .collect()
     }
@@ -133,7 +149,7 @@ pub struct OutcomeUncertainty {
     /// The Sobol' indices of each uncertain parameter: its shares in the variance.
     pub indices: Vec<Contribution>,
     /// The parameter whose exact knowledge reduces the uncertainty most; `null` if the outcome does
-    /// not vary, or if no index is positive.
+    /// not vary, if no index is positive, and for a sample of fewer than 100 points.
     pub measure_first: Option<MeasureFirst>,
 }
 
@@ -144,12 +160,12 @@ pub struct OutcomeUncertainty {
 pub struct Contribution {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// The first-order Sobol' index.
+    /// The first-order Sobol' index; `null` for a sample of fewer than 100 points.
     pub first: Option<Interval>,
-    /// The total Sobol' index.
+    /// The total Sobol' index; `null` for a sample of fewer than 100 points.
     pub total: Option<Interval>,
     /// The mean of the squared derivative over the sample, SI.
-    // None if the outcome does not vary, or if no drive has the derivative
+    // None if the outcome does not vary, if no drive has the derivative, or for too few points
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub mean_square_slope: Option<f64>,

@@ -20,6 +20,10 @@ pub struct SamplePlan {
     pub seed: u64,
 }
 
+/// Minimum number of points for intervals, quantiles and Sobol' indices. Bootstrap intervals and
+/// outer quantiles of fewer values are too narrow.
+pub const LEAST_POINTS: usize = 100;
+
 /// Number of bootstrap resamples for a confidence interval.
 const RESAMPLES: usize = 400;
 
@@ -34,24 +38,50 @@ pub struct Indices {
     pub total: Interval,
 }
 
+/// An estimate from a sample, with its 95 % interval.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct SampleEstimate {
+    /// The estimate.
+    pub value: f64,
+    /// Lower end; `null` for a sample of fewer than 100 points.
+    pub low: Option<f64>,
+    /// Upper end; `null` for a sample of fewer than 100 points.
+    pub high: Option<f64>,
+}
+
+impl SampleEstimate {
+    /// The 95 % interval, if there is one.
+    pub fn interval(&self) -> Option<Interval> {
+        Some(Interval {
+            value: self.value,
+            low: self.low?,
+            high: self.high?,
+        })
+    }
+}
+
 /// The statistics of an outcome over the sample.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[cfg_attr(test, schemars(rename = "SampledReport"))]
 pub struct Statistics {
     /// The mean, SI.
-    pub mean: Interval,
+    pub mean: SampleEstimate,
     /// The standard deviation, SI.
     // 0 if the outcome varies only by rounding
     #[serde(rename = "standard_uncertainty")]
-    pub deviation: Interval,
-    /// The quantiles at 2.5, 50 and 97.5 %, SI.
+    pub deviation: SampleEstimate,
+    /// The quantiles at 2.5, 50 and 97.5 %, SI; `null` for a sample of fewer than 100 points.
     #[serde(serialize_with = "by_level")]
-    #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, f64>"))]
-    pub quantiles: [f64; 3],
+    #[cfg_attr(
+        test,
+        schemars(with = "Option<std::collections::BTreeMap<String, f64>>")
+    )]
+    pub quantiles: Option<[f64; 3]>,
     /// Indices of each variable, in order. A row consists of one point of each set, and is complete
     /// if the outcome exists at all its points. `None` if the outcome does not vary, or if there
-    /// are fewer than two complete rows.
+    /// are fewer than [`LEAST_POINTS`] complete rows.
     #[serde(skip)]
     pub indices: Vec<Option<Indices>>,
     /// Number of points that are omitted because one of their drives does not have the outcome.
@@ -61,10 +91,13 @@ pub struct Statistics {
 }
 
 fn by_level<S: Serializer>(
-    quantiles: &[f64; 3],
+    quantiles: &Option<[f64; 3]>,
     serializer: S,
 ) -> std::result::Result<S::Ok, S::Error> {
-    serializer.collect_map(["2.5 %", "50 %", "97.5 %"].into_iter().zip(quantiles))
+    match quantiles {
+        Some(all) => serializer.collect_map(["2.5 %", "50 %", "97.5 %"].into_iter().zip(all)),
+        None => serializer.serialize_none(),
+    }
 }
 
 /// Sample of Saltelli's design: two independent sets A and B, and for each variable a copy of A
@@ -137,18 +170,24 @@ impl SaltelliDesign {
             let constant = all[0];
             all.fill(constant);
         }
+        // the sets A and B have a value of each point
+        let is_enough = all.len() >= 2 * LEAST_POINTS;
         let moments = self.bootstrap(all.len(), |drawn| {
             let moments = Moments::of(drawn.iter().map(|row| all[*row]));
             let numbers = [moments.mean, moments.deviation()];
             numbers.map(|number| number.unwrap_or(f64::NAN)).to_vec()
         });
-        let [mean, deviation] = [moments[0], moments[1]];
+        let [mean, deviation] = [0, 1].map(|i| SampleEstimate {
+            value: moments[i].value,
+            low: is_enough.then_some(moments[i].low),
+            high: is_enough.then_some(moments[i].high),
+        });
         let rows = complete_rows(values, mean.value);
         let of_rows: Vec<f64> = rows
             .iter()
             .flat_map(|row| [row[0] + mean.value, row[1] + mean.value])
             .collect();
-        let has_shares = varies && rows.len() >= 2 && self::varies(&of_rows);
+        let has_shares = varies && rows.len() >= LEAST_POINTS && self::varies(&of_rows);
         let inputs = values.len() - 2;
         let indices = if has_shares {
             self.indices(&rows, inputs)
@@ -159,7 +198,7 @@ impl SaltelliDesign {
         Some(Statistics {
             mean,
             deviation,
-            quantiles: [0.025, 0.5, 0.975].map(|p| quantile(&all, p)),
+            quantiles: is_enough.then(|| [0.025, 0.5, 0.975].map(|p| quantile(&all, p))),
             indices,
             left_out: values[0].len() - rows.len(),
         })
@@ -195,7 +234,7 @@ impl SaltelliDesign {
 
     /// For each column of `at_a`: the mean of the column over the points of A, divided by the
     /// variance of `values`. Each bootstrap resample recomputes both. `None` if the output does not
-    /// vary, or if the column has no values.
+    /// vary, if the column has no values, and for fewer than [`LEAST_POINTS`] points.
     pub fn means_by_variance(
         &self,
         values: &[Vec<Option<f64>>],
@@ -204,7 +243,7 @@ impl SaltelliDesign {
         let rows = values[0].len();
         let outputs = |row: usize| [values[0][row], values[1][row]].into_iter().flatten();
         let all: Vec<f64> = (0..rows).flat_map(outputs).collect();
-        if all.len() < 2 || !varies(&all) {
+        if all.len() < 2 * LEAST_POINTS || !varies(&all) {
             return vec![None; at_a.len()];
         }
         let ratios = |drawn: &[usize]| -> Vec<f64> {
