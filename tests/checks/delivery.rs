@@ -257,6 +257,16 @@ fn the_text_on_unidentified_changes_names_the_prior_as_it_is_stated() {
     assert!(text.contains(says), "{text}");
 }
 
+/// The prior of a varied parameter is normal about the value of the setup, not uniform.
+#[test]
+fn the_prior_of_a_varied_parameter_is_named_as_it_is_computed() {
+    let launch = "ball_speed=150mph,launch_angle=12deg,spin=2600rpm";
+    let vary = "club.loft=4deg..20deg";
+    let output = longdrive(&["delivery", "--launch", launch, "--vary", vary]);
+    let says = "± 4.6188°; assumed: normal, with the standard deviation of an even spread over the";
+    assert!(on_one_line(&output.err).contains(says), "{}", output.err);
+}
+
 /// Remarks on the priors are about all rows of a table, in any order of the rows.
 #[test]
 fn remarks_on_priors_include_rows_that_do_not_state_a_club_value() {

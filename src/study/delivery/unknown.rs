@@ -29,7 +29,8 @@ pub struct Unknown {
 
 const GOLFERS: &str = "assumed: how golfers differ from each other";
 const STRIKES: &str = "assumed: how far amateurs strike from the middle of the face";
-const EVENLY: &str = "assumed: spread evenly over its range";
+const EVENLY: &str =
+    "assumed: normal, with the standard deviation of an even spread over the range";
 const CLUB: &str = "assumed: the error of a launch monitor's club values";
 const UNKNOWN_ERROR: &str = "assumed: as uncertain as without a measurement, since the error of \
                              its measurement is not known";
