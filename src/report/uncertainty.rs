@@ -322,6 +322,13 @@ fn shares(outcome: &OutcomeUncertainty, left_out: usize, found: &Uncertainty) ->
         "of a single uncertain parameter the share is 100 %; the upper bound is estimated from \
          the slopes, with a 95 % interval"
     });
+    let exceeds_bound = |one: &Contribution| one.bound.is_none() && one.mean_square_slope.is_some();
+    if outcome.indices.iter().any(exceeds_bound) {
+        table.remark(
+            "no upper bound where it would lie below an index: the outcome jumps, or the sample is \
+             too small",
+        );
+    }
     if left_out > 0 {
         let points = counted_of(
             left_out as u64,

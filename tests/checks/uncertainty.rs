@@ -1279,6 +1279,36 @@ fn a_small_sample_has_no_intervals_quantiles_or_shares() {
     }
 }
 
+/// The spin axis jumps from 0° to 180° where the spin changes its sign, and its slope is 0 on both
+/// sides: the slopes give no upper bound.
+#[test]
+fn an_outcome_that_jumps_has_no_upper_bound_from_its_slopes() {
+    let mut setup = Setup::preset("modern-driver").unwrap();
+    setup.set("club.loft", "5 deg").unwrap();
+    let input = |text: &str| Uncertain::normal(&setup, &Sigma::read(&setup, text).unwrap());
+    let inputs = ["club.loft=3 deg", "swing.speed=2 mph"].map(input);
+    let plan = SamplePlan {
+        samples: 512,
+        seed: 0,
+    };
+    let of = [Outcome::SpinAxis, Outcome::BallSpeed];
+    let found = uncertainty(&setup, &of, &inputs, plan, &|_, _| ()).unwrap();
+    let [loft, _] = found.outcomes[0].indices[..] else {
+        panic!("{found:?}")
+    };
+    assert!(loft.total.unwrap().low > 0.8, "{loft:?}");
+    assert!(
+        loft.bound.is_none() && loft.mean_square_slope.is_some(),
+        "{loft:?}"
+    );
+    let smooth = &found.outcomes[1].indices;
+    assert!(smooth.iter().all(|one| one.bound.is_some()), "{smooth:?}");
+    let report = UncertaintyReport::new(&found);
+    let text = report.document(longdrive::units::System::Us).text(&WHOLE);
+    let says = "no upper bound where it would lie below an index: the outcome jumps";
+    assert_eq!(on_one_line(&text).matches(says).count(), 1, "{text}");
+}
+
 /// Wrong lengths are programming errors: they panic with a message that has both lengths. An
 /// infinite value or NaN counts as missing.
 #[test]

@@ -169,10 +169,12 @@ pub struct Contribution {
     #[serde(serialize_with = "number")]
     #[cfg_attr(test, schemars(with = "crate::json::JsonNumber"))]
     pub mean_square_slope: Option<f64>,
-    /// An estimated upper bound of the total index, from the derivatives of the sample.
+    /// An estimated upper bound of the total index, from the derivatives of the sample; `null` if
+    /// it lies below an index: the outcome jumps, or the sample is too small.
     // C · mean((∂f/∂p)²) / variance, with the Poincaré constant C of the distribution (Sobol' &
     // Kucherenko 2009; Lamboni et al. 2013). The true mean and variance give an upper bound. The
-    // sample gives an estimate of this bound, with an interval.
+    // sample gives an estimate of this bound, with an interval. Poincaré's inequality does not hold
+    // for functions with jumps.
     pub bound: Option<Interval>,
 }
 
@@ -389,12 +391,13 @@ impl SampledDrives<'_> {
                 high: poincare * ratio.high,
             });
             let bound = bound.filter(|bound| mean_square.is_finite() && bound.high.is_finite());
+            let least = indices.map(|indices| indices.first.low.max(indices.total.low));
             Contribution {
                 parameter,
                 first: indices.map(|indices| indices.first),
                 total: indices.map(|indices| indices.total),
                 mean_square_slope: bound.map(|_| mean_square),
-                bound,
+                bound: bound.filter(|bound| least.is_none_or(|least| bound.high >= least)),
             }
         };
         ratios.into_iter().enumerate().map(contribution).collect()
