@@ -4,6 +4,7 @@ use super::problem::Evaluation;
 use super::scaling::{EvaluatedPoint, Scaling};
 use argmin::core::Error;
 use serde::{Deserialize, Serialize};
+use std::fmt;
 
 /// A kink of the objective along one variable.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -17,15 +18,38 @@ pub struct Kink {
 }
 
 impl Kink {
-    /// One-sided derivative at a kink that lies on a bound; `None` unless the objective falls
-    /// towards the bound. The derivative is > 0 at a lower bound and < 0 at an upper bound; its
-    /// size is the multiplier of the bound.
-    pub(super) fn slope_from_bound(self) -> Option<f64> {
-        match (self.slope_below, self.slope_above) {
-            (None, Some(above)) if above > 0.0 => Some(above),
-            (Some(below), None) if below < 0.0 => Some(below),
-            _ => None,
+    /// The kink of the sum of the objective and a smooth function with this derivative.
+    pub(super) fn plus(self, slope: f64) -> Self {
+        Self {
+            slope_below: self.slope_below.map(|below| below + slope),
+            slope_above: self.slope_above.map(|above| above + slope),
+            ..self
         }
+    }
+
+    /// True if the objective has a minimum along the variable: it falls towards the kink from
+    /// each side that is within the bounds.
+    pub(super) fn is_minimum(self) -> bool {
+        self.slope_below.is_none_or(|below| below <= 0.0)
+            && self.slope_above.is_none_or(|above| above >= 0.0)
+    }
+
+    /// True if the kink lies between the bounds of the variable.
+    pub fn is_between_bounds(self) -> bool {
+        self.slope_below.is_some() && self.slope_above.is_some()
+    }
+}
+
+/// The one-sided derivatives: "-1.5 below and 2 above".
+impl fmt::Display for Kink {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let side = |slope: Option<f64>| {
+            slope.map_or("unknown (out of bounds)".into(), |slope| {
+                format!("{slope:.6}")
+            })
+        };
+        let [below, above] = [self.slope_below, self.slope_above].map(side);
+        write!(f, "{below} below and {above} above")
     }
 }
 

@@ -80,7 +80,7 @@ pub fn minimize_observed(
                 models,
                 ..Observer::default()
             };
-            fix_on_bound(problem, domain, options, observer, found, kink)
+            fix_at_kink(problem, domain, options, observer, found, kink)
         }
         _ => Ok(found),
     }
@@ -144,11 +144,11 @@ fn run(
     ))
 }
 
-/// Fixes a variable on its bound, if the kink lies on this bound and the objective falls towards
-/// it. Then minimizes over the other variables, with the remaining iterations. The one-sided
-/// derivative is the multiplier of the bound. Returns the point `found` if the kink does not lie on
-/// such a bound, or if the new search does not converge.
-fn fix_on_bound(
+/// Fixes the variable of a kink, on its bound if the kink lies there. Then minimizes over the other
+/// variables, with the remaining iterations. If the new search converges, and the Lagrangian falls
+/// towards the kink from each side within the bounds, this point is a local minimum; on a bound the
+/// one-sided derivative is its multiplier. Otherwise returns the point `found`.
+fn fix_at_kink(
     problem: &dyn Problem,
     domain: &Domain,
     options: &Options,
@@ -156,16 +156,13 @@ fn fix_on_bound(
     found: Solution,
     kink: Kink,
 ) -> Result<Solution> {
-    let Some(slope) = kink.slope_from_bound() else {
-        return Ok(found);
-    };
     let (i, mut fixed) = (kink.variable, domain.clone());
-    let bound = if slope > 0.0 {
-        domain.variables.low[i]
-    } else {
-        domain.variables.high[i]
+    let at = match (kink.slope_below, kink.slope_above) {
+        (None, _) => domain.variables.low[i],
+        (_, None) => domain.variables.high[i],
+        _ => found.x[i],
     };
-    (fixed.variables.low[i], fixed.variables.high[i]) = (bound, bound);
+    (fixed.variables.low[i], fixed.variables.high[i]) = (at, at);
     let remaining = Options {
         max_iterations: options.max_iterations.saturating_sub(found.iterations),
         ..options.clone()
@@ -173,7 +170,10 @@ fn fix_on_bound(
     let mut end = run(problem, &fixed, &found.x, &remaining, observer)?;
     end.iterations += found.iterations;
     end.effort += found.effort;
-    if end.status != Status::Converged {
+    let of_constraints = end.constraints.iter().zip(&end.jacobian);
+    let of_constraints = of_constraints.map(|(constraint, row)| constraint.multiplier * row[i]);
+    let of_lagrangian = kink.plus(of_constraints.sum());
+    if end.status != Status::Converged || !of_lagrangian.is_minimum() {
         let (iterations, residual) = (end.iterations, Some(found.residual.largest()));
         let SearchVerdict { status, message } = match end.status {
             Status::Interrupted => SearchVerdict::interrupted(iterations, residual),
@@ -188,10 +188,21 @@ fn fix_on_bound(
             ..found
         });
     }
-    end.lower_multipliers[i] = slope.max(0.0);
-    end.upper_multipliers[i] = (-slope).max(0.0);
-    end.gradient[i] = slope;
-    end.message += &format!("; variable x[{i}] lies on its bound, where the objective has a kink");
+    let on_bound = |side: Option<f64>, slope: Option<f64>| match side {
+        None => slope.unwrap_or_default().abs(),
+        Some(_) => 0.0,
+    };
+    let Kink {
+        slope_below: below,
+        slope_above: above,
+        ..
+    } = of_lagrangian;
+    end.lower_multipliers[i] = on_bound(below, above);
+    end.upper_multipliers[i] = on_bound(above, below);
+    if let (Some(slope), None) | (None, Some(slope)) = (kink.slope_below, kink.slope_above) {
+        end.gradient[i] = slope;
+    }
+    end.message += &format!("; variable x[{i}] is at a kink: the objective's derivative is {kink}");
     Ok(Solution {
         kink: Some(kink),
         initial_point: found.initial_point,

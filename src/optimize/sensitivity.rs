@@ -1,6 +1,7 @@
 //! Sensitivity of an optimum to a parameter of the problem, from the KKT system (Fiacco 1976).
 
 use super::domain::{Bounds, Domain};
+use super::kink::Kink;
 use super::null_space::tangent_basis;
 use super::problem::Evaluation;
 use super::qp::SymmetricSystem;
@@ -47,7 +48,8 @@ pub enum Event {
 /// curvature counts as rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Active set at a solution: variables on an active bound, and active constraints.
+/// Active set at a solution: variables on an active bound, and active constraints. A variable at a
+/// kink of the objective between its bounds is not in it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ActiveSet {
     /// True for each variable on an active bound.
@@ -109,8 +111,18 @@ fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
     })
 }
 
+/// Indices of the variables without an active bound in which the objective has no kink.
+///
+/// # Panics
+/// If the domain does not belong to the solution.
+pub fn smooth_variables(solution: &Solution, domain: &Domain) -> Vec<usize> {
+    let mut free = ActiveSet::new(solution, domain).free_variables();
+    free.retain(|i| solution.kink.is_none_or(|kink| kink.variable != *i));
+    free
+}
+
 /// Reduced Hessian: the Hessian of the Lagrangian on the tangents of the active set, in variables
-/// scaled by [`Bounds::scale`]. Returns a basis of the tangents, one in each column, and the
+/// scaled by [`Bounds::scale`]. A variable at a kink of the objective is fixed. Returns a basis of the tangents, one in each column, and the
 /// reduced Hessian.
 ///
 /// # Panics
@@ -118,7 +130,7 @@ fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
 pub fn reduced_hessian(solution: &Solution, domain: &Domain) -> (DMatrix<f64>, DMatrix<f64>) {
     let active_set = ActiveSet::new(solution, domain);
     let scale = domain.variables.scale(&solution.x);
-    let free = active_set.free_variables();
+    let free = smooth_variables(solution, domain);
     let active = active_set.active_constraints();
     let rows = DMatrix::from_fn(active.len(), free.len(), |r, c| {
         solution.jacobian[active[r]][free[c]] * scale[free[c]]
@@ -135,6 +147,13 @@ fn check_input(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<
             status: solution.status.name(),
             message: solution.message.clone().into(),
         });
+    }
+    if solution.kink.is_some_and(Kink::is_between_bounds) {
+        return Err(Error::Optimizer(
+            "the optimum lies at a kink of the objective, which may move with the parameter, so \
+             the optimum has no sensitivity; fix the variable of the kink"
+                .into(),
+        ));
     }
     if solution.hessian.len() != n {
         return Err(Error::Optimizer(
@@ -169,8 +188,8 @@ fn check_input(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<
 ///
 /// # Errors
 /// [`Error::NotConverged`] if the solution did not converge, and [`Error::Optimizer`] if it has no
-/// Hessians, if dimensions differ, or if the KKT system is singular, because an optimum that is not
-/// isolated has no derivative.
+/// Hessians, if dimensions differ, if it lies at a kink of the objective between the bounds, or if
+/// the KKT system is singular, because an optimum that is not isolated has no derivative.
 pub fn response(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<OptimumResponse> {
     check_input(solution, domain, at)?;
     let active_set = ActiveSet::new(solution, domain);

@@ -26,10 +26,12 @@ use serde::{Deserialize, Serialize};
 /// Outcome of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
-    /// The KKT conditions hold, and the Lagrangian has no direction of negative curvature.
+    /// The KKT conditions hold, and the Lagrangian has no direction of negative curvature. At a
+    /// kink of the objective this holds for the other variables, and the Lagrangian falls towards
+    /// the kink from both sides.
     Converged,
-    /// The objective has a kink at this point, and the quadratic models of the kink's sides predict
-    /// no reduction.
+    /// The objective has a kink at this point, which was not shown to be a minimum, and no step
+    /// reduces the objective.
     StalledAtKink,
     /// No step reduces the objective by more than rounding, though the KKT conditions do not hold.
     Stalled,
@@ -108,21 +110,10 @@ impl SearchVerdict {
     }
 
     pub fn kink(kink: &Kink, at: f64, residual: f64) -> Self {
-        let Kink {
-            variable,
-            slope_below,
-            slope_above,
-        } = kink;
-        let side = |slope: &Option<f64>| {
-            slope.map_or("unknown (out of bounds)".into(), |slope| {
-                format!("{slope:.6}")
-            })
-        };
         let message = format!(
-            "the objective has a kink in variable x[{variable}] at {at:e}: its derivative is {} below \
-             and {} above, and is nowhere 0; KKT residual {residual:.1e}",
-            side(slope_below),
-            side(slope_above)
+            "the objective has a kink in variable x[{}] at {at:e}: its derivative is {kink}; KKT \
+             residual {residual:.1e}",
+            kink.variable
         );
         Self::new(Status::StalledAtKink, message)
     }

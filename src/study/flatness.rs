@@ -7,7 +7,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::json::{number, numbers_by_name};
 use crate::optimize::Domain;
-use crate::optimize::sensitivity::{ActiveSet, reduced_hessian};
+use crate::optimize::sensitivity::{ActiveSet, reduced_hessian, smooth_variables};
 use crate::parameters::Parameter;
 use crate::statistics::extent;
 use crate::units::{DisplayUnit, Quantity, YARD};
@@ -373,7 +373,7 @@ impl<'a> LossAround<'a> {
         if !held.active_constraints().is_empty() {
             return vec![];
         }
-        let free = held.free_variables();
+        let free = smooth_variables(&self.best.solution, &self.domain);
         let pairs = (0..free.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
         pairs
             .filter_map(|(a, b)| self.ellipse([free[a], free[b]]))

@@ -14,22 +14,27 @@ pub(in crate::report) fn bound_in_words(optimum: &Optimum, i: usize, system: Sys
     let upper = optimum.solution.upper_multipliers[i];
     let objective = Objective::at(optimum);
     let price = |gain: f64| objective.price(gain, vary.parameter, system);
-    let is_corner = optimum.solution.kink.is_some_and(|kink| kink.variable == i);
+    let corner = optimum.solution.kink.filter(|kink| kink.variable == i);
     if vary.low == vary.high {
         "fixed".into()
     } else if !objective.is_converged {
         // only an optimum has meaningful multipliers
         reached_bound(vary, optimum.solution.x[i]).into()
-    } else if is_corner && upper + lower > 0.0 {
-        let (bound, side) = if lower > 0.0 {
-            ("lower", "above")
-        } else {
-            ("upper", "below")
+    } else if let Some(kink) = corner {
+        // a step away from a minimum of f loses |∂f/∂x| for each unit
+        let below = kink
+            .slope_below
+            .map(|below| format!("{} below it", price(below)));
+        let above = kink
+            .slope_above
+            .map(|above| format!("{} above it", price(-above)));
+        let place = match (&below, &above) {
+            (None, _) => "at its lower bound, a corner",
+            (_, None) => "at its upper bound, a corner",
+            _ => "at a corner",
         };
-        format!(
-            "at its {bound} bound, a corner: {} {side} it",
-            price(-(upper + lower))
-        )
+        let sides: Vec<_> = below.into_iter().chain(above).collect();
+        format!("{place}: {}", sides.join(", "))
     } else if optimum.is_idle(i) {
         "no effect".into()
     } else {

@@ -135,11 +135,11 @@ fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
         return Some(bound_in_words(best, i, system));
     }
     let price = lower.max(upper);
-    if price <= 0.0 || best.solution.status != Status::Converged {
+    let is_corner = best.solution.kink.is_some_and(|kink| kink.variable == i);
+    if price <= 0.0 && !is_corner || best.solution.status != Status::Converged {
         return None;
     }
     let unit = system.unit(parameter.unit);
-    let is_corner = best.solution.kink.is_some_and(|kink| kink.variable == i);
     // use the longer text for a corner, and for a parameter without a unit: a change by 1 is too
     // large
     if is_corner || unit.is_empty() {
