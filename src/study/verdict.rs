@@ -1,10 +1,11 @@
 //! Texts about the result of a search: status, message, active bounds and constraints.
 
-use super::goal::Constraint;
+use super::goal::{Constraint, Goal};
 use super::optimum::{LocalOptimum, Optimum};
+use super::search::Sense;
 use crate::drive::Drive;
 use crate::optimize::sensitivity::ActiveSet;
-use crate::optimize::{Kink, Solution, Status};
+use crate::optimize::{Solution, Status};
 use crate::parameters::Vary;
 use crate::units::{self, Digits, Message, Quantity};
 use std::fmt;
@@ -134,6 +135,39 @@ pub(super) fn violated_by_design(
         .message(violated(constraints, found, goals))
 }
 
+/// The message of the optimizer. At a kink of the objective, a text with the slopes on both sides in
+/// the names and units of the search.
+pub(super) fn solver_message(
+    found: &Solution,
+    (goal, sense): (&Goal, Sense),
+    vary: &[Vary],
+) -> Message {
+    let Some(kink) = found.kink else {
+        return found.message.as_str().into();
+    };
+    let parameter = vary[kink.variable].parameter;
+    let (of, by) = (&goal.expression, parameter.name);
+    let unit = units::per(goal.quantity.si, parameter.quantity.si);
+    let slope = |slope: Option<f64>| {
+        slope.map_or("not computed (out of range)".into(), |slope| {
+            let slope = sense.sign() * slope;
+            format!("{} {unit}", units::signed(slope, units::fixed(slope, 4)))
+        })
+    };
+    Message::from(format!("{of} has a corner at {by} = "))
+        .quantity(
+            parameter.quantity,
+            parameter.unit,
+            found.x[kink.variable],
+            Digits::Significant(7),
+        )
+        .words(format!(
+            ": d {of}/d {by} is {} below it and {} above",
+            slope(kink.slope_below),
+            slope(kink.slope_above),
+        ))
+}
+
 impl LocalOptimum {
     /// Name of the status; `no-flight` if the optimizer reports `undefined`.
     pub fn status(&self) -> &'static str {
@@ -157,24 +191,28 @@ impl Optimum {
         if !self.search.scenarios.is_one_drive() {
             return self.message_over_swings();
         }
-        let found = &self.solution.message;
-        match (&self.solution.kink, self.solution.status) {
-            (Some(kink), _) => self.corner(kink),
-            (None, Status::Infeasible) => self.violated_by_drive(),
-            (None, Status::Undefined) => self.no_flight(),
-            (None, Status::Converged) => self
-                .idle_parameters()
-                .unwrap_or_else(|| found.as_str().into()),
-            (None, Status::Interrupted) if self.solution.value.is_none() => {
+        let found = self.solver_message();
+        match self.solution.status {
+            _ if self.solution.kink.is_some() => found,
+            Status::Infeasible => self.violated_by_drive(),
+            Status::Undefined => self.no_flight(),
+            Status::Converged => self.idle_parameters().unwrap_or(found),
+            Status::Interrupted if self.solution.value.is_none() => {
                 "stopped before a drive that flies was found".into()
             }
-            _ => found.as_str().into(),
+            _ => found,
         }
     }
 
+    fn solver_message(&self) -> Message {
+        let search = &self.search;
+        solver_message(&self.solution, (&search.of, search.sense), &search.vary)
+    }
+
     fn message_over_swings(&self) -> Message {
-        let found = &self.solution.message;
+        let found = self.solver_message();
         match self.solution.status {
+            _ if self.solution.kink.is_some() => found,
             Status::Undefined => {
                 let start = self.solution.undefined_at_start.as_deref();
                 format!(
@@ -197,37 +235,8 @@ impl Optimum {
             )
             .into(),
             Status::Converged => self.idle_parameters_over_swings(),
-            _ => found.as_str().into(),
+            _ => found,
         }
-    }
-
-    /// Text on the slopes on both sides of a kink of the objective.
-    fn corner(&self, kink: &Kink) -> Message {
-        let goal = &self.search.of;
-        let parameter = self.search.vary[kink.variable].parameter;
-        let of = &goal.expression;
-        let by = parameter.name;
-        let unit = units::per(goal.quantity.si, parameter.quantity.si);
-        let sign = self.search.sense.sign();
-        let slope = |slope: Option<f64>| {
-            slope.map_or("not computed (out of range)".into(), |slope| {
-                let slope = sign * slope;
-                format!("{} {unit}", units::signed(slope, units::fixed(slope, 4)))
-            })
-        };
-        let at = self.solution.x[kink.variable];
-        Message::from(format!("{of} has a corner at {by} = "))
-            .quantity(
-                parameter.quantity,
-                parameter.unit,
-                at,
-                Digits::Significant(7),
-            )
-            .words(format!(
-                ": d {of}/d {by} is {} below it and {} above",
-                slope(kink.slope_below),
-                slope(kink.slope_above),
-            ))
     }
 
     fn violated_by_drive(&self) -> Message {

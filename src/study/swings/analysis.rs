@@ -7,6 +7,7 @@ use crate::parameters::Setup;
 use crate::statistics::Moments;
 use crate::study::problem::SearchProblem;
 use crate::study::uncertainty::Interval;
+use crate::study::verdict::solver_message;
 use crate::study::{Goal, Optimum, Search};
 use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, StudentsT};
@@ -125,7 +126,7 @@ fn analysed(
         }),
         _ => Err(Error::NotConverged {
             status: found.status.name(),
-            message: found.message.into(),
+            message: solver_message(&found, (&search.of, search.sense), &search.vary),
         }),
     };
     Ok(SwingsAnalysis {

@@ -7,7 +7,7 @@ use crate::parameters::{Setup, Vary};
 use crate::study::cancellable::stopped;
 use crate::study::optimum::optimum;
 use crate::study::problem::SearchProblem;
-use crate::study::verdict::{Active, active, status_name, violated_by_design};
+use crate::study::verdict::{Active, active, solver_message, status_name, violated_by_design};
 use crate::study::{ChartEvent, Constraint, Goal, Search, Sense};
 use crate::units::Message;
 use std::sync::atomic::Ordering;
@@ -252,7 +252,7 @@ fn named(none: FrontError, search: &ParetoSearch, problem: &SearchProblem) -> Er
             &found,
             problem.values(&found.x).ok().as_deref(),
         ),
-        _ => found.message.as_str().into(),
+        _ => solver_message(&found, (goal, *sense), &search.vary),
     };
     Error::NotConverged {
         status: status_name(found.status),
