@@ -6,7 +6,7 @@ use crate::command::ranges::DefaultRanges;
 use crate::command::search::write;
 use crate::optimize::Status;
 use crate::report::{OptimumReport, OptimumWindows, OverSwings, optimize_document};
-use crate::study::{club_alone, usual_loss, windows};
+use crate::study::{usual_loss, windows};
 use std::sync::atomic::AtomicBool;
 
 pub fn run(args: &Args) -> Result<Answer> {
@@ -24,6 +24,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     if let Some(set_up) = request.before_starts(&setup) {
         optima.best = optima.best.compared_with(set_up);
     }
+    let club = optima.club_alone()?;
     let best = &optima.best;
     if let Some(moved) = best.moved_start() {
         note(&moved);
@@ -40,10 +41,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     let is_converged = best.solution.status == Status::Converged;
     let loss = usual_loss(best);
     let windows = is_converged.then(|| windows(best, loss)).transpose()?;
-    let club = match is_converged {
-        true => club_alone(best)?,
-        false => None,
-    };
     let around = windows.as_deref().map(|windows| OptimumWindows {
         loss,
         windows,

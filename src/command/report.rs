@@ -231,7 +231,7 @@ fn answer(args: &Args, origin: &SetupOrigin, findings: &Findings, files: Vec<&st
     answer.found(missing.is_none() && own.landed().is_ok())
 }
 
-/// Adds the drive as set up and the drive of the optimum.
+/// Adds the drive as set up, the drive of the optimum, and the optimum of the club alone.
 fn add_drives(
     findings: &mut Findings,
     search: Option<&Search>,
@@ -242,9 +242,15 @@ fn add_drives(
     let own = NamedDrive::new(NamedDrive::AS_SET_UP, setup)?;
     remarks.extend(own.drive.warnings_about(setup, Outcome::ALL));
     bar.inc(1);
-    findings.found = search
+    let mut found = search
         .map(|search| optimum(setup, search.clone(), Observer::default()))
         .transpose()?;
+    let club_alone = found
+        .as_mut()
+        .map(|best| or_remark(club_alone(best), remarks))
+        .transpose()?;
+    findings.club_alone = club_alone.flatten().flatten();
+    findings.found = found;
     findings.flown.push(own);
     if let Some(best) = findings.best() {
         let longest = NamedDrive::new(NamedDrive::OPTIMUM, &best.setup)?;
@@ -275,7 +281,7 @@ fn why_none(findings: &Findings, reason: Option<&str>) -> Option<Message> {
     }
 }
 
-/// Adds the flatness around the optimum, the optimum of the club alone, and the table of lofts.
+/// Adds the flatness around the optimum, and the table of lofts.
 fn add_optimum(findings: &mut Findings, remarks: &mut Vec<Message>) -> Result<()> {
     let best = findings.best();
     let short = best.and_then(short_drive);
@@ -283,15 +289,11 @@ fn add_optimum(findings: &mut Findings, remarks: &mut Vec<Message>) -> Result<()
     let flatness = best
         .map(|best| flatness(best, usual_loss(best)))
         .transpose()?;
-    let club_alone = best
-        .map(|best| or_remark(club_alone(best), remarks))
-        .transpose()?;
     let lofts = lofts(
         &findings.setup,
         best.map_or(&findings.setup, |best| &best.setup),
     )?;
     findings.flatness = flatness;
-    findings.club_alone = club_alone.flatten().flatten();
     findings.lofts = lofts;
     Ok(())
 }

@@ -1,11 +1,12 @@
 //! The part of an optimum's gain that a change of the club alone achieves.
 
-use super::optimum::{Optimum, optimum};
+use super::optimum::{LocalOptimum, Optima, Optimum, optimum};
+use super::sample::Sample;
 use super::search::Search;
 use crate::error::Result;
 use crate::json::numbers_by_name;
 use crate::optimize::{Observer, Status};
-use crate::parameters::Parameter;
+use crate::parameters::{Parameter, Vary};
 use serde::{Serialize, Serializer};
 
 /// The gain of the optimum in two parts: from the club with the swing as set up, and from the
@@ -35,8 +36,43 @@ fn varied<S: Serializer>(optimum: &Optimum, serializer: S) -> std::result::Resul
     numbers_by_name(&values, serializer)
 }
 
-/// The best value that club and ball achieve with the swing as set up. `None` in these cases:
+/// If the club alone is better than an optimum by more than this fraction of the value, a search
+/// starts there. Smaller differences count as rounding.
+const ROUNDING: f64 = 1e-9;
+
+impl Optima {
+    /// The best value that club and ball achieve with the swing as set up, as [`club_alone`]. If it
+    /// leads to a better optimum, this optimum becomes [`best`](Self::best), and its start counts
+    /// like a point of the [`Sample`].
+    ///
+    /// # Errors
+    /// The errors of [`club_alone`].
+    pub fn club_alone(&mut self) -> Result<Option<ClubAlone>> {
+        let is_of_sample = |best: &Optimum| best.sample.is_some_and(|sample| sample.improved);
+        let (value, was_of_sample) = (self.best.value(), is_of_sample(&self.best));
+        let club = club_alone(&mut self.best)?;
+        if self.best.value() != value {
+            let local = LocalOptimum {
+                solution: self.best.solution.clone(),
+                value: self.best.value(),
+                starts: vec![self.starts],
+            };
+            if was_of_sample {
+                self.locals[0] = local;
+            } else {
+                self.locals.insert(0, local);
+                self.starts += 1;
+            }
+        }
+        Ok(club)
+    }
+}
+
+/// The best value that club and ball achieve with the swing as set up. If it is better than `best`
+/// and within the ranges of the search, a search starts there, and its result replaces `best`.
+/// `None` in these cases:
 ///
+/// - `best` has not converged;
 /// - the search is over swings;
 /// - the search does not vary both club (or ball) and swing (or strike);
 /// - the search varies a parameter of another group;
@@ -45,7 +81,7 @@ fn varied<S: Serializer>(optimum: &Optimum, serializer: S) -> std::result::Resul
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).
-pub fn club_alone(best: &Optimum) -> Result<Option<ClubAlone>> {
+pub fn club_alone(best: &mut Optimum) -> Result<Option<ClubAlone>> {
     let is_of = |groups: [&str; 2], parameter: &Parameter| {
         groups.iter().any(|group| parameter.name.starts_with(group))
     };
@@ -58,6 +94,7 @@ pub fn club_alone(best: &Optimum) -> Result<Option<ClubAlone>> {
             .iter()
             .all(|vary| is_of(["swing.", "strike."], vary.parameter))
         || !best.search.scenarios.is_one_drive()
+        || best.solution.status != Status::Converged
     {
         return Ok(None);
     }
@@ -70,13 +107,42 @@ pub fn club_alone(best: &Optimum) -> Result<Option<ClubAlone>> {
         vary: club,
         ..best.search.clone()
     };
-    let optimum = optimum(&best.start, search, Observer::default())?;
-    let value = optimum
+    let club = optimum(&best.start, search, Observer::default())?;
+    let value = club
         .value()
-        .filter(|_| optimum.solution.status == Status::Converged);
-    Ok(value.zip(best.value()).map(|(value, best)| ClubAlone {
+        .filter(|_| club.solution.status == Status::Converged);
+    let Some(value) = value else {
+        return Ok(None);
+    };
+    let is_within = |vary: &Vary| {
+        let own = best.start.value(vary.parameter);
+        own.is_some_and(|own| (vary.low..=vary.high).contains(&own))
+    };
+    if swing.iter().all(is_within) && is_better(value, best) {
+        let found = optimum(&club.setup, best.search.clone(), Observer::default())?;
+        if found.solution.status == Status::Converged
+            && found.value().is_some_and(|value| is_better(value, best))
+        {
+            let sample = found.sample.map(|sample| Sample {
+                improved: true,
+                ..sample
+            });
+            *best = Optimum {
+                start: best.start,
+                sample,
+                ..found.compared_with(best.set_up)
+            };
+        }
+    }
+    Ok(best.value().map(|best| ClubAlone {
         club_gain: value - as_set_up,
         swing_gain: best - value,
-        optimum,
+        optimum: club,
     }))
+}
+
+/// True if a value of the objective is better than that of `best`, by more than rounding.
+fn is_better(value: f64, best: &Optimum) -> bool {
+    best.value()
+        .is_some_and(|least| best.search.sense.sign() * (value - least) < -ROUNDING * least.abs())
 }

@@ -159,8 +159,8 @@ pub struct Optima {
     pub best: Optimum,
     /// All local optima, best first.
     pub locals: Vec<LocalOptimum>,
-    /// The number of starts. If a search from a point of the [`Sample`] led to the best optimum,
-    /// this point counts as a start.
+    /// The number of starts. If a search from a point of the [`Sample`], or from the optimum of the
+    /// club alone, led to the best optimum, this point counts as a start.
     pub starts: usize,
 }
 

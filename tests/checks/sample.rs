@@ -207,7 +207,7 @@ fn a_small_feasible_region_is_found() {
     assert!(
         output
             .out
-            .contains("found by a search from a sampled point of the ranges"),
+            .contains("found by a search from another point of the ranges"),
         "{}",
         output.out
     );

@@ -223,7 +223,7 @@ fn sample_line(optimum: &Optimum) -> Option<Line> {
         improved,
     } = optimum.sample.filter(|_| !is_told)?;
     let found = if improved {
-        "found by a search from a sampled point of the ranges; "
+        "found by a search from another point of the ranges; "
     } else {
         ""
     };
