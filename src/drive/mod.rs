@@ -14,7 +14,7 @@ pub(crate) use outcome_table::OutcomeInputs;
 pub(crate) use validity::exceeded_in_flight;
 pub use validity::{CheckScope, ExceededCount, ExceededLimits};
 pub(crate) use validity::{any_face, flat_landing_angle, is_outside_any_face};
-pub use warnings::FlownRange;
+pub use warnings::{FlownRange, carry_with_law_held};
 
 use crate::aerodynamics::AerodynamicLaw;
 use crate::atmosphere::AirState;

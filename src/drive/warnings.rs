@@ -224,10 +224,7 @@ impl Drive<f64> {
             ));
             Some(match change {
                 None => message,
-                Some(change) => message
-                    .words("; with the law held at the end of its range the carry is ")
-                    .quantity(Quantity::LENGTH, "yd", change.abs(), Digits::Significant(2))
-                    .words(if change < 0.0 { " shorter" } else { " longer" }),
+                Some(change) => message.words("; ").message(carry_with_law_held(change)),
             })
         };
         let extrapolated = self.extrapolated(setup, stop).into_iter();
@@ -281,6 +278,14 @@ impl Drive<f64> {
         };
         path.points.iter().filter_map(stream).collect()
     }
+}
+
+/// A change of the carry by [`Drive::extrapolated_carry`] in words: "with the law held at the end of
+/// its range the carry is 1.3 yd longer".
+pub fn carry_with_law_held(change: f64) -> Message {
+    Message::from("with the law held at the end of its range the carry is ")
+        .quantity(Quantity::LENGTH, "yd", change.abs(), Digits::Significant(2))
+        .words(if change < 0.0 { " shorter" } else { " longer" })
 }
 
 /// Share of the time for which `condition` is true. `values` are pairs of time and value. Each

@@ -4,7 +4,7 @@ use super::json::{self, ByName, JsonNumber, Settings, settings};
 use super::reply::{Ending, Report};
 use super::shown;
 use crate::atmosphere::AirState;
-use crate::drive::{Drive, FlownRange, Outcome, OutcomeGroup};
+use crate::drive::{Drive, FlownRange, Outcome, OutcomeGroup, carry_with_law_held};
 use crate::flight::Flight;
 use crate::ground::Rest;
 use crate::impact::Grip;
@@ -262,18 +262,15 @@ fn bodies(drive: &Drive<f64>, system: System) -> Vec<Line> {
     lines
 }
 
-/// The text about the extrapolated part of the carry: "1.3 yd of the carry is extrapolated, by the
-/// law of drag and lift". `None` if this part is at most 0.3 yd.
+/// The change of the carry with the law of drag and lift held at the end of its range, in words.
+/// `None` if the change is at most 0.3 yd.
 pub(super) fn extrapolated(
     setup: &Setup<f64>,
     drive: &Drive<f64>,
     system: System,
 ) -> Option<String> {
-    let carry = drive.extrapolated_carry(setup)?;
-    Some(format!(
-        "{} of the carry is extrapolated, by the law of drag and lift",
-        shown::difference(Outcome::Carry, carry.abs(), system)
-    ))
+    let change = drive.extrapolated_carry(setup)?;
+    Some(carry_with_law_held(change).in_units(system))
 }
 
 /// How the ball comes to rest, and the uncertainty of the total.

@@ -11,8 +11,9 @@ use crate::units::System;
 /// A line such as "carry 286.0 yd → 300.4 yd: +14.4 yd".
 ///
 /// If [`Optimum::compares_totals`], the line also has the change of the total (or of the carry, if
-/// the total is the objective). A further line states the extrapolated part of the carry. If the
-/// carry grows and the total falls, a further line advises to maximize the total.
+/// the total is the objective). A further line states the change of the carry with the law held at
+/// the end of its range. If the carry grows and the total falls, a further line advises to maximize
+/// the total.
 pub(in crate::report) fn gain_lines(
     optimum: &Optimum,
     drive: &Drive<f64>,
