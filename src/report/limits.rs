@@ -88,6 +88,16 @@ impl Objective {
     }
 }
 
+/// The value of a limited goal, marked if it violates its limits.
+pub(super) fn limited_value(constraint: &Constraint, value: f64, system: System) -> String {
+    let text = shown::goal(&constraint.goal, value, system);
+    if constraint.is_met(value) {
+        text
+    } else {
+        format!("{text} (broken)")
+    }
+}
+
 /// The state of a parameter's bounds in words: "free", or for example "at its upper bound: +2.11 yd
 /// for each degree that it is raised". `lower` and `upper` are the multipliers; a bound with a
 /// positive multiplier is active. `prices` are the gains if the lower or the upper bound is

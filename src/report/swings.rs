@@ -3,7 +3,7 @@
 
 use super::document::{DocumentTable, Line};
 use super::json::{ByName, JsonNumber};
-use super::limits::ended_at;
+use super::limits::{ended_at, limited_value};
 use super::shown;
 use crate::optimize::Status;
 use crate::study::Optimum;
@@ -154,9 +154,6 @@ fn unknown(analysis: Option<&SwingsAnalysis>) -> Vec<String> {
     nominal.into_iter().chain(error).collect()
 }
 
-/// Marks the value of a goal that violates its limits.
-const BROKEN: &str = "(broken)";
-
 /// Table of the goals over the swings, with a column for each design.
 pub(super) fn goals(
     best: &Optimum,
@@ -170,12 +167,9 @@ pub(super) fn goals(
     let rows = search.goals().zip(expressions).enumerate();
     let rows = rows.map(|(k, (goal, expression))| {
         let limit = k.checked_sub(1).map(|j| &search.subject_to[j]);
-        let show = |value: f64| {
-            let text = shown::goal(goal, value, system);
-            match limit {
-                Some(limit) if !limit.is_met(value) => format!("{text} {BROKEN}"),
-                _ => text,
-            }
+        let show = |value: f64| match limit {
+            Some(limit) => limited_value(limit, value, system),
+            None => shown::goal(goal, value, system),
         };
         let of = |values: Option<&Vec<f64>>| {
             values

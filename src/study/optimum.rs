@@ -7,7 +7,7 @@
 //! ```
 
 use super::cancellable::stopped;
-use super::goal::ConstraintAtEnd;
+use super::goal::{Constraint, ConstraintAtEnd};
 use super::problem::SearchProblem;
 use super::sample::{Sample, compare_with_sample};
 use super::search::Search;
@@ -76,6 +76,21 @@ impl Optimum {
             .as_ref()
             .and_then(|drive| Outcome::Run.value(drive));
         is_distance.contains(&self.search.of.outcome()) && run.is_some_and(|run| run != 0.0)
+    }
+
+    /// The constraints that the drive as set up violates, for a search over one drive.
+    pub fn violated_as_set_up(&self) -> Vec<&Constraint> {
+        let is_violated = |constraint: &&Constraint| {
+            let value = self.as_set_up_by_drive(constraint);
+            value.is_some_and(|value| !constraint.is_met(value))
+        };
+        self.search.subject_to.iter().filter(is_violated).collect()
+    }
+
+    /// The limited outcome of the drive as set up, SI; `None` if it has no value.
+    pub fn as_set_up_by_drive(&self, constraint: &Constraint) -> Option<f64> {
+        let drive = self.drive_as_set_up.as_ref()?;
+        constraint.goal.outcome()?.value(drive)
     }
 
     pub(crate) fn check_converged(&self) -> Result<()> {

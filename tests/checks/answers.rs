@@ -279,6 +279,25 @@ fn an_optimum_is_at_least_as_good_as_the_club_alone() {
     }
 }
 
+/// The descent angle of the drive as set up is 39.8°, as `simulate` prints it.
+#[test]
+fn a_gain_from_a_drive_that_violates_a_constraint_says_so() {
+    let search = |limit| on_one_line(&longdrive(&["optimize", "-q", "--subject-to", limit]).out);
+    let text = search("descent_angle >= 43 deg");
+    for says in [
+        "the drive as set up violates descent angle ≥ 43°, so it is no alternative to the best",
+        "from a drive that violates a limit; the swing too:",
+        "39.8° (broken) 43.0°",
+    ] {
+        assert!(text.contains(says), "no {says:?} in {text}");
+    }
+    let text = search("descent_angle >= 38 deg");
+    assert!(
+        !text.contains("violates") && !text.contains("(broken)"),
+        "{text}"
+    );
+}
+
 /// Near the landing, the Reynolds number of an amateur's ball is below the range of the law. This
 /// changes the carry little, so there is no warning. The extrapolated lift of a ball with little
 /// spin changes the carry enough for a warning.

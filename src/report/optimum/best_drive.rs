@@ -8,7 +8,8 @@ use crate::drive::{Drive, Outcome};
 use crate::study::Optimum;
 use crate::units::System;
 
-/// A line such as "carry 286.0 yd → 300.4 yd: +14.4 yd".
+/// A line such as "carry 286.0 yd → 300.4 yd: +14.4 yd". If the drive as set up violates
+/// constraints, a further line names them.
 ///
 /// If [`Optimum::compares_totals`], the line also has the change of the total (or of the carry, if
 /// the total is the objective). A further line states the change of the carry with the law held at
@@ -37,8 +38,10 @@ pub(in crate::report) fn gain_lines(
             show(best)
         ))
     };
+    let no_alternative = no_alternative(optimum, system);
     if !optimum.compares_totals() {
-        return line(objective).map(Line::flush).into_iter().collect();
+        let gain = line(objective).map(Line::flush).into_iter();
+        return gain.chain(no_alternative).collect();
     }
     let other = match objective {
         Outcome::Total => Outcome::Carry,
@@ -61,9 +64,24 @@ pub(in crate::report) fn gain_lines(
     let beyond = extrapolated(&optimum.setup, drive, system).map(Line::flush);
     [Line::flush(text)]
         .into_iter()
+        .chain(no_alternative)
         .chain(beyond)
         .chain(advice)
         .collect()
+}
+
+/// A line with the constraints that the drive as set up violates; `None` if it meets all.
+fn no_alternative(optimum: &Optimum, system: System) -> Option<Line> {
+    let violated = optimum.violated_as_set_up().into_iter();
+    let violated: Vec<_> = violated
+        .map(|constraint| shown::constraint(constraint, system))
+        .collect();
+    (!violated.is_empty()).then(|| {
+        Line::flush(format!(
+            "the drive as set up violates {}, so it is no alternative to the best drive",
+            violated.join(" and ")
+        ))
+    })
 }
 
 /// The optimal drive: objective, carry, roll-out, launch and flight.

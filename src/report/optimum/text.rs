@@ -1,7 +1,7 @@
 //! An optimum, or the optima of several starts, for readers.
 
 use super::super::document::{Detail, Document, DocumentTable, Line};
-use super::super::limits::{Objective, ended_at};
+use super::super::limits::{Objective, ended_at, limited_value};
 use super::super::shown;
 use super::super::swings::{OverSwings, goals, nominal, notes};
 use super::best_drive::{drive_lines, gain_lines};
@@ -136,24 +136,30 @@ pub(in crate::report) fn varied_table(
     }
 }
 
-/// Adds a table of the constraints with their values and prices, if there are constraints. For
-/// swings, the values are in the table of the goals instead.
+/// Adds a table of the constraints with their values and prices, if there are constraints. If the
+/// drive as set up violates one, a column has its values. For swings, the values are in the table of
+/// the goals instead.
 fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
     let is_one_drive = optimum.search.scenarios.is_one_drive();
+    let is_violated_as_set_up = !optimum.violated_as_set_up().is_empty();
     let objective = Objective::at(optimum);
     let all = optimum.constraints();
     let rows = all.iter().map(|limit| {
         let constraint = limit.constraint;
         let price = objective.limit(limit, system);
-        if is_one_drive {
-            vec![
-                shown::constraint(constraint, system),
-                shown::goal(&constraint.goal, limit.at.value, system),
-                price,
-            ]
-        } else {
-            vec![constraint.expression.clone(), price]
+        if !is_one_drive {
+            return vec![constraint.expression.clone(), price];
         }
+        let as_set_up = is_violated_as_set_up.then(|| {
+            let value = optimum.as_set_up_by_drive(constraint);
+            value.map_or(shown::NONE.into(), |value| {
+                limited_value(constraint, value, system)
+            })
+        });
+        let name = shown::constraint(constraint, system);
+        let value = shown::goal(&constraint.goal, limit.at.value, system);
+        let cells = [name].into_iter().chain(as_set_up);
+        cells.chain([value, price]).collect()
     });
     // for swings, omit constraints without a price
     let rows: Vec<_> = rows
@@ -162,9 +168,13 @@ fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
     if rows.is_empty() {
         return;
     }
-    document.add(match is_one_drive {
-        true => DocumentTable::new(["subject to", "value", ""], rows).right([1]),
-        false => DocumentTable::new(["subject to", ""], rows).right([]),
+    document.add(match (is_one_drive, is_violated_as_set_up) {
+        (true, true) => {
+            let head = ["subject to", "as set up", "value", ""];
+            DocumentTable::new(head, rows).right([1, 2])
+        }
+        (true, false) => DocumentTable::new(["subject to", "value", ""], rows).right([1]),
+        (false, _) => DocumentTable::new(["subject to", ""], rows).right([]),
     });
 }
 

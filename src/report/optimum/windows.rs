@@ -75,9 +75,13 @@ fn club_text(optimum: &Optimum, club: &ClubAlone, system: System) -> String {
         format!("{} {value}", vary.parameter.name)
     });
     let values = values.collect::<Vec<_>>().join(", ");
-    let club_gain = gain(club.club_gain);
+    let from = match optimum.violated_as_set_up().is_empty() {
+        true => "",
+        false => ", from a drive that violates a limit",
+    };
     format!(
-        "the club alone, with the swing as set up: {club_gain} ({values}); the swing too: {} more",
+        "the club alone, with the swing as set up: {} ({values}){from}; the swing too: {} more",
+        gain(club.club_gain),
         gain(club.swing_gain)
     )
 }
