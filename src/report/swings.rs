@@ -5,6 +5,7 @@ use super::document::{DocumentTable, Line};
 use super::json::{ByName, JsonNumber};
 use super::limits::{ended_at, limited_value};
 use super::shown;
+use crate::drive::Outcome;
 use crate::optimize::Status;
 use crate::study::Optimum;
 use crate::study::swings::{
@@ -210,7 +211,7 @@ pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Li
     }
     notes.extend(designs(best, nominal(over.analysis.as_ref())));
     notes.extend(smoothed_limits(best, system));
-    notes.extend(measures_of_shares(best));
+    notes.extend(measures_in_words(best));
     notes.push(sampling(best, over.analysis.as_ref(), system));
     if best.search.scenarios.rule == Rule::Recorded
         && over.resampled.is_none()
@@ -281,20 +282,29 @@ fn smoothed_limits(best: &Optimum, system: System) -> Vec<String> {
         .collect()
 }
 
-/// Explains the measures that are means over a share of the swings.
-fn measures_of_shares(best: &Optimum) -> Vec<String> {
+/// Explains the measures that are means over a share of the swings, and the expected strokes.
+fn measures_in_words(best: &Optimum) -> Vec<String> {
     let terms = best.search.goals().flat_map(|goal| &goal.terms);
     let mut notes: Vec<String> = vec![];
     for (_, measure) in terms {
-        let (name, of, share) = match measure {
-            Measure::Lowest(of, share) => ("lowest", of, share),
-            Measure::Highest(of, share) => ("highest", of, share),
+        let of_share = |name: &str, of: &Outcome, share: &f64| {
+            let percent = significant(100.0 * share, 4);
+            let of = of.name();
+            format!("{name}({of}, {percent}%): mean {of} of the {name} {percent} % of the swings")
+        };
+        let note = match measure {
+            Measure::Lowest(of, share) => of_share("lowest", of, share),
+            Measure::Highest(of, share) => of_share("highest", of, share),
+            Measure::Strokes(strokes, _) => format!(
+                "strokes: expected strokes to hole out after this drive, from where it {}",
+                if strokes.runs() {
+                    "comes to rest"
+                } else {
+                    "lands (no run)"
+                }
+            ),
             _ => continue,
         };
-        let percent = significant(100.0 * share, 4);
-        let of = of.name();
-        let note =
-            format!("{name}({of}, {percent}%): mean {of} of the {name} {percent} % of the swings");
         if !notes.contains(&note) {
             notes.push(note);
         }

@@ -952,6 +952,8 @@ fn parameters_without_swings_are_reported() {
         "{}",
         output.err
     );
+    let says = "strokes to hole out after this drive, from where it lands (no run)";
+    assert!(on_one_line(&output.out).contains(says), "{}", output.out);
     let stray = longdrive(&[&["optimize", "--strokes", &table][..], &speed].concat());
     assert!(
         stray.status == 2 && stray.err.contains("no goal uses strokes"),

@@ -78,7 +78,8 @@ pub struct SwingsArgs {
     pub seed: Option<u32>,
 
     /// A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
-    /// "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
+    /// "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive,
+    /// from where it lands (no run).
     #[arg(long, value_name = "FILE")]
     pub strokes: Option<PathBuf>,
 }

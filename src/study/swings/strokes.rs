@@ -64,6 +64,11 @@ impl Strokes {
         })
     }
 
+    /// True if the ball's final position is its position at rest, false for the landing point.
+    pub fn runs(&self) -> bool {
+        self.outcomes.iter().any(|outcome| outcome.needs_run())
+    }
+
     /// Reads a CSV file with the columns `distance` (with its unit: `distance [yd]`) and `strokes`.
     ///
     /// # Errors
