@@ -237,6 +237,13 @@ fn notes(found: &Pareto, system: System) -> Vec<String> {
         )),
         None => notes.extend(found.no_knee()),
     }
+    if !found.idle.is_empty() {
+        let names: Vec<_> = found.idle.iter().map(|parameter| parameter.name).collect();
+        notes.push(format!(
+            "fixed, because the effect on the goals is negligible: {}",
+            names.join(", ")
+        ));
+    }
     if let Some([own, against]) = found.as_set_up {
         notes.push(format!(
             "as set up: {} {}, {} {}",

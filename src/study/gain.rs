@@ -77,7 +77,7 @@ impl Optima {
 /// - the search does not vary both club (or ball) and swing (or strike);
 /// - the search varies a parameter of another group;
 /// - the objective has no value at the start;
-/// - the search over club and ball does not converge.
+/// - the search over club and ball does not converge, or their parameters have a negligible effect.
 ///
 /// # Errors
 /// The errors of [`optimum`](crate::study::optimum).
@@ -110,7 +110,8 @@ pub fn club_alone(best: &mut Optimum) -> Result<Option<ClubAlone>> {
     let club = optimum(&best.start, search, Observer::default())?;
     let value = club
         .value()
-        .filter(|_| club.solution.status == Status::Converged);
+        .filter(|_| club.solution.status == Status::Converged)
+        .filter(|_| !(0..club.search.vary.len()).all(|i| club.is_idle(i)));
     let Some(value) = value else {
         return Ok(None);
     };

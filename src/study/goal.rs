@@ -105,6 +105,15 @@ impl Goal {
         })
     }
 
+    /// Change of the goal that counts as no effect of a parameter over its range, SI: 1 mm, or 1e-6
+    /// of the value if it is not a length.
+    pub(super) fn negligible(&self, value: f64) -> f64 {
+        match self.quantity {
+            Quantity::LENGTH => 1e-3,
+            _ => 1e-6 * value.abs(),
+        }
+    }
+
     /// True if a measure has a kink or jump, which the search smooths.
     pub(super) fn has_edge(&self) -> bool {
         self.terms.iter().any(|(_, measure)| measure.has_edge())

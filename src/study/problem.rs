@@ -494,6 +494,28 @@ impl SearchProblem {
         Ok(self.smoothed_goals(x, &flown, &self.search.scenarios.weights, order))
     }
 
+    /// True if the varied parameter i has a negligible effect: at each of these points, no goal
+    /// changes by more than [`Goal::negligible`] from the lower to the upper end of its range.
+    /// False if the ball does not fly in one of the swings.
+    pub fn is_idle(&self, i: usize, points: &[Vec<f64>]) -> bool {
+        let Domain { variables, .. } = &self.domain;
+        let goals_with = |point: &[f64], to: f64| {
+            let mut x = point.to_vec();
+            x[i] = to;
+            self.goals_until(&x, Order::Value, &self.stop).ok()
+        };
+        let is_unchanged = |point: &Vec<f64>| {
+            let [low, high] = [variables.low[i], variables.high[i]];
+            let low = goals_with(point, low)?;
+            let pairs = low.into_iter().zip(goals_with(point, high)?);
+            let mut pairs = pairs.zip(self.search.goals());
+            Some(pairs.all(|((low, high), goal)| {
+                (high.value - low.value).abs() <= goal.negligible(low.value)
+            }))
+        };
+        points.iter().all(|point| is_unchanged(point) == Some(true))
+    }
+
     /// Share of the scenarios in which the ball ends at a distance to the hole outside the range of
     /// a table of strokes; `None` if no goal uses such a table.
     ///

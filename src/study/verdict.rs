@@ -196,7 +196,7 @@ impl Optimum {
             _ if self.solution.kink.is_some() => found,
             Status::Infeasible => self.violated_by_drive(),
             Status::Undefined => self.no_flight(),
-            Status::Converged => self.idle_parameters().unwrap_or(found),
+            Status::Converged => self.with_idle_parameters(&found),
             Status::Interrupted if self.solution.value.is_none() => {
                 "stopped before a drive that flies was found".into()
             }
@@ -229,12 +229,7 @@ impl Optimum {
             Status::Interrupted if self.solution.value.is_none() => {
                 "stopped before a design was found with which the ball flies in every swing".into()
             }
-            Status::Converged if self.is_flat() => format!(
-                "{} depends on no varied parameter here: every design is equally good",
-                self.search.of.expression
-            )
-            .into(),
-            Status::Converged => self.idle_parameters_over_swings(),
+            Status::Converged => self.with_idle_parameters(&found),
             _ => found,
         }
     }
@@ -281,41 +276,29 @@ impl Optimum {
             .unwrap_or_else(|| text.into())
     }
 
-    /// Message about varied parameters that do not affect the objective; `None` if all affect it.
-    fn idle_parameters(&self) -> Option<Message> {
-        let of = &self.search.of.expression;
+    /// The message `found` of a converged search, with the varied parameters that have a negligible
+    /// effect.
+    fn with_idle_parameters(&self, found: &Message) -> Message {
+        let goal = &self.search.of.expression;
         let idle = self.idle();
         let varied = self.search.vary.iter();
         let varied = varied.filter(|vary| vary.low < vary.high).count();
-        match idle.len() {
-            0 => None,
-            all if all == varied => Some(
-                format!(
-                    "{of} does not depend on the parameters varied here: every drive is equally \
-                     good"
-                )
-                .into(),
-            ),
-            _ => Some(
-                format!(
-                    "{}; {of} does not depend on {}: every value is equally good",
-                    self.solution.message,
-                    idle.join(", ")
-                )
-                .into(),
-            ),
+        if idle.len() == varied || self.is_flat() {
+            let every = match self.search.scenarios.is_one_drive() {
+                true => "drive",
+                false => "design",
+            };
+            let text = format!(
+                "{goal} depends on no varied parameter here: every {every} is equally good"
+            );
+            return text.into();
         }
-    }
-
-    fn idle_parameters_over_swings(&self) -> Message {
         let little = match self.search.of.quantity {
             Quantity::LENGTH => "1 mm",
             _ => "a millionth of it",
         };
-        let found = &self.solution.message;
-        let goal = &self.search.of.expression;
-        match self.idle().as_slice() {
-            [] => found.as_str().into(),
+        match idle.as_slice() {
+            [] => found.clone(),
             [one] => format!(
                 "{found}; {one} has a negligible effect: within its range it changes {goal} by \
                  less than {little}"
@@ -330,32 +313,31 @@ impl Optimum {
         }
     }
 
-    /// True if the varied parameter `i` has a negligible effect on the objective. To second order,
-    /// the objective then changes over the range of the parameter
-    ///
-    /// - for one drive, only by rounding;
-    /// - over swings, by at most 1 mm, or by at most 1e-6 of its value if it is not a length.
+    /// True if the varied parameter `i` has a negligible effect: to second order, if it alone
+    /// changes within its range, the objective changes by at most 1 mm, or by at most 1e-6 of its
+    /// value if it is not a length; with its effect on active constraints at their prices, and with
+    /// the other constraints still met.
     ///
     /// The optimal value of such a parameter is arbitrary, or lies at a bound.
     pub fn is_idle(&self, i: usize) -> bool {
-        const ROUNDING: f64 = 1e-12;
-        let size = self.value().unwrap_or_default().abs();
-        let negligible = match self.search.of.quantity {
-            _ if self.search.scenarios.is_one_drive() => ROUNDING * size,
-            Quantity::LENGTH => 1e-3,
-            _ => 1e-6 * size,
-        };
-        let width = |i: usize| self.search.vary[i].high - self.search.vary[i].low;
+        let Vary { low, high, .. } = self.search.vary[i];
+        let width = high - low;
         let solution = &self.solution;
-        let (Some(slope), Some(curvatures)) = (solution.gradient.get(i), solution.hessian.get(i))
-        else {
+        let (Some(slope), Some(row)) = (solution.gradient.get(i), solution.hessian.get(i)) else {
             return false;
         };
-        let curvatures = curvatures.iter().enumerate();
-        let curvatures: f64 = curvatures
-            .map(|(j, curvature)| (curvature * width(j)).abs())
-            .sum();
-        width(i) > 0.0 && (slope.abs() + curvatures) * width(i) <= negligible
+        let negligible = self.search.of.negligible(self.value().unwrap_or_default());
+        // the Hessian of the Lagrangian also has the curvature of the active constraints
+        let change = (slope.abs() + row[i].abs() * width) * width;
+        let limits = self.search.subject_to.iter().zip(&solution.constraints);
+        let is_limited = limits.zip(&solution.jacobian).any(|((limit, at), row)| {
+            let change = row[i].abs() * width;
+            match at.multiplier {
+                0.0 => change > (at.value - limit.low).min(limit.high - at.value),
+                price => price.abs() * change > negligible,
+            }
+        });
+        width > 0.0 && change <= negligible && !is_limited
     }
 
     fn idle(&self) -> Vec<&'static str> {

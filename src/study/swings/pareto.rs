@@ -2,8 +2,8 @@ use super::scenarios::Scenarios;
 use crate::error::{Error, Result};
 use crate::optimize::front::{Front, FrontError, FrontEvent, FrontPoint, front};
 use crate::optimize::sensitivity::ActiveSet;
-use crate::optimize::{Observers, Options, Problem, Status};
-use crate::parameters::{Setup, Vary};
+use crate::optimize::{Observers, Options, Problem, Status, starts};
+use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::cancellable::stopped;
 use crate::study::optimum::optimum;
 use crate::study::problem::SearchProblem;
@@ -43,6 +43,9 @@ pub struct Pareto {
     /// values, divided by the length of the line. Both goals are scaled to run from 0 to 1 between
     /// the ends.
     pub relative_bulge: f64,
+    /// Varied parameters with a negligible effect on both goals and all limited goals. Their range in
+    /// `search` is their own value.
+    pub idle: Vec<&'static Parameter>,
     /// Values of the goals at the setup's own design; `None` if the ball does not fly in one of the
     /// swings.
     pub as_set_up: Option<[f64; 2]>,
@@ -112,9 +115,13 @@ impl Pareto {
 /// # Errors
 /// [`Error::NotConverged`] if the search for the best value of one goal does not converge; the
 /// errors of [`optimum`](crate::study::optimum).
-pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, follow: &Observers) -> Result<Pareto> {
+pub fn pareto(setup: &Setup<f64>, mut search: ParetoSearch, follow: &Observers) -> Result<Pareto> {
     let [(_, sense), (_, against)] = search.goals;
-    let problem = SearchProblem::new(setup, search.first_goal(), &follow.interrupt)?;
+    let mut problem = SearchProblem::new(setup, search.first_goal(), &follow.interrupt)?;
+    let idle = search.fix_idle(&problem)?;
+    if !idle.is_empty() {
+        problem = SearchProblem::new(setup, search.first_goal(), &follow.interrupt)?;
+    }
     let own = problem.goals_as_set_up();
     if own.is_err() && follow.interrupt.load(Ordering::Relaxed) {
         return Err(stopped("the search began"));
@@ -156,6 +163,7 @@ pub fn pareto(setup: &Setup<f64>, search: ParetoSearch, follow: &Observers) -> R
         points,
         knee,
         relative_bulge,
+        idle,
         as_set_up,
         dominated,
         ended,
@@ -184,6 +192,30 @@ impl ParetoSearch {
             scenarios: self.scenarios.clone(),
             options: self.options.clone(),
         }
+    }
+
+    /// Fixes the varied parameters with a negligible effect on all goals at their own values, and
+    /// returns them. They could be anywhere in their ranges, at a bound at one end of the front and
+    /// at another bound at the other end. Fixes none if all have a negligible effect.
+    fn fix_idle(&mut self, problem: &SearchProblem) -> Result<Vec<&'static Parameter>> {
+        /// Number of points of the ranges at which the effect of a parameter is computed.
+        const POINTS: usize = 4;
+        let own = problem.domain.variables.project(&problem.start());
+        let points = starts(&problem.domain, &own, POINTS)?;
+        let is_idle = |vary: &Vary, i: usize| vary.low < vary.high && problem.is_idle(i, &points);
+        let varied = self.vary.iter().zip(0..);
+        let idle: Vec<_> = varied
+            .filter(|(vary, i)| is_idle(vary, *i))
+            .map(|(_, i)| i)
+            .collect();
+        let varied = self.vary.iter().filter(|vary| vary.low < vary.high);
+        if idle.len() == varied.count() {
+            return Ok(vec![]);
+        }
+        for &i in &idle {
+            (self.vary[i].low, self.vary[i].high) = (own[i], own[i]);
+        }
+        Ok(idle.into_iter().map(|i| self.vary[i].parameter).collect())
     }
 
     /// The starts of the searches for an end of the front: the setup's own design, and the optimum
