@@ -77,8 +77,17 @@ impl<S> SearchVerdict<S> {
 
 impl SearchVerdict {
     pub fn iteration_limit(iterations: u64, residual: Option<f64>) -> Self {
+        /// KKT residual of a point that is an optimum, but for variables without curvature.
+        const SMALL: f64 = 1e-8;
+        let advice = match residual.is_some_and(|residual| residual <= SMALL) {
+            true => {
+                "the point is optimal within this residual; if some of the variables can replace \
+                 each other, vary fewer of them"
+            }
+            false => "allow more iterations, or start nearer",
+        };
         let message = format!(
-            "stopped at the limit of {}{}; allow more iterations, or start nearer",
+            "stopped at the limit of {}{}; {advice}",
             counted(iterations, "iteration"),
             with_residual(residual)
         );

@@ -360,6 +360,27 @@ fn a_parameter_with_an_effect_below_1_mm_on_all_goals_over_swings_has_no_effect(
     assert!(text.contains("200 mm .. 600 mm no effect"), "{text}");
 }
 
+/// Loft and shaft lean replace each other, so that the optimum is not isolated.
+#[test]
+fn a_search_over_parameters_that_replace_each_other_advises_to_vary_fewer() {
+    let words = [
+        "optimize --wind 7m/s --set wind.from=340deg --vary club.loft=10deg..12deg",
+        "--vary swing.face_angle=-2deg..1deg --vary swing.shaft_lean=-5deg..5deg",
+        "--vary club.bulge_radius=200mm..600mm --vary strike.high=0mm..12mm",
+        "--maximize carry_distance",
+    ];
+    let words = words.join(" ");
+    let limit = ["--subject-to", "-3 yd <= lateral <= 3 yd"];
+    let words = words.split_whitespace().chain(limit);
+    let (_, found) = json(&words.collect::<Vec<_>>());
+    let message = found["message"].as_str().unwrap();
+    let says = "if some of the variables can replace each other, vary fewer of them";
+    assert!(
+        found["status"] != "iteration-limit" || message.contains(says),
+        "{found}"
+    );
+}
+
 /// Near the landing, the Reynolds number of an amateur's ball is below the range of the law. This
 /// changes the carry little, so there is no warning. The extrapolated lift of a ball with little
 /// spin changes the carry enough for a warning.
