@@ -273,6 +273,30 @@ fn exact_zero_uncertainty_of_the_change_to_an_equal_drive() {
     crate::common::close(ways[0], ways[1], expected, 1e-12, "both ways");
 }
 
+/// An error of 2° of loft moves this drive and its optimum in opposite directions: the change has a
+/// larger uncertainty than both.
+#[test]
+fn a_change_is_known_better_only_if_its_uncertainty_is_smaller_than_both() {
+    let steep = ["--loft", "13deg", "--vary", "club.loft=4deg..20deg"];
+    let opposite = ["--subject-to", "apex_height <= 25 yd", "--sigma"];
+    let opposite = [&steep[..], &opposite, &["club.loft=2deg"]].concat();
+    for (args, is_better) in [(&opposite[..], false), (&[], true)] {
+        let (status, page) = report(args);
+        assert_eq!(status, 0, "{args:?}");
+        let text = words(answer(&page), "us");
+        let known: Vec<f64> = text
+            .split("± ")
+            .skip(1)
+            .filter_map(|rest| rest.split(' ').next()?.parse().ok())
+            .collect();
+        let [yours, best, change] = known[..3] else {
+            panic!("{text}");
+        };
+        assert_eq!(change < yours.min(best), is_better, "{text}");
+        assert_eq!(text.contains("known better"), is_better, "{text}");
+    }
+}
+
 #[test]
 fn the_uncertainty_of_a_total_and_the_names_in_data_files_have_the_chosen_units() {
     let folder = tempfile::tempdir().unwrap();

@@ -16,6 +16,9 @@ use maud::{Markup, html};
 /// Maximum number of parameters named as sources of the uncertainty.
 const NAMED: usize = 3;
 
+/// Ratio of two uncertainties above which their two shown digits may be equal.
+const ALIKE: f64 = 0.9;
+
 /// The summary at the beginning of the page.
 pub(super) fn answer(findings: &Findings) -> Markup {
     let yours = findings
@@ -186,10 +189,22 @@ fn what_is_known(findings: &Findings) -> Markup {
     html! {
         p.faint {
             "± is one standard uncertainty. It comes from " (names.join(", ")) (others) " together."
-            @if findings.at_best.is_some() {
+            @if is_change_known_better(findings) {
                 " An error that both drives share partly cancels in the change, so the change is \
                  known better."
             }
         }
     }
+}
+
+/// True if the uncertainty of the change is smaller than that of each of the two drives. It is
+/// larger where an error moves the drives in opposite directions.
+fn is_change_known_better(findings: &Findings) -> bool {
+    let drives = findings
+        .effects_of(findings.of)
+        .zip(findings.at_best.as_ref());
+    drives.is_some_and(|(yours, best)| {
+        let of_drives = [yours, best].map(Effects::standard_uncertainty);
+        yours.uncertainty_of_change(best) < ALIKE * of_drives[0].min(of_drives[1])
+    })
 }
