@@ -209,7 +209,9 @@ fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Paret
         points: args.points,
         options: options(args.max_iterations),
     };
-    Ok((setup, search))
+    // the front is compared with the drive as set up, which has no start values
+    let set_up = request.before_starts(&setup);
+    Ok((set_up.unwrap_or(setup), search))
 }
 
 impl GoalArgs {

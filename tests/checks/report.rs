@@ -1,7 +1,7 @@
 //! Plots and the page of `report`: pictures agree with the computed data, each file is complete
 //! without other files, and bad input is refused.
 
-use crate::command_line::{json, longdrive, number};
+use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use longdrive::report::figures::{
     Causes, OnMap, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
@@ -657,6 +657,46 @@ fn the_ending_of_the_file_chooses_the_format_of_a_plot() {
 }
 
 #[cfg(feature = "full")]
+/// A parameter without a value in the setup has no place on a map or a chart. The drive as set up
+/// of a front has no value of it either.
+#[test]
+fn the_start_of_a_search_is_no_value_of_the_drive_as_set_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let csv = path(&folder, "x.csv");
+    let drawn = |args: &[&str]| {
+        let output = longdrive(&[&["plot"], args, &["-o", &csv, "--overwrite"]].concat());
+        assert_eq!(output.status, 0, "{args:?}: {}", output.err);
+        let marks = std::fs::read_to_string(&csv).unwrap();
+        let marks = marks.lines().filter(|line| line.starts_with("mark,"));
+        let marks: Vec<String> = marks.map(str::to_owned).collect();
+        (marks, on_one_line(&output.err))
+    };
+    let vary = [
+        "--vary",
+        "air.temperature=0C..35C",
+        "--vary",
+        "club.loft=4deg..20deg",
+    ];
+    let (marks, note) = drawn(&[&["contour"], &vary[..]].concat());
+    assert!(
+        marks.len() == 1 && marks[0].starts_with("mark,optimum,"),
+        "{marks:?}"
+    );
+    let says = "The drive as set up is not on the map: it has no value of air temperature.";
+    assert!(note.contains(says), "{note}");
+    let (marks, _) = drawn(&["chart", "--along", "air.temperature=0C..35C"]);
+    assert!(!marks.iter().any(|mark| mark.contains("17.5")), "{marks:?}");
+    let goals = ["--maximize", "carry", "--minimize", "apex_height"];
+    let front = [&["pareto", "--points", "2"], &goals[..], &vary].concat();
+    let (status, front) = json(&front);
+    let (_, own) = json(&["simulate", "--tolerance", "1e-6m"]);
+    assert_eq!(status, 0);
+    for (k, of) in ["carry", "apex_height"].into_iter().enumerate() {
+        let own = number(&own["flight"][of]);
+        close(number(&front["as_set_up"][k]), own, own, 1e-7, of);
+    }
+}
+
 #[test]
 fn a_png_has_its_size_and_its_words() {
     let folder = tempfile::tempdir().unwrap();

@@ -108,7 +108,8 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
         );
     }
     let on = OnMap {
-        setup: &setup,
+        // without the start values of the search: these are not values of the drive as set up
+        setup: &request.partial_setup,
         limits: &limits,
         best,
         region: region.as_ref(),
@@ -169,9 +170,12 @@ fn along(args: &PlotChart) -> Result<Answer> {
     for message in chart.begun.iter().chain(&chart.ended) {
         note(&message.in_units(system()));
     }
-    let own = optimum(&setup, search.clone(), Observer::default())?;
-    let own = Some(&own).filter(|own| own.solution.status == Status::Converged);
-    let figures = chart_figures(&chart, own, system());
+    let own = request.partial_setup.value(along.parameter);
+    let own = own
+        .map(|_| optimum(&setup, search.clone(), Observer::default()))
+        .transpose()?
+        .filter(|own| own.solution.status == Status::Converged);
+    let figures = chart_figures(&chart, own.as_ref(), system());
     let figure = figure_of(&figures, &search, shown, &target)?;
     target.write_with_setup(&request, &setup, figure, chart.warnings())
 }

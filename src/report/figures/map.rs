@@ -135,7 +135,17 @@ fn note(map: &Map, on: &OnMap<'_>, layers: &[Layer], system: System) -> String {
         ));
     }
     let best = on.best.filter(|best| best.value().is_some());
-    if is_elsewhere(map, on.setup, best) {
+    let unset: Vec<String> = [map.plane.across, map.plane.up]
+        .into_iter()
+        .filter(|vary| on.setup.value(vary.parameter).is_none())
+        .map(|vary| shown::words(vary.parameter.name))
+        .collect();
+    if !unset.is_empty() {
+        notes.push(format!(
+            "The drive as set up is not on the map: it has no value of {}.",
+            unset.join(" and ")
+        ));
+    } else if is_elsewhere(map, on.setup, best) {
         notes.push(
             "The drive as set up is not on the map: it has other values of the parameters that \
              are constant here."
