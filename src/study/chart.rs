@@ -1,6 +1,7 @@
 //! The optimum as a function of a parameter, by continuation.
 
 use super::Vary;
+use super::goal::limit_rounding;
 use super::optimum::{Optimum, local_optimum, optimum};
 use super::search::Search;
 use super::sensitivity::sensitivity;
@@ -135,6 +136,33 @@ impl Chart {
             .zip(parts)
             .map(|(warning, parts)| with_intervals(warning, parts, &self.along))
             .collect()
+    }
+}
+
+impl Chart {
+    /// The loss of the followed optimum, compared with `own`, another optimum of the same search at
+    /// one value of the parameter. `None` if both are equal up to the rounding of a search, or if
+    /// the chart does not contain this value.
+    pub fn loss_at(&self, own: &Optimum) -> Option<f64> {
+        let at = own.setup.value(self.along.parameter)?;
+        let [first, last] = [self.points.first()?, self.points.last()?];
+        let distance = |point: &&ChartPoint| (point.at - at).abs();
+        let nearest = self.points.iter();
+        let nearest = nearest.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        if !(first.at..=last.at).contains(&at) {
+            return None;
+        }
+        let follower = Follower {
+            setup: &own.setup,
+            search: &own.search,
+            along: self.along,
+            observer: &ChartObserver::default(),
+        };
+        let (followed, apart) = follower.next(nearest, at).ok()?;
+        let (followed, value) = (followed.best.value()?, own.value()?);
+        let rounding = limit_rounding(value, own.search.outcome().into());
+        let lost = own.search.sense.sign() * (followed - value);
+        (apart <= TOO_FAR && lost.abs() > rounding).then_some(lost)
     }
 }
 

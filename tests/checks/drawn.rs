@@ -13,7 +13,7 @@ use longdrive::report::plot::{Figure, Hue, Layer, Look, figure_csv, figure_svg};
 use longdrive::study::uncertainty::{LandingEllipse, SaltelliDesign, SamplePlan, Uncertain};
 use longdrive::study::{
     ChartObserver, Constraint, Face, Fineness, Landing, Launches, Map, NamedDrive, Optimum, Region,
-    Search, Sigma, Vary, chart, flatness, map, optimum, with_defaults,
+    Search, Sense, Sigma, Vary, chart, flatness, map, optimum, with_defaults,
 };
 use longdrive::units::{System, TableUnits};
 use longdrive::{Drive, Error, Outcome, Setup};
@@ -397,6 +397,40 @@ fn a_chart_marks_the_drive_and_names_active_bounds() {
         "{}",
         output.err
     );
+}
+
+/// The chart follows the optimum at the largest loft; at the speed as set up a search finds a
+/// slower landing at a smaller loft.
+#[test]
+fn a_chart_that_misses_the_optimum_of_the_setup_has_a_sentence_about_it() {
+    let setup = setup();
+    let search = Search {
+        sense: Sense::Minimize,
+        of: Outcome::LandingSpeed.into(),
+        ..Search::longest_drive(&setup).unwrap()
+    };
+    let along = Vary::read(&setup, "swing.speed=80mph..130mph").unwrap();
+    let follow = |at: &[f64]| chart(&setup, &search, along, at, &ChartObserver::default());
+    let found = follow(&[]).unwrap();
+    let own = optimum(&setup, search.clone(), Observer::default()).unwrap();
+    let followed = follow(&[setup.swing.speed]).unwrap();
+    let lost = followed.points[0].best.value().unwrap() - own.value().unwrap();
+    assert!(lost > 0.005, "{lost} m/s");
+    close(found.loss_at(&own).unwrap(), lost, lost, 1e-6, "the loss");
+    let figures = chart_figures(&found, Some(&own), System::Us);
+    assert!(
+        !figures
+            .at_bound
+            .iter()
+            .any(|(vary, _)| vary.parameter.name == "club.loft"),
+        "{:?}",
+        figures.at_bound
+    );
+    let says = "At 115 mph the line follows another optimum than the mark, which is better by 0.0";
+    assert!(figures.drawn.len() >= 2, "{}", figures.drawn.len());
+    for figure in &figures.drawn {
+        assert!(figure.note.contains(says), "{}", figure.note);
+    }
 }
 
 #[test]

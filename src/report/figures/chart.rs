@@ -28,7 +28,7 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
     let search = &first.best.search;
     let drawing = ChartDrawing::new(chart, own, system);
     for (i, vary) in search.vary.iter().enumerate() {
-        match common_bound(chart, i, vary) {
+        match common_bound(chart, own, i, vary) {
             Some(side) => found
                 .at_bound
                 .push((*vary, bound_sentence(vary, side, system))),
@@ -50,6 +50,8 @@ struct ChartDrawing<'a> {
     /// The setup's value of the chart's parameter, with the optimum at this value. `None` if the
     /// chart does not contain the value, or if there is no optimum.
     own: Option<(f64, &'a Optimum)>,
+    /// The sentence about an optimum at the setup's value that the chart does not follow.
+    other: Option<String>,
     system: System,
     along: NamedQuantity,
 }
@@ -57,9 +59,11 @@ struct ChartDrawing<'a> {
 impl<'a> ChartDrawing<'a> {
     fn new(chart: &'a Chart, own: Option<&'a Optimum>, system: System) -> Self {
         let own = own.and_then(|best| Some((best.setup.value(chart.along.parameter)?, best)));
+        let own = own.filter(|(at, _)| (chart.along.low..=chart.along.high).contains(at));
         Self {
             chart,
-            own: own.filter(|(at, _)| (chart.along.low..=chart.along.high).contains(at)),
+            own,
+            other: own.and_then(|(at, best)| other_optimum(chart, at, best, system)),
             system,
             along: NamedQuantity::parameter(chart.along.parameter),
         }
@@ -137,10 +141,11 @@ impl<'a> ChartDrawing<'a> {
             hue: Hue::SET_UP,
             at,
         }));
-        let mut notes = vec![];
-        for point in &chart.points {
+        let mut notes: Vec<String> = self.other.iter().cloned().collect();
+        let events = chart.points.iter().filter(|point| point.event.is_some());
+        for (i, point) in events.enumerate() {
             if let (Some(event), Some(place)) = (&point.event, place(point)) {
-                let number = format!("{}", notes.len() + 1);
+                let number = format!("{}", i + 1);
                 let at = self.along.show(point.at, system);
                 let search = &point.best.search;
                 let event =
@@ -159,6 +164,19 @@ impl<'a> ChartDrawing<'a> {
     }
 }
 
+/// The sentence about the optimum `own` at the value `at`, if the chart follows another optimum
+/// there.
+fn other_optimum(chart: &Chart, at: f64, own: &Optimum, system: System) -> Option<String> {
+    let of = own.search.outcome();
+    let lost = chart.loss_at(own)?;
+    let than = if lost > 0.0 { "better" } else { "worse" };
+    Some(format!(
+        "At {} the line follows another optimum than the mark, which is {than} by {}.",
+        shown::stated(chart.along.parameter, at, system),
+        shown::difference(of, lost.abs(), system)
+    ))
+}
+
 /// The sentence about a parameter that is at the same bound in every optimum, in place of a plot.
 fn bound_sentence(vary: &Vary, side: BoundSide, system: System) -> String {
     let at = shown::stated(vary.parameter, bound(vary, side), system);
@@ -171,16 +189,17 @@ fn bound_sentence(vary: &Vary, side: BoundSide, system: System) -> String {
     format!("{label}: {at}, {why}, in every optimum.")
 }
 
-/// The bound at which a varied parameter is in every optimum, if there is one.
-fn common_bound(chart: &Chart, i: usize, vary: &Vary) -> Option<BoundSide> {
+/// The bound at which a varied parameter is in every optimum of the chart and in `own`, if there is
+/// one.
+fn common_bound(chart: &Chart, own: Option<&Optimum>, i: usize, vary: &Vary) -> Option<BoundSide> {
     // tolerance for rounding errors
     let rounding = 1e-12 * (vary.high - vary.low);
     let is_common = |side: &BoundSide| {
         let end = bound(vary, *side);
-        chart
-            .points
-            .iter()
-            .all(|point| (point.best.solution.x[i] - end).abs() <= rounding)
+        let optima = chart.points.iter().map(|point| &point.best);
+        optima
+            .chain(own)
+            .all(|best| (best.solution.x[i] - end).abs() <= rounding)
     };
     [BoundSide::Lower, BoundSide::Upper]
         .into_iter()
