@@ -254,6 +254,10 @@ fn of_shots(
     })
 }
 
+/// The range of printed commands that search for the best loft. Without it, a search does not vary
+/// a stated loft.
+const LOFTS: &str = "club.loft=4deg..20deg";
+
 /// A warning if the loft is neither stated nor varied, and the setup is the preset of an average
 /// golfer. The delivery is then found for the loft of the preset, and a later search finds a best
 /// loft relative to the loft of the preset.
@@ -348,7 +352,7 @@ fn write_setup(
     note(&format!("wrote the setup with {what} into {file}"));
     note(&format!(
         "to find the loft of the longest carry with this delivery: {}",
-        command_line(["optimize", &file, "--vary", "club.loft=4deg..20deg"])
+        command_line(["optimize", &file, "--vary", LOFTS])
     ));
     Ok(Some(file))
 }
@@ -391,6 +395,7 @@ fn write_swings(output: &Destination, found: &Deliveries, setup: Vec<String>) ->
     let mut optimize: Vec<OsString> = vec!["optimize".into()];
     optimize.extend(setup.into_iter().map(OsString::from));
     optimize.extend(["--swings".into(), output.shown.clone().into()]);
+    optimize.extend(["--vary".into(), LOFTS.into()]);
     note(&format!(
         "to find the best design over these swings: {}",
         command_line(optimize)

@@ -511,7 +511,13 @@ fn shots_without_a_delivery_are_omitted_and_too_few_give_no_distribution() {
         message
             .split("the best design over these swings: longdrive ")
             .nth(1)
-            .map(|rest| rest.split(" --swings ").next().unwrap().to_owned())
+            .map(|rest| {
+                let words: Vec<&str> = rest.split_whitespace().collect();
+                let end = words.iter().position(|word| *word == "--vary").unwrap() + 2;
+                let ran = longdrive(&words[..end]);
+                assert_eq!(ran.status, 0, "{rest}: {}", ran.err);
+                rest.split(" --swings ").next().unwrap().to_owned()
+            })
     };
     assert_eq!(follows(&table).as_deref(), Some("optimize tour-average"));
     let set = [
