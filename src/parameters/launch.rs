@@ -71,8 +71,8 @@ impl Setup<f64> {
             _ if !has("launch_angle") => refuse("launch_angle is missing"),
             (false, false) => refuse("the spin is missing: give backspin, or spin (total spin)"),
             (true, true) => refuse(
-                "the spin is given twice: keep backspin, or spin, and unset the other (`set \
-                 launch.spin=none`)",
+                "the spin is given twice: leave backspin or spin out, or unset the one of a setup \
+                 file (`set launch.backspin=none` or `set launch.spin=none`)",
             ),
             (true, false) if has("spin_axis") => {
                 refuse("spin_axis needs spin; with backspin, give sidespin")

@@ -123,7 +123,7 @@ fn an_incomplete_or_double_launch_is_refused() {
         (&TOUR[..2], "the spin is missing"),
         (
             &[TOUR[0], TOUR[1], TOUR[2], ("spin", "2700 rpm")],
-            "the spin is given twice",
+            "the spin is given twice: leave backspin or spin out, or unset the one of a setup file",
         ),
         (
             &[TOUR[0], TOUR[1], TOUR[2], ("spin_axis", "2 deg")],

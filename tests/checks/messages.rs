@@ -266,7 +266,7 @@ fn a_launch_on_the_command_line_replaces_that_of_the_setup_file() {
         ),
         (
             &["simulate", file, "--set", "launch.spin=2000rpm"],
-            "unset the other (--set launch.spin=none)",
+            "unset the one of a setup file (--set launch.backspin=none or",
         ),
         (
             &["calibrate", "examples/shots.csv", file, "--fit", "aero.cd0"],
