@@ -175,11 +175,13 @@ impl Parameter {
     }
 
     /// Suggestion for a number without a unit that is out of range, because it is read as SI. A
-    /// loft of "10" is 10 rad, and most likely means 10 deg; "50" for a fraction means 50 %.
+    /// loft of "10" is 10 rad, and most likely means 10 deg; "50" for a fraction means 50 %, but
+    /// "1.2" seldom 1.2 %.
     fn unit_suggestion(&self, text: &str) -> Option<String> {
         let (number, unit) = self.quantity.split(text).ok()?;
         if self.range == Range::from_to(0.0, 1.0)
             && unit.is_empty()
+            && number >= 2.0
             && self.range.contains(number / 100.0)
         {
             return Some(format!(

@@ -541,6 +541,10 @@ fn contradictory_weather_settings_are_refused() {
              of 1; did you mean \"50 %\"?",
         ),
         (
+            &["simulate", "--set", "impact.restitution=1.2"],
+            "impact.restitution = 1.2 is outside its range 0 ≤ … ≤ 1; it must be at most 1",
+        ),
+        (
             &["simulate", "--set", "air.humidity=150"],
             "is outside its range 0 ≤ … ≤ 1; it must be at most 1",
         ),
