@@ -23,8 +23,9 @@ pub struct Args {
     pub of: Vec<String>,
 
     /// The standard deviation of a parameter that is normally distributed about its value, e.g.
-    /// swing.speed=1mph or air.density=0.5% of its value. Repeatable [default, without
-    /// --distribution: the uncertainties that "sensitivity" uses].
+    /// swing.speed=1mph or air.density=0.5% of its value. Repeatable. Unlike in "sensitivity", only
+    /// the parameters of --sigma and --distribution are then uncertain [default, without both: the
+    /// uncertainties that "sensitivity" uses].
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 

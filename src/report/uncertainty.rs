@@ -111,6 +111,15 @@ impl Report for UncertaintyReport<'_> {
             ]
         });
         let mut document = Document::default();
+        let names: Vec<_> = found
+            .inputs
+            .iter()
+            .map(|input| input.parameter.name)
+            .collect();
+        document.paragraph(format!(
+            "uncertain: {}; all other values count as known",
+            names.join(", ")
+        ));
         for outcome in &found.outcomes {
             add_outcome(&mut document, outcome, found, system);
         }

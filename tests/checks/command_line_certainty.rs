@@ -106,6 +106,10 @@ fn exact_no_deviation_once_the_only_uncertain_parameter_is_known() {
     let text = longdrive(&[&args[..], &["--all"]].concat()).out;
     let message = on_one_line(&text);
     assert!(
+        message.contains("uncertain: swing.speed; all other values count as known"),
+        "{text}"
+    );
+    assert!(
         message.contains("once it is known exactly, the standard deviation falls to 0.00 yd"),
         "{text}"
     );
