@@ -275,7 +275,7 @@ fn smoothed_limits(best: &Optimum, system: System) -> Vec<String> {
             format!(
                 "the search meets {} with smoothed kinks and jumps; the exact value over all \
                  swings violates it by {}: give a limit that is stricter by as much",
-                limit.constraint.expression,
+                limit.constraint.message().in_units(system),
                 shown::goal_difference(&limit.constraint.goal, limit.at.violation.abs(), system)
             )
         })

@@ -5,7 +5,7 @@ use super::swings::{Measure, Strokes};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::optimize::ConstraintValue;
-use crate::units::{DisplayUnit, Quantity};
+use crate::units::{Digits, DisplayUnit, Message, Quantity};
 use serde::{Serialize, Serializer};
 
 /// A weighted sum of measures, such as `mean(carry) - 0.5*std(lateral)`, or an outcome of one
@@ -142,6 +142,25 @@ impl From<&Goal> for DisplayUnit {
 }
 
 impl Constraint {
+    /// The constraint in words, such as `apex_height <= 27 yd`, with its limits in the units in
+    /// which the message is shown.
+    pub fn message(&self) -> Message {
+        let limit = |message: Message, value: f64| {
+            let (quantity, unit) = (self.goal.quantity, self.goal.unit);
+            message.quantity(quantity, unit, value, Digits::Significant(7))
+        };
+        let mut message = Message::default();
+        if self.has_two_limits() && !self.is_equation() {
+            message = limit(message, self.low).words(" <= ");
+        }
+        message = message.words(self.goal.expression.as_str());
+        match self.high.is_finite() {
+            _ if self.is_equation() => limit(message.words(" = "), self.low),
+            true => limit(message.words(" <= "), self.high),
+            false => limit(message.words(" >= "), self.low),
+        }
+    }
+
     /// A goal with infinite limits: it is computed, but not limited.
     pub(super) fn unlimited(goal: Goal) -> Self {
         Self {

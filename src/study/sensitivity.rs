@@ -1,7 +1,7 @@
 use super::optimum::{Optimum, optimum};
 use super::search::Search;
 use super::sigma::{AmountKind, amount_of};
-use super::verdict::only_in;
+use super::verdict::{Active, only_in};
 use crate::error::{Error, Result};
 use crate::optimize::sensitivity::{Event, first_event, response};
 use crate::optimize::{Observer, Status};
@@ -68,7 +68,7 @@ pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
         let name = parameter.name;
         let source = format!(
             "{name} is a varied parameter, so the search chooses it; choose another parameter, or \
-             take it out of `vary`"
+             give `vary` without {name}"
         );
         return Err(Error::Unreadable {
             name: format!("the sensitivity of the optimum to {name}"),
@@ -212,12 +212,8 @@ fn in_words(search: &Search, event: Event) -> Message {
     match event {
         Event::BoundReached(i, is_lower) => bound(i, is_lower, "reaches"),
         Event::BoundLeft(i, is_lower) => bound(i, is_lower, "leaves"),
-        Event::LimitReached(j, _) => {
-            format!("{} becomes active", search.subject_to[j].expression).into()
-        }
-        Event::LimitLeft(j, _) => {
-            format!("{} is no longer active", search.subject_to[j].expression).into()
-        }
+        Event::LimitReached(j, _) => search.subject_to[j].message().words(" becomes active"),
+        Event::LimitLeft(j, _) => search.subject_to[j].message().words(" is no longer active"),
     }
 }
 
@@ -230,7 +226,11 @@ fn differences(before: &Optimum, after: &Optimum) -> Vec<Message> {
     let (was, is) = (before.active(), after.active());
     let ends = only_in(&was, &is).into_iter();
     let begins = only_in(&is, &was).into_iter();
-    ends.map(|one| format!("{one} is no longer active").into())
-        .chain(begins.map(|one| format!("{one} has become active").into()))
+    let words = |active: Active, words: &str| {
+        let message = active.message(&after.search.subject_to);
+        message.words(words)
+    };
+    ends.map(|one| words(one, " is no longer active"))
+        .chain(begins.map(|one| words(one, " has become active")))
         .collect()
 }

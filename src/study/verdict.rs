@@ -46,6 +46,17 @@ impl fmt::Display for Active {
     }
 }
 
+impl Active {
+    /// This bound, or this constraint of `constraints`, as a message.
+    pub(super) fn message(&self, constraints: &[Constraint]) -> Message {
+        let mut constraints = constraints.iter();
+        match constraints.find(|constraint| constraint.expression == self.name) {
+            Some(constraint) if self.end.is_none() => constraint.message(),
+            _ => self.to_string().into(),
+        }
+    }
+}
+
 /// The active bounds and constraints of `these` that are not in `others`.
 pub(super) fn only_in(these: &[Active], others: &[Active]) -> Vec<Active> {
     let these = these.iter();
@@ -116,7 +127,8 @@ pub(super) fn violated(
                 ""
             };
             (violation != 0.0).then(|| {
-                Message::from(format!("{} ({fixed}its value is ", constraint.expression))
+                let name = constraint.message();
+                name.words(format!(" ({fixed}its value is "))
                     .quantity(quantity, unit, value(j), Digits::Fine)
                     .words(", outside by ")
                     .quantity(quantity, unit, violation.abs(), Digits::Difference)

@@ -6,6 +6,7 @@ use longdrive::study::{
     Change, ChartObserver, Constraint, Fineness, Goal, Optimum, Region, Search, Sense, Vary,
     change, chart, flatness, map, optima, optimum, sensitivities, sensitivity,
 };
+use longdrive::units::System;
 use longdrive::{Drive, Error, Outcome, Setup};
 
 fn search(setup: &Setup<f64>, vary: &[&str], subject_to: &[&str]) -> Search {
@@ -219,7 +220,7 @@ fn contradictory_constraints_end_as_infeasible_with_the_smallest_violation() {
         "{}",
         none.message()
     );
-    let message = none.message().to_string();
+    let message = none.message().in_units(System::Metric);
     assert!(
         message.contains("apex_height <= 30 m") && message.contains("apex_height >= 31 m"),
         "{message}"
@@ -448,12 +449,15 @@ fn a_change_of_the_active_set_is_predicted_and_confirmed() {
             && event.message.to_string() == "apex_height <= 39 yd becomes active",
         "{event:?}"
     );
+    assert_eq!(
+        event.message.in_units(System::Metric),
+        "apex_height <= 35.6616 m becomes active"
+    );
+    let differences = changed.differences.iter().map(ToString::to_string);
+    let differences: Vec<_> = differences.collect();
     assert!(
-        changed
-            .differences
-            .contains(&"apex_height <= 39 yd has become active".into()),
-        "{:?}",
-        changed.differences
+        differences.contains(&"apex_height <= 39 yd has become active".into()),
+        "{differences:?}"
     );
 }
 

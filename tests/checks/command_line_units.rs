@@ -233,14 +233,14 @@ fn violated_limits_over_swings_have_the_chosen_units() {
         "--subject-to=mean(carry) >= 400 yd",
         "--subject-to=head_moi <= 3000 g cm^2",
     ];
-    for (units, unit) in [("us", " yd"), ("metric", " m")] {
+    for (units, unit, limit) in [("us", " yd", "400 yd"), ("metric", " m", "365.76 m")] {
         let output = longdrive(&[&limited[..], &["--units", units]].concat());
         let text = on_one_line(&output.out);
         let (_, message) = text
-            .split_once("mean(carry) >= 400 yd (its value is ")
+            .split_once(&format!("mean(carry) >= {limit} (its value is "))
             .unwrap();
         let (carry, rest) = message
-            .split_once(") and head_moi <= 3000 g cm^2 (")
+            .split_once(") and head_moi <= 3000 g cm² (")
             .unwrap();
         let (value, outside) = carry.split_once(", outside by ").unwrap();
         assert!(value.ends_with(unit) && outside.ends_with(unit), "{carry}");

@@ -439,10 +439,7 @@ fn bad_goals_of_a_front_have_a_message() {
     let failed = longdrive(&[&["pareto"][..], &both, &limits].concat());
     let message = on_one_line(&failed.err);
     assert_eq!(failed.status, 1, "{message}");
-    for (expression, limit) in [
-        ("descent_angle >= 80 deg", 80.0),
-        ("carry >= 400 yd", 400.0),
-    ] {
+    for (expression, limit) in [("descent_angle >= 80°", 80.0), ("carry >= 400 yd", 400.0)] {
         // the message has the value of the outcome, and its distance from the allowed range
         let output = message
             .split(&format!("{expression} (its value is "))
