@@ -315,6 +315,33 @@ fn mean_error_of_the_descent_in_the_text_is_that_of_the_drives() {
     assert!(text.contains(&sentence), "{sentence}");
 }
 
+/// The laws with the smallest mean error on each set of averaged drives, and the bias of the default
+/// over these sets.
+#[test]
+fn exact_reasons_for_the_default_law_from_the_drives() {
+    let document = ValidationReport { sets: &FOUND }.document(System::Us);
+    let text = document.markdown(System::Us);
+    let sets = ["pga-driver", "lpga-driver", "pga-radar"].map(set);
+    let mean = |of: &SetScores, law: &str, size: fn(f64) -> f64| {
+        let errors = differences(of, law, Compared::Carry);
+        errors.iter().map(|error| size(*error)).sum::<f64>() / errors.len() as f64 / 0.9144
+    };
+    let best = sets.map(|of| {
+        let laws = of.laws.iter().map(|law| law.law);
+        let best = laws.min_by(|a, b| mean(of, a, f64::abs).total_cmp(&mean(of, b, f64::abs)));
+        format!("{} ({})", best.unwrap(), of.set.name)
+    });
+    let says = format!("on averages of drives: {} are.", best.join(", "));
+    assert!(text.contains(&says), "{says}");
+    let bias = sets.map(|of| mean(of, "launch-monitor", |error| error));
+    let [least, most] = [
+        bias.into_iter().fold(f64::INFINITY, f64::min),
+        bias.into_iter().fold(f64::NEG_INFINITY, f64::max),
+    ];
+    let says = format!("launch-monitor predicts {least:.1} to {most:.1} yd more, ferguson");
+    assert!(text.contains(&says), "{says}");
+}
+
 /// Text, tables and pictures of docs/validation.md are the output of the program.
 #[test]
 fn same_numbers_in_validation_md_and_the_program() {

@@ -2,6 +2,7 @@ use super::figures::{ALTERNATIVE, best};
 use crate::parameters::{Law, TABLE_LAW};
 use crate::report::document::{Document, DocumentTable};
 use crate::report::shown::NONE;
+use crate::statistics::extent;
 use crate::study::validation::{Case, Compared, LawScores, OTHER_TEMPERATURES, Score, SetScores};
 use crate::units::{System, counted, fixed, signed};
 
@@ -49,21 +50,46 @@ pub(super) fn summary(document: &mut Document, found: &[SetScores], system: Syst
     head.extend(own.map(|_| "your table"));
     head.extend(["best", "which is", &quantity]);
     document.add(DocumentTable::new(head, rows));
-    let descent = descent_of_clubs(found, default, system);
-    document.paragraph(format!(
+    document.paragraph(reasons(found, default, system));
+}
+
+/// The reasons for the default law, with numbers of the scores.
+fn reasons(found: &[SetScores], default: &str, system: System) -> String {
+    let unit = system.unit("yd");
+    let of_law = |set: &SetScores, law: &str| -> Option<[f64; 2]> {
+        let scores = set.laws.iter().find(|each| each.law == law)?;
+        let bias = scores.scores.first()?.bias?;
+        Some([bias, bias - scores.averaged?])
+    };
+    // the bias and the loss by scatter of a law, over the averages of drives
+    let over_averages = |law: &str, k: usize| {
+        let values = found.iter().filter_map(|set| Some(of_law(set, law)?[k]));
+        let [least, most] = extent(values).map(|value| shown(Compared::Carry, value, system));
+        format!("{least} to {most} {unit}")
+    };
+    let averages = found.iter().filter(|set| set.set.is_averaged);
+    let best: Vec<String> = averages
+        .filter_map(|set| Some(format!("{} ({})", best(set)?.1, set.set.name)))
+        .collect();
+    format!(
         "No law is the best on every set, and the default is not the one with the smallest error \
-         of carry on averages of tours: naruo-mizota and bearman-harvey are. But the averages are \
-         of drives that scatter, and the mean carry of such drives is shorter than the carry of the \
-         average launch. A law that is right for single drives must predict some 5 yd more than the \
-         averages, as {default} and {ALTERNATIVE} do (column \"averaged\" below); a law that meets \
-         the averages is too short for single drives. The default is {default} because it was \
-         fitted to a launch monitor's predictions of single drives, and because the mean \
-         error of its descent over all clubs is {descent}, while laws with the same error of carry \
-         land irons 3 to 6° too flat. {ALTERNATIVE} is the independent alternative, fitted to \
-         radar flights of one ball: its apex is nearer \
-         on drivers, its descent is not. The difference of the two is a measure of the model's \
-         error."
-    ));
+         of carry on averages of drives: {} are. But averaged drives scatter, and their mean carry \
+         is shorter than the carry of the average launch: by {} with {default} (the bias less the \
+         column \"averaged\" in the tables of these sets). A law that is right for single drives \
+         must predict as much more than the averages; {default} predicts {} more, {ALTERNATIVE} \
+         {}. A law that meets the averages is too short for single drives. The default is \
+         {default} because it was fitted to a launch monitor's predictions of single drives, and \
+         because the mean error of its descent over all clubs is {}, that of {ALTERNATIVE} {}. \
+         {ALTERNATIVE} is the independent alternative, fitted to radar flights of one ball: its \
+         apex is nearer on drivers, its descent is not. The difference of the two is a measure of \
+         the model's error.",
+        best.join(", "),
+        over_averages(default, 1),
+        over_averages(default, 0),
+        over_averages(ALTERNATIVE, 0),
+        descent_of_clubs(found, default, system),
+        descent_of_clubs(found, ALTERNATIVE, system)
+    )
 }
 
 /// The sets of all clubs but the driver.
