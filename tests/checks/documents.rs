@@ -6,6 +6,7 @@ use longdrive::Outcome;
 use longdrive::parameters::PRESETS;
 use longdrive::reproduce::{LandingDefinition, SearchMethod};
 use longdrive::units::typeset;
+use std::collections::BTreeSet;
 
 fn document(name: &str) -> String {
     std::fs::read_to_string(format!("{}/../{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
@@ -294,6 +295,35 @@ fn model_md_has_every_outcome_of_a_drive_with_its_uncertainty() {
         printed, declared,
         "docs/model.md should have a row for each of them in Outcomes"
     );
+}
+
+/// A file of swings has distributions, a setup has values: no name of a file is used for both.
+#[test]
+fn a_file_of_swings_has_no_name_of_a_setup_in_the_documents() {
+    let folder = format!("{}/../docs", env!("CARGO_MANIFEST_DIR"));
+    let files = std::fs::read_dir(folder).unwrap();
+    let files = files.map(|file| file.unwrap().path());
+    let texts = files.filter(|file| file.extension().is_some_and(|ending| ending == "md"));
+    let texts: String = texts
+        .map(|file| std::fs::read_to_string(file).unwrap())
+        .collect();
+    let (mut swings, mut setups) = (BTreeSet::new(), BTreeSet::new());
+    let commands = texts.lines().filter(|line| line.starts_with("longdrive "));
+    for command in commands {
+        let words: Vec<&str> = command.split_whitespace().collect();
+        for pair in words.windows(2).filter(|pair| pair[1].ends_with(".toml")) {
+            let names = match pair[0] {
+                "--swings" => &mut swings,
+                _ => &mut setups,
+            };
+            names.insert(pair[1]);
+        }
+    }
+    assert!(
+        swings.len() > 1 && setups.len() > 3,
+        "{swings:?} {setups:?}"
+    );
+    assert!(swings.is_disjoint(&setups), "{swings:?} {setups:?}");
 }
 
 /// The commands of README and docs that read a sample of `examples/`.
