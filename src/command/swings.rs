@@ -64,7 +64,8 @@ impl SwingsArgs {
     /// swings. `is_resampled` is true if the command resamples recorded swings.
     pub fn request(&self, request: &Request, is_resampled: bool) -> Result<SwingsRequest> {
         let swings = self.read(&request.partial_setup)?;
-        request.refuse_stated(&swings.parameters(), "the swings have values of it")?;
+        request
+            .refuse_stated_besides_launch(&swings.parameters(), "the swings have values of it")?;
         self.request_of(request, swings, is_resampled)
     }
 
@@ -118,6 +119,20 @@ impl SwingsArgs {
 
     /// Reads the swings from the file or from the distributions.
     pub fn read(&self, setup: &Setup<f64>) -> Result<Swings> {
+        let swings = self.read_any(setup)?;
+        let mut parameters = swings.parameters().into_iter();
+        match parameters.find(|parameter| parameter.is_of_launch()) {
+            Some(condition) if !setup.launch.is_given() => {
+                let source = "it is a quantity of the ball, but swings have parameters of swing \
+                              and strike; `delivery()` with `shots` finds the swings behind \
+                              launches; or give a whole launch with `launch`";
+                Err(Error::unreadable(condition.name, source))
+            }
+            _ => Ok(swings),
+        }
+    }
+
+    fn read_any(&self, setup: &Setup<f64>) -> Result<Swings> {
         if let Some(file) = &self.swings {
             if let Some(option) = self
                 .distribution

@@ -588,7 +588,8 @@ fn bad_input_to_a_search_is_status_2_with_advice() {
         ),
         (
             vec!["optimum-sensitivity", "--change", "club.loft=+1deg"],
-            "is a varied parameter",
+            "is a varied parameter, so the search chooses it; choose another parameter, or give \
+             --vary without club.loft",
         ),
         (
             vec!["optimum-sensitivity", "--change", "swing.speed=+5kg"],

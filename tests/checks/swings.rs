@@ -645,7 +645,9 @@ fn bad_swings_and_goals_are_refused_with_the_reason() {
         "Ball Speed [mph],Launch Angle [deg],Back Spin [rpm]\n150,12,2500\n",
     );
     let one = "--distribution=swing.path=normal(0deg,2deg)";
-    let cases: [(&[&str], &str); 19] = [
+    let spin = "--distribution=launch.spin=normal(2500rpm,100rpm)";
+    let cases: [(&[&str], &str); 20] = [
+        (&[spin], "or give a whole launch with --launch"),
         (&["--scenarios", "9"], "give the swings too"),
         (&[one, "--scenarios", "1"], "from 2 to 100000"),
         (&[one, one], "two distributions"),
