@@ -1,6 +1,6 @@
 //! Numbers in README and docs, compared with the output of the program.
 
-use crate::command_line::{commands, file_with, json, longdrive, number};
+use crate::command_line::{commands, file_with, json, longdrive, number, on_one_line};
 use crate::reproduce::FOUND;
 use longdrive::Outcome;
 use longdrive::parameters::PRESETS;
@@ -295,6 +295,36 @@ fn model_md_has_every_outcome_of_a_drive_with_its_uncertainty() {
         printed, declared,
         "docs/model.md should have a row for each of them in Outcomes"
     );
+}
+
+/// The uncertainty of the carry from drag and lift: README.md, docs/limitations.md and
+/// docs/sources.md have the numbers of `sensitivity`.
+#[test]
+fn one_uncertainty_of_the_carry_in_all_documents() {
+    let (status, found) = json(&["sensitivity", "--of", "carry"]);
+    assert_eq!(status, 0);
+    let effects = found["outcomes"][0]["effects"].as_array().unwrap();
+    let effect = |name: &str| {
+        let mut effects = effects.iter();
+        let effect = effects.find(|effect| effect["parameter"] == name).unwrap();
+        number(&effect["effect"]).abs() / 0.9144
+    };
+    let (drag, lift) = (effect("aero.cd0"), effect("aero.cl_max"));
+    let both = drag.hypot(lift);
+    for (name, says) in [
+        (
+            "README.md",
+            format!("(`longdrive sensitivity`) | ±{both:.0} yd"),
+        ),
+        ("docs/limitations.md", format!("by about {both:.0} yd")),
+        (
+            "docs/sources.md",
+            format!("by {drag:.0} and {lift:.0} yd, together {both:.0} yd"),
+        ),
+    ] {
+        let text = on_one_line(&document(name));
+        assert!(text.contains(&says), "{name} should say: {says}");
+    }
 }
 
 /// A file of swings has distributions, a setup has values: no name of a file is used for both.
