@@ -689,7 +689,7 @@ fn the_start_of_a_search_is_no_value_of_the_drive_as_set_up() {
     let goals = ["--maximize", "carry", "--minimize", "apex_height"];
     let front = [&["pareto", "--points", "2"], &goals[..], &vary].concat();
     let (status, front) = json(&front);
-    let (_, own) = json(&["simulate", "--tolerance", "1e-6m"]);
+    let (_, own) = json(&["simulate"]);
     assert_eq!(status, 0);
     for (k, of) in ["carry", "apex_height"].into_iter().enumerate() {
         let own = number(&own["flight"][of]);
