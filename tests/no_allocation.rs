@@ -87,6 +87,10 @@ fn regress_allocations_in_an_iteration_within_bounds() {
             // Clarabel's own memory is not counted
             continue;
         }
+        if second.message.len() > first.message.len() {
+            // the memory of the message grows in steps
+            continue;
+        }
         let evaluations = (second.effort.evaluations - first.effort.evaluations) * evaluation;
         let own = after - before - evaluations;
         assert!(

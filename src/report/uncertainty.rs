@@ -111,15 +111,7 @@ impl Report for UncertaintyReport<'_> {
             ]
         });
         let mut document = Document::default();
-        let names: Vec<_> = found
-            .inputs
-            .iter()
-            .map(|input| input.parameter.name)
-            .collect();
-        document.paragraph(format!(
-            "uncertain: {}; all other values count as known",
-            names.join(", ")
-        ));
+        document.paragraph(uncertain(found));
         for outcome in &found.outcomes {
             add_outcome(&mut document, outcome, found, system);
         }
@@ -139,6 +131,24 @@ impl Report for UncertaintyReport<'_> {
         ))]);
         document
     }
+}
+
+/// The uncertain parameters, by name if they are few.
+fn uncertain(found: &Uncertainty) -> String {
+    /// The largest number of parameters that are named.
+    const NAMED: usize = 4;
+    let names: Vec<_> = found
+        .inputs
+        .iter()
+        .map(|input| input.parameter.name)
+        .collect();
+    if names.len() > NAMED {
+        return format!("{} parameters are uncertain", names.len());
+    }
+    format!(
+        "uncertain: {}; all other values count as known",
+        names.join(", ")
+    )
 }
 
 /// A distribution in words, such as "normal: 110 mph ± 0.5 mph" or "truncated normal: 110 mph ± 4

@@ -67,7 +67,7 @@ const SLOW: f64 = 22.0;
 pub(super) struct UnitChecks {
     /// Ratios predicted/measured of each outcome.
     ratios: Vec<Vec<f64>>,
-    /// The same ratios, of launches of a driver only.
+    /// These ratios for launches of a driver only.
     ratios_of_drives: Vec<Vec<f64>>,
     /// Two numbers of rows:
     ///

@@ -27,7 +27,7 @@ pub(crate) enum Content {
     Note,
     /// Output of this program (status, derivatives, predictions), ignored.
     Written,
-    /// What an earlier column holds, ignored.
+    /// Values of a quantity that an earlier column has, ignored.
     Repeated,
 }
 

@@ -114,7 +114,7 @@ impl NonShotRows {
 #[derive(Clone, Debug)]
 pub(crate) struct ShotLabels(Vec<Option<Label>>);
 
-/// What the cells of a label column are.
+/// Kind of the cells of a label column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Label {
     /// Numbers, dates or times.

@@ -467,7 +467,7 @@ fn designs_outside_the_rules_or_the_face_are_refused_by_name() {
         found["message"]
             .as_str()
             .unwrap()
-            .contains("head_moi <= 5900 g cm^2 + 100 g cm^2"),
+            .contains("head_moi <= 6000 g cm^2"),
         "{found}"
     );
 }

@@ -379,7 +379,7 @@ fn given_values_that_a_model_replaces_are_named() {
         (
             &[
                 "--set",
-                "air.density=1.1",
+                "air.density=1.1kg/m^3",
                 "--model",
                 "air.temperature=10degC",
             ],

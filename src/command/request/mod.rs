@@ -659,8 +659,7 @@ impl Request {
     }
 }
 
-/// Those of the parameters `names` whose values the setup `changed` does not have in common with
-/// the setup `own`.
+/// Selects the parameters among `names` whose values differ between the setups `own` and `changed`.
 pub fn replaced<'a>(
     names: impl Iterator<Item = &'a str>,
     own: &Setup<f64>,

@@ -26,8 +26,8 @@ impl SetupArgs {
     }
 }
 
-/// The setups at the low and at the high ends of these ranges. An end that is not allowed, as in a
-/// table, is left out: it has no drive.
+/// The setups at the low and at the high ends of these ranges. A table may exceed the allowed
+/// values; the setup then keeps its own value.
 fn ends(setup: &Setup<f64>, ranges: &[Vary]) -> [Setup<f64>; 2] {
     let ends: [fn(&Vary) -> f64; 2] = [|vary| vary.low, |vary| vary.high];
     ends.map(|end| {
