@@ -123,7 +123,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let plan = args.plan(&setup)?;
     request.note_starts(&setup, &plan.fit);
     let ranges = ranges(&table, &plan.fit);
-    warn(Vary::initialized(&setup, &ranges)?.warnings());
+    request.warn_of_ranges(&setup, &ranges);
     let setup = request.for_many(setup, &ranges)?;
     let validation = CrossValidation::new(args, &setup, &table, &plan)?;
     warn(table.one_drive(&setup, &plan.fit));
@@ -160,7 +160,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         write(folder, &report, system())?;
         report.folder = Some(folder.path.display().to_string());
     }
-    let answer = Answer::report(&report, &request.origin(), request.is_json);
+    let answer = Answer::report(&report, &request.origin_of_shots(), request.is_json);
     Ok(answer.found(is_found))
 }
 

@@ -56,7 +56,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     request.refuse_stated_besides_launch(&[along.parameter], "`along` gives its values")?;
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = request.for_many(setup, &ranges)?;
-    warn(setup.warnings());
+    request.warn_of_ranges(&setup, &[along]);
     let stop = interrupt::enable(BEST_SO_FAR);
     if !at.is_sorted_by(|a, b| a < b) {
         note("the values of `at` are used in ascending order, each once");

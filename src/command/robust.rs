@@ -68,8 +68,10 @@ pub fn run(args: &Args) -> Result<Answer> {
     let ranges = swing_ranges(&search.vary, &search.scenarios);
     let mut models = args.models(&setup, &search)?;
     for model in &mut models {
-        model.setup = request.for_many(model.setup, &ranges)?;
+        model.setup = request.stepped(model.setup, &ranges)?;
     }
+    let setups: Vec<_> = models.iter().map(|model| model.setup).collect();
+    request.warn_of_idle(&setups);
     note_models(&models);
     warn(lost_settings(&request, &setup, &models));
     let spinner = spinner("searching for one design for all models");

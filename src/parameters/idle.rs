@@ -71,14 +71,15 @@ const IDLE: [Idle; 10] = [
     },
 ];
 
-const EMBEDS: &str = "the ball stays where it lands; give ground.restitution or ground.turf";
+const EMBEDS: &str =
+    "the ball stays where it lands; give ground.restitution or another ground.turf";
 
 fn embeds(setup: &Setup<f64>) -> bool {
     setup.ground.restitution.is_none()
 }
 
 /// Warnings about those of the parameters `names` that have no effect in any of these setups. A
-/// parameter with its default value has no warning.
+/// parameter with its default value has no warning. Parameters with one reason share a warning.
 pub(crate) fn idle_warnings<'a>(
     names: impl IntoIterator<Item = &'a str>,
     setups: &[Setup<f64>],
@@ -87,11 +88,20 @@ pub(crate) fn idle_warnings<'a>(
         let parameter = setup.parameter(name);
         parameter.is_ok_and(|parameter| setup.value(parameter) != parameter.default_value())
     };
-    let warning = |name: &str| {
-        let idle = IDLE.iter().find(|idle| idle.name == name)?;
-        let is_stated = setups.iter().any(|setup| has_own_value(setup, name));
-        let is_idle = is_stated && setups.iter().all(idle.is_idle);
-        is_idle.then(|| Message::from(format!("{name} has no effect: {}", idle.reason)))
+    let names: Vec<_> = names.into_iter().collect();
+    let idle: Vec<_> = IDLE
+        .iter()
+        .filter(|idle| names.contains(&idle.name))
+        .filter(|idle| setups.iter().any(|setup| has_own_value(setup, idle.name)))
+        .filter(|idle| setups.iter().all(idle.is_idle))
+        .collect();
+    let warning = |of_reason: &[&Idle]| {
+        let names: Vec<_> = of_reason.iter().map(|idle| idle.name).collect();
+        let have = if names.len() == 1 { "has" } else { "have" };
+        let (names, reason) = (names.join(", "), of_reason[0].reason);
+        Message::from(format!("{names} {have} no effect: {reason}"))
     };
-    names.into_iter().filter_map(warning).collect()
+    idle.chunk_by(|a, b| a.reason == b.reason)
+        .map(warning)
+        .collect()
 }

@@ -1,7 +1,6 @@
 use super::air::{is_reset, replacement_advice};
 use super::choices::{GOLFER, Golfer, METHOD, Method, SPEED_OF, SpeedOf};
 use super::declare::{Kind, Parameter, Slot, is_unset};
-use super::idle::idle_warnings;
 use super::law_table::{LawTable, TABLE, TABLE_LAW};
 use super::range::Range;
 use super::steps::is_of_step;
@@ -543,7 +542,6 @@ impl Setup<f64> {
             .chain(self.massless_weight_warnings())
             .map(Message::from);
         of_club
-            .chain(idle_warnings(["swing.shaft_growth"], &[*self]))
             .chain(self.weather_warnings())
             .chain(self.reference_height_warning())
             .collect()

@@ -163,8 +163,9 @@ pub(super) fn goals(
 ) -> DocumentTable {
     let search = &best.search;
     let nominal = nominal(analysis);
-    let expressions = std::iter::once(&search.of.expression)
-        .chain(search.subject_to.iter().map(|limit| &limit.expression));
+    let limits = search.subject_to.iter();
+    let limits = limits.map(|limit| limit.message().in_units(system));
+    let expressions = std::iter::once(search.of.expression.clone()).chain(limits);
     let rows = search.goals().zip(expressions).enumerate();
     let rows = rows.map(|(k, (goal, expression))| {
         let limit = k.checked_sub(1).map(|j| &search.subject_to[j]);
@@ -179,7 +180,7 @@ pub(super) fn goals(
                 .map_or(shown::NONE.into(), show)
         };
         vec![
-            expression.clone(),
+            expression,
             best.goals
                 .as_ref()
                 .map_or(shown::NONE.into(), |goals| show(goals[k])),

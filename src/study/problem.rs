@@ -495,23 +495,31 @@ impl SearchProblem {
     }
 
     /// True if the varied parameter i has a negligible effect: at each of these points, no goal
-    /// changes by more than [`Goal::negligible`] from the lower to the upper end of its range.
-    /// False if the ball does not fly in one of the swings.
+    /// changes by more than [`Goal::negligible`] from one place of its range to another. False if
+    /// the ball does not fly in one of the swings.
     pub fn is_idle(&self, i: usize, points: &[Vec<f64>]) -> bool {
+        /// Places in the range, from 0 to 1. They are not symmetric, because the effect of a face
+        /// angle is equal at both ends of a symmetric range.
+        const PLACES: [f64; 5] = [0.0, 0.3, 0.5, 0.8, 1.0];
         let Domain { variables, .. } = &self.domain;
-        let goals_with = |point: &[f64], to: f64| {
+        let [low, high] = [variables.low[i], variables.high[i]];
+        let goals_at = |point: &[f64], place: f64| {
             let mut x = point.to_vec();
-            x[i] = to;
+            x[i] = low + place * (high - low);
             self.goals_until(&x, Order::Value, &self.stop).ok()
         };
         let is_unchanged = |point: &Vec<f64>| {
-            let [low, high] = [variables.low[i], variables.high[i]];
-            let low = goals_with(point, low)?;
-            let pairs = low.into_iter().zip(goals_with(point, high)?);
-            let mut pairs = pairs.zip(self.search.goals());
-            Some(pairs.all(|((low, high), goal)| {
-                (high.value - low.value).abs() <= goal.negligible(low.value)
-            }))
+            let own = goals_at(point, PLACES[0])?;
+            for place in &PLACES[1..] {
+                let pairs = own.iter().zip(goals_at(point, *place)?);
+                let is_equal = |((own, there), goal): ((&Taylor, Taylor), &Goal)| {
+                    (there.value - own.value).abs() <= goal.negligible(own.value)
+                };
+                if !pairs.zip(self.search.goals()).all(is_equal) {
+                    return Some(false);
+                }
+            }
+            Some(true)
         };
         points.iter().all(|point| is_unchanged(point) == Some(true))
     }

@@ -29,6 +29,7 @@ pub struct Sensitivity {
 pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sensitivity> {
     let problem = best.problem()?;
     refuse_varied(&best.search, parameter)?;
+    refuse_corner(best)?;
     let at = problem.evaluate_with(&best.solution.x, parameter)?;
     let response = response(&best.solution, &problem.domain, &at)?;
     let sign = best.search.sense.sign();
@@ -38,6 +39,23 @@ pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sens
         curvature,
         optimum: response.x,
     })
+}
+
+/// Refuses an optimum at a corner of the objective between the bounds: the corner may move with the
+/// parameter.
+fn refuse_corner(best: &Optimum) -> Result<()> {
+    let Some(kink) = best.solution.kink.filter(|kink| kink.is_between_bounds()) else {
+        return Ok(());
+    };
+    let name = best.search.vary[kink.variable].parameter.name;
+    Err(Error::unreadable(
+        "the sensitivity of the optimum",
+        format!(
+            "{} has a corner along {name} at the optimum, which may move; state {name} instead of \
+             varying it",
+            best.search.of.expression
+        ),
+    ))
 }
 
 /// The sensitivity to each of several parameters, or the error of this sensitivity. `progress`
@@ -160,6 +178,7 @@ pub fn change(
 ) -> Result<Changed> {
     let problem = best.problem()?;
     refuse_varied(&best.search, change.parameter)?;
+    refuse_corner(best)?;
     let solution = &best.solution;
     let at = problem.evaluate_with(&solution.x, change.parameter)?;
     let response = response(solution, &problem.domain, &at)?;

@@ -158,7 +158,11 @@ pub(super) fn solver_message(
         return found.message.as_str().into();
     };
     let parameter = vary[kink.variable].parameter;
-    let (of, by) = (&goal.expression, parameter.name);
+    let by = parameter.name;
+    let of = match goal.expression.contains(' ') {
+        true => format!("({})", goal.expression),
+        false => goal.expression.clone(),
+    };
     let unit = units::per(goal.quantity.si, parameter.quantity.si);
     let slope = |slope: Option<f64>| {
         slope.map_or("not computed (out of range)".into(), |slope| {

@@ -465,7 +465,12 @@ fn a_reference_height_without_a_roughness_is_warned_of_once() {
     }
     let varied = ["optimize", "--vary", "wind.roughness=1mm..30mm"];
     let (_, found) = json(&[&varied[..], &set[..]].concat());
-    assert!(!found["warnings"].to_string().contains("has no effect"));
+    let warnings = found["warnings"].to_string();
+    assert!(!warnings.contains("wind.reference_height"), "{warnings}");
+    assert!(
+        warnings.contains("wind.roughness has no effect: there is no wind"),
+        "{warnings}"
+    );
 }
 
 #[test]
@@ -918,4 +923,96 @@ fn a_cold_ball_has_a_warning_only_where_a_club_strikes_it() {
             output.err
         );
     }
+}
+
+/// A warning is given once, also where both ends of a range cause it.
+#[test]
+fn a_warning_of_a_range_is_given_once() {
+    let cold = [
+        "sweep",
+        "--over",
+        "air.temperature=50F..60F:2",
+        "--outcomes",
+        "carry",
+    ];
+    let output = longdrive(&cold);
+    assert_eq!(
+        output.err.matches("a cold ball is slower").count(),
+        1,
+        "{}",
+        output.err
+    );
+    let high = [
+        "sweep",
+        "--over",
+        "air.altitude=0m..1600m:2",
+        "--outcomes",
+        "carry",
+    ];
+    let output = longdrive(&[&high[..], &["--units", "metric"]].concat());
+    let text = on_one_line(&output.err);
+    assert_eq!(
+        text.matches("is given without air.temperature").count(),
+        1,
+        "{text}"
+    );
+    assert!(text.contains("air.altitude = 1600 m"), "{text}");
+    let idle = [
+        "--set",
+        "swing.shaft_bend=0deg",
+        "--set",
+        "swing.shaft_growth=2",
+    ];
+    let output = longdrive(&[&["compare", "--set-b", "club.loft=9deg"], &idle[..]].concat());
+    assert_eq!(
+        output
+            .err
+            .matches("swing.shaft_growth has no effect")
+            .count(),
+        1,
+        "{}",
+        output.err
+    );
+}
+
+/// A value that one of the models uses has an effect.
+#[test]
+fn a_value_that_one_model_uses_has_no_warning() {
+    let friction = ["--set", "impact.tangential_restitution=0.3"];
+    let output = longdrive(&[&["robust", "--model", "impact.friction=0"], &friction[..]].concat());
+    assert!(!output.err.contains("has no effect"), "{}", output.err);
+}
+
+/// A delivery depends on the impact only, and a launch has no loft.
+#[test]
+fn a_delivery_has_no_warning_of_the_air_and_a_launch_no_advice_on_the_loft() {
+    let launch = [
+        "--ball-speed",
+        "140mph",
+        "--launch-angle",
+        "12deg",
+        "--spin",
+        "2600rpm",
+    ];
+    let output = longdrive(&[&["delivery", "--temperature", "50F"], &launch[..]].concat());
+    assert!(
+        !output.err.contains("changes the air alone"),
+        "{}",
+        output.err
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let slow = "preset = \"tour-average\"\n[swing]\nspeed = \"95 mph\"\n";
+    let file = &*file_with(folder.path(), "slow.toml", slow);
+    let launch = [
+        "--launch",
+        "ball_speed=150mph,launch_angle=12deg,spin=2600rpm",
+    ];
+    let (_, found) = json(&[&["simulate", file], &launch[..]].concat());
+    assert!(found["advice"].is_null(), "{}", found["advice"]);
+    let (_, found) = json(&[
+        "fly",
+        concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/shots.csv"),
+        file,
+    ]);
+    assert!(found["advice"].is_null(), "{}", found["advice"]);
 }

@@ -962,19 +962,15 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
 /// bend it has no effect.
 #[test]
 fn a_growth_of_a_rigid_shaft_is_warned_of() {
-    let warned = |settings: &[(&str, &str)]| {
-        let mut setup = Setup::preset("winfield-tan").unwrap();
-        setup.set_all(settings.iter().copied()).unwrap();
-        let warnings = setup.warnings();
-        warnings
-            .iter()
-            .any(|warning| warning.to_string().contains("swing.shaft_growth"))
+    let warned = |settings: &[&str]| {
+        let output = longdrive(&[&["simulate", "winfield-tan"], settings].concat());
+        output.err.contains("swing.shaft_growth has no effect")
     };
-    assert!(warned(&[("swing.shaft_growth", "2")]));
-    assert!(!warned(&[
-        ("swing.shaft_growth", "2"),
-        ("swing.shaft_bend", "2 deg")
-    ]));
+    let growth = ["--set", "swing.shaft_growth=2"];
+    assert!(warned(&growth));
+    assert!(!warned(
+        &[&growth[..], &["--set", "swing.shaft_bend=2deg"]].concat()
+    ));
     assert!(!warned(&[]));
 }
 

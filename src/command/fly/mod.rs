@@ -302,10 +302,12 @@ fn answer(
             status,
             message: stopped.or(nothing),
         };
-        return Answer::report(&report, &request.origin(), true).found(is_answered);
+        return Answer::report(&report, &request.origin_of_shots(), true).found(is_answered);
     }
     let mut document = report.document(system());
-    request.origin().put_before(&mut document, system());
+    request
+        .origin_of_shots()
+        .put_before(&mut document, system());
     let text = text_of(&document);
     for message in stopped.iter().chain(&nothing) {
         say_error(message);

@@ -2,7 +2,6 @@
 
 use super::args::Args;
 use crate::command::names::outcomes;
-use crate::command::output::warn;
 use crate::command::request::Request;
 use crate::drive::OutcomeGroup;
 use crate::parameters::{Parameter, Vary};
@@ -40,8 +39,10 @@ pub fn flying_within_tolerance(
     // report errors in the request before the first flight
     Flying::new(setup, other_parameters, of)?;
     let ordinary = ordinary_shot(setup, other_parameters)?;
-    warn(ordinary.warnings());
-    let found = request.integration(&ordinary, &Flying::usual(setup)?, of)?;
+    let ranges = Flying::usual(setup)?;
+    request.warn_of_ranges(&ordinary, &ranges);
+    request.warn_of_idle_in(&ordinary, &ranges);
+    let found = request.integration(&ordinary, &ranges, of)?;
     let setup = found
         .accuracy
         .map_or(*setup, |accuracy| accuracy.applied_to(setup));

@@ -322,13 +322,12 @@ fn laws(args: &PlotLaws) -> Result<Answer> {
     }
     let own = setup.law.table().map(|_| setup.law.name());
     let is_of_law = |name: &str| {
-        ["aero.", "air.", "ball."]
-            .iter()
-            .any(|group| name.starts_with(group))
+        let is_of_group = name.starts_with("aero.") || name.starts_with("air.");
+        is_of_group && name != "aero.spin_decay" || name == "ball.radius"
     };
     warn(request.unused_warning(
         is_of_law,
-        "this plot, which depends on law, air and ball only; leave it out",
+        "this plot, which depends on the law, the air and the ball's radius only; leave it out",
     ));
     let all = || Law::NAMES.iter().copied().chain(own);
     // the setup's law has the coefficients of the setup; the other laws have their published

@@ -300,18 +300,26 @@ impl Request {
     /// [`Self::loft_advice`].
     pub fn origin(&self) -> SetupOrigin {
         SetupOrigin {
+            advice: self.loft_advice().unwrap_or_default(),
+            ..self.origin_of_shots()
+        }
+    }
+
+    /// The description of the setup for the first lines of an answer on measured shots. It has no
+    /// advice on the loft of the setup: the shots have their own launch or club.
+    pub fn origin_of_shots(&self) -> SetupOrigin {
+        SetupOrigin {
             title: self.title(),
             has_name: self.source.has_name(),
-            advice: self.loft_advice().unwrap_or_default(),
             ..SetupOrigin::default()
         }
     }
 
     /// True if the setup starts from the preset of an average of many golfers, and neither the
-    /// setup file nor a setting gives one of the parameters for which `is` is true.
+    /// setup file nor a setting gives a launch or one of the parameters for which `is` is true.
     pub fn has_average(&self, is: impl Fn(&str) -> bool) -> bool {
         let preset = self.source.content.preset.name;
-        preset.ends_with("-average") && !self.gives(is)
+        preset.ends_with("-average") && !self.partial_setup.launch.is_given() && !self.gives(is)
     }
 
     /// Advice if the loft is that of an average golfer, but the speed is not: at another speed,
@@ -667,6 +675,7 @@ pub fn replaced<'a>(
 ) -> Vec<&'a str> {
     let value = |setup: &Setup<f64>, name: &str| {
         let parameter = setup.parameter(name).ok();
+        let parameter = parameter.filter(|parameter| setup.why_replaced(parameter).is_none());
         parameter.and_then(|parameter| setup.value(parameter))
     };
     names

@@ -4,12 +4,13 @@
 use super::Request;
 use crate::command::args::SetupArgs;
 use crate::command::files::Destination;
-use crate::command::output::{note, warn_early};
+use crate::command::output::{note, warn, warn_early};
 use crate::integration::{Integration, StepChoice, of_the_flight};
 use crate::parameters::{Vary, idle_warnings, is_of_step};
 use crate::report::{setup_toml, with_step_of};
 use crate::units::{Quantity, counted};
 use crate::{Error, Outcome, Result, Setup};
+use std::collections::BTreeSet;
 use std::sync::atomic::AtomicBool;
 
 impl SetupArgs {
@@ -46,7 +47,7 @@ impl Request {
     /// # Errors
     /// The errors of [`integration`](Self::integration).
     pub fn within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
-        self.warn_of_values(&setup, &[]);
+        self.warn_of_idle(&[setup]);
         self.one_of_two_within_tolerance(setup)
     }
 
@@ -59,18 +60,29 @@ impl Request {
     pub fn one_of_two_within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
         match self.step {
             StepChoice::Within(_) => {
-                let found = self.chosen_integration(&setup, &[], &of_the_flight())?;
+                let found = self.integration(&setup, &[], &of_the_flight())?;
                 Ok(found.setup)
             }
             StepChoice::Micrometre | StepChoice::Own => Ok(setup),
         }
     }
 
-    /// The setup with method and step for many drives whose parameters are in these ranges.
+    /// The setup with method and step for many drives whose parameters are in these ranges. Warns
+    /// of given and of varied values that have no effect.
     ///
     /// # Errors
     /// The errors of [`integration`](Self::integration).
     pub fn for_many(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
+        self.warn_of_idle_in(&setup, ranges);
+        self.stepped(setup, ranges)
+    }
+
+    /// Like [`for_many`](Self::for_many), for one of several models. Does not warn of values without
+    /// an effect on this model.
+    ///
+    /// # Errors
+    /// The errors of [`integration`](Self::integration).
+    pub fn stepped(&self, setup: Setup<f64>, ranges: &[Vary]) -> Result<Setup<f64>> {
         let begun = Vary::initialized(&setup, ranges)?;
         let found = self.integration(&begun, ranges, &of_the_flight())?;
         let accuracy = found.accuracy;
@@ -81,34 +93,11 @@ impl Request {
     /// within `--tolerance`, or within one micrometre without this option. The method and step of
     /// the setup are kept with `--own-step`. They are also kept if the setup states one of them and
     /// neither option is given.
-    /// Warns of given values without an effect, and of the weather in the ranges.
     ///
     /// # Errors
     /// [`Error::Tolerance`] if no step is fine enough, and [`Error::Unreadable`] if a setting
     /// states method or step, which `--tolerance` chooses.
     pub fn integration(
-        &self,
-        setup: &Setup<f64>,
-        ranges: &[Vary],
-        of: &[Outcome],
-    ) -> Result<Integration> {
-        self.warn_of_values(setup, ranges);
-        self.chosen_integration(setup, ranges, of)
-    }
-
-    /// Warns of given values without an effect, and of the weather at the ends of the ranges. The
-    /// weather of the setup itself has its own warnings.
-    fn warn_of_values(&self, setup: &Setup<f64>, ranges: &[Vary]) {
-        let ends = ends(setup, ranges);
-        let known = setup.weather_warnings();
-        let of_weather = ends.iter().flat_map(Setup::weather_warnings);
-        idle_warnings(self.given(), &ends)
-            .into_iter()
-            .chain(of_weather.filter(|warning| !known.contains(warning)))
-            .for_each(warn_early);
-    }
-
-    fn chosen_integration(
         &self,
         setup: &Setup<f64>,
         ranges: &[Vary],
@@ -141,6 +130,31 @@ impl Request {
             ));
         }
         Ok(found)
+    }
+
+    /// Warns of the setup at both ends of these ranges.
+    pub fn warn_of_ranges(&self, setup: &Setup<f64>, ranges: &[Vary]) {
+        let [mut warnings, at_high] = ends(setup, ranges).map(|end| end.warnings());
+        let further = at_high.into_iter();
+        let further: Vec<_> = further.filter(|one| !warnings.contains(one)).collect();
+        warnings.extend(further);
+        warn(warnings);
+    }
+
+    /// Warns of those given and varied values that have no effect at either end of these ranges.
+    pub fn warn_of_idle_in(&self, setup: &Setup<f64>, ranges: &[Vary]) {
+        let varied = ranges.iter().map(|vary| vary.parameter.name);
+        let names: BTreeSet<_> = self.given().chain(varied).collect();
+        idle_warnings(names, &ends(setup, ranges))
+            .into_iter()
+            .for_each(warn_early);
+    }
+
+    /// Warns of those given values that have no effect in any of these setups.
+    pub fn warn_of_idle(&self, setups: &[Setup<f64>]) {
+        idle_warnings(self.given(), setups)
+            .into_iter()
+            .for_each(warn_early);
     }
 
     fn is_within_tolerance(&self) -> bool {

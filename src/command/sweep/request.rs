@@ -1,10 +1,9 @@
 use super::args::Args;
 use crate::batch::{Batch, Points};
 use crate::command::names::{outcomes, variables};
-use crate::command::output::{note_each, warn};
+use crate::command::output::note_each;
 use crate::command::request::Request;
 use crate::integration::Integration;
-use crate::parameters::Vary;
 use crate::table::sweep_points;
 use crate::units::Message;
 use crate::{Error, Result};
@@ -39,7 +38,8 @@ impl SweepRequest {
             "every drive of the sweep has a value of its own",
         )?;
         let ranges = points.ranges();
-        warn(Vary::initialized(&setup, &ranges)?.warnings());
+        request.warn_of_ranges(&setup, &ranges);
+        request.warn_of_idle_in(&setup, &ranges);
         let Integration {
             setup,
             largest_defect,

@@ -77,7 +77,7 @@ fn reasons(found: &[SetScores], default: &str, system: System) -> String {
          is shorter than the carry of the average launch: by {} with {default} (the bias less the \
          column \"averaged\" in the tables of these sets). A law that is right for single drives \
          must predict as much more than the averages; {default} predicts {} more, {ALTERNATIVE} \
-         {}. A law that meets the averages is too short for single drives. The default is \
+         {}. The default is \
          {default} because it was fitted to a launch monitor's predictions of single drives, and \
          because the mean error of its descent over all clubs is {}, that of {ALTERNATIVE} {}. \
          {ALTERNATIVE} is the independent alternative, fitted to radar flights of one ball: its \

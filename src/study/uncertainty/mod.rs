@@ -43,6 +43,12 @@ pub const SHARES: [f64; 2] = [0.5, 0.95];
 /// normal distribution, 2.3 % of the values are outside, which is too many.
 pub(super) const MOST_LOST: f64 = 0.02;
 
+/// A total index up to this share of the variance counts as none.
+const NO_SHARE: f64 = 1e-6;
+/// An upper bound below this fraction of the lower end of the total index is wrong: the outcome
+/// jumps, so that its slopes say nothing. A bound nearer to the index may differ by noise.
+const BELOW: f64 = 0.9;
+
 /// Uncertainty of a drive.
 #[derive(Clone, Debug)]
 pub struct Uncertainty {
@@ -391,13 +397,16 @@ impl SampledDrives<'_> {
                 high: poincare * ratio.high,
             });
             let bound = bound.filter(|bound| mean_square.is_finite() && bound.high.is_finite());
-            let least = indices.map(|indices| indices.first.low.max(indices.total.low));
+            let is_below = |bound: &Interval| {
+                let total = indices.map_or(0.0, |indices| indices.total.low);
+                total > NO_SHARE && bound.high < BELOW * total
+            };
             Contribution {
                 parameter,
                 first: indices.map(|indices| indices.first),
                 total: indices.map(|indices| indices.total),
                 mean_square_slope: bound.map(|_| mean_square),
-                bound: bound.filter(|bound| least.is_none_or(|least| bound.high >= least)),
+                bound: bound.filter(|bound| !is_below(bound)),
             }
         };
         ratios.into_iter().enumerate().map(contribution).collect()
