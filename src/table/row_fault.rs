@@ -117,18 +117,21 @@ pub(crate) struct ShotLabels(Vec<Option<Label>>);
 /// Kind of the cells of a label column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Label {
-    /// Numbers, dates or times.
+    /// Numbers, dates or times, or empty cells.
     Number,
-    /// Names of players or clubs.
+    /// Names of players or clubs, or other words.
     Name,
 }
 
 /// Words in the heads of columns with names of players and clubs.
-const NAME_HEADS: [&str; 17] = [
+const NAME_HEADS: [&str; 20] = [
     "player",
+    "players",
     "golfer",
+    "golfers",
     "name",
     "club",
+    "clubs",
     "spieler",
     "spielername",
     "schläger",
@@ -214,9 +217,21 @@ const SHORT_STATISTICS: [&str; 23] = [
     "meilleure",
 ];
 
+/// Statistics that may also be ratings in a column of words, such as the quality of the strike.
+const RATINGS: [&str; 8] = [
+    "average",
+    "avg",
+    "mean",
+    "median",
+    "durchschnitt",
+    "moyenne",
+    "promedio",
+    "平均",
+];
+
 impl ShotLabels {
-    /// Finds the label columns by their heads. Left of the measured values, a column with a number
-    /// or a date in one of the first `rows` is a label too.
+    /// Finds the label columns by their heads. Left of the measured values, the cells of the first
+    /// `rows` may show a label too ([`Label::of_cells`]).
     pub fn find(columns: &[Column], rows: &[Vec<String>]) -> Self {
         let is_measured = |column: &Column| column.quantity().is_some();
         let first = columns.iter().position(is_measured).unwrap_or_default();
@@ -224,15 +239,23 @@ impl ShotLabels {
             let head = words(&column.head);
             let is_name = || head.split(' ').any(|word| NAME_HEADS.contains(&word));
             let last = head.rsplit(' ').next().unwrap_or_default();
-            let is_number = || {
-                is_measured(column)
-                    || NUMBER_HEADS.contains(&last)
-                    || at < first && rows.iter().any(|row| is_number_or_date(&row[at]))
-            };
-            if !is_measured(column) && is_name() {
+            if is_measured(column) {
+                return Some(Label::Number);
+            }
+            if is_name() {
                 return Some(Label::Name);
             }
-            is_number().then_some(Label::Number)
+            if NUMBER_HEADS.contains(&last) {
+                return Some(Label::Number);
+            }
+            if at >= first {
+                return None;
+            }
+            // a row with a single filled cell is a title
+            let is_title = |row: &&Vec<String>| row.iter().filter(|c| !c.is_empty()).count() == 1;
+            let rows = rows.iter().filter(|row| !is_title(row));
+            let cells: Vec<&str> = rows.map(|row| row[at].as_str()).collect();
+            Label::of_cells(&cells, head.is_empty())
         };
         Self(columns.iter().enumerate().map(label).collect())
     }
@@ -248,6 +271,32 @@ impl ShotLabels {
 }
 
 impl Label {
+    /// The label that the cells of a column show; `None` for a column of values, such as ratings of
+    /// the strike: other rows have words, too, and the only statistics are those that may be
+    /// ratings. A column of words without a head has no ratings.
+    fn of_cells(cells: &[&str], has_no_head: bool) -> Option<Self> {
+        if cells.iter().any(|cell| is_number_or_date(cell)) {
+            return Some(Self::Number);
+        }
+        let is_statistic = |cell: &&&str| Self::Number.is_statistic(cell);
+        let (statistics, others): (Vec<&str>, Vec<&str>) = cells.iter().partition(is_statistic);
+        let is_number = |cell: &&str| {
+            let has_digit = cell.contains(|c: char| c.is_ascii_digit());
+            cell.is_empty() || has_digit || NUMBER_HEADS.contains(&words(cell).as_str())
+        };
+        if !others.is_empty() && others.iter().all(is_number) {
+            return Some(Self::Number);
+        }
+        let is_rating = |cell: &str| {
+            let words = words(cell);
+            words.split(' ').any(|word| RATINGS.contains(&word))
+        };
+        let mut statistics = statistics.iter();
+        let is_label =
+            has_no_head || statistics.any(|cell| Self::Name.is_statistic(cell) && !is_rating(cell));
+        is_label.then_some(Self::Name)
+    }
+
     /// True if a cell is the name of a statistic: `Average (12)`, `Driver Average`, `Std. Dev.`,
     /// `Max`. `Max` alone may be a player.
     fn is_statistic(self, cell: &str) -> bool {

@@ -857,6 +857,50 @@ fn summary_rows_are_recognised_in_the_usual_words_and_languages() {
     assert_eq!(counts(&text), ([3, 1], 1));
 }
 
+/// Left of the measured values, any head may stand above the labels of shots. Ratings and players
+/// are words in the other rows too.
+#[test]
+fn summary_rows_are_recognised_below_any_head_left_of_the_values() {
+    let heads = [
+        "",
+        "#",
+        "Shots",
+        "Stroke",
+        "Swing #",
+        "Ball #",
+        "Type",
+        "Shot Type",
+        "Statistic",
+        "Schlag",
+        "Coup",
+        "Golpe",
+    ];
+    let shots = [["", ""], ["Shot 1", "Shot 2"], ["Shot", "Shot"]];
+    let of_heads = heads
+        .iter()
+        .flat_map(|head| shots.map(|shots| (*head, shots)));
+    let of_clubs = [
+        ("Clubs", ["Driver", "Driver"]),
+        ("", ["Driver", "7 Iron"]),
+        ("Equipment", ["Driver", "Driver"]),
+    ];
+    for (head, [first, second]) in of_heads.chain(of_clubs) {
+        let text = with_first_cells(head, &[first, second, "Average", "Std. Dev."]);
+        assert_eq!(counts(&text), ([4, 2], 2), "{text}");
+    }
+    let title = "Driver,,,,,,\n";
+    let text = with_first_cells("", &["", "Average"]) + title + &format!(",{LAUNCH}\n");
+    assert_eq!(counts(&text), ([4, 2], 2), "{text}");
+    for (head, cells) in [
+        ("Quality", ["Average", "Good", "Good"]),
+        ("Contact", ["Average", "Average", "Average"]),
+        ("Who", ["Dev", "Amy", "Max"]),
+    ] {
+        let text = with_first_cells(head, &cells);
+        assert_eq!(counts(&text), ([3, 3], 3), "{text}");
+    }
+}
+
 /// A row with a number alone lacks values, but it is no title. `60°` is the name of a wedge in the
 /// column of the club.
 #[test]
