@@ -67,8 +67,8 @@ const SLOW: f64 = 22.0;
 pub(super) struct UnitChecks {
     /// Ratios predicted/measured of each outcome.
     ratios: Vec<Vec<f64>>,
-    /// These ratios for launches of a driver only.
-    ratios_of_drives: Vec<Vec<f64>>,
+    /// Ratios predicted/measured of the carry for launches of a driver only.
+    carries_of_drives: Vec<f64>,
     /// Two numbers of rows:
     ///
     /// - with predicted and measured landings farther than [`LEAST_OFFLINE`] from the target line
@@ -82,7 +82,6 @@ impl UnitChecks {
     pub fn new(outcomes: usize) -> Self {
         Self {
             ratios: vec![vec![]; outcomes],
-            ratios_of_drives: vec![vec![]; outcomes],
             ..Self::default()
         }
     }
@@ -105,8 +104,8 @@ impl UnitChecks {
                 }
             } else if measured > 0.0 && self.ratios[at].len() < MOST {
                 self.ratios[at].push(predicted / measured);
-                if is_drive {
-                    self.ratios_of_drives[at].push(predicted / measured);
+                if is_drive && *of == Outcome::CarryDistance {
+                    self.carries_of_drives.push(predicted / measured);
                 }
             }
         }
@@ -120,8 +119,8 @@ impl UnitChecks {
 
     /// Merges the values of later rows.
     pub fn merge(&mut self, other: Self) {
-        let ratios = self.ratios.iter_mut().chain(&mut self.ratios_of_drives);
-        let others = other.ratios.into_iter().chain(other.ratios_of_drives);
+        let ratios = self.ratios.iter_mut().chain([&mut self.carries_of_drives]);
+        let others = other.ratios.into_iter().chain([other.carries_of_drives]);
         for (own, theirs) in ratios.zip(others) {
             own.extend(theirs.into_iter().take(MOST.saturating_sub(own.len())));
         }
@@ -146,8 +145,11 @@ impl UnitChecks {
             let speed = name(Outcome::BallSpeed);
             warnings.push(format!("{speed}: the balls carry {fault}; {advice}"));
         } else {
-            let ratios = self.ratios.iter().zip(&self.ratios_of_drives);
-            let units = of.iter().zip(ratios).filter_map(|(of, (ratios, of_drives))| {
+            let units = of.iter().zip(&self.ratios).filter_map(|(of, ratios)| {
+                let of_drives: &[f64] = match of {
+                    Outcome::CarryDistance => &self.carries_of_drives,
+                    _ => &[],
+                };
                 let (ratio, (_, meant, read)) =
                     likely_unit_error(of.quantity(), ratios, of_drives, shots.unit_of(*of))?;
                 Some(format!(
@@ -204,7 +206,8 @@ fn is_of_driver(launch: &[f64]) -> bool {
 
 /// The median of predicted/measured for values that were read in `unit`, and the pair of units that
 /// explains this median. `None` if no pair explains it, or if there are too few values. Two units
-/// whose ratio is near 1 need the ratios `of_drives`, for which the laws are accurate enough.
+/// whose ratio is near 1 need the ratios `of_drives`: the laws are accurate enough only for the
+/// carry of drives.
 fn likely_unit_error(
     quantity: Quantity,
     ratios: &[f64],
