@@ -123,7 +123,8 @@ impl ShotColumns {
             return Err(name.refused(String::new(), reason));
         }
         found.find_descriptions();
-        found.add_remarks(&columns, assumed_units_remark(&assumed_units), repeated);
+        let remark = assumed_units_remark(&assumed_units);
+        found.add_remarks(&columns, &rows, remark, repeated);
         found.remarks.extend(turned.map(Message::from));
         Ok(found)
     }
@@ -252,17 +253,30 @@ impl ShotColumns {
         ))
     }
 
+    /// Adds remarks on the columns. The first `rows` show whether the air that they state can be
+    /// read.
     fn add_remarks(
         &mut self,
         columns: &[Column],
+        rows: &[Vec<String>],
         assumed_units: Option<Message>,
         repeated: Option<Message>,
     ) {
+        let has_air = |air: &&RowParameter| {
+            let mut cells = rows.iter().map(|row| &row[air.at]);
+            cells.any(|cell| air.column.stated_air(cell).is_ok())
+        };
+        let stated_air = self.stated_air().filter(has_air);
+        let is_unread_air = |row: &RowParameter| row.column.is_stated_air() && stated_air.is_none();
+        let is_parameter = |row: &RowParameter, at: usize| row.at == at && !is_unread_air(row);
         let is_read = |at: usize| {
             self.read.iter().any(|read| read.at == at)
-                || self.other_parameters.iter().any(|row| row.at == at)
+                || self
+                    .other_parameters
+                    .iter()
+                    .any(|row| is_parameter(row, at))
                 || self.club.iter().flatten().any(|(club, _)| *club == at)
-                || [self.spin_type, self.condition, self.club_name].contains(&Some(at))
+                || [self.spin_type, self.club_name].contains(&Some(at))
         };
         let is_reported_elsewhere = |column: &Column| {
             let has_remark = [Content::Written, Content::Repeated].contains(&column.content);
@@ -281,7 +295,7 @@ impl ShotColumns {
         let not_read: Vec<String> = not_read.collect();
         let of_club = self.club.iter().flatten().map(|(_, column)| column);
         let in_degrees = in_degrees(columns.iter().chain(of_club)).filter(|_| self.is_export);
-        let stated_air = self.stated_air().map(|air| air_of_rows(&air.column.head));
+        let stated_air = stated_air.map(|air| air_of_rows(&air.column.head));
         let of_air = stated_air.or_else(|| given_air(columns));
         let replaced = (!self.added.is_empty()).then_some(
             "the column Line and all after it, which an earlier 'fly' added, are replaced",

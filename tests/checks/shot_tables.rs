@@ -456,6 +456,34 @@ fn same_air_of_weather_texts_with_marks_and_spaces_in_numbers() {
     }
 }
 
+/// Texts without an altitude and a temperature state no air.
+#[test]
+fn a_condition_that_cannot_be_read_in_any_row_is_named_as_not_used() {
+    let heads = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd],Condition\n";
+    let row = |condition: &str| format!("160,12,2500,262,\"{condition}\"\n");
+    for condition in ["25 °C", "25°C", "Wet"] {
+        let [of_fly, of_calibrate] = remarks(&(heads.to_owned() + &row(condition)));
+        for (remarks, says) in [
+            (&of_fly, "columns that are copied and not used: Condition"),
+            (&of_calibrate, "columns that are not used: Condition"),
+        ] {
+            assert!(remarks.contains(says), "{condition}: {remarks}");
+            assert!(
+                !remarks.contains("each shot flies"),
+                "{condition}: {remarks}"
+            );
+        }
+    }
+    let text = heads.to_owned() + &row("Wet") + &row("1135 ft altitude, 77 °F");
+    for remarks in remarks(&text) {
+        let says = "each shot flies in the air that the export states for its row: Condition";
+        assert!(
+            remarks.contains(says) && !remarks.contains("not used"),
+            "{remarks}"
+        );
+    }
+}
+
 /// A `sweep` and a delivery do not use the air of the rows.
 #[test]
 fn a_condition_that_is_not_used_is_named() {

@@ -7,8 +7,8 @@ use crate::error::{Error, Result};
 use crate::parameters::Parameter;
 use crate::shots::Shot;
 use crate::table::{
-    ClubColumns, Column, NonShotRows, Record, RowFault, RowFilter, air_of_rows, air_of_setup,
-    cells, counted_values, remark_from_line,
+    ClubColumns, Content, NonShotRows, Record, RowFault, RowFilter, air_of_rows, air_of_setup,
+    cells, columns_remark, counted_values, remark_from_line,
 };
 use crate::units::{Message, counted};
 use std::collections::BTreeMap;
@@ -317,18 +317,35 @@ impl ShotRows {
         )
     }
 
-    /// Remarks on the columns that state the air. Columns with the same head have one remark.
+    /// The sections, each with its shots.
+    fn sections_with_shots(&self) -> impl Iterator<Item = (&TableSection, &[MeasuredShot])> {
+        let next = self.sections.iter().skip(1);
+        let ends = next.map(|next| next.first_shot).chain([self.shots.len()]);
+        let sections = self.sections.iter().zip(ends);
+        sections.map(|(section, end)| (section, &self.shots[section.first_shot..end]))
+    }
+
+    /// Remarks on the columns that state the air: whether a shot has an air from this column.
+    /// Columns with the same head and the same use have one remark.
     fn air_remarks(&self) -> Vec<Message> {
-        let mut heads: Vec<&str> = vec![];
+        let mut given: Vec<Message> = vec![];
         let mut remarks = vec![];
-        for section in &self.sections {
+        for (section, shots) in self.sections_with_shots() {
             let mut columns = section.reading.columns.iter();
-            let air = columns.find(|column| column.is_stated_air());
-            if let Some(Column { head, .. }) = air
-                && !heads.contains(&head.as_str())
-            {
-                remarks.push(section.remark(&air_of_rows(head).into()));
-                heads.push(head);
+            let Some(column) = columns.find(|column| column.is_stated_air()) else {
+                continue;
+            };
+            let Content::Input(density) = column.content else {
+                continue;
+            };
+            let remark = if shots.iter().any(|shot| shot.gives(density)) {
+                Some(air_of_rows(&column.head).into())
+            } else {
+                columns_remark("columns that are not used", &[column.head.as_str()])
+            };
+            if let Some(remark) = remark.filter(|remark| !given.contains(remark)) {
+                remarks.push(section.remark(&remark));
+                given.push(remark);
             }
         }
         remarks
@@ -338,10 +355,7 @@ impl ShotRows {
     fn sigma_origin(&self, remarks: &mut Vec<Message>) -> SigmaOrigin {
         let mut origin = SigmaOrigin::Stated;
         let mut assumed: Vec<Message> = vec![];
-        let next = self.sections.iter().skip(1);
-        let ends = next.map(|next| next.first_shot).chain([self.shots.len()]);
-        for (section, end) in self.sections.iter().zip(ends) {
-            let shots = &self.shots[section.first_shot..end];
+        for (section, shots) in self.sections_with_shots() {
             let (of_section, origin_of_section) = section.reading.assumed_sigmas(shots);
             origin = origin.max(origin_of_section);
             for remark in of_section {
