@@ -3,7 +3,8 @@
 
 use super::encoding::{Encoding, decoded};
 use super::head::{TableHead, TableOptions};
-use super::launch_monitor::{is_export, is_head};
+use super::launch_monitor::{is_export, is_head, units_row};
+use super::numbers::cell_number;
 use super::records::{Lines, Record, cells};
 use super::row_filter::RowFilter;
 use crate::csv_dialect::detect_separator;
@@ -305,12 +306,13 @@ struct HeadPlace {
     line: u64,
     /// The only filled cell of the record above.
     title: Option<String>,
+    /// The cells of the record.
+    cells: Vec<String>,
 }
 
 impl HeadPlace {
     /// Finds the first record with two known column heads. If there is none, returns the first
-    /// record. Lines that begin with `#` are remarks, unless `#` is the whole first cell, as the head
-    /// of shot numbers.
+    /// record. Lines that begin with `#` are remarks, unless they are column heads above rows.
     fn find(beginning: &str) -> Option<Self> {
         let mut lines = Lines::new(
             Box::new(Cursor::new(beginning.to_owned())),
@@ -320,7 +322,10 @@ impl HeadPlace {
         let stated = detect_separator(beginning);
         let stated =
             (stated.1.len() != beginning.trim_start_matches('\u{feff}').len()).then_some(stated.0);
-        let (mut first, mut title, mut records) = (None, None, 0);
+        let mut first: Option<Self> = None;
+        // the last line with known column heads that begins with `#`
+        let mut marked: Option<Self> = None;
+        let (mut title, mut records) = (None, 0);
         // if the text does not state a separator (`sep=;`), the separator is detected in the first
         // line of each record
         while records < MOST_RECORDS {
@@ -331,7 +336,7 @@ impl HeadPlace {
             let begins_with_mark = words.starts_with('#');
             let separator =
                 stated.unwrap_or_else(|| detect_separator(words.trim_start_matches('#')).0);
-            if begins_with_mark && cells(words, separator)[0] != "#" {
+            if begins_with_mark && !is_head(words, separator) {
                 continue;
             }
             records += 1;
@@ -339,27 +344,50 @@ impl HeadPlace {
             let Ok(Some(record)) = lines.record(separator) else {
                 break;
             };
+            let row = cells(&record.text, separator);
             let place = Self {
                 separator,
                 line: record.line,
                 title: title.take(),
+                cells: row.into_iter().map(Into::into).collect(),
             };
+            title = only_cell(&place.cells);
+            if begins_with_mark {
+                // heads above this line with as many cells are those of the table
+                let is_first = first
+                    .as_ref()
+                    .is_none_or(|first| first.filled() < place.filled());
+                marked = is_first.then_some(place).or(marked);
+                continue;
+            }
             if is_head(&record.text, separator) {
                 return Some(place);
             }
-            if !begins_with_mark {
-                first.get_or_insert(place);
+            match marked.take_if(|marked| place.cells.len() >= marked.cells.len()) {
+                Some(heads) if place.is_below(&heads) => return Some(heads),
+                _ => {
+                    first.get_or_insert(place);
+                }
             }
-            title = only_cell(&record.text, separator);
         }
-        first
+        first.or(marked)
+    }
+
+    /// Number of filled cells.
+    fn filled(&self) -> usize {
+        self.cells.iter().filter(|cell| !cell.is_empty()).count()
+    }
+
+    /// True for a row with a number or a unit below these column heads, false for other heads.
+    fn is_below(&self, heads: &Self) -> bool {
+        let is_number = |cell: &String| cell_number(cell, true).is_some();
+        self.cells.iter().any(is_number) || units_row(&heads.cells, &self.cells).is_some()
     }
 }
 
 /// The only filled cell of a record; `None` if it has several.
-fn only_cell(text: &str, separator: u8) -> Option<String> {
-    let row = cells(text, separator);
-    let mut filled = row.into_iter().filter(|cell| !cell.is_empty());
+fn only_cell(row: &[String]) -> Option<String> {
+    let mut filled = row.iter().filter(|cell| !cell.is_empty());
     let only = filled.next()?;
-    filled.next().is_none().then(|| only.into())
+    filled.next().is_none().then(|| only.clone())
 }

@@ -824,6 +824,34 @@ fn rows_and_heads_that_begin_with_a_number_sign_are_read() {
     assert_eq!(counts(own), ([1, 1], 1));
 }
 
+#[test]
+fn heads_whose_first_cell_begins_with_a_number_sign_are_read() {
+    for head in ["#Shot", "# Shot", "#Nr", "#No"] {
+        let text = with_first_cells(head, &["1", "2", "3"]);
+        let (heads, rows) = text.split_once('\n').unwrap();
+        let units = ",[mph],[deg],[deg],[rpm],[deg],[yd]";
+        for text in [
+            text.clone(),
+            format!("# Ball Speed, Carry\nSession 1,,\n{text}"),
+            format!("{heads}\n{units}\n{rows}"),
+            text.replace(',', ";"),
+        ] {
+            assert_eq!(counts(&text), ([3, 3], 3), "{text}");
+        }
+    }
+    // a remark may name the columns above or below their heads
+    let (heads, row) = (
+        "ball_speed [mph],launch_angle [deg],spin [rpm],carry [yd]\n",
+        "160,12,2500,262\n",
+    );
+    let remark = "# Ball Speed, Launch Angle, Spin Rate, Carry\n";
+    for text in [[remark, heads, row], [heads, remark, row]] {
+        assert_eq!(counts(&text.concat()), ([1, 1], 1), "{text:?}");
+    }
+    let export = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd]\n";
+    assert_eq!(counts(&[remark, export, row].concat()), ([1, 1], 1));
+}
+
 /// The name of a statistic marks a summary only in a cell that says which shot the row is, and
 /// `Dev` or `Max` may be a player or a club.
 #[test]
