@@ -225,8 +225,11 @@ fn of_shots(
 ) -> Result<Deliveries> {
     let given = table.given(setup);
     let why = format!("every row of {} has a value of its own", table.file);
-    requests.club.refuse_stated(&given, &why)?;
-    requests.launched.refuse_stated(&given, &why)?;
+    // a value that is set is used in the rows with an empty cell
+    let mut of_all = given.clone();
+    of_all.retain(|parameter| table.shots.iter().all(|shot| shot.gives(parameter)));
+    requests.club.refuse_stated(&of_all, &why)?;
+    requests.launched.refuse_stated(&of_all, &why)?;
     if !given.iter().any(|parameter| parameter.name == LOFT) {
         table
             .warnings

@@ -298,6 +298,29 @@ fn remarks_on_priors_include_rows_that_do_not_state_a_club_value() {
     );
 }
 
+/// A value that is set is the mean of the prior in rows that do not state it. It is refused only if
+/// every row states it.
+#[test]
+fn a_club_speed_is_set_for_the_rows_whose_cell_is_empty() {
+    let folder = tempfile::tempdir().unwrap();
+    let head = "Club Speed [mph],Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]\n";
+    let said = |rows: &str| {
+        let file = file_with(folder.path(), "shots.csv", &format!("{head}{rows}"));
+        let output = longdrive(&["delivery", "--shots", &file, "--speed", "100mph"]);
+        (output.status, on_one_line(&output.err))
+    };
+    let (status, err) = said(",150,12,2600\n104,150,12,2600\n");
+    assert!(
+        status != 2 && err.contains("In the other rows: swing.speed = 100 mph"),
+        "{status} {err}"
+    );
+    let (status, err) = said("103,150,12,2600\n104,150,12,2600\n");
+    assert!(
+        status == 2 && err.contains("--speed: every row of"),
+        "{status} {err}"
+    );
+}
+
 #[test]
 fn a_parameter_at_its_bound_is_unidentified_and_has_no_uncertainty() {
     let setup = struck(&[]);
