@@ -93,7 +93,7 @@ pub(crate) fn change_by_holding(
     };
     let own = inputs.integrate(true, outputs, None);
     let held = inputs.with_law(held).integrate(true, outputs, None);
-    (own.has_landed && held.has_landed).then(|| held.landed.carry - own.landed.carry)
+    (own.has_landed && held.has_landed).then_some(held.landed.carry - own.landed.carry)
 }
 
 /// True if the variables of the law ([`Stream::variables`]) stay within `ranges` during the whole

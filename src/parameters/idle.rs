@@ -80,7 +80,15 @@ fn embeds(setup: &Setup<f64>) -> bool {
 
 /// Warnings about those of the parameters `names` that have no effect in any of these setups. A
 /// parameter with its default value has no warning. Parameters with one reason share a warning.
-pub(crate) fn idle_warnings<'a>(
+///
+/// ```
+/// use longdrive::{Setup, parameters::idle_warnings};
+/// let mut setup = Setup::default();
+/// setup.set("wind.reference_height", "3 m").unwrap();
+/// let warnings = idle_warnings(["wind.reference_height"], &[setup]);
+/// assert!(warnings[0].to_string().contains("without wind.roughness"));
+/// ```
+pub fn idle_warnings<'a>(
     names: impl IntoIterator<Item = &'a str>,
     setups: &[Setup<f64>],
 ) -> Vec<Message> {

@@ -6,7 +6,6 @@ mod choices;
 #[macro_use]
 mod declare;
 mod file;
-#[cfg(feature = "commands")]
 mod idle;
 mod inertia;
 mod launch;
@@ -35,8 +34,7 @@ pub(crate) use declare::is_unset;
 pub use declare::{Kind, Parameter, UNSET};
 pub use file::SetupFile;
 pub(crate) use file::{in_file, place_in};
-#[cfg(feature = "commands")]
-pub(crate) use idle::idle_warnings;
+pub use idle::idle_warnings;
 pub use launch::is_of_strike;
 pub use law_table::{AxisVariable, LawTable, LawTableAxis, TABLE, TABLE_LAW};
 pub(crate) use law_table::{Cell, CoefficientGrid, Surface, cells_of};

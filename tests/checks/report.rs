@@ -656,7 +656,6 @@ fn the_ending_of_the_file_chooses_the_format_of_a_plot() {
     assert_eq!((status, answer["file"].as_str()), (0, Some(svg.as_str())));
 }
 
-#[cfg(feature = "full")]
 /// A parameter without a value in the setup has no place on a map or a chart. The drive as set up
 /// of a front has no value of it either.
 #[test]
@@ -697,6 +696,7 @@ fn the_start_of_a_search_is_no_value_of_the_drive_as_set_up() {
     }
 }
 
+#[cfg(feature = "full")]
 #[test]
 fn a_png_has_its_size_and_its_words() {
     let folder = tempfile::tempdir().unwrap();

@@ -81,7 +81,7 @@ pub struct Statistics {
     pub quantiles: Option<[f64; 3]>,
     /// Indices of each variable, in order. A row consists of one point of each set, and is complete
     /// if the outcome exists at all its points. `None` if the outcome does not vary, or if there
-    /// are fewer than [`LEAST_POINTS`] complete rows.
+    /// are fewer than `LEAST_POINTS` complete rows.
     #[serde(skip)]
     pub indices: Vec<Option<Indices>>,
     /// Number of points that are omitted because one of their drives does not have the outcome.
@@ -234,7 +234,7 @@ impl SaltelliDesign {
 
     /// For each column of `at_a`: the mean of the column over the points of A, divided by the
     /// variance of `values`. Each bootstrap resample recomputes both. `None` if the output does not
-    /// vary, if the column has no values, and for fewer than [`LEAST_POINTS`] points.
+    /// vary, if the column has no values, and for fewer than `LEAST_POINTS` points.
     pub fn means_by_variance(
         &self,
         values: &[Vec<Option<f64>>],

@@ -6,7 +6,7 @@ use crate::request::{CheckedSetup, SetupRequest, Units};
 use longdrive::derivative::{Order, Taylor, diagonal, evaluate};
 use longdrive::flight::{Flight, Trajectory, trajectory};
 use longdrive::number::Vector;
-use longdrive::parameters::Parameter;
+use longdrive::parameters::{Parameter, idle_warnings};
 use longdrive::{Drive, Error, Outcome};
 use serde::{Deserialize, Serialize};
 
@@ -116,7 +116,11 @@ impl Head<'_> {
     ) {
         let setup = &checked.setup;
         let mut warnings = drive.warnings_about(setup, Outcome::ALL);
-        warnings.extend(setup.wind_profile_warning());
+        let names = setup
+            .parameters()
+            .into_iter()
+            .map(|parameter| parameter.name);
+        warnings.extend(idle_warnings(names, &[*setup]));
         self.warnings = warnings.iter().map(|text| checked.text(text)).collect();
         self.outcomes = Outcome::ALL.iter().map(|of| of.name()).collect();
         let values = Outcome::ALL.iter().map(|of| of.of(drive));
