@@ -207,7 +207,8 @@ def optimize(
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike
         A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
-        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
+        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive,
+        from where it lands (no run).
     angles : {"rad", "deg"}
         The unit of angles without a unit.
     progress : bool or callable
@@ -407,7 +408,8 @@ def design(
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike
         A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
-        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
+        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive,
+        from where it lands (no run).
     rules : Literal["golf", "none"]
         The rules for the design: golf (moment of inertia, volume, spring effect, ball) or none
         [default: golf].
@@ -627,7 +629,8 @@ def delivery(
         angle, shaft lean, path and face angle of the swing, and the impact point on the face].
     sigma : Given
         The prior standard uncertainty of a parameter about its value in the setup, e.g.
-        swing.attack_angle=1deg.
+        swing.attack_angle=1deg. [default: that of a launch monitor for a club value that an option
+        or a row states, and that of golfers for a value of the setup file].
     output : PathLike
         Write the setup with the delivery into this file; for several shots, with the mean of the
         deliveries that explain their launches. Without such a delivery, no file is written.
@@ -827,7 +830,8 @@ def pareto(
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike
         A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
-        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
+        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive,
+        from where it lands (no run).
     output : PathLike
         Write the points into this file: .csv for all of them (each column head names its unit),
         .toml for the setup at one of them, which at chooses.
@@ -942,7 +946,8 @@ def robust(
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike
         A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
-        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
+        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive,
+        from where it lands (no run).
     starts : int
         Make each search from this many starts, spread evenly over the ranges (the first is the
         setup's own) [default: 1].
@@ -1453,7 +1458,8 @@ def uncertainty(
         ellipses are computed [default: carry,lateral].
     sigma : Given
         The standard deviation of a parameter that is normally distributed about its value, e.g.
-        swing.speed=1mph or air.density=0.5% of its value. [default, without distribution: the
+        swing.speed=1mph or air.density=0.5% of its value. Unlike in "sensitivity", only the
+        parameters of sigma and distribution are then uncertain [default, without both: the
         uncertainties that "sensitivity" uses].
     distribution : Given
         The distribution of a parameter: NAME=normal(MEAN,DEVIATION), NAME=uniform(LOW,HIGH),

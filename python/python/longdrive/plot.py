@@ -368,7 +368,8 @@ def pareto(
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike
         A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
-        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive.
+        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive,
+        from where it lands (no run).
     output : PathLike
         The file to write: .svg or .png for a picture, .csv for its data (each column head names its
         unit).

@@ -34,6 +34,8 @@ class CalibrateReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
+    advice: str
+    """Advice on the setup; omitted if there is none."""
     interrupted: bool
     """True if the fit, or a fit of the cross-validation, was interrupted."""
     data: dict[str, Any]
@@ -91,6 +93,8 @@ class ChartReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
+    advice: str
+    """Advice on the setup; omitted if there is none."""
     parameter: str
     """The parameter along which the chart runs."""
     objective: str
@@ -114,6 +118,8 @@ class CompareReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
+    advice: str
+    """Advice on the setup; omitted if there is none."""
     a: dict[str, Any]
     """The first drive, as computed."""
     b: dict[str, Any]
@@ -129,6 +135,8 @@ class DeliveryReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
+    advice: str
+    """Advice on the setup; omitted if there is none."""
     rows: list[dict[str, Any]]
     """The delivery of each shot; one entry for a single shot."""
     spread: list[dict[str, Any]]
@@ -145,6 +153,8 @@ class FlyReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
+    advice: str
+    """Advice on the setup; omitted if there is none."""
     file: str | None
     """The file of the rows; `None` if the rows are not written to a file."""
     source: str | None
@@ -180,6 +190,8 @@ class LawsReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
+    advice: str
+    """Advice on the setup; omitted if there is none."""
     laws: list[dict[str, Any]]
     """Each law with its published coefficients, then the user's table, if one is given."""
 
@@ -191,6 +203,8 @@ class ParetoReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
+    advice: str
+    """Advice on the setup; omitted if there is none."""
     goals: list[dict[str, Any]]
     """The two goals."""
     points: list[dict[str, Any]]
@@ -217,6 +231,8 @@ class ReportReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
+    advice: str
+    """Advice on the setup; omitted if there is none."""
     folder: str
     """The folder."""
     files: list[str]
@@ -230,6 +246,8 @@ class ReproduceReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
+    advice: str
+    """Advice on the setup; omitted if there is none."""
     study: str
     """`mae494`."""
     slipped_optimum: dict[str, Any]
@@ -266,6 +284,8 @@ class SensitivityReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
+    advice: str
+    """Advice on the setup; omitted if there is none."""
     outcomes: list[dict[str, Any]]
     """Each outcome, in the order requested."""
     at_optimum: dict[str, Any] | None
@@ -279,6 +299,8 @@ class SweepReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
+    advice: str
+    """Advice on the setup; omitted if there is none."""
     file: str
     """The file with the rows; `FILE.part` if the sweep was interrupted."""
     rows: int
@@ -300,6 +322,8 @@ class UncertaintyReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
+    advice: str
+    """Advice on the setup; omitted if there is none."""
     inputs: list[dict[str, Any]]
     """The uncertain parameters and their distributions."""
     outcomes: list[dict[str, Any]]
@@ -323,6 +347,8 @@ class ValidateReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
+    advice: str
+    """Advice on the setup; omitted if there is none."""
     sets: list[dict[str, Any]]
     """The sets."""
 
@@ -334,6 +360,8 @@ class VerifyReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
+    advice: str
+    """Advice on the setup; omitted if there is none."""
     passed: bool
     """True if nothing failed, every planted error was detected and the command was not
     interrupted."""
