@@ -157,7 +157,7 @@ def class_of(command: str) -> str:
 
 
 # attributes of the base class with the same type in every answer
-OF_EVERY_REPLY = ("command", "warnings", "held")
+OF_EVERY_REPLY = ("command", "warnings", "held", "advice")
 
 
 def replies(commands: list[str]) -> str:

@@ -249,7 +249,7 @@ def test_a_club_value_of_a_dict_counts_as_measured() -> None:
 
 
 def test_a_coefficient_of_a_dict_that_another_law_lacks_is_named() -> None:
-    lost = "the stated aero.cd0 has no effect in the model 'aero.law=ferguson'"
+    lost = "aero.cd0 as given has no effect in the model 'aero.law=ferguson'"
     with pytest.warns(LongdriveWarning, match=lost):
         longdrive.robust({"aero.cd0": 0.2})
 

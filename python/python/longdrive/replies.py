@@ -34,8 +34,6 @@ class CalibrateReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
-    advice: str
-    """Advice on the setup; omitted if there is none."""
     interrupted: bool
     """True if the fit, or a fit of the cross-validation, was interrupted."""
     data: dict[str, Any]
@@ -93,8 +91,6 @@ class ChartReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
-    advice: str
-    """Advice on the setup; omitted if there is none."""
     parameter: str
     """The parameter along which the chart runs."""
     objective: str
@@ -118,8 +114,6 @@ class CompareReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
-    advice: str
-    """Advice on the setup; omitted if there is none."""
     a: dict[str, Any]
     """The first drive, as computed."""
     b: dict[str, Any]
@@ -135,8 +129,6 @@ class DeliveryReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
-    advice: str
-    """Advice on the setup; omitted if there is none."""
     rows: list[dict[str, Any]]
     """The delivery of each shot; one entry for a single shot."""
     spread: list[dict[str, Any]]
@@ -153,8 +145,6 @@ class FlyReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
-    advice: str
-    """Advice on the setup; omitted if there is none."""
     file: str | None
     """The file of the rows; `None` if the rows are not written to a file."""
     source: str | None
@@ -190,8 +180,6 @@ class LawsReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
-    advice: str
-    """Advice on the setup; omitted if there is none."""
     laws: list[dict[str, Any]]
     """Each law with its published coefficients, then the user's table, if one is given."""
 
@@ -203,8 +191,6 @@ class ParetoReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
-    advice: str
-    """Advice on the setup; omitted if there is none."""
     goals: list[dict[str, Any]]
     """The two goals."""
     points: list[dict[str, Any]]
@@ -231,8 +217,6 @@ class ReportReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
-    advice: str
-    """Advice on the setup; omitted if there is none."""
     folder: str
     """The folder."""
     files: list[str]
@@ -246,8 +230,6 @@ class ReproduceReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
-    advice: str
-    """Advice on the setup; omitted if there is none."""
     study: str
     """`mae494`."""
     slipped_optimum: dict[str, Any]
@@ -284,8 +266,6 @@ class SensitivityReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
-    advice: str
-    """Advice on the setup; omitted if there is none."""
     outcomes: list[dict[str, Any]]
     """Each outcome, in the order requested."""
     at_optimum: dict[str, Any] | None
@@ -299,8 +279,6 @@ class SweepReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
-    advice: str
-    """Advice on the setup; omitted if there is none."""
     file: str
     """The file with the rows; `FILE.part` if the sweep was interrupted."""
     rows: int
@@ -322,8 +300,6 @@ class UncertaintyReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
-    advice: str
-    """Advice on the setup; omitted if there is none."""
     inputs: list[dict[str, Any]]
     """The uncertain parameters and their distributions."""
     outcomes: list[dict[str, Any]]
@@ -347,8 +323,6 @@ class ValidateReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
-    advice: str
-    """Advice on the setup; omitted if there is none."""
     sets: list[dict[str, Any]]
     """The sets."""
 
@@ -360,8 +334,6 @@ class VerifyReply(Reply):
     """The status in a word."""
     message: str | None
     """The status in a sentence; `None` if there is nothing to add."""
-    advice: str
-    """Advice on the setup; omitted if there is none."""
     passed: bool
     """True if nothing failed, every planted error was detected and the command was not
     interrupted."""

@@ -43,6 +43,12 @@ class Reply(dict[str, Any]):
         held: list[str] = self.get("held", [])
         return held
 
+    @property
+    def advice(self) -> str:
+        """Advice on the setup; empty if there is none."""
+        advice: str = self.get("advice", "")
+        return advice
+
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self]
 
