@@ -169,7 +169,7 @@ impl SwingArguments {
         variables(setup, &outcomes.unwrap_or_default(), wrt)
     }
 
-    /// Reads the swings.
+    /// The swings of the file, or of the distributions and correlations.
     fn read(&self, setup: &Setup<f64>) -> Answer<Swings> {
         Ok(match &self.swings {
             Some(_) if !self.distribution.is_empty() || !self.correlation.is_empty() => {

@@ -80,8 +80,8 @@ pub struct PySetup {
 /// A setup from Python in a call.
 struct CallSetup {
     setup: PySetup,
-    /// Parameters that a dict in place of a setup states, without launch conditions: a launch needs
-    /// all of its conditions, so a dict also states those that a column replaces.
+    /// Parameters that a dict in place of a setup states, except launch conditions. A dict must
+    /// state all conditions of a launch, also those that a column replaces.
     stated: Vec<String>,
     /// Angles that the dict gives as numbers.
     bare_angles: Vec<BareAngle>,

@@ -115,7 +115,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let output = rule.setup_file(args.output.as_deref())?;
     request.refuse_launch(&setup, &launch_columns_advice(&args.data))?;
     let table = read_shots(args, &request, &setup).or_else(|error| {
-        // columns may complete the setup; without them, its own error says more
+        // columns may complete the setup; if they do not, the error of the setup is more helpful
         request.setup()?;
         Err(error)
     })?;

@@ -112,9 +112,9 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(is_found))
 }
 
-/// Warnings about values that the command line, the host or the setup file gives, and that a model
-/// replaces although it does not name them: another law has coefficients of its own, another turf
-/// its own friction, and a temperature its own density.
+/// Warnings about values of the command line, the host or the setup file that a model replaces
+/// without naming them: another law has coefficients of its own, another turf has its own friction,
+/// and a temperature determines the density.
 fn lost_settings(request: &Request, setup: &Setup<f64>, models: &[Model]) -> Vec<Message> {
     let lost_in = |model: &Model| {
         let names = request.given().filter(|name| !model.names(name));

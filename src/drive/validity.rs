@@ -132,7 +132,7 @@ pub(crate) fn exceeded_in_flight(
     stop: &AtomicBool,
 ) -> Option<ExceededLimits> {
     setup.flight.check_steps().ok()?;
-    // an interrupted search still checks its result, so the flag is not read before a short flight
+    // the result of an interrupted search is checked too: a short drive ignores `stop`
     let drive = Drive::without_step_check(setup, Some(stop)).ok()?;
     drive.landed().ok()?;
     Some(drive.exceeded_limits(setup, CheckScope::Flight, of, stop))

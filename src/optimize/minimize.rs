@@ -145,9 +145,10 @@ fn run(
 }
 
 /// Fixes the variable of a kink, on its bound if the kink lies there. Then minimizes over the other
-/// variables, with the remaining iterations. If the new search converges, and the Lagrangian falls
-/// towards the kink from each side within the bounds, this point is a local minimum; on a bound the
-/// one-sided derivative is its multiplier. Otherwise returns the point `found`.
+/// variables, with the remaining iterations. Returns the new point if this search converges, and
+/// the Lagrangian falls towards the kink from each side within the bounds: the point is then a
+/// local minimum. On a bound, the one-sided derivative is the multiplier. Otherwise returns the
+/// point `found`.
 fn fix_at_kink(
     problem: &dyn Problem,
     domain: &Domain,

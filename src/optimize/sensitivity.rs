@@ -48,8 +48,8 @@ pub enum Event {
 /// curvature counts as rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Active set at a solution: variables on an active bound, and active constraints. A variable at a
-/// kink of the objective between its bounds is not in it.
+/// Active set at a solution: variables on an active bound, and active constraints. The set does not
+/// contain a variable at a kink of the objective between its bounds.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ActiveSet {
     /// True for each variable on an active bound.
@@ -111,7 +111,7 @@ fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
     })
 }
 
-/// Indices of the variables without an active bound in which the objective has no kink.
+/// Indices of the variables that have no active bound and are not at a kink of the objective.
 ///
 /// # Panics
 /// If the domain does not belong to the solution.
@@ -122,8 +122,8 @@ pub fn smooth_variables(solution: &Solution, domain: &Domain) -> Vec<usize> {
 }
 
 /// Reduced Hessian: the Hessian of the Lagrangian on the tangents of the active set, in variables
-/// scaled by [`Bounds::scale`]. A variable at a kink of the objective is fixed. Returns a basis of the tangents, one in each column, and the
-/// reduced Hessian.
+/// scaled by [`Bounds::scale`]. A variable at a kink of the objective is fixed. Returns a basis of
+/// the tangents, one in each column, and the reduced Hessian.
 ///
 /// # Panics
 /// If the domain does not belong to the solution, or the solution has no Hessian.
@@ -187,9 +187,10 @@ fn check_input(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<
 /// their derivatives by (x, p), the parameter last; only the last row of each Hessian is used.
 ///
 /// # Errors
-/// [`Error::NotConverged`] if the solution did not converge, and [`Error::Optimizer`] if it has no
-/// Hessians, if dimensions differ, if it lies at a kink of the objective between the bounds, or if
-/// the KKT system is singular, because an optimum that is not isolated has no derivative.
+/// [`Error::NotConverged`] if the solution did not converge. [`Error::Optimizer`] if the solution
+/// has no Hessians, if dimensions differ, if the solution lies at a kink of the objective between
+/// the bounds, or if the KKT system is singular, because an optimum that is not isolated has no
+/// derivative.
 pub fn response(solution: &Solution, domain: &Domain, at: &Evaluation) -> Result<OptimumResponse> {
     check_input(solution, domain, at)?;
     let active_set = ActiveSet::new(solution, domain);

@@ -77,7 +77,7 @@ impl<S> SearchVerdict<S> {
 
 impl SearchVerdict {
     pub fn iteration_limit(iterations: u64, residual: Option<f64>) -> Self {
-        /// KKT residual of a point that is an optimum, but for variables without curvature.
+        /// Largest KKT residual of a point that counts as optimal without convergence.
         const SMALL: f64 = 1e-8;
         let advice = match residual.is_some_and(|residual| residual <= SMALL) {
             true => {

@@ -178,8 +178,8 @@ const PUBLISHED_PER_TEN_DEGREES: [f64; 2] = [1.3 * YARD, 2.0 * YARD];
 /// 10 °F, K.
 const TEN_DEGREES: f64 = 10.0 / 1.8;
 
-/// Difference of temperatures, in 10 °F, above which there is a warning: by the published changes
-/// it is worth 0.3 to 0.5 yd.
+/// Largest difference of temperatures without a warning, in units of 10 °F. By the published
+/// changes, this difference changes the carry by 0.3 to 0.5 yd.
 const LEAST_WARNED_APART: f64 = 0.25;
 
 /// Temperature of the balls whose restitution was measured, K: 25 °C.

@@ -79,7 +79,8 @@ fn embeds(setup: &Setup<f64>) -> bool {
 }
 
 /// Warnings about those of the parameters `names` that have no effect in any of these setups. A
-/// parameter with its default value has no warning. Parameters with one reason share a warning.
+/// parameter with its default value has no warning. Parameters with the same reason share a
+/// warning.
 ///
 /// ```
 /// use longdrive::{Setup, parameters::idle_warnings};

@@ -169,7 +169,7 @@ impl ShotColumns {
     }
 
     /// Adds a column by its meaning: a measured outcome, a parameter of the flight, or a value of
-    /// the club. Of several columns with the same value of the club, only the first is added.
+    /// the club. If several columns have the same value of the club, only the first is added.
     fn add(&mut self, setup: &Setup<f64>, at: usize, column: &Column) -> Result<()> {
         match column.content {
             Content::Outcome(of) => {
@@ -253,8 +253,8 @@ impl ShotColumns {
         ))
     }
 
-    /// Adds remarks on the columns. The first `rows` show whether the air that they state can be
-    /// read.
+    /// Adds remarks on the columns. A column that states the air is used if one of its cells in the
+    /// first `rows` can be read.
     fn add_remarks(
         &mut self,
         columns: &[Column],

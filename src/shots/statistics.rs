@@ -216,7 +216,7 @@ impl ShotStatistics {
             }
             self.unit_checks.add(flown, row);
             if let Some(name) = shot.club_name.as_deref() {
-                // no limit here: a club that is new in these rows may have earlier rows
+                // no limit here: a club that is new in these rows may have rows in an earlier block
                 self.club(name).add(flown, row);
             }
             let Some(speed) = shot.launch().map(|launch| launch[0]) else {

@@ -25,8 +25,8 @@ const NEAR_ONE: f64 = 0.025;
 
 /// Slowest launch of a driver, m/s.
 const SLOWEST_DRIVE: f64 = 49.0;
-/// Largest spin of a driver's launch, rpm. For more spin, as of irons, the laws may miss the carry
-/// by as much as metres and yards differ.
+/// Largest spin of a driver's launch, rpm. At more spin, as of irons, the laws may miss the carry
+/// by about 9 %, the difference between a yard and a metre.
 const MOST_SPIN_OF_A_DRIVE: f64 = 5000.0;
 
 /// Smallest distance of a landing point from the target line, m, at which the side of the landing

@@ -41,9 +41,9 @@ fn varied<S: Serializer>(optimum: &Optimum, serializer: S) -> std::result::Resul
 const ROUNDING: f64 = 1e-9;
 
 impl Optima {
-    /// The best value that club and ball achieve with the swing as set up, as [`club_alone`]. If it
-    /// leads to a better optimum, this optimum becomes [`best`](Self::best), and its start counts
-    /// like a point of the [`Sample`].
+    /// The best value that club and ball achieve with the swing as set up; see [`club_alone`]. If a
+    /// search from there finds a better optimum, that optimum becomes [`best`](Self::best), and its
+    /// start counts like a point of the [`Sample`].
     ///
     /// # Errors
     /// The errors of [`club_alone`].

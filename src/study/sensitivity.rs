@@ -41,7 +41,7 @@ pub fn sensitivity(best: &Optimum, parameter: &'static Parameter) -> Result<Sens
     })
 }
 
-/// Refuses an optimum at a corner of the objective between the bounds: the corner may move with the
+/// Refuses an optimum at a kink of the objective between the bounds: the kink may move with the
 /// parameter.
 fn refuse_corner(best: &Optimum) -> Result<()> {
     let Some(kink) = best.solution.kink.filter(|kink| kink.is_between_bounds()) else {

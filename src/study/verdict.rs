@@ -329,10 +329,14 @@ impl Optimum {
         }
     }
 
-    /// True if the varied parameter `i` has a negligible effect: to second order, if it alone
-    /// changes within its range, the objective changes by at most 1 mm, or by at most 1e-6 of its
-    /// value if it is not a length; with its effect on active constraints at their prices, and with
-    /// the other constraints still met.
+    /// True if the varied parameter `i` has a negligible effect. If this parameter alone changes
+    /// within its range, then:
+    ///
+    /// - the objective changes, to second order, by at most 1 mm, or by at most 1e-6 of its value
+    ///   if it is not a length;
+    /// - each active constraint changes by no more than this, if its change is multiplied by its
+    ///   price;
+    /// - the other constraints are still met.
     ///
     /// The optimal value of such a parameter is arbitrary, or lies at a bound.
     pub fn is_idle(&self, i: usize) -> bool {

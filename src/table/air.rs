@@ -76,8 +76,9 @@ fn density_in(text: &str, of_table: Option<DecimalMark>) -> Option<f64> {
     Some(in_effect(&setup).air.density)
 }
 
-/// Index of the column whose texts describe the weather of each row, as TrackMan's `Condition`: the
-/// head is known, and one of the first `rows` has a number. `None` if a column states the density.
+/// Index of the column whose texts describe the weather of each row, such as `Condition` of
+/// TrackMan: the head is known, and one of the first `rows` has a number. `None` if a column states
+/// the density.
 pub(crate) fn weather_column(columns: &[Column], rows: &[Vec<String>]) -> Option<usize> {
     let is_density = |column: &Column| match column.content {
         Content::Input(parameter) => parameter.name == AIR,

@@ -101,8 +101,8 @@ pub(crate) fn with_nearest(head: &str) -> String {
     }
 }
 
-/// The words "; near a known head: …" with the unknown column heads that are similar to known ones
-/// of the club or of launch conditions without a column; empty if there are none.
+/// The words "; near a known head: …" with the unknown column heads that are similar to a head of
+/// the club, or of a launch condition that no column has. Empty if there are none.
 pub(crate) fn near_known(columns: &[Column]) -> String {
     let is_missing = |meaning: Meaning| match meaning {
         Meaning::Outcome(of) => CONDITIONS.contains(&of) && !has_outcome(columns, of),
@@ -148,8 +148,8 @@ pub(crate) fn in_degrees<'a>(columns: impl IntoIterator<Item = &'a Column>) -> O
 pub(crate) const CLUB_LEFT_OUT: &str =
     "the ball flies from its measured launch; columns of the club are left out";
 
-/// Ignores the unknown columns of an export, except the column `of_air`, which states the air of each
-/// row. If the launch is measured, also ignores
+/// Ignores the unknown columns of an export, except the column `of_air`, which states the air of
+/// each row. If the launch is measured, also ignores
 ///
 /// - the smash factor,
 /// - columns of the club, if `club` is [`ClubColumns::Ignored`],

@@ -171,7 +171,7 @@ pub(super) fn cell_number(cell: &str, has_decimal_comma: bool) -> Option<CellNum
 }
 
 /// Parses a number. Decimal commas are allowed only if commas do not separate cells; points may
-/// then separate thousands. The caller refuses a number of two meanings before
+/// then separate thousands. The caller refuses ambiguous numbers first
 /// ([`DecimalMark::ambiguity`](super::decimal_mark::DecimalMark::ambiguity)).
 pub(super) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
     let cell = cell.trim();

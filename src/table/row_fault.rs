@@ -189,8 +189,8 @@ const STATISTICS: [&str; 33] = [
     "合計",
 ];
 
-/// Names of statistics that may also be names of players and clubs, such as `Max`. They count
-/// only in a cell without other words.
+/// Names of statistics that may also be names of players and clubs, such as `Max`. Such a word
+/// counts only if all words of the cell are in this list.
 const SHORT_STATISTICS: [&str; 23] = [
     "dev",
     "std",
@@ -271,9 +271,9 @@ impl ShotLabels {
 }
 
 impl Label {
-    /// The label that the cells of a column show; `None` for a column of values, such as ratings of
-    /// the strike: other rows have words, too, and the only statistics are those that may be
-    /// ratings. A column of words without a head has no ratings.
+    /// The kind of label in the cells of a column. `None` for a column of values: all its cells are
+    /// words, and each name of a statistic among them may also be a rating of the strike. A column
+    /// of words without a head has names.
     fn of_cells(cells: &[&str], has_no_head: bool) -> Option<Self> {
         if cells.iter().any(|cell| is_number_or_date(cell)) {
             return Some(Self::Number);
@@ -298,7 +298,7 @@ impl Label {
     }
 
     /// True if a cell is the name of a statistic: `Average (12)`, `Driver Average`, `Std. Dev.`,
-    /// `Max`. `Max` alone may be a player.
+    /// `Max`. In a column of names, `Max` alone is not: it may be a player.
     fn is_statistic(self, cell: &str) -> bool {
         // fast path for numbers
         if !cell.contains(char::is_alphabetic) {

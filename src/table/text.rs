@@ -353,7 +353,7 @@ impl HeadPlace {
             };
             title = only_cell(&place.cells);
             if begins_with_mark {
-                // heads above this line with as many cells are those of the table
+                // an earlier record with at least as many filled cells has the heads of the table
                 let is_first = first
                     .as_ref()
                     .is_none_or(|first| first.filled() < place.filled());

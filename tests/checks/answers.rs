@@ -431,7 +431,7 @@ fn a_law_outside_its_range_is_a_warning_where_it_changes_the_carry() {
         text.contains(&warning[warning.find(says).unwrap()..]),
         "{text}"
     );
-    // a drive without loft carries less than half of what it would with the law held
+    // without loft, the carry is less than half of the carry with the law held
     let printed = longdrive(&["simulate", "-q", "--loft", "0deg"]);
     let text = on_one_line(&printed.out);
     assert!(text.contains(&format!("{says}110 yd longer")), "{text}");

@@ -195,8 +195,8 @@ fn differences_of_the_answer_add_up_to_its_stated_uncertainty() {
     }
 }
 
-/// A printed change moves the launch as far as its whole direction does, √(told/(1 − told)) of the
-/// standard uncertainties, within 0.05 for the omitted components.
+/// A printed change moves the launch as far as its whole direction does: by √(told/(1 − told))
+/// standard uncertainties. The tolerance 0.05 is for the omitted components.
 #[test]
 fn an_unidentified_change_does_not_change_the_launch() {
     let setup = struck(&OFF_CENTRE);

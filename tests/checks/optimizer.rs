@@ -471,7 +471,7 @@ fn exact_minimum_at_the_corner_of_an_absolute_value() {
             (kink.slope_below.unwrap() + 1.0).abs() < 1e-4
                 && (kink.slope_above.unwrap() - 1.0).abs() < 1e-4
         );
-        // the kink holds x, so that only y is free; its curvature 2 is in units of the range 2
+        // x is fixed at the kink. By y the curvature is 2, or 2 · 2² = 8 in units of the range of y
         let domain = Domain::new(vec![-1.0; 2], vec![1.0; 2]).unwrap();
         let (_, curvatures) = sensitivity::reduced_hessian(&s, &domain);
         assert_eq!((curvatures.shape(), curvatures[(0, 0)]), ((1, 1), 8.0));

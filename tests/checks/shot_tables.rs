@@ -311,7 +311,7 @@ fn published_signs_of_garmin_are_turned() {
     );
 }
 
-/// A sidespin of Garmin stands alone if no row has a spin axis, even if the table has the column.
+/// The sidespin of Garmin is used if no row has a spin axis, even if the table has that column.
 #[test]
 fn exact_sidespin_of_garmin_beside_an_empty_spin_axis() {
     let heads = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],Spin Rate [rpm],Spin \
@@ -706,8 +706,9 @@ fn implausible_units_are_warned_of() {
     }
 }
 
-/// The default law is short for irons, by as much as metres and yards differ. These are the tour
-/// averages of a 7 iron (TrackMan): 120 mph, 16.3°, 7097 rpm, 172 yd.
+/// For irons, the carry of the default law is too short by about 9 %, the difference between a yard
+/// and a metre. These are the tour averages of a 7 iron (TrackMan): 120 mph, 16.3°, 7097 rpm, 172
+/// yd.
 #[test]
 fn the_unit_of_the_carries_of_irons_is_not_doubted() {
     let row = "193.1,16.3,7097,157.3\n";
@@ -795,14 +796,14 @@ fn with_first_cells(heads: &str, cells: &[&str]) -> String {
     )
 }
 
-/// The number of rows that `fly` reads and flies, and those of `calibrate`.
+/// The numbers of rows that `fly` reads and flies, and the number of shots that `calibrate` reads.
 fn counts(text: &str) -> ([u64; 2], usize) {
     let (_, _, tally) = fly_shots(Cursor::new(text.to_owned()));
     let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
     ([tally.rows, tally.flown], table.shots.len())
 }
 
-/// `#` begins a remark in a table with this program's names only.
+/// Only in a table with this program's names, a line that begins with `#` is a remark.
 #[test]
 fn rows_and_heads_that_begin_with_a_number_sign_are_read() {
     let rows = with_first_cells("Shot", &["#1", "#2", "3"]);
@@ -816,7 +817,7 @@ fn rows_and_heads_that_begin_with_a_number_sign_are_read() {
     }
     let semicolons = head.replace(',', ";");
     assert_eq!(counts(&semicolons), ([3, 3], 3));
-    // a line without cells is counted too
+    // in an export, a line that begins with `#` counts as a row
     let title = with_first_cells("Shot", &["1", "2"]) + "# the end\n";
     assert_eq!(counts(&title), ([3, 2], 2));
     let own = "# a remark\nball_speed [mph],launch_angle [deg],spin [rpm],carry [yd]\n# ball \
@@ -839,7 +840,7 @@ fn heads_whose_first_cell_begins_with_a_number_sign_are_read() {
             assert_eq!(counts(&text), ([3, 3], 3), "{text}");
         }
     }
-    // a remark may name the columns above or below their heads
+    // a remark above or below the heads may name the columns
     let (heads, row) = (
         "ball_speed [mph],launch_angle [deg],spin [rpm],carry [yd]\n",
         "160,12,2500,262\n",
@@ -916,7 +917,7 @@ fn summary_rows_are_recognised_in_the_usual_words_and_languages() {
         let text = with_first_cells(head, &cells);
         assert_eq!(counts(&text), ([1 + of_statistics, 1], 1), "{head}");
     }
-    // below the names of clubs and players a word that may be a name counts beside another only
+    // in a column of clubs or players, `Dev` names a statistic only beside another such word
     let of_clubs = ["Driver", "Driver Average", "Std. Dev.", "Average"];
     for head in ["Club", "Player"] {
         assert_eq!(counts(&with_first_cells(head, &of_clubs)), ([4, 1], 1));
@@ -1024,7 +1025,7 @@ fn remarks(text: &str) -> [String; 2] {
     [joined(of_fly), joined(of_calibrate)]
 }
 
-/// The heads of the columns that `fly` adds are known only one behind the other.
+/// The columns that `fly` adds are recognised only side by side, in the order of `fly`.
 #[test]
 fn columns_with_the_names_of_those_of_fly_are_ordinary_columns() {
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd],Flight (s),Notes,\
@@ -1064,7 +1065,7 @@ fn a_club_speed_of_square_is_not_used() {
     assert_eq!(found[0].shots[0].club.speed, Some(103.0 * 0.447_04));
 }
 
-/// Of two columns of one quantity every command reads the first, also of a parameter.
+/// Every command reads only the first of two columns of one quantity or of one parameter.
 #[test]
 fn the_first_of_two_columns_of_one_quantity_is_read() {
     let folder = tempfile::tempdir().unwrap();

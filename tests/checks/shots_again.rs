@@ -725,7 +725,7 @@ fn rows_of_clubs_without_statistics_of_their_own_are_counted() {
     );
 }
 
-/// 41 clubs and more in a block of 1024 rows: a club with statistics has all its rows.
+/// More than 40 clubs in a block of 1024 rows: the statistics of a club have all its rows.
 #[test]
 fn exact_number_of_rows_of_each_club_in_a_table_of_many_clubs() {
     let folder = tempfile::tempdir().unwrap();

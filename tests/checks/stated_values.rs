@@ -363,8 +363,8 @@ fn columns_of_a_table_of_swings_that_are_not_read_are_named() {
     );
 }
 
-/// A warning names a given value that a model replaces although it does not name it: a coefficient
-/// of the setup's law, a density beside a temperature, the friction of another turf.
+/// A warning names a given value that a model replaces without naming it: a coefficient of the
+/// setup's law, a density beside a temperature, the friction of another turf.
 #[test]
 fn given_values_that_a_model_replaces_are_named() {
     let folder = tempfile::tempdir().unwrap();
@@ -687,8 +687,8 @@ fn numbers_of_a_file_that_a_stated_law_or_turf_replaces_are_named() {
     assert!(!found["warnings"].to_string().contains("replaced"));
 }
 
-/// A stated value that no drive of the command depends on has a warning in every command, and none
-/// where a varied parameter or the other drive gives it an effect.
+/// Every command warns of a stated value on which none of its drives depends. There is no warning
+/// if a varied parameter or the other drive gives the value an effect.
 #[test]
 fn stated_values_without_an_effect_are_named_in_every_command() {
     let profile = ["--set", "wind.reference_height=3m"];
@@ -833,7 +833,8 @@ fn the_rows_of_shots_may_give_the_speed_of_a_stated_wind() {
     );
 }
 
-/// The advice on an average loft does not depend on how the preset is named, and JSON has it too.
+/// The advice on an average loft does not depend on how the preset is named. JSON has the advice
+/// too.
 #[test]
 fn advice_on_the_loft_of_an_average_preset_reaches_files_and_json() {
     let folder = tempfile::tempdir().unwrap();

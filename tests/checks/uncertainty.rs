@@ -1226,8 +1226,8 @@ fn exact_uniform_distribution_of_a_wide_normal_one_between_near_ends() {
     }
 }
 
-/// Gauss's rule of a normal distribution with far ends has the mean and the variance of the normal
-/// distribution.
+/// If the ends of a truncated normal distribution are far from its mean, its Gauss rule has the
+/// mean and the variance of the normal distribution.
 #[test]
 fn exact_rule_of_a_truncated_normal_distribution_with_far_ends() {
     let speed = Setup::default().variable("swing.speed").unwrap();

@@ -36,7 +36,7 @@ class Option:
 
     @property
     def is_output(self) -> bool:
-        """True for the name of a file that the command writes, as `swings` of ``delivery``."""
+        """True for an option that names an output file, such as `swings` of ``delivery``."""
         return self.help.startswith("Write ")
 
     @property

@@ -1,4 +1,4 @@
-"""The setup of a call: a dict in place of a setup states values, and may have angles to warn of."""
+"""The setup of a call, with the values that a dict states and the warnings about its angles."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ class CallSetup(NamedTuple):
 
     setup: Setup
     stated: list[str]
-    """The parameters that a dict in place of a setup states, without launch conditions: a launch
-    needs all of its conditions, so a dict also states those that a column replaces."""
+    """The parameters that a dict in place of a setup states, except launch conditions. A dict must
+    state all conditions of a launch, also those that a column replaces."""
     warnings: list[str]
     """Warnings about angles without a unit."""
 

@@ -198,7 +198,7 @@ def _column(name: str, head: Any, values: Any) -> list[Any]:
             f"{name}: the column '{head}' {found}; the head of a column names the unit, so give "
             "the numbers in that unit, as in values.to('mph').magnitude"
         )
-    for method in ("to_pylist", "to_list"):  # of a column of pyarrow; of pandas and polars
+    for method in ("to_pylist", "to_list"):  # pyarrow; pandas and polars
         if hasattr(values, method):
             values = getattr(values, method)()
             break

@@ -22,7 +22,7 @@ use crate::units::Message;
 use crate::{Error, Result, Setup};
 use std::path::PathBuf;
 
-/// The name of the loft.
+/// Name of the parameter for the loft of the club.
 pub const LOFT: &str = "club.loft";
 
 /// The setup of a command, with the settings of its command line.
@@ -503,8 +503,9 @@ impl Request {
     }
 
     /// Refuses settings without effect beside `columns`, which have a value of their own in each
-    /// drive: settings of these parameters, of parameters that they replace, and of the club if
-    /// they are a launch. `why` is the reason why a setting of a column is not used.
+    /// drive. These are settings of the columns themselves, of parameters that the columns replace,
+    /// and of the club if the columns are a launch. `why` is the reason why a setting of a column
+    /// is not used.
     ///
     /// # Errors
     /// [`Error::Unreadable`], which names the setting, and [`Error::Together`].
@@ -615,7 +616,7 @@ impl Request {
     }
 
     /// Warning about stated parameters for which `is_used` is false: they have no effect on the
-    /// answer. `answer` names the answer, with advice.
+    /// answer. `answer` is the end of the message: the name of the answer, then advice.
     pub fn unused_warning(&self, is_used: impl Fn(&str) -> bool, answer: &str) -> Option<Message> {
         let unused: Vec<_> = self.stated().filter(|name| !is_used(name)).collect();
         let unused = unused.join(", ");

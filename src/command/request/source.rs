@@ -53,7 +53,8 @@ impl Source {
         })
     }
 
-    /// The setup named `-` of a host that states these of its parameters.
+    /// The setup `content` of a host, with the argument `-`. `stated` are the parameters that the
+    /// host gives.
     pub fn of_host(content: SetupFile, stated: Vec<String>) -> Self {
         let row = |name: &String| content.setup.parameter(name).ok();
         let given = stated.iter().filter_map(row).collect();

@@ -27,8 +27,8 @@ impl SetupArgs {
     }
 }
 
-/// The setups at the low and at the high ends of these ranges. A table may exceed the allowed
-/// values; the setup then keeps its own value.
+/// The setups at the low and at the high ends of these ranges. If an end is not an allowed value,
+/// as the values of a table may be, the setup keeps its own value.
 fn ends(setup: &Setup<f64>, ranges: &[Vary]) -> [Setup<f64>; 2] {
     let ends: [fn(&Vary) -> f64; 2] = [|vary| vary.low, |vary| vary.high];
     ends.map(|end| {

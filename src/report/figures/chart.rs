@@ -50,7 +50,7 @@ struct ChartDrawing<'a> {
     /// The setup's value of the chart's parameter, with the optimum at this value. `None` if the
     /// chart does not contain the value, or if there is no optimum.
     own: Option<(f64, &'a Optimum)>,
-    /// The sentence about an optimum at the setup's value that the chart does not follow.
+    /// The sentence about `own`, if the chart follows another optimum at the setup's value.
     other: Option<String>,
     system: System,
     along: NamedQuantity,
@@ -189,8 +189,8 @@ fn bound_sentence(vary: &Vary, side: BoundSide, system: System) -> String {
     format!("{label}: {at}, {why}, in every optimum.")
 }
 
-/// The bound at which a varied parameter is in every optimum of the chart and in `own`, if there is
-/// one.
+/// The bound that a varied parameter reaches in every optimum of the chart and in `own`; `None` if
+/// there is no such bound.
 fn common_bound(chart: &Chart, own: Option<&Optimum>, i: usize, vary: &Vary) -> Option<BoundSide> {
     // tolerance for rounding errors
     let rounding = 1e-12 * (vary.high - vary.low);

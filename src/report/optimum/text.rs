@@ -137,8 +137,8 @@ pub(in crate::report) fn varied_table(
 }
 
 /// Adds a table of the constraints with their values and prices, if there are constraints. If the
-/// drive as set up violates one, a column has its values. For swings, the values are in the table of
-/// the goals instead.
+/// drive as set up violates a constraint, a further column has the values of that drive. For
+/// swings, the values are in the table of the goals instead.
 fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
     let is_one_drive = optimum.search.scenarios.is_one_drive();
     let is_violated_as_set_up = !optimum.violated_as_set_up().is_empty();

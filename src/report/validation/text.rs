@@ -61,7 +61,7 @@ fn reasons(found: &[SetScores], default: &str, system: System) -> String {
         let bias = scores.scores.first()?.bias?;
         Some([bias, bias - scores.averaged?])
     };
-    // the bias and the loss by scatter of a law, over the averages of drives
+    // range of a law's bias (k = 0) or loss by scatter (k = 1) over the sets of averages
     let over_averages = |law: &str, k: usize| {
         let values = found.iter().filter_map(|set| Some(of_law(set, law)?[k]));
         let [least, most] = extent(values).map(|value| shown(Compared::Carry, value, system));

@@ -157,7 +157,8 @@ impl Reading {
     /// Reads the columns of a section from their column heads.
     ///
     /// # Errors
-    /// [`Error::Table`] for a wrong unit, a sigma without its measurement, and an export whose rows are neither launches nor deliveries.
+    /// [`Error::Table`] for a wrong unit, a sigma without its measurement, and an export whose rows
+    /// are neither launches nor deliveries.
     pub fn of_head(
         setup: &Setup<f64>,
         table: &TextTable,

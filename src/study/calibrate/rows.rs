@@ -42,8 +42,8 @@ pub(super) struct ShotRows {
     shots: Vec<MeasuredShot>,
     no_shots: NonShotRows,
     refused_messages: Vec<String>,
-    /// Number of shots by the name of the club. In a table without a column of clubs, the last title
-    /// above a shot is its name.
+    /// Number of shots by the name of the club. In a table without a column of clubs, the last
+    /// title above a shot names the club.
     clubs: BTreeMap<String, u64>,
     /// The last title above the current row.
     title: Option<String>,
@@ -63,7 +63,7 @@ pub(super) struct ShotRows {
 }
 
 impl ShotRows {
-    /// No rows. `title` is the title above the column heads.
+    /// A collection without rows. `title` is the title above the column heads.
     pub fn new(file: &str, title: Option<String>) -> Self {
         Self {
             file: file.into(),
@@ -325,8 +325,8 @@ impl ShotRows {
         sections.map(|(section, end)| (section, &self.shots[section.first_shot..end]))
     }
 
-    /// Remarks on the columns that state the air: whether a shot has an air from this column.
-    /// Columns with the same head and the same use have one remark.
+    /// Remarks on the columns that state the air. Each remark says whether the column gives the air
+    /// of any shot. Columns with the same head and the same use have one remark.
     fn air_remarks(&self) -> Vec<Message> {
         let mut given: Vec<Message> = vec![];
         let mut remarks = vec![];

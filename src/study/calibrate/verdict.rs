@@ -41,8 +41,9 @@ pub(super) fn set_status_of_searches(fits: &mut [Fit], is_settled: bool, is_inte
 }
 
 /// A fit gets a warning if the root mean square of its residuals, in standard uncertainties,
-/// exceeds this number (with Huber's loss, their robust scale). Noise alone gives 1. The number is a choice: an uncertainty may well be
-/// stated too small by a factor of 2.
+/// exceeds this number. With Huber's loss, their robust scale replaces the root mean square. Noise
+/// alone gives 1. The number is a choice: an uncertainty may well be stated too small by a factor
+/// of 2.
 pub(super) const WARNED_MISFIT: f64 = 3.0;
 
 /// A fit has the status [`FitStatus::Misfit`] if the root mean square exceeds this number, twice

@@ -182,9 +182,9 @@ impl SwingInformation {
         self.groups.iter().fold(DMatrix::zeros(n, n), weighted)
     }
 
-    /// Mean and covariance of the swings along the identified directions, iterated from `initial_covariance`. Along the unidentified directions, the mean is
-    /// `fixed_mean` and the covariance is `fixed_covariance`. Means are relative to the mean swing
-    /// of the linearization.
+    /// Mean and covariance of the swings. Along the identified directions, both are iterated from
+    /// `initial_covariance`. Along the unidentified directions, the mean is `fixed_mean` and the
+    /// covariance is `fixed_covariance`. Means are relative to the mean swing of the linearization.
     pub(super) fn maximize_likelihood(
         &self,
         fixed_covariance: &DMatrix<f64>,

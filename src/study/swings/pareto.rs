@@ -195,8 +195,8 @@ impl ParetoSearch {
     }
 
     /// Fixes the varied parameters with a negligible effect on all goals at their own values, and
-    /// returns them. They could be anywhere in their ranges, at a bound at one end of the front and
-    /// at another bound at the other end. Fixes none if all have a negligible effect.
+    /// returns these parameters. If varied, such a parameter may jump from one bound to the other
+    /// along the front. Fixes none if all have a negligible effect.
     fn fix_idle(&mut self, problem: &SearchProblem) -> Result<Vec<&'static Parameter>> {
         /// Number of points of the ranges at which the effect of a parameter is computed.
         const POINTS: usize = 4;

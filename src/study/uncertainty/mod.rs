@@ -43,10 +43,11 @@ pub const SHARES: [f64; 2] = [0.5, 0.95];
 /// normal distribution, 2.3 % of the values are outside, which is too many.
 pub(super) const MOST_LOST: f64 = 0.02;
 
-/// A total index up to this share of the variance counts as none.
+/// A total index up to this share of the variance counts as zero.
 const NO_SHARE: f64 = 1e-6;
-/// An upper bound below this fraction of the lower end of the total index is wrong: the outcome
-/// jumps, so that its slopes say nothing. A bound nearer to the index may differ by noise.
+/// An upper bound is wrong if its interval lies below this fraction of the lower end of the total
+/// index: the outcome jumps, so that its slopes say nothing. A bound nearer to the index may differ
+/// by noise.
 const BELOW: f64 = 0.9;
 
 /// Uncertainty of a drive.

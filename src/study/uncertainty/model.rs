@@ -170,7 +170,7 @@ impl SaltelliDesign {
             let constant = all[0];
             all.fill(constant);
         }
-        // the sets A and B have a value of each point
+        // `all` has up to two values for each point: one of set A and one of set B
         let is_enough = all.len() >= 2 * LEAST_POINTS;
         let moments = self.bootstrap(all.len(), |drawn| {
             let moments = Moments::of(drawn.iter().map(|row| all[*row]));
