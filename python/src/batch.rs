@@ -144,8 +144,8 @@ impl Request {
 /// A batch for Python.
 #[pyclass(get_all, frozen, module = "longdrive._longdrive")]
 pub struct BatchResult {
-    /// Status of each row. After an interruption, only the first `done` rows of this array,
-    /// `columns` and `hessians` are results.
+    /// Status of each row of the table. After an interruption, only the first `done` rows of the
+    /// table are results, in this array, `columns` and `hessians`.
     status: Py<PyArray1<i8>>,
     /// The table, transposed: each row of this array is a column of the table. The columns are the
     /// parameters of the points, the outcomes, and the derivatives.

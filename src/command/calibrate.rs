@@ -344,7 +344,7 @@ fn show_iteration(is_numbered: bool) -> impl Fn(u64, f64) {
 /// The label of a law with the coefficients of the setup.
 const AS_SET_UP: &str = "as the setup has it";
 
-/// A law of `--compare`. Its prediction errors are computed without a fit, and with all its
+/// A law of `--compare`. Its prediction errors are computed twice: without a fit, and with all its
 /// coefficients fitted.
 struct ComparedLaw {
     /// The setup with this law.

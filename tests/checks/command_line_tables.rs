@@ -220,7 +220,7 @@ fn numbers_of_two_meanings_are_refused_by_every_reader() {
         )
     };
     for (cells, sentence) in [
-        // no other number shows a mark
+        // no other number has a mark of decimals or thousands
         (["160", "11", "2.500", "250"], Some(("spin", "2.500"))),
         (["160", "11", "2,500", "250"], Some(("spin", "2,500"))),
         // the mark of decimals, a mark of thousands beside decimal points, and marks that cannot

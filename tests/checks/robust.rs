@@ -385,8 +385,8 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
     let price = number(&search(3.0, limit)["multipliers"]["swing.attack_angle"]["upper"]);
     let falls = (greatest(3.0 - by, limit) - greatest(3.0 + by, limit)) / (2.0 * by).to_radians();
     close(price, falls, falls.abs(), 1e-5, "bound");
-    // the best designs of single models gain more from a wider bound than the common design, so the
-    // largest loss increases
+    // a loss is the difference to the best design of a model. These designs gain more from a wider
+    // bound than the common design does, so the largest loss increases
     assert!(price < 0.0, "{price}");
     for (limit, unit, relaxed) in [
         ("apex_height <= 33", "m", 1.0),

@@ -603,7 +603,7 @@ fn ambiguous_decimal_and_thousands_marks_are_refused() {
     let (_, flown, _) = file("decimal-commas.csv");
     assert_eq!(flown.predicted(0, 0), flown.predicted(1, 0));
     let rows = |text: &'static str| crate::shots::fly_shots(text.as_bytes());
-    // points are decimals here, so that a comma separates thousands
+    // the point separates decimals in this table, so that a comma separates thousands
     let (_, all, _) = rows(
         "Ball Speed [mph];Launch Angle [deg];Spin Rate [rpm]\n160.5;12.1;2,500\n160.5;12.1;2500\n",
     );

@@ -1,7 +1,7 @@
 //! Hock, W. & Schittkowski, K. (1981), Test Examples for Nonlinear Programming Codes, Lecture Notes
 //! in Economics and Mathematical Systems 187, Springer; Nos. 93–110. An inequality has the book's
-//! form g(x) ≥ 0, or the constant of g is its limit. The book has other signs and names of the
-//! variables. Optima have the digits of the authors' own test programs. There is no No. 94.
+//! form g(x) ≥ 0, or the constant of g stands on the other side, as a limit. Some problems have
+//! other signs and names of the variables than in the book. Optima have the digits of the authors' own test programs. There is no No. 94.
 
 use super::hock_schittkowski_2::{dot, sum};
 use longdrive::number::Number;

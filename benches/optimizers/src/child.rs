@@ -10,8 +10,8 @@ use std::process::{Command, Stdio};
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
-/// Time limit of a repetition. A solver that exceeds it in the first repetition counts as failed.
-/// Later, the outcome of an earlier repetition counts.
+/// Time limit of a repetition. A solver that exceeds the limit in the first repetition counts as
+/// failed. If a later repetition exceeds it, the outcomes of the earlier ones count.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Number of times that a solver solves a problem. The fastest time is kept.
 const REPETITIONS: usize = 3;

@@ -73,9 +73,9 @@ fn times(by: &Discretization, budget: f64) -> Result<[f64; 3]> {
     Ok(seconds)
 }
 
-/// The methods in the order of their times, fastest first. Each has its largest step with an error
-/// of at most 1 µm, for which all shorter tried steps also have such errors. A method without such
-/// a step is omitted.
+/// The methods in the order of their times, fastest first. The step of a method is the largest one
+/// for which this step and all shorter tried steps have errors of at most 1 µm. A method without
+/// such a step is omitted.
 fn choose(
     error: impl Fn(&Discretization) -> Result<f64>,
     time: impl Fn(&Discretization) -> Result<f64>,

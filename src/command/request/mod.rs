@@ -257,9 +257,9 @@ impl Request {
         Ok(setup)
     }
 
-    /// The setup with the value 0 for each condition of a given launch that counts as 0
-    /// ([`Setup::with_assumed_launch`]): an unmeasured condition has an uncertainty too. A note
-    /// reports each added value.
+    /// The setup with the value 0 for each missing condition of a given launch whose default is 0
+    /// ([`Setup::with_assumed_launch`]). With a value, such a condition can have an uncertainty,
+    /// like a measured one. A note reports each added value.
     ///
     /// # Errors
     /// The errors of [`Setup::set_value`].

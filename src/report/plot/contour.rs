@@ -300,7 +300,8 @@ fn inner(ring: &[[f64; 2]], columns: usize, rows: usize) -> Vec<Vec<[f64; 2]>> {
             piece.push(pair[1]);
         }
     }
-    // a ring that begins inside the map cuts a piece in two: join its first and last piece
+    // if the first point of a ring lies inside the map, the piece through this point is in two
+    // parts: join the first and the last part
     if let (Some(first), Some(last)) = (pieces.first(), pieces.last())
         && pieces.len() > 1
         && first.first() == last.last()

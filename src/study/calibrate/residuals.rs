@@ -61,7 +61,8 @@ pub(super) struct ShotResiduals<'a> {
 }
 
 impl ShotResiduals<'_> {
-    /// The setup with the fitted parameters set to `x`. The values of a shot may complete it.
+    /// The setup with the fitted parameters set to `x`. It may lack values that every shot has, such
+    /// as the speed of the wind.
     pub fn moved(&self, x: &[f64]) -> Result<Setup<f64>> {
         let moved = self.setup.with_values(&self.fitted, x)?;
         moved.validate_values()?;

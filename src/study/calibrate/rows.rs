@@ -370,7 +370,8 @@ impl ShotRows {
 
     /// Error of a table without a usable shot.
     fn without_shots(self, left_out: &[String]) -> Error {
-        // this error names the missing column; an export never sets it
+        // the error of the first incomplete row names the missing column; the rows of an export
+        // have no such error
         if let Some(first) = self.first_incomplete {
             return first;
         }

@@ -194,8 +194,8 @@ impl SetupPath {
                 || (parameter.is_of_launch() && differ_in_launch)
                 || (parameter.law.is_some() && differ_in_law)
                 || otherwise.iter().any(|one| one.concerns(parameter));
-            // a check of one setup is enough: if the other setup alone replaces the parameter,
-            // `otherwise` concerns the parameter
+            // it is enough to look at one setup: a parameter that is replaced in the other setup
+            // alone is given in different ways, and is then in `otherwise`
             let is_replaced = ends[0].why_replaced(parameter).is_some();
             if is_of_the_whole || is_replaced || parameter.kind == Kind::Setting {
                 continue;
