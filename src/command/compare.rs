@@ -1,8 +1,7 @@
 use crate::command::args::SetupArgs;
 use crate::command::names::outcomes;
-use crate::command::output::{Answer, note, note_error, spinner, warn, warn_early};
-use crate::command::request::{CommandSetting, Request, Source, refuse_duplicates};
-use crate::parameters::idle_warnings;
+use crate::command::output::{Answer, note, note_error, spinner, warn};
+use crate::command::request::{CommandSetting, Request, Source, refuse_duplicates, warn_of_idle};
 use crate::report::{ComparisonReport, SetupOrigin};
 use crate::study::Comparison;
 use crate::units::Message;
@@ -166,9 +165,7 @@ impl PairArgs {
             setup(b).map_err(|error| error.of_drive(B))?,
         ];
         let given: BTreeSet<_> = a.given().chain(b.given()).collect();
-        idle_warnings(given, &setups)
-            .into_iter()
-            .for_each(warn_early);
+        warn_of_idle(given, &setups);
         let comparison = Comparison::new(&setups[0], &setups[1])?;
         if comparison.is_refined {
             let setup = &comparison.setups[0];

@@ -111,9 +111,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let setup = requests.club.setup()?;
     let launched = requests.setup_of_launch(args)?;
     // a delivery depends on the impact only, not on the weather
-    let of_weather = setup.weather_warnings();
-    let warnings = setup.warnings().into_iter();
-    warn(warnings.filter(|warning| !of_weather.contains(warning)));
+    warn(setup.club_warnings());
     warn(idle_settings_warning(args, &requests.club));
     let unknowns = read_unknowns(args, &requests.club, &setup)?;
     let found = match &args.shots {

@@ -6,7 +6,7 @@ use crate::command::interrupt;
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, note_detail, spinner, system, warn};
 use crate::command::ranges::DefaultRanges;
-use crate::command::request::{Request, replaced};
+use crate::command::request::{Request, replaced, warn_of_idle};
 use crate::command::search::allowed_loss;
 use crate::command::swings::{search_over_swings, swing_ranges};
 use crate::optimize::Observers;
@@ -71,7 +71,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         model.setup = request.stepped(model.setup, &ranges)?;
     }
     let setups: Vec<_> = models.iter().map(|model| model.setup).collect();
-    request.warn_of_idle(&setups);
+    warn_of_idle(request.given(), &setups);
     note_models(&models);
     warn(lost_settings(&request, &setup, &models));
     let spinner = spinner("searching for one design for all models");

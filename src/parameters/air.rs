@@ -212,7 +212,7 @@ impl Setup<f64> {
     /// Warnings about weather outside the range in which the equation of the density is validated
     /// (docs/sources.md): there the equation is extrapolated. The range begins at 15 °C, but colder
     /// air causes no warning: cold air holds little vapour, and the density of dry air is known.
-    pub(crate) fn weather_warnings(&self) -> Vec<Message> {
+    pub(super) fn weather_warnings(&self) -> Vec<Message> {
         const PRESSURE: [f64; 2] = [60_000.0, 110_000.0];
         // altitudes, m, at which the standard atmosphere has about these pressures
         const ALTITUDE: [f64; 2] = [-700.0, 4200.0];

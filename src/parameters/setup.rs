@@ -535,16 +535,19 @@ impl Setup<f64> {
 
     /// Warnings about values that are accepted but questionable.
     pub fn warnings(&self) -> Vec<Message> {
-        let of_club = self
-            .club
-            .triangle_warning()
-            .into_iter()
-            .chain(self.massless_weight_warnings())
-            .map(Message::from);
-        of_club
+        self.club_warnings()
             .chain(self.weather_warnings())
             .chain(self.reference_height_warning())
             .collect()
+    }
+
+    /// Those of the [warnings](Self::warnings) that are about the club.
+    pub(crate) fn club_warnings(&self) -> impl Iterator<Item = Message> {
+        self.club
+            .triangle_warning()
+            .into_iter()
+            .chain(self.massless_weight_warnings())
+            .map(Message::from)
     }
 
     /// The parameter of this name, if it can be varied and outcomes can be differentiated by it.

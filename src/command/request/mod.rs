@@ -9,6 +9,7 @@ mod step;
 
 pub use setting::{CommandSetting, refuse_duplicates};
 pub use source::Source;
+pub use step::warn_of_idle;
 
 use crate::command::args::{DriveArgs, OwnLaw, SetupArgs};
 use crate::command::output::{note, system, warn_early};

@@ -40,6 +40,13 @@ fn ends(setup: &Setup<f64>, ranges: &[Vary]) -> [Setup<f64>; 2] {
     })
 }
 
+/// Warns of those of the parameters `names` that have no effect in any of these setups.
+pub fn warn_of_idle<'a>(names: impl IntoIterator<Item = &'a str>, setups: &[Setup<f64>]) {
+    idle_warnings(names, setups)
+        .into_iter()
+        .for_each(warn_early);
+}
+
 impl Request {
     /// The setup of a single drive, with an integration step for `--tolerance`. Without this
     /// option, the step is unchanged. Warns of given values that have no effect.
@@ -47,7 +54,7 @@ impl Request {
     /// # Errors
     /// The errors of [`integration`](Self::integration).
     pub fn within_tolerance(&self, setup: Setup<f64>) -> Result<Setup<f64>> {
-        self.warn_of_idle(&[setup]);
+        warn_of_idle(self.given(), &[setup]);
         self.one_of_two_within_tolerance(setup)
     }
 
@@ -145,16 +152,7 @@ impl Request {
     pub fn warn_of_idle_in(&self, setup: &Setup<f64>, ranges: &[Vary]) {
         let varied = ranges.iter().map(|vary| vary.parameter.name);
         let names: BTreeSet<_> = self.given().chain(varied).collect();
-        idle_warnings(names, &ends(setup, ranges))
-            .into_iter()
-            .for_each(warn_early);
-    }
-
-    /// Warns of those given values that have no effect in any of these setups.
-    pub fn warn_of_idle(&self, setups: &[Setup<f64>]) {
-        idle_warnings(self.given(), setups)
-            .into_iter()
-            .for_each(warn_early);
+        warn_of_idle(names, &ends(setup, ranges));
     }
 
     fn is_within_tolerance(&self) -> bool {
