@@ -16,6 +16,7 @@ const OF_DELIVERY: &[(&str, &str)] = &[
     ("club speed", "swing.speed"),
     ("club head speed", "swing.speed"),
     ("clubhead speed", "swing.speed"),
+    ("swing speed", "swing.speed"),
     ("attack angle", "swing.attack_angle"),
     ("angle of attack", "swing.attack_angle"),
     ("aoa", "swing.attack_angle"),

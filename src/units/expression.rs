@@ -32,11 +32,12 @@ impl Unit {
     }
 }
 
-/// Parses a product of units: factors separated by spaces, `*`, `·`, `.` or `/` (which applies to
-/// the next factor), each with an optional power: `kg/m^3`, `g cm²`, `m s^-2`, `Pa.s`. A
-/// temperature scale with its own zero cannot be a factor.
+/// Parses a product of units: factors separated by spaces, `*`, `·`, `.`, a hyphen before a letter,
+/// or `/` (which applies to the next factor), each with an optional power: `kg/m^3`, `g cm²`,
+/// `g-cm2`, `m s^-2`, `Pa.s`. A temperature scale with its own zero cannot be a factor.
 pub(super) fn read_unit(text: &str) -> Option<Unit> {
     let spaced = text.replace('/', " / ").replace(['*', '·', '⋅', '.'], " ");
+    let spaced = without_hyphens(&spaced);
     let mut unit = Unit {
         numerator: 1.0,
         denominator: 1.0,
@@ -74,6 +75,18 @@ pub(super) fn read_unit(text: &str) -> Option<Unit> {
     (!divide && !spaced.trim().is_empty()).then_some(unit)
 }
 
+/// The text with a space in place of each hyphen between letters, as in `g-cm²`.
+fn without_hyphens(text: &str) -> String {
+    let is_letter = |c: Option<char>| c.is_some_and(char::is_alphabetic);
+    text.char_indices()
+        .map(|(at, c)| {
+            let joins = is_letter(text[..at].chars().next_back())
+                && is_letter(text[at + c.len_utf8()..].chars().next());
+            if c == '-' && joins { ' ' } else { c }
+        })
+        .collect()
+}
+
 /// A size as [numerator, denominator]. A size of 1/n with a whole number n has the denominator n,
 /// so that decimal units have no rounding error. Other sizes have the denominator 1.
 fn fraction(size: f64) -> [f64; 2] {
@@ -94,9 +107,13 @@ fn split_power(factor: &str) -> Option<(&str, i8)> {
             .filter(|power| (-9..=9).contains(power))
             .map(|power| (symbol, power));
     }
-    let powers = [('²', 2), ('³', 3)];
-    let found = powers
-        .iter()
-        .find_map(|&(sign, power)| Some((factor.strip_suffix(sign)?, power)));
+    let powers = [('²', 2), ('³', 3), ('2', 2), ('3', 3)];
+    let found = powers.iter().find_map(|&(sign, power)| {
+        let symbol = factor.strip_suffix(sign)?;
+        // the 2 of 12 is no power
+        symbol
+            .ends_with(char::is_alphabetic)
+            .then_some((symbol, power))
+    });
     Some(found.unwrap_or((factor, 1)))
 }

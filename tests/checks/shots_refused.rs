@@ -87,6 +87,42 @@ fn calibrate_and_delivery_omit_the_rows_that_fly_refuses() {
     }
 }
 
+/// Without a speed of ball or club, the estimated speed would only be the assumed one.
+#[test]
+fn delivery_refuses_a_table_without_a_speed_and_names_other_missing_columns() {
+    let folder = tempfile::tempdir().unwrap();
+    let open = |name: &str, text: &str| {
+        let file = file_with(folder.path(), name, text);
+        ShotTable::open_launches(&Setup::default(), Path::new(&file), RowFilter::default())
+    };
+    let refused = open("no_speed.csv", "BallSpd,Launch Angle,Spin\n138,11.2,3100\n");
+    let reason = refused.unwrap_err().to_string();
+    assert!(
+        reason.contains("no column has the ball speed or the club speed"),
+        "{reason}"
+    );
+    let no_spin = open(
+        "no_spin.csv",
+        "Ball Speed [mph],Launch Angle [deg]\n138,11.2\n",
+    )
+    .unwrap();
+    assert!(
+        remarks(&no_spin).contains(
+            "no column has the spin (spin rate, total spin or backspin): the deliveries are \
+             estimated without it"
+        ),
+        "{}",
+        remarks(&no_spin)
+    );
+    let with_club = open(
+        "club.csv",
+        "Swing Speed [mph],Launch Angle [deg],Spin [rpm]\n93,11.2,3100\n",
+    )
+    .unwrap();
+    assert_eq!(rows(&with_club), [1]);
+    assert!(remarks(&with_club).contains("no column has the ball speed: "));
+}
+
 #[test]
 fn delivery_omits_the_incomplete_launches_that_fly_refuses() {
     let bad = [
