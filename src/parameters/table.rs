@@ -83,13 +83,14 @@ parameter_groups! {
         /// Loft at the sweet spot.
         loft: T = "club.loft", "λ", ANGLE in "deg", Range::within_degrees(90.0),
             "9.8 deg", "McNally (2016), measured driver";
-        /// Inertia tensor about the centre of mass in the head frame, vertical entry.
+        /// Moment of inertia about the vertical axis through the centre of mass, the MOI of golf: entry
+        /// xx of the inertia tensor in the head frame.
         inertia_xx: T = "club.inertia.xx", "I_xx", INERTIA in "g cm^2", Range::above_to(0.0, 1.0),
             "5679 g cm^2", "measured driver, docs/sources.md";
-        /// Inertia tensor, heel–toe entry.
+        /// Moment of inertia about the axis from heel to toe: entry yy of the inertia tensor.
         inertia_yy: T = "club.inertia.yy", "I_yy", INERTIA in "g cm^2", Range::above_to(0.0, 1.0),
             "4085 g cm^2", "measured driver, docs/sources.md";
-        /// Inertia tensor, entry along the target line.
+        /// Moment of inertia about the target line: entry zz of the inertia tensor.
         inertia_zz: T = "club.inertia.zz", "I_zz", INERTIA in "g cm^2", Range::above_to(0.0, 1.0),
             "2843 g cm^2", "measured driver, docs/sources.md";
         /// Inertia tensor, matrix entry xy (minus the product of inertia).
