@@ -438,6 +438,18 @@ fn a_distribution_that_did_not_converge_has_a_warning() {
     );
 }
 
+/// The changes of such a variance fall as 1/iteration², and never below the stopping tolerance.
+#[test]
+fn a_variance_that_falls_to_0_is_converged() {
+    let ran = longdrive(&["delivery", "--shots", "examples/shots.csv"]);
+    assert_eq!(ran.status, 0, "{}", ran.err);
+    assert!(
+        !ran.err.contains("when the iterations ended"),
+        "{}",
+        ran.err
+    );
+}
+
 #[test]
 fn exact_heads_of_recovered_swings_have_units_unless_a_parameter_is_a_plain_number() {
     let folder = tempfile::tempdir().unwrap();

@@ -89,9 +89,12 @@ pub const LEAST_SHOTS: usize = 10;
 /// in this order.
 const PRIOR_FACTORS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
 /// Maximum number of times that the launches are linearized about a new mean.
-const ITERATIONS: usize = 30;
+const ITERATIONS: u32 = 30;
 /// Stopping tolerance of mean and covariance, in prior standard uncertainties.
 const TOLERANCE: f64 = 1e-5;
+/// Distance from the end of the iterations that counts as converged, in prior standard
+/// uncertainties.
+const NEGLIGIBLE: f64 = 0.01;
 /// Largest acceptable [discrepancy](PredictedOutcome::discrepancy) of an outcome.
 const ACCEPTED_DISCREPANCY: f64 = 0.25;
 
@@ -220,11 +223,14 @@ fn iterate(
         );
         let change = (&next.0 - &mean).amax().max((&next.1 - &covariance).amax());
         iteration += 1;
-        let is_converged = change < TOLERANCE;
-        if iteration < ITERATIONS && !is_converged {
+        let is_at_end = change < TOLERANCE;
+        if iteration < ITERATIONS && !is_at_end {
             (mean, covariance) = next;
             continue;
         }
+        // a variance that falls to 0 does so as 1/iteration: its changes, which fall as
+        // 1/iteration², then add up to iteration × change
+        let is_converged = is_at_end || f64::from(iteration) * change < NEGLIGIBLE;
         let solution = ConvergedDistribution {
             mean,
             covariance,
