@@ -343,11 +343,15 @@ fn in_own_words(error: &mut clap::Error) {
         }
         _ => false,
     };
+    // `-o`, unlike the value `-5deg`
+    let is_option = argument
+        .strip_prefix('-')
+        .is_some_and(|rest| rest.starts_with('-') || rest.starts_with(char::is_alphabetic));
     let tip = if !argument.starts_with('-') {
         advice_on(&argument)
     } else if !is_taken_for_a_setup {
         None
-    } else if argument.starts_with("--") {
+    } else if is_option {
         Some(tip_of_unknown_option(&argument))
     } else {
         Some(format!(

@@ -443,6 +443,12 @@ fn messages_have_plain_numbers_chosen_units_and_suggestions() {
             "'-- ",
         ),
         (
+            vec!["chart", "-o", "a.svg", "--along", "club.loft=8deg..12deg"],
+            2,
+            "this command has no option '-o'; --help lists those that it has",
+            "joined to its option",
+        ),
+        (
             vec!["simulate", "--set", "-5"],
             2,
             "joined to its option by '=', as in --set=NAME=-5",
