@@ -541,7 +541,7 @@ impl Setup<f64> {
             .collect()
     }
 
-    /// Those of the [warnings](Self::warnings) that are about the club.
+    /// The [warnings](Self::warnings) that are about the club.
     pub(crate) fn club_warnings(&self) -> impl Iterator<Item = Message> {
         self.club
             .triangle_warning()

@@ -93,34 +93,32 @@ pub(crate) fn missing_of_launch(columns: &[Column]) -> Vec<&'static str> {
         .collect()
 }
 
-/// Why the deliveries of a table cannot be estimated: no column has the ball speed or the club
-/// speed, so that the speed would only be the assumed one. `None` if there is such a column.
-pub(crate) fn why_no_speed(columns: &[Column]) -> Option<String> {
-    let is_club_speed = |column: &Column| matches!(column.content, Content::Input(parameter) if parameter.name == "swing.speed");
-    if has_outcome(columns, Outcome::BallSpeed) || columns.iter().any(is_club_speed) {
-        return None;
-    }
-    let near = near_known(columns);
-    let heads: Vec<&str> = columns.iter().map(|column| &column.head[..]).collect();
-    Some(format!(
-        "no column has the ball speed or the club speed{near}; give it a head that is known, as \
-         in 'Ball Speed [mph]' (the heads are: {})",
-        heads.join(", ")
-    ))
-}
-
 /// Remark on the parts of the launch that no column has; `None` if the launch is complete.
-pub(crate) fn incomplete_launch_remark(columns: &[Column]) -> Option<String> {
-    let missing = missing_of_launch(columns);
-    if missing.is_empty() {
-        return None;
+///
+/// # Errors
+/// A reason if no column has the ball speed or the club speed: the speed of an estimated delivery
+/// would only be the assumed one.
+pub(crate) fn missing_launch_remark(columns: &[Column]) -> Result<Option<String>, String> {
+    let near = near_known(columns);
+    let is_club_speed = |column: &Column| matches!(column.content, Content::Input(parameter) if parameter.name == "swing.speed");
+    if !has_outcome(columns, Outcome::BallSpeed) && !columns.iter().any(is_club_speed) {
+        let heads: Vec<&str> = columns.iter().map(|column| &column.head[..]).collect();
+        return Err(format!(
+            "no column has the ball speed or the club speed{near}; give it a head that is known, \
+             as in 'Ball Speed [mph]' (the heads are: {})",
+            heads.join(", ")
+        ));
     }
-    let them = if missing.len() == 1 { "it" } else { "them" };
-    Some(format!(
-        "no column has {}: the deliveries are estimated without {them}{}",
-        missing.join(" or "),
-        near_known(columns)
-    ))
+    let missing = missing_of_launch(columns);
+    let them = match missing.len() {
+        0 => return Ok(None),
+        1 => "it",
+        _ => "them",
+    };
+    Ok(Some(format!(
+        "no column has {}: the deliveries are estimated without {them}{near}",
+        missing.join(" or ")
+    )))
 }
 
 /// An unknown column head, with the nearest known one.

@@ -11,8 +11,8 @@ use crate::table::{
     StatedConditions as Launch, TableHead, TextTable, assumed_units_remark, club_column,
     columns_remark, conditions, contradiction, given_air, has_whole_launch, heads_of,
     ignore_stated_air, implausible_club, implausible_launch, impossible, in_degrees,
-    incomplete_launch_remark, is_straight_by_assumption, near_known, not_compared, outside,
-    redundant_spins_remark, why_no_speed, without_redundant_spins,
+    is_straight_by_assumption, missing_launch_remark, near_known, not_compared, outside,
+    redundant_spins_remark, without_redundant_spins,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -188,10 +188,9 @@ impl Reading {
         check_columns(&head)
             .map_err(|(at, reason)| refused(format!(", column {}", at + 1), reason))?;
         if club == ClubColumns::Read {
-            if let Some(why) = why_no_speed(&head.columns) {
-                return Err(refused(String::new(), why));
-            }
-            remarks.extend(incomplete_launch_remark(&head.columns).map(Message::from));
+            let remark = missing_launch_remark(&head.columns);
+            let remark = remark.map_err(|reason| refused(String::new(), reason))?;
+            remarks.extend(remark.map(Message::from));
         }
         let written = heads_of(&head.columns, |column| column.content == Content::Written);
         remarks.extend(columns_remark(
