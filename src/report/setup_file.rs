@@ -61,7 +61,7 @@ pub(super) fn remarks_on_varied(
     values: &[f64],
 ) -> Vec<(&'static Parameter, String)> {
     let remark = |(vary, value): (&Vary, &f64)| {
-        let found = shown::as_declared(vary.parameter, *value);
+        let found = shown::computed(vary.parameter, *value);
         let [low, high] = [vary.low, vary.high].map(|end| vary.parameter.show(Some(end)));
         (
             vary.parameter,

@@ -176,12 +176,8 @@ pub fn parameter(parameter: &Parameter, value: f64, system: System) -> String {
     computed(parameter, value).in_units(system)
 }
 
-/// A value of a parameter in its declared unit, as in setup files.
-pub(super) fn as_declared(parameter: &Parameter, value: f64) -> String {
-    computed(parameter, value).to_string()
-}
-
-fn computed(parameter: &Parameter, value: f64) -> Message {
+/// A computed value of a parameter. In its declared unit it is the value of a setup file.
+pub(super) fn computed(parameter: &Parameter, value: f64) -> Message {
     let digits = if parameter.quantity == Quantity::NUMBER {
         Digits::Significant(5)
     } else {

@@ -7,7 +7,7 @@ use super::document::Document;
 use super::json::{ByName, JsonNumber, Matrix, Settings, settings};
 use super::reply::{Ending, Report};
 use super::setup_file::setup_toml;
-use super::shown::as_declared;
+use super::shown::computed;
 use crate::error::Result;
 use crate::optimize::least_squares::{FitStatus, RejectedPoints};
 use crate::parameters::SetupFile;
@@ -226,7 +226,7 @@ impl<'a> CalibrationReport<'a> {
                     let show = |value: f64| typed(&number(value), unit);
                     format!("{} ± {}", show(value), show(error))
                 }
-                None => format!("{} without a standard error", as_declared(parameter, value)),
+                None => format!("{} without a standard error", computed(parameter, value)),
             };
             (parameter, format!("fitted to {data}: {value}"))
         });
