@@ -71,6 +71,8 @@ pub(super) struct Canvas {
     pub height: f64,
     /// The elements.
     pub svg: String,
+    /// The rectangles of labels and marks, which another label must not cover.
+    pub labelled: Vec<[[f64; 2]; 2]>,
 }
 
 impl Canvas {
@@ -138,6 +140,39 @@ impl Canvas {
                 pointer-events="stroke" { title { (typeset(tooltip)) } }
         });
     }
+
+    /// The rectangle that a label needs around its middle. It is large enough for bold text.
+    pub fn label_extent(text: &str, middle: [f64; 2]) -> [[f64; 2]; 2] {
+        let half = [
+            0.5 * text_width(&typeset(text), SMALL_TEXT, true) + 3.0,
+            0.5 * LINE - 1.0,
+        ];
+        [
+            [middle[0] - half[0], middle[1] - half[1]],
+            [middle[0] + half[0], middle[1] + half[1]],
+        ]
+    }
+
+    /// True if a rectangle overlaps no label and no mark.
+    pub fn is_free(&self, [low, high]: [[f64; 2]; 2]) -> bool {
+        let apart = |other: &[[f64; 2]; 2]| {
+            (0..2).any(|axis| high[axis] < other[0][axis] || low[axis] > other[1][axis])
+        };
+        self.labelled.iter().all(apart)
+    }
+
+    /// Writes a label centred on a point, on a background that makes it readable.
+    pub fn label(&mut self, text: &str, middle: [f64; 2], color: Color, is_bold: bool) {
+        let extent = Self::label_extent(text, middle);
+        self.rectangle(extent[0], extent[1], self.palette.background, 0.72);
+        self.labelled.push(extent);
+        let font = Font {
+            size: SMALL_TEXT,
+            color,
+            is_bold,
+        };
+        self.text(text, middle, Anchor::Middle, font);
+    }
 }
 
 /// Pixels with one decimal, below the resolution of the eye.
@@ -152,47 +187,4 @@ fn list(points: &[[f64; 2]]) -> String {
         .map(|[x, y]| format!("{},{}", pixels(*x), pixels(*y)))
         .collect();
     points.join(" ")
-}
-
-/// Labels on a background that makes them readable; `taken` are the occupied rectangles.
-pub(super) struct Labels<'a> {
-    pub canvas: &'a mut Canvas,
-    pub taken: Vec<[[f64; 2]; 2]>,
-}
-
-impl Labels<'_> {
-    /// The rectangle that a text needs around its middle. It is large enough for bold text.
-    pub fn extent(text: &str, middle: [f64; 2]) -> [[f64; 2]; 2] {
-        let half = [
-            0.5 * text_width(&typeset(text), SMALL_TEXT, true) + 3.0,
-            0.5 * LINE - 1.0,
-        ];
-        [
-            [middle[0] - half[0], middle[1] - half[1]],
-            [middle[0] + half[0], middle[1] + half[1]],
-        ]
-    }
-
-    /// True if a rectangle overlaps no occupied rectangle.
-    pub fn is_free(&self, [low, high]: [[f64; 2]; 2]) -> bool {
-        let apart = |other: &[[f64; 2]; 2]| {
-            (0..2).any(|axis| high[axis] < other[0][axis] || low[axis] > other[1][axis])
-        };
-        self.taken.iter().all(apart)
-    }
-
-    /// Writes a text centred on a point.
-    pub fn write(&mut self, text: &str, middle: [f64; 2], color: Color, is_bold: bool) {
-        let extent = Self::extent(text, middle);
-        let background = self.canvas.palette.background;
-        self.canvas
-            .rectangle(extent[0], extent[1], background, 0.72);
-        self.taken.push(extent);
-        let font = Font {
-            size: SMALL_TEXT,
-            color,
-            is_bold,
-        };
-        self.canvas.text(text, middle, Anchor::Middle, font);
-    }
 }

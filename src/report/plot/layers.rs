@@ -1,6 +1,6 @@
 //! Draws each kind of layer, in pixels of the plot.
 
-use super::canvas::{Canvas, Labels, SIGN, Stroke};
+use super::canvas::{Canvas, SIGN, Stroke};
 use super::contour::ContourRegion;
 use super::figure::{Field, Figure, Hue, Layer};
 use super::hatching::hatching;
@@ -125,7 +125,7 @@ pub(super) fn draw_layer(
 }
 
 /// Draws the arrows of fields, except those that a label or mark would partly cover.
-pub(super) fn field_arrows(labels: &mut Labels<'_>, area: &PlotArea, figure: &Figure) {
+pub(super) fn field_arrows(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
     for layer in &figure.layers {
         let Layer::Arrows { name, hue, arrows } = layer else {
             continue;
@@ -133,11 +133,11 @@ pub(super) fn field_arrows(labels: &mut Labels<'_>, area: &PlotArea, figure: &Fi
         if name.is_empty() {
             continue;
         }
-        let color = labels.canvas.palette.of(*hue);
+        let color = canvas.palette.of(*hue);
         for [from, to] in pixels(area, arrows) {
             let end = |pick: fn(f64, f64) -> f64| [pick(from[0], to[0]), pick(from[1], to[1])];
-            if labels.is_free([end(f64::min), end(f64::max)]) {
-                arrow(labels.canvas, from, to, color);
+            if canvas.is_free([end(f64::min), end(f64::max)]) {
+                arrow(canvas, from, to, color);
             }
         }
     }
@@ -152,13 +152,13 @@ fn pixels(area: &PlotArea, arrows: &[[[f64; 2]; 2]]) -> impl Iterator<Item = [[f
 
 /// Writes the levels of contours where there is space.
 pub(super) fn write_levels(
-    labels: &mut Labels<'_>,
+    canvas: &mut Canvas,
     area: &PlotArea,
     system: System,
     figure: &Figure,
     regions: &[Vec<ContourRegion>],
 ) {
-    let ink = labels.canvas.palette.ink;
+    let ink = canvas.palette.ink;
     for (layer, regions) in figure.layers.iter().zip(regions) {
         let Layer::Contours(field) = layer else {
             continue;
@@ -170,9 +170,9 @@ pub(super) fn write_levels(
             lines.sort_by_key(|line| std::cmp::Reverse(line.len()));
             let at = lines
                 .iter()
-                .find_map(|line| place_on(labels, area, line, &text, 0.0));
+                .find_map(|line| place_on(canvas, area, line, &text, 0.0));
             if let Some(at) = at {
-                labels.write(&text, at, ink, false);
+                canvas.label(&text, at, ink, false);
             }
         }
     }
@@ -182,7 +182,7 @@ pub(super) fn write_levels(
 /// and right. The position is as near as possible to the middle of the line, because the ends of
 /// several lines are often close together.
 pub(super) fn place_on(
-    labels: &Labels<'_>,
+    canvas: &Canvas,
     area: &PlotArea,
     places: &[[f64; 2]],
     text: &str,
@@ -198,23 +198,23 @@ pub(super) fn place_on(
     });
     outward
         .filter_map(|i| places.get(i))
-        .find(|at| has_room(labels, area, text, **at, apart))
+        .find(|at| has_room(canvas, area, text, **at, apart))
         .copied()
 }
 
 /// True if a label with this middle is inside the frame and covers nothing. `apart` is the width,
 /// pixels, that must also be free on its left and right.
 pub(super) fn has_room(
-    labels: &Labels<'_>,
+    canvas: &Canvas,
     area: &PlotArea,
     text: &str,
     middle: [f64; 2],
     apart: f64,
 ) -> bool {
     let [left, top, right, bottom] = area.frame;
-    let [low, high] = Labels::extent(text, middle);
+    let [low, high] = Canvas::label_extent(text, middle);
     let is_inside = low[0] >= left && high[0] <= right && low[1] >= top && high[1] <= bottom;
-    is_inside && labels.is_free([[low[0] - apart, low[1]], [high[0] + apart, high[1]]])
+    is_inside && canvas.is_free([[low[0] - apart, low[1]], [high[0] + apart, high[1]]])
 }
 
 /// Draws a region: hatched, or tinted with an outline.

@@ -1,6 +1,6 @@
 //! Marks with labels in free positions, and names of lines written on the lines.
 
-use super::canvas::{LINE, Labels, Stroke};
+use super::canvas::{Canvas, LINE, Stroke};
 use super::figure::{Figure, Layer, LineNames};
 use super::layers::{PlotArea, has_room, place_on, star};
 use super::legend;
@@ -38,11 +38,11 @@ const CONNECT_DISTANCE: f64 = 1.5 * LINE;
 
 /// Draws the marks, then their labels. If the labels of some marks are also in the legend, these
 /// marks are drawn only if all their labels have space.
-pub(super) fn write_marks(labels: &mut Labels<'_>, area: &PlotArea, figure: &Figure) {
+pub(super) fn write_marks(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
     let marks = figure.layers.iter().filter_map(|layer| match layer {
         Layer::Mark { name, hue, at } => Some(Mark {
             name: name.clone(),
-            color: labels.canvas.palette.of(*hue),
+            color: canvas.palette.of(*hue),
             at: area.pixel(*at)?,
         }),
         _ => None,
@@ -51,8 +51,8 @@ pub(super) fn write_marks(labels: &mut Labels<'_>, area: &PlotArea, figure: &Fig
         marks.partition(|mark| !mark.name.is_empty() && legend::has(figure, &mark.name));
     let needed = merged(needed);
     for mark in &needed {
-        star(labels.canvas, mark.at, mark.color);
-        labels.taken.push(around(&mark.at));
+        star(canvas, mark.at, mark.color);
+        canvas.labelled.push(around(&mark.at));
     }
     let lines = lines(area, figure);
     for (i, mark) in needed.iter().enumerate() {
@@ -60,10 +60,10 @@ pub(super) fn write_marks(labels: &mut Labels<'_>, area: &PlotArea, figure: &Fig
             continue;
         }
         let others = [&needed[..i], &needed[i + 1..]].concat();
-        match beside(labels, area, mark, &others, &lines) {
-            Some(middle) => write_connected(labels, mark, middle),
+        match beside(canvas, area, mark, &others, &lines) {
+            Some(middle) => write_connected(canvas, mark, middle),
             None => write_near(
-                labels,
+                canvas,
                 area,
                 &mark.name,
                 mark.at,
@@ -72,39 +72,41 @@ pub(super) fn write_marks(labels: &mut Labels<'_>, area: &PlotArea, figure: &Fig
             ),
         }
     }
-    write_legend_marks(labels, area, &in_legend, &lines);
+    write_legend_marks(canvas, area, &in_legend, &lines);
 }
 
 /// Draws marks with their labels if there is space for all labels.
 fn write_legend_marks(
-    labels: &mut Labels<'_>,
+    canvas: &mut Canvas,
     area: &PlotArea,
     in_legend: &[Mark],
     lines: &[[f64; 2]],
 ) {
-    let before = labels.taken.len();
-    labels
-        .taken
+    let before = canvas.labelled.len();
+    canvas
+        .labelled
         .extend(in_legend.iter().map(|mark| around(&mark.at)));
     let mut middles = vec![];
     for mark in in_legend {
-        let Some(middle) = beside(labels, area, mark, &[], lines) else {
-            labels.taken.truncate(before);
+        let Some(middle) = beside(canvas, area, mark, &[], lines) else {
+            canvas.labelled.truncate(before);
             return;
         };
-        labels.taken.push(Labels::extent(&mark.name, middle));
+        canvas
+            .labelled
+            .push(Canvas::label_extent(&mark.name, middle));
         middles.push(middle);
     }
     for (mark, middle) in in_legend.iter().zip(middles) {
-        star(labels.canvas, mark.at, mark.color);
-        write_connected(labels, mark, middle);
+        star(canvas, mark.at, mark.color);
+        write_connected(canvas, mark, middle);
     }
 }
 
 /// Writes the label of a mark, with a line to the mark if the label is farther away than
 /// `CONNECT_DISTANCE`.
-fn write_connected(labels: &mut Labels<'_>, mark: &Mark, middle: [f64; 2]) {
-    let [low, high] = Labels::extent(&mark.name, middle);
+fn write_connected(canvas: &mut Canvas, mark: &Mark, middle: [f64; 2]) {
+    let [low, high] = Canvas::label_extent(&mark.name, middle);
     let end = [0, 1].map(|axis| mark.at[axis].clamp(low[axis], high[axis]));
     let [dx, dy] = [0, 1].map(|axis| end[axis] - mark.at[axis]);
     let length = dx.hypot(dy);
@@ -113,11 +115,9 @@ fn write_connected(labels: &mut Labels<'_>, mark: &Mark, middle: [f64; 2]) {
             mark.at[0] + SIZE / length * dx,
             mark.at[1] + SIZE / length * dy,
         ];
-        labels
-            .canvas
-            .line(&[start, end], Stroke::new(mark.color, 0.8));
+        canvas.line(&[start, end], Stroke::new(mark.color, 0.8));
     }
-    labels.write(&mark.name, middle, mark.color, true);
+    canvas.label(&mark.name, middle, mark.color, true);
 }
 
 /// A mark in pixels.
@@ -157,7 +157,7 @@ fn merged(marks: Vec<Mark>) -> Vec<Mark> {
 
 /// Writes the labels of [`Layer::Text`], moved sideways into the frame. Omits a label that would
 /// cover another label.
-pub(super) fn write_texts(labels: &mut Labels<'_>, area: &PlotArea, figure: &Figure) {
+pub(super) fn write_texts(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
     for layer in &figure.layers {
         let Layer::Text { name, hue, at } = layer else {
             continue;
@@ -166,10 +166,10 @@ pub(super) fn write_texts(labels: &mut Labels<'_>, area: &PlotArea, figure: &Fig
             continue;
         };
         let [left, _, right, _] = area.frame;
-        let half = Labels::extent(name, [0.0, 0.0])[1][0];
+        let half = Canvas::label_extent(name, [0.0, 0.0])[1][0];
         let middle = [x.min(right - half).max(left + half), y];
-        if has_room(labels, area, name, middle, 0.0) {
-            labels.write(name, middle, labels.canvas.palette.of(*hue), false);
+        if has_room(canvas, area, name, middle, 0.0) {
+            canvas.label(name, middle, canvas.palette.of(*hue), false);
         }
     }
 }
@@ -177,20 +177,20 @@ pub(super) fn write_texts(labels: &mut Labels<'_>, area: &PlotArea, figure: &Fig
 /// Writes a label as near as possible to a point. If its distance exceeds `far`, pixels, a line
 /// connects label and point.
 fn write_near(
-    labels: &mut Labels<'_>,
+    canvas: &mut Canvas,
     area: &PlotArea,
     name: &str,
     at: [f64; 2],
     color: Color,
     far: f64,
 ) {
-    let middle = nearest(labels, area, name, at);
+    let middle = nearest(canvas, area, name, at);
     let [dx, dy] = [middle[0] - at[0], middle[1] - at[1]];
-    let half = Labels::extent(name, [0.0, 0.0])[1][0];
+    let half = Canvas::label_extent(name, [0.0, 0.0])[1][0];
     if (dx.abs() - half).max(0.0).hypot(dy) > far {
-        labels.canvas.line(&[at, middle], Stroke::new(color, 0.8));
+        canvas.line(&[at, middle], Stroke::new(color, 0.8));
     }
-    labels.write(name, middle, color, true);
+    canvas.label(name, middle, color, true);
 }
 
 /// Equidistant points along the lines of a figure, in pixels. They are so dense that no label fits
@@ -226,14 +226,14 @@ fn lines(area: &PlotArea, figure: &Figure) -> Vec<[f64; 2]> {
 /// mark. The cost grows with the covered points of lines, and with the distance from the mark.
 /// `None` if every free position is as near to another mark.
 fn beside(
-    labels: &Labels<'_>,
+    canvas: &Canvas,
     area: &PlotArea,
     Mark { name, at, .. }: &Mark,
     others: &[Mark],
     lines: &[[f64; 2]],
 ) -> Option<[f64; 2]> {
     let [left, _, right, _] = area.frame;
-    let [wide, tall] = Labels::extent(name, [0.0, 0.0])[1];
+    let [wide, tall] = Canvas::label_extent(name, [0.0, 0.0])[1];
     let beside = |gap: f64| {
         let sides = [wide + gap, -wide - gap].map(|dx| at[0] + dx);
         let heights = [0.0, -LINE, LINE, -HALF_LINE, HALF_LINE].map(|dy| at[1] + dy);
@@ -251,13 +251,13 @@ fn beside(
         beside(gap).map(move |middle| (middle, cost)).chain(over)
     }));
     let hidden = |middle: &[f64; 2]| {
-        let [low, high] = Labels::extent(name, *middle);
+        let [low, high] = Canvas::label_extent(name, *middle);
         let is_under =
             |place: &&[f64; 2]| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&place[axis]));
         lines.iter().filter(is_under).count()
     };
     let is_clear = |middle: &[f64; 2]| {
-        let extent = Labels::extent(name, *middle);
+        let extent = Canvas::label_extent(name, *middle);
         let own = distance(*at, extent);
         // a label farther away than `CONNECT_DISTANCE` has a line to its mark: other marks may be
         // nearer
@@ -266,7 +266,7 @@ fn beside(
         others.all(|other| distance(other.at, extent) > least)
     };
     // the position with the lowest cost that is free and clear of other marks
-    all.filter(|(middle, _)| has_room(labels, area, name, *middle, 0.0) && is_clear(middle))
+    all.filter(|(middle, _)| has_room(canvas, area, name, *middle, 0.0) && is_clear(middle))
         .min_by_key(|(middle, cost)| 2 * hidden(middle) + cost)
         .map(|(middle, _)| middle)
 }
@@ -279,10 +279,10 @@ fn distance(at: [f64; 2], [low, high]: [[f64; 2]; 2]) -> f64 {
 
 /// The middle of a label in the free position of the frame that is nearest to a point. If no
 /// position is free, the label is at the point and may cover other labels.
-fn nearest(labels: &Labels<'_>, area: &PlotArea, name: &str, at: [f64; 2]) -> [f64; 2] {
+fn nearest(canvas: &Canvas, area: &PlotArea, name: &str, at: [f64; 2]) -> [f64; 2] {
     const STEP: f64 = 8.0;
     let [left, top, right, bottom] = area.frame;
-    let [wide, tall] = Labels::extent(name, [0.0, 0.0])[1];
+    let [wide, tall] = Canvas::label_extent(name, [0.0, 0.0])[1];
     let (across, up) = (
         ((right - left) / STEP) as usize,
         ((bottom - top) / STEP) as usize,
@@ -290,7 +290,7 @@ fn nearest(labels: &Labels<'_>, area: &PlotArea, name: &str, at: [f64; 2]) -> [f
     let nodes = (0..across)
         .flat_map(|i| (0..up).map(move |j| [left + STEP * i as f64, top + STEP * j as f64]));
     let distance = |node: &[f64; 2]| (node[0] - at[0]).hypot(node[1] - at[1]);
-    let free = nodes.filter(|node| has_room(labels, area, name, *node, 0.0));
+    let free = nodes.filter(|node| has_room(canvas, area, name, *node, 0.0));
     free.min_by(|a, b| distance(a).total_cmp(&distance(b)))
         .unwrap_or([
             at[0].min(right - wide).max(left + wide),
@@ -304,7 +304,7 @@ const NAME_GAP: f64 = 8.0;
 
 /// Writes the names of lines on the lines if the figure has [`LineNames::OnLines`]. A name without
 /// space on its line is written next to the line.
-pub(super) fn write_line_names(labels: &mut Labels<'_>, area: &PlotArea, figure: &Figure) {
+pub(super) fn write_line_names(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
     let is_on_lines = figure.line_names == LineNames::OnLines;
     for layer in figure.layers.iter().filter(|_| is_on_lines) {
         let Layer::Line {
@@ -313,17 +313,17 @@ pub(super) fn write_line_names(labels: &mut Labels<'_>, area: &PlotArea, figure:
         else {
             continue;
         };
-        let (places, color) = (area.all(points), labels.canvas.palette.of(*hue));
+        let (places, color) = (area.all(points), canvas.palette.of(*hue));
         if name.is_empty() {
             continue;
         }
-        match place_on(labels, area, &places, name, NAME_GAP) {
-            Some(middle) => labels.write(name, middle, color, true),
+        match place_on(canvas, area, &places, name, NAME_GAP) {
+            Some(middle) => canvas.label(name, middle, color, true),
             // no space on the line: write the name beside it, because the legend does not have the
             // name
             None => {
                 if let Some(at) = places.get(places.len() / 2) {
-                    write_near(labels, area, name, *at, color, LINE);
+                    write_near(canvas, area, name, *at, color, LINE);
                 }
             }
         }

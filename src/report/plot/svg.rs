@@ -1,6 +1,6 @@
 //! The picture of a figure with its `panels`. A row of the picture has `columns` views.
 
-use super::canvas::{Anchor, Canvas, Font, LINE, Labels, SMALL_TEXT, Stroke, TEXT};
+use super::canvas::{Anchor, Canvas, Font, LINE, SMALL_TEXT, Stroke, TEXT};
 use super::contour::contour_regions;
 use super::figure::{Figure, Layer};
 use super::hover::write_tooltips;
@@ -100,6 +100,7 @@ fn panel(figure: &Figure, look: &Look) -> Result<Canvas> {
         palette: if look.is_dark { &DARK } else { &LIGHT },
         height: layout.height,
         svg: String::new(),
+        labelled: vec![],
     };
     let size = [f64::from(look.width), layout.height];
     canvas.rectangle([0.0, 0.0], size, canvas.palette.background, 1.0);
@@ -135,18 +136,14 @@ fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &La
             rows.bars(canvas, area, system, figure, layer);
         }
     }
-    let mut labels = Labels {
-        canvas,
-        taken: vec![],
-    };
-    write_marks(&mut labels, area, figure);
-    write_texts(&mut labels, area, figure);
-    write_line_names(&mut labels, area, figure);
+    write_marks(canvas, area, figure);
+    write_texts(canvas, area, figure);
+    write_line_names(canvas, area, figure);
     if let Some(names) = &layout.end_names {
-        names.draw(labels.canvas, area, figure);
+        names.draw(canvas, area, figure);
     }
-    write_levels(&mut labels, area, system, figure, &regions);
-    field_arrows(&mut labels, area, figure);
+    write_levels(canvas, area, system, figure, &regions);
+    field_arrows(canvas, area, figure);
     write_tooltips(canvas, figure, area, system, &regions);
 }
 
