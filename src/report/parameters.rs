@@ -268,6 +268,9 @@ fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
     let methods = Method::ALL
         .iter()
         .map(|method| format!("{} (order {})", method.name(), method.order()));
+    let turfs = TURFS
+        .iter()
+        .map(|turf| format!("{} ({})", turf.name, turf.about));
     [
         ChoiceReport {
             choice: METHOD,
@@ -294,27 +297,19 @@ fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
                   and path the swing states (they differ where swing.closure turns the head)"
                 .into(),
         },
-        turf_choice(setup, &usual),
+        ChoiceReport {
+            choice: TURF,
+            value: setup.turf().map(|turf| turf.name),
+            default: usual.turf().map(|turf| turf.name),
+            names: TURFS.iter().map(|turf| turf.name).collect(),
+            doc: format!(
+                "sets ground.restitution, ground.friction, ground.compliance and ground.rolling at \
+                 once ({} here): {}",
+                setup.turf().map_or("none of them", |turf| turf.name),
+                turfs.collect::<Vec<_>>().join("; ")
+            ),
+        },
     ]
-}
-
-/// The choice `ground.turf`. The name of a turf sets four parameters of the ground.
-fn turf_choice(setup: &Setup<f64>, usual: &Setup<f64>) -> ChoiceReport {
-    let turfs = TURFS
-        .iter()
-        .map(|turf| format!("{} ({})", turf.name, turf.about));
-    ChoiceReport {
-        choice: TURF,
-        value: setup.turf().map(|turf| turf.name),
-        default: usual.turf().map(|turf| turf.name),
-        names: TURFS.iter().map(|turf| turf.name).collect(),
-        doc: format!(
-            "sets ground.restitution, ground.friction, ground.compliance and ground.rolling at \
-             once ({} here): {}",
-            setup.turf().map_or("none of them", |turf| turf.name),
-            turfs.collect::<Vec<_>>().join("; ")
-        ),
-    }
 }
 
 /// A table of parameters with value, default and range. Symbol and meaning are below each row.
