@@ -1,4 +1,4 @@
-use super::{STATUS, column_counts, expect_columns, parameter_names, push_number};
+use super::{STATUS, column_counts, expect_columns, push_number};
 use crate::batch::{Batch, Block};
 
 /// A batch as JSON lines: an object for each drive. A missing value is `null`.
@@ -29,7 +29,7 @@ impl SweepJsonLines {
     pub fn new(batch: &Batch) -> Self {
         let key = |name: &str| format!("\"{name}\":");
         Self {
-            parameters: parameter_names(batch).into_iter().map(key).collect(),
+            parameters: batch.parameters().iter().map(|row| key(row.name)).collect(),
             results: batch
                 .columns()
                 .iter()

@@ -41,14 +41,6 @@ fn expect_columns(here: [usize; 3], block: &Block) {
     );
 }
 
-fn parameter_names(batch: &Batch) -> Vec<&'static str> {
-    batch
-        .parameters()
-        .iter()
-        .map(|parameter| parameter.name)
-        .collect()
-}
-
 /// Appends a number in the shortest form from which the number can be parsed exactly.
 pub(super) fn push_number(bytes: &mut Vec<u8>, number: f64) {
     // writing to memory does not fail

@@ -1,4 +1,4 @@
-use super::{STATUS, column_counts, expect_columns, parameter_names};
+use super::{STATUS, column_counts, expect_columns};
 use crate::batch::{Batch, Block, CHUNK};
 use crate::error::Result;
 use crate::report::parquet::{Cells, ColumnType, ParquetGroup, ParquetTable, PlacedGroup};
@@ -30,10 +30,11 @@ impl SweepParquet {
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow the columns of the batch.
     pub fn new(batch: &Batch, definition: &str) -> Result<Self> {
-        let (parameters, results) = (parameter_names(batch), batch.columns());
-        let columns = parameters
+        let results = batch.columns();
+        let columns = batch
+            .parameters()
             .iter()
-            .map(|name| ((*name).to_owned(), ColumnType::SomeRepeatedNumber));
+            .map(|row| (row.name.to_owned(), ColumnType::SomeRepeatedNumber));
         let columns = columns.chain([(STATUS.to_owned(), ColumnType::Text)]);
         let columns: Vec<_> = columns
             .chain(
