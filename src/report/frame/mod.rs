@@ -2,14 +2,12 @@
 //! pictures.
 
 mod picture;
-mod units;
 
 pub use picture::TextFile;
 pub(super) use picture::{Pair, picture_files, pictures, svg_name};
-pub(super) use units::{both, chosen};
 
 use super::plot::dark_rules;
-use crate::units::System;
+use crate::units::{System, typeset};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// The HTML of a page with a window title, a header, content and a footer. If a text differs
@@ -27,7 +25,11 @@ pub(super) fn page(
         include_str!("dark.css"),
         dark_rules("figure")
     );
-    let has_units = [header, main].into_iter().any(units::has_both);
+    // the classes of a text in one system of units
+    let of_units = [r#"<span class="us""#, r#" us">"#];
+    let has_units = [header, main]
+        .into_iter()
+        .any(|part| of_units.iter().any(|class| part.0.contains(class)));
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -38,7 +40,7 @@ pub(super) fn page(
                 style { (PreEscaped(include_str!("style.css"))) (PreEscaped(dark)) }
             }
             body {
-                header { (header) @if has_units { (units::switch(system)) } }
+                header { (header) @if has_units { (switch(system)) } }
                 main { (main) }
                 @if let Some(footer) = footer { footer { (footer) } }
             }
@@ -51,4 +53,31 @@ pub(super) fn page(
 /// its content.
 pub(super) fn scrolled(label: &str, table: Markup) -> Markup {
     html! { section.wide tabindex="0" aria-label=(label) { (table) } }
+}
+
+/// The text that `write` returns for each system of units. If both texts are equal, the page has
+/// the text once.
+pub(super) fn both(write: impl Fn(System) -> String) -> Markup {
+    let [us, metric] = [System::Us, System::Metric].map(|system| typeset(&write(system)));
+    html! {
+        @if us == metric { (us) } @else { span.us { (us) } span.metric { (metric) } }
+    }
+}
+
+/// A text in metric and in US units. If both are equal, the page has the text once.
+pub(super) fn chosen(metric: &str, us: &str) -> Markup {
+    both(|system| if system == System::Us { us } else { metric }.to_owned())
+}
+
+/// The switch of units, which needs no script.
+fn switch(system: System) -> Markup {
+    html! {
+        fieldset.switch {
+            legend { "Units" }
+            input.units #units-us type="radio" name="units" checked[system == System::Us];
+            label for="units-us" { "yd, mph" }
+            input.units #units-metric type="radio" name="units" checked[system == System::Metric];
+            label for="units-metric" { "m, m/s" }
+        }
+    }
 }

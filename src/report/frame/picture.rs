@@ -1,6 +1,6 @@
 //! Plots on a page, each drawn for several widths and for both systems of units.
 
-use super::units::chosen;
+use super::chosen;
 use crate::error::Result;
 use crate::report::plot::{Figure, Look, figure_csv, figure_svg};
 use crate::units::{System, TableUnits};
