@@ -84,7 +84,12 @@ pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Re
     for (i, one) in flown.iter().enumerate() {
         figure.layers.extend(marks(one, i, view, system));
     }
-    figure.note = view.note().into();
+    figure.note = match view {
+        View::Side => "True scale: heights are drawn as large as distances.".into(),
+        View::Top => "Seen from above with the target to the right. True scale: distances to the \
+                      side are drawn as large as those downrange."
+            .into(),
+    };
     figure.note += &note_of_totals(flown, &runs, system);
     if let Some(panel) = stretched {
         figure.note += &format!(" Below: {}.", panel.title.to_lowercase());
@@ -106,16 +111,6 @@ impl View {
         match self {
             Self::Side => [at.z, at.x],
             Self::Top => [at.z, at.y],
-        }
-    }
-
-    fn note(self) -> &'static str {
-        match self {
-            Self::Side => "True scale: heights are drawn as large as distances.",
-            Self::Top => {
-                "Seen from above with the target to the right. True scale: distances to the side \
-                 are drawn as large as those downrange."
-            }
         }
     }
 
