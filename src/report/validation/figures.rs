@@ -28,26 +28,17 @@ const OPTIMUM: &str =
 pub(super) fn figures(found: &[SetScores]) -> Vec<Figure> {
     let measured: Vec<&SetScores> = found.iter().filter(|set| set.set.is_measured).collect();
     let optima: Vec<&SetScores> = found.iter().filter(|set| set.set.name == OPTIMA).collect();
-    let laws = drawn(&measured);
+    let mut laws = vec![Law::default().name(), ALTERNATIVE];
+    for set in &measured {
+        let best = best(set).map(|(_, law)| law);
+        laws.extend(best.filter(|law| !laws.contains(law)));
+    }
     let mut figures = vec![carry(&measured)];
     for of in [Compared::Carry, Compared::Apex, Compared::Descent] {
         figures.push(residuals(&measured, &laws, of));
     }
     figures.push(residuals(&optima, &laws, Compared::Spin));
     figures
-}
-
-/// The default law, the law `ALTERNATIVE`, and the most accurate law of each set.
-fn drawn(sets: &[&SetScores]) -> Vec<&'static str> {
-    let mut laws = vec![Law::default().name(), ALTERNATIVE];
-    for set in sets {
-        laws.extend(
-            best(set)
-                .map(|(_, law)| law)
-                .filter(|law| !laws.contains(law)),
-        );
-    }
-    laws
 }
 
 /// Figure of the predicted against the measured carry. Each set is a series, computed with the
