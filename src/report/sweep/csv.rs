@@ -8,16 +8,10 @@ pub struct SweepCsv {
     names: Vec<String>,
     /// Number of parameters, outcomes and derivatives.
     columns: [usize; 3],
-    /// The unit of each parameter, outcome and derivative; `None` for a number in SI.
-    units: Vec<Option<ColumnUnit>>,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum ColumnUnit {
-    /// Unit of a parameter or an outcome; the zero of its scale may differ from SI (°F).
-    Value(Unit),
-    /// Size of the unit of a derivative, SI.
-    Ratio(f64),
+    /// The unit of each parameter and outcome; `None` for a number in SI.
+    units: Vec<Option<Unit>>,
+    /// The size of the unit of each derivative, SI.
+    derivative_sizes: Vec<f64>,
 }
 
 impl SweepCsv {
@@ -33,9 +27,8 @@ impl SweepCsv {
         let is_si = units == TableUnits::Si;
         let of_value = |(_, quantity, unit): (&str, Quantity, &'static str)| {
             let unit = quantity.unit_named(units.unit(quantity, unit));
-            unit.filter(|_| !is_si).map(ColumnUnit::Value)
+            unit.filter(|_| !is_si)
         };
-        let values = || parameters.clone().chain(outcomes.clone());
         let derivatives = batch
             .outcomes()
             .iter()
@@ -54,13 +47,14 @@ impl SweepCsv {
             .chain(outcomes.clone().map(head))
             .chain(derivative_heads)
             .collect();
-        let of_derivatives = derivative_units
+        let derivative_sizes = derivative_units
             .iter()
-            .map(|unit| Some(ColumnUnit::Ratio(unit.size)).filter(|_| !is_si));
+            .map(|unit| if is_si { 1.0 } else { unit.size });
         Self {
             names,
             columns: column_counts(batch),
-            units: values().map(of_value).chain(of_derivatives).collect(),
+            units: parameters.chain(outcomes).map(of_value).collect(),
+            derivative_sizes: derivative_sizes.collect(),
         }
     }
 
@@ -76,19 +70,16 @@ impl SweepCsv {
     pub fn rows(&self, block: &Block) -> Vec<u8> {
         expect_columns(self.columns, block);
         let mut bytes = Vec::with_capacity(block.rows() * self.names.len() * 20);
-        let write = |bytes: &mut Vec<u8>, value: f64, at: usize| {
-            let number = match self.units[at] {
-                None => value,
-                Some(ColumnUnit::Value(unit)) => unit.number(value),
-                Some(ColumnUnit::Ratio(size)) => value / size,
-            };
-            push_number(bytes, number);
+        let in_unit = |value: f64, unit: &Option<Unit>| match unit {
+            None => value,
+            Some(unit) => unit.number(value),
         };
         for row in 0..block.rows() {
             let point = block.point(row);
-            for (at, value) in point.iter().enumerate() {
+            let (of_point, of_outcomes) = self.units.split_at(point.len());
+            for (value, unit) in point.iter().zip(of_point) {
                 match *value {
-                    value if value.is_finite() => write(&mut bytes, value, at),
+                    value if value.is_finite() => push_number(&mut bytes, in_unit(value, unit)),
                     // the table of points has no value here
                     value if value.is_nan() => {}
                     // the radius of a flat face
@@ -97,11 +88,14 @@ impl SweepCsv {
                 bytes.push(b',');
             }
             bytes.extend_from_slice(block.status(row).name().as_bytes());
-            let computed = block.outcomes(row).chain(block.derivatives(row));
-            for (at, value) in (point.len()..).zip(computed) {
+            let outcomes = block.outcomes(row).zip(of_outcomes);
+            let outcomes = outcomes.map(|(value, unit)| Some(in_unit(value?, unit)));
+            let derivatives = block.derivatives(row).zip(&self.derivative_sizes);
+            let derivatives = derivatives.map(|(value, size)| Some(value? / size));
+            for number in outcomes.chain(derivatives) {
                 bytes.push(b',');
-                if let Some(value) = value {
-                    write(&mut bytes, value, at);
+                if let Some(number) = number {
+                    push_number(&mut bytes, number);
                 }
             }
             bytes.push(b'\n');
