@@ -3,11 +3,11 @@
 //! at the ends of the bars.
 
 use super::axis::{Axis, AxisScale};
-use super::canvas::{Anchor, Canvas, Font, SMALL_TEXT, Stroke};
+use super::canvas::{Anchor, Canvas, Font, Stroke};
 use super::figure::{Figure, HorizontalBar, Layer};
 use super::layers::PlotArea;
 use super::palette::BAR_OPACITY;
-use super::text_width::{text_width, widest, wrapped};
+use super::text_width::{SMALL_TEXT, text_width, widest, wrapped};
 use crate::units::{DisplayUnit, System, is_zero, leading_number, signed, typeset};
 
 /// Text size of values, pixels.
@@ -59,7 +59,7 @@ impl BarRows {
         if beside.iter().all(|lines| lines.len() <= MOST_LINES) {
             return Some(Self {
                 names_height: 0.0,
-                left: widest(beside.iter().flatten(), SMALL_TEXT, false) + 14.0,
+                left: widest(beside.iter().flatten(), false) + 14.0,
                 names: beside,
             });
         }

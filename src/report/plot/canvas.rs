@@ -1,14 +1,9 @@
 //! The canvas of a plot: SVG elements, in pixels of the picture.
 
 use super::palette::{Color, Palette};
-use super::text_width::text_width;
+use super::text_width::{SMALL_TEXT, text_width};
 use crate::units::typeset;
 use maud::{Markup, html};
-
-/// Size of the text, pixels.
-pub(super) const TEXT: f64 = 13.5;
-/// Size of the text of numbers, names and labels, pixels.
-pub(super) const SMALL_TEXT: f64 = TEXT - 0.5;
 
 /// Width of a symbol in the legend, pixels.
 pub(super) const SIGN: f64 = 24.0;

@@ -1,10 +1,10 @@
 //! Names of lines at their right ends, beside the plot.
 
-use super::canvas::{Anchor, Canvas, Font, LINE, SMALL_TEXT, Stroke};
+use super::canvas::{Anchor, Canvas, Font, LINE, Stroke};
 use super::figure::{Figure, Hue, Layer, LineNames};
 use super::layers::PlotArea;
 use super::legend::base_name;
-use super::text_width::{widest, wrapped};
+use super::text_width::{SMALL_TEXT, widest, wrapped};
 use crate::units::typeset;
 
 /// Distance between lines of a name, pixels.
@@ -63,7 +63,7 @@ impl<'a> EndNames<'a> {
                 });
             }
         }
-        let width = |name: &Name<'_>| widest(&name.lines, SMALL_TEXT, is_bold(name.hue));
+        let width = |name: &Name<'_>| widest(&name.lines, is_bold(name.hue));
         let widths = names.iter().map(width);
         Some(Self {
             room: CONNECTOR + widths.fold(0.0, f64::max) + 4.0,

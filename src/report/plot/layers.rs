@@ -68,14 +68,6 @@ impl PlotArea {
     }
 }
 
-/// True for layers that cover an area. They are drawn below the contour lines and the other layers.
-pub(super) fn is_area(layer: &Layer) -> bool {
-    matches!(
-        layer,
-        Layer::Contours(_) | Layer::Region { .. } | Layer::Band { .. }
-    )
-}
-
 /// Draws one layer. `regions` are the contour regions of this layer. Contour lines and labels are
 /// drawn later.
 pub(super) fn draw_layer(

@@ -3,12 +3,12 @@
 
 use super::axis::Axis;
 use super::bars::{BarRows, with_room};
-use super::canvas::{LINE, SMALL_TEXT, TEXT};
+use super::canvas::LINE;
 use super::end_names::EndNames;
 use super::figure::{Figure, Layer};
 use super::layers::PlotArea;
 use super::legend::{LegendEntry, laid_out};
-use super::text_width::{text_width, wrapped};
+use super::text_width::{SMALL_TEXT, TEXT, text_width, wrapped};
 use super::ticks::DrawnAxis;
 use crate::error::{Error, Result};
 use crate::units::{System, typeset};
@@ -102,7 +102,7 @@ fn axes(
     let mut found = Err("vertical");
     for count in (1..=MOST_TICKS).rev() {
         let y = DrawnAxis::new(&figure.y, ys(), system, count).ok_or("vertical")?;
-        let left = rows.map_or(15.0 + y.widest(SMALL_TEXT), |rows| rows.left);
+        let left = rows.map_or(15.0 + y.widest(), |rows| rows.left);
         let (x, left, right) = across(figure, system, left, width, beside).ok_or("horizontal")?;
         let tall = match (rows, end_names) {
             (Some(rows), _) => rows.heights(),
@@ -143,7 +143,7 @@ fn across(
     for count in (1..=most).rev() {
         let x = DrawnAxis::new(&figure.x, xs(), system, count)?;
         // half of the text at the first and at the last tick lies beyond the end of the axis
-        let half = 0.5 * x.widest(SMALL_TEXT) + 4.0;
+        let half = 0.5 * x.widest() + 4.0;
         let (left, right) = (left.max(half), width - half.max(16.0).max(beside));
         let widened: Option<Axis> = if has_bars {
             with_room(figure, system, right - left)

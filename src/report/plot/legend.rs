@@ -1,10 +1,10 @@
 //! The legend: names of layers, in lines above the plot.
 
-use super::canvas::{Anchor, Canvas, Font, LINE, SIGN, SMALL_TEXT};
+use super::canvas::{Anchor, Canvas, Font, LINE, SIGN};
 use super::figure::{Figure, Hue, Layer, LineNames};
 use super::layers::{arrow, point, region, series};
 use super::palette::{BAND_OPACITY, BAR_OPACITY};
-use super::text_width::{widest, wrapped};
+use super::text_width::{SMALL_TEXT, widest, wrapped};
 use crate::units::typeset;
 
 /// Distance between a symbol and its name, and between a name and the next symbol, pixels.
@@ -44,9 +44,9 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<LegendEntry<'_>>, f6
         .into_iter()
         .map(|layer| (layer, lines(layer)))
         .collect();
-    let wide = |lines: &[String]| SIGN + GAPS[0] + widest(lines, SMALL_TEXT, false);
+    let wide = |lines: &[String]| SIGN + GAPS[0] + widest(lines, false);
     let all_lines = named.iter().flat_map(|(_, lines)| lines);
-    let widest_entry = SIGN + GAPS[0] + widest(all_lines, SMALL_TEXT, false);
+    let widest_entry = SIGN + GAPS[0] + widest(all_lines, false);
     let all = named
         .iter()
         .map(|(_, lines)| wide(lines) + GAPS[1])

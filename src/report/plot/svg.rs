@@ -1,13 +1,14 @@
 //! The picture of a figure with its `panels`. A row of the picture has `columns` views.
 
-use super::canvas::{Anchor, Canvas, Font, LINE, SMALL_TEXT, Stroke, TEXT};
+use super::canvas::{Anchor, Canvas, Font, LINE, Stroke};
 use super::contour::contour_regions;
 use super::figure::{Figure, Layer};
 use super::hover::write_tooltips;
-use super::layers::{PlotArea, contour_lines, draw_layer, field_arrows, is_area, write_levels};
+use super::layers::{PlotArea, contour_lines, draw_layer, field_arrows, write_levels};
 use super::layout::{Layout, MARGIN, TITLE};
 use super::marks::{write_line_names, write_marks, write_texts};
 use super::palette::{DARK, LIGHT};
+use super::text_width::{SMALL_TEXT, TEXT};
 use super::ticks::DrawnAxis;
 use crate::error::Result;
 use crate::units::{System, typeset};
@@ -120,7 +121,13 @@ fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &La
     };
     let regions: Vec<_> = figure.layers.iter().map(contours).collect();
     let layers = || figure.layers.iter().zip(&regions);
-    let (areas, others): (Vec<_>, Vec<_>) = layers().partition(|(layer, _)| is_area(layer));
+    // areas are drawn below the contour lines and the other layers
+    let (areas, others): (Vec<_>, Vec<_>) = layers().partition(|(layer, _)| {
+        matches!(
+            layer,
+            Layer::Contours(_) | Layer::Region { .. } | Layer::Band { .. }
+        )
+    });
     for (layer, regions) in areas {
         draw_layer(canvas, area, layer, regions);
     }

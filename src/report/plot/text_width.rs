@@ -1,6 +1,11 @@
 //! Estimated widths of texts. The reader's font is unknown, so the widths are those of DejaVu Sans,
 //! the widest common font; a text in another font is narrower.
 
+/// Size of the text, pixels.
+pub(super) const TEXT: f64 = 13.5;
+/// Size of the text of numbers, names and labels, pixels.
+pub(super) const SMALL_TEXT: f64 = TEXT - 0.5;
+
 /// The widths of the characters from space to tilde, in thousandths of the text size.
 #[rustfmt::skip]
 const REGULAR: [u16; 95] = [
@@ -40,15 +45,11 @@ pub(super) fn text_width(text: &str, size: f64, is_bold: bool) -> f64 {
     text.chars().map(|c| f64::from(of(c))).sum::<f64>() * size / 1000.0
 }
 
-/// The width of the widest of some texts, pixels; 0 without texts.
-pub(super) fn widest(
-    texts: impl IntoIterator<Item = impl AsRef<str>>,
-    size: f64,
-    is_bold: bool,
-) -> f64 {
+/// The width of the widest of some texts of the size `SMALL_TEXT`, pixels; 0 without texts.
+pub(super) fn widest(texts: impl IntoIterator<Item = impl AsRef<str>>, is_bold: bool) -> f64 {
     let widths = texts
         .into_iter()
-        .map(|text| text_width(text.as_ref(), size, is_bold));
+        .map(|text| text_width(text.as_ref(), SMALL_TEXT, is_bold));
     widths.fold(0.0, f64::max)
 }
 

@@ -154,8 +154,8 @@ impl DrawnAxis {
     }
 
     /// The width of the widest text at a tick, pixels.
-    pub fn widest(&self, size: f64) -> f64 {
-        widest(self.ticks.iter().map(|tick| self.text(*tick)), size, false)
+    pub fn widest(&self) -> f64 {
+        widest(self.ticks.iter().map(|tick| self.text(*tick)), false)
     }
 
     /// True if all adjacent ticks are far enough apart on an axis of this length, pixels. `least`
