@@ -126,7 +126,11 @@ fn values(layers: &[Layer]) -> impl Iterator<Item = f64> {
 /// The axes of a plot of laws, with the ball and the air.
 struct LawPlot {
     over: Over,
-    /// The value of the variable that is not on the horizontal axis.
+    /// The name of the variable on the horizontal axis.
+    label: &'static str,
+    /// The name of the other variable.
+    constant_name: &'static str,
+    /// The value of the other variable.
     constant: f64,
     of: Coefficient,
     /// Radius of the ball, m.
@@ -140,8 +144,14 @@ struct LawPlot {
 impl LawPlot {
     fn new(setup: &Setup<f64>, over: Over, constant: f64, of: Coefficient) -> Self {
         let radius = setup.ball.radius;
+        let [label, constant_name] = match over {
+            Over::SpinRatio => ["spin ratio", "Reynolds number"],
+            Over::Reynolds => ["Reynolds number", "spin ratio"],
+        };
         Self {
             over,
+            label,
+            constant_name,
             constant,
             of,
             radius,
@@ -156,15 +166,7 @@ impl LawPlot {
     /// The constant variable with its value, as text.
     fn constant_text(&self) -> String {
         let value = significant(self.constant, 4);
-        format!("a {} of {value}", self.constant_name())
-    }
-
-    /// The name of the constant variable.
-    fn constant_name(&self) -> &'static str {
-        match self.over {
-            Over::SpinRatio => "Reynolds number",
-            Over::Reynolds => "spin ratio",
-        }
+        format!("a {} of {value}", self.constant_name)
     }
 
     fn without_layers(&self) -> Figure {
@@ -172,10 +174,7 @@ impl LawPlot {
             Coefficient::Drag => ("C_D", "Drag"),
             Coefficient::Lift => ("C_L", "Lift"),
         };
-        let label = match self.over {
-            Over::SpinRatio => "spin ratio",
-            Over::Reynolds => "Reynolds number",
-        };
+        let label = self.label;
         let name = format!(
             "laws-{}-{}",
             words.to_lowercase(),
@@ -260,7 +259,7 @@ impl LawPlot {
         let at_any = format!(
             "; those of {} are drawn at any {}, because their sources state no single one",
             unstated.join(", "),
-            self.constant_name()
+            self.constant_name
         );
         match (is_any_near, unstated.is_empty()) {
             (false, true) => None,
