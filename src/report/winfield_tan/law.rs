@@ -1,6 +1,6 @@
 //! The law fitted to the paper's tables.
 
-use crate::aerodynamics::{AerodynamicLaw, Stream};
+use crate::aerodynamics::{AerodynamicLaw, Coefficients, Stream};
 use crate::atmosphere::AirState;
 use crate::report::document::{Document, DocumentTable};
 use crate::report::plot::{Axis, Figure, Layer, NamedQuantity};
@@ -54,7 +54,7 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: PaperUnit
             let speed = number * size;
             let spin_ratios = (1..=35).map(|k| f64::from(k) * 0.01);
             let points = spin_ratios.filter(|s| is_flown(found, *s, speed)).map(|s| {
-                let (drag, lift) = coefficients(found, s, speed);
+                let Coefficients { drag, lift } = coefficients(found, s, speed);
                 [s, if is_drag { drag } else { lift }]
             });
             let name = format!("{number} {unit}");
@@ -143,8 +143,8 @@ fn values(document: &mut Document, found: &WinfieldTan, system: System) {
             is_flown(found, s, speed).then(|| coefficients(found, s, speed))
         });
         let cell = |value: Option<f64>| value.map_or(NONE.into(), |value| format!("{value:.3}"));
-        let drag = at.iter().map(|c| cell(c.map(|(drag, _)| drag)));
-        let lift = at.iter().map(|c| cell(c.map(|(_, lift)| lift)));
+        let drag = at.iter().map(|c| cell(c.map(|c| c.drag)));
+        let lift = at.iter().map(|c| cell(c.map(|c| c.lift)));
         std::iter::once(format!("{s:.2}"))
             .chain(drag)
             .chain(lift)
@@ -158,16 +158,15 @@ fn is_flown(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> bool {
     spin_ratio * speed / found.setup.ball.radius <= MOST_SPIN
 }
 
-fn coefficients(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> (f64, f64) {
+fn coefficients(found: &WinfieldTan, spin_ratio: f64, speed: f64) -> Coefficients<f64> {
     let radius = found.setup.ball.radius;
     let per_speed = AirState::of(&found.setup.air).reynolds_per_speed(radius);
-    let c = found.setup.law.coefficients(Stream::new(
+    found.setup.law.coefficients(Stream::new(
         spin_ratio * speed / radius,
         speed,
         radius,
         per_speed,
-    ));
-    (c.drag, c.lift)
+    ))
 }
 
 pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
