@@ -7,7 +7,7 @@ use crate::drive::Outcome;
 use crate::shots::Origin;
 use crate::shots::{Club, Flown, Section, Shot, ShotColumns, Shots};
 use crate::table::cells;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use std::sync::Arc;
 
 /// The keys of the launch, in the order of [`crate::shots::Shot::launch`].
@@ -102,16 +102,8 @@ fn push(bytes: &mut Vec<u8>, value: impl Serialize) {
 }
 
 fn push_object<'a, V: Serialize>(bytes: &mut Vec<u8>, entries: impl Iterator<Item = (&'a str, V)>) {
-    bytes.push(b'{');
-    for (at, (name, value)) in entries.enumerate() {
-        if at > 0 {
-            bytes.push(b',');
-        }
-        push(bytes, name);
-        bytes.push(b':');
-        push(bytes, value);
-    }
-    bytes.push(b'}');
+    // writing to memory does not fail
+    let _ = serde_json::Serializer::new(bytes).collect_map(entries);
 }
 
 fn push_numbers<'a>(bytes: &mut Vec<u8>, of: impl Iterator<Item = (&'a str, Option<f64>)>) {
