@@ -106,8 +106,7 @@ impl ShotColumns {
         shot.is_normalized = shot
             .condition
             .as_ref()
-            .filter(|text| text.to_ascii_lowercase().contains("normali"))
-            .map(|_| true);
+            .is_some_and(|text| text.to_ascii_lowercase().contains("normali"));
         let stated = shot.conditions();
         shot.point = wrong.map_or_else(|| self.point(&stated, row), Err);
         add_notes(&mut shot, &stated, |of| self.name_of(of));

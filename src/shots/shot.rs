@@ -160,8 +160,8 @@ pub struct Shot {
     /// Conditions that the row states for its values, such as normalized weather; `None` if the row
     /// states none.
     pub condition: Option<String>,
-    /// `Some(true)` if the row states that its values are normalized; otherwise `None`.
-    pub is_normalized: Option<bool>,
+    /// True if the row states that its values are normalized.
+    pub is_normalized: bool,
     /// Notes on assumed or unused values.
     pub notes: Vec<String>,
     /// Input of the flight, SI: the launch (ball speed, launch angle, launch direction, backspin,
@@ -181,7 +181,7 @@ impl Shot {
             club: Club::default(),
             club_name: None,
             condition: None,
-            is_normalized: None,
+            is_normalized: false,
             notes: vec![],
             point: Err(refusal),
             has_cells_of_head: false,

@@ -192,7 +192,7 @@ impl ShotStatistics {
     pub fn add(&mut self, flown: &Flown) {
         for (row, shot) in flown.shots.iter().enumerate() {
             self.rows += 1;
-            self.normalized += u64::from(shot.is_normalized == Some(true));
+            self.normalized += u64::from(shot.is_normalized);
             self.noted += u64::from(!shot.notes.is_empty());
             let is_measured = shot
                 .spin_origin()

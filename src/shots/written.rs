@@ -120,10 +120,7 @@ fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refus
         .get("condition")
         .and_then(Json::as_str)
         .map(str::to_owned);
-    shot.is_normalized = message
-        .get("normalized")
-        .and_then(Json::as_bool)
-        .filter(|is| *is);
+    shot.is_normalized = message.get("normalized") == Some(&Json::Bool(true));
     let notes = message
         .get("notes")
         .and_then(Json::as_array)

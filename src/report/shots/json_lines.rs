@@ -177,8 +177,8 @@ impl Keys {
     /// Appends the members from `normalized` to `origins`: the values that the row states.
     fn measured(&self, shot: &Shot, bytes: &mut Vec<u8>) {
         let normalized: &[u8] = match shot.is_normalized {
-            Some(true) => b",\"normalized\":true,\"launch\":",
-            _ => b",\"normalized\":null,\"launch\":",
+            true => b",\"normalized\":true,\"launch\":",
+            false => b",\"normalized\":null,\"launch\":",
         };
         bytes.extend_from_slice(normalized);
         match shot.launch() {
