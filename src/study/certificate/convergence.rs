@@ -50,11 +50,6 @@ const NO_REFERENCE: &str = "a flight with short time steps, to which the others 
 /// rounding.
 const ROUNDING: [f64; 2] = [1e-12, 1e-11];
 
-/// Largest deficit of the slope of the errors from the expected order. With a larger deficit,
-/// [`measure`] fits a lower-order term. A mistake in a method gives a deficit of 1. The next term
-/// of the error gives a deficit below this limit.
-const ALLOWED_DEFICIT: f64 = 0.75;
-
 /// Numbers of time steps of the flights. The numbers double from level to level.
 pub(super) struct Levels {
     /// Smallest number of steps of the coarsest level.
@@ -181,7 +176,7 @@ struct StepComparison<'a> {
     /// Outcomes of a second reference flight, which differ from `reference` mainly by rounding.
     second_reference: Vec<Taylor>,
     flown: Vec<SteppedDrive>,
-    measure: fn(&[Errors], u32, f64, f64) -> Option<MeasuredOrder>,
+    measure: fn(&[Errors], u32, f64) -> Option<MeasuredOrder>,
 }
 
 impl<'a> StepComparison<'a> {
@@ -252,7 +247,6 @@ impl<'a> StepComparison<'a> {
                 (self.measure)(
                     &samples,
                     expected[which] + more,
-                    ALLOWED_DEFICIT,
                     ROUNDING[which].max(rounding[which]),
                 )
             })

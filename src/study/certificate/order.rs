@@ -28,6 +28,11 @@ const SHARE: f64 = 0.25;
 /// follows from the scatter of the errors.
 const DEVIATIONS: f64 = 4.0;
 
+/// Largest deficit of the slope of the errors from the expected order. With a larger deficit,
+/// [`measure`] fits a lower-order term. A mistake in a method gives a deficit of 1. The next term
+/// of the error gives a deficit below this limit.
+const ALLOWED_DEFICIT: f64 = 0.75;
+
 /// Signed errors at one step size: the error of a value, or the error of each entry of a gradient.
 #[derive(Clone, Debug)]
 pub(super) struct Errors {
@@ -49,13 +54,8 @@ pub(super) struct MeasuredOrder {
 }
 
 /// Measures the order from the levels whose error is above `floor` (rounding); `None` if there are
-/// too few such levels. `short_of` is the largest allowed deficit of the order.
-pub(super) fn measure(
-    samples: &[Errors],
-    expected: u32,
-    short_of: f64,
-    floor: f64,
-) -> Option<MeasuredOrder> {
+/// too few such levels.
+pub(super) fn measure(samples: &[Errors], expected: u32, floor: f64) -> Option<MeasuredOrder> {
     let power = i32::try_from(expected).ok()?;
     let levels = levels_above_rounding(samples, power, floor)?;
     let first_fitted = levels.len().saturating_sub(FITTED);
@@ -64,7 +64,8 @@ pub(super) fn measure(
         .iter()
         .filter(|sample| (first_fitted..levels.len()).contains(&sample.level))
         .collect();
-    let falls_short = order < f64::from(expected) - short_of && has_lower_term(&fitted, power);
+    let falls_short =
+        order < f64::from(expected) - ALLOWED_DEFICIT && has_lower_term(&fitted, power);
     Some(MeasuredOrder { order, falls_short })
 }
 
@@ -75,7 +76,6 @@ pub(super) fn measure(
 pub(super) fn measure_largest(
     samples: &[Errors],
     expected: u32,
-    short_of: f64,
     floor: f64,
 ) -> Option<MeasuredOrder> {
     let levels = levels_above_rounding(samples, i32::try_from(expected).ok()?, floor)?;
@@ -83,7 +83,7 @@ pub(super) fn measure_largest(
     let of_finest = line_slope(&levels[levels.len() - 2..]);
     Some(MeasuredOrder {
         order,
-        falls_short: order.max(of_finest) < f64::from(expected) - short_of,
+        falls_short: order.max(of_finest) < f64::from(expected) - ALLOWED_DEFICIT,
     })
 }
 
@@ -184,9 +184,7 @@ mod tests {
     }
 
     fn falls_short(e: impl Fn(f64) -> f64, expected: u32) -> bool {
-        measure(&samples(e), expected, 0.75, 1e-13)
-            .unwrap()
-            .falls_short
+        measure(&samples(e), expected, 1e-13).unwrap().falls_short
     }
 
     /// An error of order 5 at the three coarsest levels, where its next terms dominate.
@@ -197,7 +195,7 @@ mod tests {
             .into_iter()
             .filter(|sample| sample.level < 3)
             .collect();
-        let measured = measure(&coarse, 5, 0.75, 0.0).unwrap();
+        let measured = measure(&coarse, 5, 0.0).unwrap();
         assert!(
             measured.order < 4.25 && !measured.falls_short,
             "{measured:?}"
@@ -207,13 +205,13 @@ mod tests {
             .into_iter()
             .filter(|sample| sample.level < 3)
             .collect();
-        assert!(measure(&coarse, 5, 0.75, 0.0).unwrap().falls_short);
+        assert!(measure(&coarse, 5, 0.0).unwrap().falls_short);
     }
 
     #[test]
     fn order_of_pure_powers_is_exact() {
         for p in 1..7 {
-            let measured = measure(&samples(|h| 3.0 * h.powi(p)), p as u32, 0.75, 0.0).unwrap();
+            let measured = measure(&samples(|h| 3.0 * h.powi(p)), p as u32, 0.0).unwrap();
             assert!(
                 (measured.order - f64::from(p)).abs() < 1e-12 && !measured.falls_short,
                 "{p}: {measured:?}"
@@ -224,7 +222,7 @@ mod tests {
                 p + 1
             );
         }
-        assert!(measure(&samples(|_| 1e-14), 4, 0.75, 1e-13).is_none());
+        assert!(measure(&samples(|_| 1e-14), 4, 1e-13).is_none());
     }
 
     #[test]
@@ -298,7 +296,7 @@ mod tests {
                     .collect()
             };
             let falls_short = |which: usize| {
-                measure_largest(&samples(which), 4, 0.75, 0.0)
+                measure_largest(&samples(which), 4, 0.0)
                     .unwrap()
                     .falls_short
             };
