@@ -161,7 +161,7 @@ fn fill(
         return Err(Refusal::new(Refusal::MISSING, reason));
     }
     let (speed_unit, length_unit) = units(message)?;
-    fill_ball(shot, message, speed_unit, length_unit)?;
+    fill_ball(shot, message, ball, speed_unit, length_unit)?;
     if option(message, "ContainsClubData") != Some(false) {
         match message.get("ClubData") {
             Some(Json::Object(club)) => {
@@ -199,10 +199,10 @@ fn fill(
 fn fill_ball(
     shot: &mut Shot,
     message: &Map<String, Json>,
+    ball: &Map<String, Json>,
     speed_unit: &str,
     length_unit: &str,
 ) -> Result<(), Refusal> {
-    let ball = ball_data(message)?;
     for (key, of) in BALL {
         let unit = match of {
             Outcome::BallSpeed => speed_unit,
