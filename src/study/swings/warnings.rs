@@ -6,8 +6,8 @@ use super::robust::Robust;
 use super::scenarios::Scenarios;
 use crate::drive::{CheckScope, ExceededCount, ExceededLimits, Outcome, exceeded_in_flight};
 use crate::parameters::Setup;
-use crate::study::Optimum;
 use crate::study::cancellable::{LIMITS_NOT_CHECKED, each_until};
+use crate::study::{Goal, Optimum};
 use crate::units::Message;
 use std::sync::atomic::AtomicBool;
 
@@ -122,11 +122,7 @@ impl Pareto {
         let Some(first) = self.points.first() else {
             return vec![];
         };
-        let goals = self.search.goals.iter().map(|(goal, _)| goal);
-        let of: Vec<_> = goals
-            .chain(self.search.subject_to.iter().map(|limit| &limit.goal))
-            .flat_map(|goal| goal.outcomes())
-            .collect();
+        let of: Vec<_> = self.search.all_goals().flat_map(Goal::outcomes).collect();
         let mut count = ExceededCount::default();
         for point in &self.points {
             let Some(share) = exceeded_shares(&point.setup, &self.search.scenarios, &of, stop)
