@@ -327,9 +327,7 @@ impl ShotColumns {
         self.column_of(of)
             .map_or(of.name().into(), |column| column.head.clone())
     }
-}
 
-impl ShotColumns {
     /// The air column; `None` if the export states no air.
     pub(super) fn stated_air(&self) -> Option<&RowParameter> {
         let mut parameters = self.other_parameters.iter();

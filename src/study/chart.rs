@@ -137,9 +137,7 @@ impl Chart {
             .map(|(warning, parts)| with_intervals(warning, parts, &self.along))
             .collect()
     }
-}
 
-impl Chart {
     /// The loss of the followed optimum, compared with `own`, another optimum of the same search at
     /// one value of the parameter. `None` if both are equal up to the rounding of a search, or if
     /// the chart does not contain this value.
