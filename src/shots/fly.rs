@@ -53,11 +53,8 @@ impl Flying {
                 }
                 _ => "it is a launch condition, which each row states already",
             };
-            let source = format!("{why}; name outcomes of the flight").into();
-            return Err(Error::Unreadable {
-                name: of_launch.name().into(),
-                source,
-            });
+            let source = format!("{why}; name outcomes of the flight");
+            return Err(Error::unreadable(of_launch.name(), source));
         }
         let launch = LAUNCH.iter().map(|name| setup.parameter(name));
         let mut parameters = launch.collect::<Result<Vec<_>>>()?;

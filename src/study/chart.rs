@@ -328,10 +328,7 @@ fn check(search: &Search, along: Vary, at: &[f64]) -> Result<()> {
             "{name} is a varied parameter, so the search chooses it; take it out of `vary`, or \
              follow the optimum along another parameter"
         );
-        return Err(Error::Unreadable {
-            name: format!("the chart along {name}"),
-            source: source.into(),
-        });
+        return Err(Error::unreadable(format!("the chart along {name}"), source));
     }
     Ok(())
 }

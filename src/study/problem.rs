@@ -584,12 +584,8 @@ impl SearchProblem {
 /// contains it.
 fn refuse_distributed(search: &Search) -> Result<()> {
     let distributed = &search.scenarios.parameters;
-    let refuse = |parameter: &Parameter, reason: &str| {
-        Err(Error::Unreadable {
-            name: parameter.name.into(),
-            source: reason.into(),
-        })
-    };
+    let refuse =
+        |parameter: &Parameter, reason: &str| Err(Error::unreadable(parameter.name, reason));
     let mut varied = search.parameters();
     if let Some(parameter) = varied.find(|parameter| distributed.contains(parameter)) {
         return refuse(

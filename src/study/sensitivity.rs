@@ -88,10 +88,10 @@ pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
             "{name} is a varied parameter, so the search chooses it; choose another parameter, or \
              give `vary` without {name}"
         );
-        return Err(Error::Unreadable {
-            name: format!("the sensitivity of the optimum to {name}"),
-            source: source.into(),
-        });
+        return Err(Error::unreadable(
+            format!("the sensitivity of the optimum to {name}"),
+            source,
+        ));
     }
     Ok(())
 }

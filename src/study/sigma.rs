@@ -81,10 +81,10 @@ impl Sigma {
             "it is {}, but must be above 0 and finite",
             parameter.show(Some(self.value))
         );
-        Err(Error::Unreadable {
-            name: format!("the standard uncertainty of {parameter}"),
-            source: source.into(),
-        })
+        Err(Error::unreadable(
+            format!("the standard uncertainty of {parameter}"),
+            source,
+        ))
     }
 }
 

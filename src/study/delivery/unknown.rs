@@ -144,10 +144,10 @@ pub fn unknowns(setup: &Setup<f64>, vary: &[Vary], sigmas: &[Sigma]) -> Result<V
             "it is not an unknown, so its uncertainty has no effect; the unknowns are {}",
             names.join(", ")
         );
-        return Err(Error::Unreadable {
-            name: format!("`sigma {}`", unused.parameter.name),
-            source: source.into(),
-        });
+        return Err(Error::unreadable(
+            format!("`sigma {}`", unused.parameter.name),
+            source,
+        ));
     }
     Ok(all)
 }

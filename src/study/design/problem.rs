@@ -186,10 +186,7 @@ impl Design {
                     of.name(),
                     rule.name
                 );
-                Err(Error::Unreadable {
-                    name: swung.name.into(),
-                    source: source.into(),
-                })
+                Err(Error::unreadable(swung.name, source))
             }
             (true, None) => Ok(None),
             (false, Some(_)) => {
@@ -453,10 +450,10 @@ fn check_strikes(setup: &Setup<f64>, scenarios: &Scenarios, vary: &[Vary]) -> Re
         let refuse = |why: String| {
             let advice = "limit the strikes with truncated(MEAN,DEVIATION,LOW,HIGH), or remove \
                           such swings";
-            Err(Error::Unreadable {
-                name: "the strikes".into(),
-                source: format!("{strike}, {why}; {advice}").into(),
-            })
+            Err(Error::unreadable(
+                "the strikes",
+                format!("{strike}, {why}; {advice}"),
+            ))
         };
         if is_outside_any_face(toe, high) {
             return refuse(format!("beside {}", crate::drive::any_face()));

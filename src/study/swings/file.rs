@@ -40,9 +40,8 @@ impl Swings {
             return recorded(setup, open_table(setup, path)?.as_mut(), path);
         }
         let file = path.display().to_string();
-        let text = InputFile::read_to_string(path).map_err(|error| Error::Unreadable {
-            name: format!("the swings in {file}"),
-            source: read_error_text(&error).into(),
+        let text = InputFile::read_to_string(path).map_err(|error| {
+            Error::unreadable(format!("the swings in {file}"), read_error_text(&error))
         })?;
         read(setup, &text, &file)
     }
@@ -129,10 +128,7 @@ fn read(setup: &Setup<f64>, text: &str, file: &str) -> Result<Swings> {
     if inputs.is_empty() {
         let source = "it has no distribution; write [distributions] and below it, for example, \
                       swing.speed = \"normal(110 mph, 3 mph)\"";
-        return Err(Error::Unreadable {
-            name: format!("the swings in {file}"),
-            source: source.into(),
-        });
+        return Err(Error::unreadable(format!("the swings in {file}"), source));
     }
     Swings::distributed(inputs, &correlations)
 }
@@ -167,10 +163,7 @@ fn distributions(
 
 fn correlation(setup: &Setup<f64>, value: &DeValue<'_>) -> Result<Correlation> {
     let how = "a correlation has between = [\"NAME\", \"NAME\"] and coefficient = NUMBER";
-    let refuse = |source: String| Error::Unreadable {
-        name: "a correlation".into(),
-        source: source.into(),
-    };
+    let refuse = |source: String| Error::unreadable("a correlation", source);
     let DeValue::Table(table) = value else {
         return Err(of_type("correlations", value, "a table"));
     };

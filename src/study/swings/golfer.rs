@@ -44,10 +44,8 @@ impl Correlation {
     /// [`Error::Unreadable`] for text that is not a correlation; the errors of [`Setup::column`]
     /// and [`Correlation::new`].
     pub fn read(setup: &Setup<f64>, text: &str) -> Result<Self> {
-        let unreadable = |source: String| Error::Unreadable {
-            name: format!("the correlation {}", text.trim()),
-            source: source.into(),
-        };
+        let unreadable =
+            |source: String| Error::unreadable(format!("the correlation {}", text.trim()), source);
         let how = "write NAME,NAME=COEFFICIENT, for example swing.path,swing.face_angle=0.6";
         let (names, coefficient) = text.split_once('=').ok_or_else(|| unreadable(how.into()))?;
         let (one, other) = names
@@ -70,9 +68,8 @@ impl Correlation {
     /// parameter with itself.
     pub fn new(between: [&'static Parameter; 2], coefficient: f64) -> Result<Self> {
         let [one, other] = between.map(|parameter| parameter.name);
-        let refuse = |source: String| Error::Unreadable {
-            name: format!("the correlation of {one} and {other}"),
-            source: source.into(),
+        let refuse = |source: String| {
+            Error::unreadable(format!("the correlation of {one} and {other}"), source)
         };
         if one == other {
             return Err(refuse(
@@ -96,9 +93,11 @@ fn correlation_matrix(inputs: &[Uncertain], correlations: &[Correlation]) -> Res
         .collect();
     for (k, correlation) in correlations.iter().enumerate() {
         let [one, other] = correlation.between;
-        let unreadable = |source: String| Error::Unreadable {
-            name: format!("the correlation {},{}", one.name, other.name),
-            source: source.into(),
+        let unreadable = |source: String| {
+            Error::unreadable(
+                format!("the correlation {},{}", one.name, other.name),
+                source,
+            )
         };
         let place = |parameter: &'static Parameter| {
             inputs
@@ -145,15 +144,15 @@ impl Swings {
             ));
         }
         let matrix = correlation_matrix(&inputs, correlations)?;
-        let factor = factored(&matrix).map_err(|i| Error::Unreadable {
-            name: "the correlations".into(),
-            source: format!(
-                "those of {} contradict the others: no distribution has them all (the matrix is \
-                 not positive semidefinite); make them smaller",
-                inputs[i].parameter.name
-            )
-            .into(),
-        })?;
+        let contradiction = |i: usize| {
+            let name = inputs[i].parameter.name;
+            let source = format!(
+                "those of {name} contradict the others: no distribution has them all (the matrix is \
+                 not positive semidefinite); make them smaller"
+            );
+            Error::unreadable("the correlations", source)
+        };
+        let factor = factored(&matrix).map_err(contradiction)?;
         Ok(Self::Distributed { inputs, factor })
     }
 
@@ -190,10 +189,7 @@ impl Swings {
                 }
                 parameter
                     .check(*value)
-                    .map_err(|source| Error::Unreadable {
-                        name: name(),
-                        source: Box::new(source),
-                    })?;
+                    .map_err(|source| Error::unreadable(name(), source))?;
             }
         }
         Ok(Self::Recorded {

@@ -87,14 +87,10 @@ impl Model {
             .find(acts_on_the_club)
             .filter(|_| setup.launch.is_given())
         {
-            let (model, source) = (
-                text.trim(),
-                format!("{name} changes nothing: {NO_CLUB}").into(),
-            );
-            return Err(Error::Unreadable {
-                name: format!("`model {model}`"),
-                source,
-            });
+            return Err(Error::unreadable(
+                format!("`model {}`", text.trim()),
+                format!("{name} changes nothing: {NO_CLUB}"),
+            ));
         }
         Ok(Self {
             name: text.trim().into(),
@@ -324,10 +320,7 @@ pub fn robust(
     if models.len() < 2 {
         let reason = "one design for several models needs two models or more; give `model` once \
                       for each model other than the setup";
-        return Err(Error::Unreadable {
-            name: "`model`".into(),
-            source: reason.into(),
-        });
+        return Err(Error::unreadable("`model`", reason));
     }
     let mut found = minimax(
         best_of_each(models, &search, count, follow)?,

@@ -81,10 +81,7 @@ impl Rule {
     ) -> Result<Self> {
         let is_smooth = !goals.into_iter().any(Goal::has_edge);
         let refuse = |count: usize, reason: String| {
-            Err(Error::Unreadable {
-                name: format!("`scenarios {count}`"),
-                source: reason.into(),
-            })
+            Err(Error::unreadable(format!("`scenarios {count}`"), reason))
         };
         match (swings, count) {
             (Swings::Recorded { .. }, Some(count)) => refuse(
@@ -121,10 +118,7 @@ impl Rule {
                 "recorded swings are the scenarios themselves, without a seed; leave the seed out"
             }
         };
-        Err(Error::Unreadable {
-            name: "`seed`".into(),
-            source: why.into(),
-        })
+        Err(Error::unreadable("`seed`", why))
     }
 
     /// Refuses a rule without scenarios, and a rule with more than [`MOST_SCENARIOS`] scenarios for
@@ -210,15 +204,12 @@ impl Scenarios {
         };
         for point in &points {
             for (parameter, value) in parameters.iter().zip(point) {
-                parameter
-                    .check(*value)
-                    .map_err(|source| Error::Unreadable {
-                        name: format!("a swing of the distribution of {}", parameter.name),
-                        source: format!(
-                            "{source}; limit it with truncated(MEAN,DEVIATION,LOW,HIGH)"
-                        )
-                        .into(),
-                    })?;
+                parameter.check(*value).map_err(|source| {
+                    Error::unreadable(
+                        format!("a swing of the distribution of {}", parameter.name),
+                        format!("{source}; limit it with truncated(MEAN,DEVIATION,LOW,HIGH)"),
+                    )
+                })?;
             }
         }
         let distributed = matches!(swings, Swings::Distributed { .. }).then(|| swings.clone());

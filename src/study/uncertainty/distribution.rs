@@ -100,13 +100,10 @@ impl Distribution {
     /// [`Error::Unreadable`] for numbers that are not finite or not in ascending order, a standard
     /// deviation ≤ 0, and a truncation that leaves no probability.
     pub fn check(&self) -> Result<()> {
-        let name = || format!("the distribution {self:?}");
-        self.why_invalid().map_or(Ok(()), |why| {
-            Err(Error::Unreadable {
-                name: name(),
-                source: why.into(),
-            })
-        })
+        match self.why_invalid() {
+            Some(why) => Err(Error::unreadable(format!("the distribution {self:?}"), why)),
+            None => Ok(()),
+        }
     }
 
     fn why_invalid(&self) -> Option<&'static str> {
@@ -430,10 +427,7 @@ impl Uncertain {
     pub fn check(&self) -> Result<()> {
         if let Some(why) = self.distribution.why_invalid() {
             let name = format!("the distribution of {}", self.parameter);
-            return Err(Error::Unreadable {
-                name,
-                source: why.into(),
-            });
+            return Err(Error::unreadable(name, why));
         }
         self.check_range()
     }

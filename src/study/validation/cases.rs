@@ -60,9 +60,8 @@ impl Case {
 }
 
 pub(super) fn cases(set: &str) -> Result<Vec<Case>> {
-    let unreadable = |source: Box<dyn std::error::Error + Send + Sync>| Error::Unreadable {
-        name: format!("the published drives of {set}"),
-        source,
+    let unreadable = |source: Box<dyn std::error::Error + Send + Sync>| {
+        Error::unreadable(format!("the published drives of {set}"), source)
     };
     let mut reader = csv::Reader::from_reader(CASES.as_bytes());
     let heads = reader
