@@ -152,9 +152,9 @@ impl ShotColumns {
     }
 }
 
-/// Computes the launch parameters from the stated launch conditions, SI, in the order of
-/// [`LAUNCH`](super::shot::LAUNCH). `name` returns the column head of a condition for messages;
-/// `has` is true for a condition that has a column.
+/// Computes the [`LAUNCH_PARAMETERS`](crate::table::LAUNCH_PARAMETERS) from the stated launch
+/// conditions, SI. `name` returns the column head of a condition for messages; `has` is true for a
+/// condition that has a column.
 pub(super) fn launch(
     values: &StatedConditions,
     name: impl Fn(Outcome) -> String,
@@ -164,7 +164,7 @@ pub(super) fn launch(
         return Err(Refusal::new(Refusal::RANGE, reason));
     }
     match conditions(*values, has) {
-        Ok(launch) => Ok(launch.iter().map(|(_, value)| *value).collect()),
+        Ok(launch) => Ok(launch.to_vec()),
         Err(fault) => {
             let kind = match fault.is_missing {
                 true => Refusal::MISSING,

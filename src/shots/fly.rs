@@ -2,14 +2,14 @@
 
 use super::flown::Flown;
 use super::open_connect;
-use super::shot::{LAUNCH, Shot};
+use super::shot::Shot;
 use super::source::{Chunk, Section, Shots};
 use super::statistics::ShotStatistics;
 use crate::batch::{Batch, CHUNK, Run, in_order};
 use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
-use crate::table::Record;
+use crate::table::{LAUNCH_PARAMETERS, Record};
 use std::sync::atomic::Ordering;
 
 /// Batch and requested outcomes for flying shots.
@@ -21,15 +21,15 @@ pub struct Flying {
     pub compares_roll_out: bool,
 }
 
-/// Usual launches. The integration method and step are chosen for these ranges. The ranges do not
-/// depend on the table, so that the prediction for a row does not depend on other rows. A drive
-/// outside the ranges has a smaller step if necessary.
+/// Usual ranges of [`LAUNCH_PARAMETERS`]. The integration method and step are chosen for these
+/// ranges. The ranges do not depend on the table, so that the prediction for a row does not depend
+/// on other rows. A drive outside the ranges has a smaller step if necessary.
 const USUAL: [&str; 5] = [
-    "launch.ball_speed=60mph..200mph",
-    "launch.launch_angle=2deg..35deg",
-    "launch.launch_direction=-10deg..10deg",
-    "launch.backspin=1000rpm..7000rpm",
-    "launch.sidespin=-1500rpm..1500rpm",
+    "60mph..200mph",
+    "2deg..35deg",
+    "-10deg..10deg",
+    "1000rpm..7000rpm",
+    "-1500rpm..1500rpm",
 ];
 
 impl Flying {
@@ -56,7 +56,7 @@ impl Flying {
             let source = format!("{why}; name outcomes of the flight");
             return Err(Error::unreadable(of_launch.name(), source));
         }
-        let launch = LAUNCH.iter().map(|name| setup.parameter(name));
+        let launch = LAUNCH_PARAMETERS.iter().map(|name| setup.parameter(name));
         let mut parameters = launch.collect::<Result<Vec<_>>>()?;
         parameters.extend(other_parameters);
         Ok(Self {
@@ -70,8 +70,10 @@ impl Flying {
     /// # Errors
     /// The errors of [`Vary::read_column`], which do not occur.
     pub fn usual(setup: &Setup<f64>) -> Result<Vec<Vary>> {
-        let range = |text: &&str| Vary::read_column(setup, text);
-        USUAL.iter().map(range).collect()
+        let usual = LAUNCH_PARAMETERS.iter().zip(USUAL);
+        usual
+            .map(|(name, range)| Vary::read_column(setup, &format!("{name}={range}")))
+            .collect()
     }
 
     /// Limits the integration error: see [`Batch::with_largest_defect`].
@@ -139,7 +141,7 @@ impl Flying {
 
     /// A copy for rows that state `other_parameters` in addition to the launch.
     fn of_rows(&self, other_parameters: &[&'static Parameter]) -> Result<Self> {
-        let launch = &self.batch.parameters()[..LAUNCH.len()];
+        let launch = &self.batch.parameters()[..LAUNCH_PARAMETERS.len()];
         let batch = self
             .batch
             .with_parameters(&[launch, other_parameters].concat())?;

@@ -2,7 +2,9 @@
 
 use crate::drive::Outcome;
 use crate::parameters::{Golfer, Parameter};
-use crate::table::{CONDITIONS, Column, Refusal, StatedConditions, implausible_club};
+use crate::table::{
+    CONDITIONS, Column, LAUNCH_PARAMETERS, Refusal, StatedConditions, implausible_club,
+};
 
 /// Flight status of a row that was not flown.
 pub(super) const REFUSED: &str = "refused";
@@ -191,7 +193,10 @@ impl Shot {
     /// The launch: ball speed, launch angle, launch direction, backspin and sidespin, SI. `None` if
     /// the shot cannot be flown.
     pub fn launch(&self) -> Option<&[f64]> {
-        self.point.as_ref().ok().map(|point| &point[..LAUNCH.len()])
+        self.point
+            .as_ref()
+            .ok()
+            .map(|point| &point[..LAUNCH_PARAMETERS.len()])
     }
 
     /// Values of the parameters that are not part of the launch, SI, in the order of
@@ -200,7 +205,7 @@ impl Shot {
     pub fn other_parameters(&self) -> &[f64] {
         self.point
             .as_ref()
-            .map_or(&[], |point| &point[LAUNCH.len()..])
+            .map_or(&[], |point| &point[LAUNCH_PARAMETERS.len()..])
     }
 
     /// The reason why the shot cannot be flown; `None` if it can.
@@ -235,15 +240,6 @@ impl Shot {
         self.value(Outcome::SpinAxis).is_none() && self.value(Outcome::Sidespin).is_none()
     }
 }
-
-/// Launch parameters, in the order of [`Shot::launch`].
-pub(super) const LAUNCH: [&str; 5] = [
-    "launch.ball_speed",
-    "launch.launch_angle",
-    "launch.launch_direction",
-    "launch.backspin",
-    "launch.sidespin",
-];
 
 /// A parameter that is not part of the launch, with its column in the table and the index of this
 /// column.

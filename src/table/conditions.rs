@@ -34,6 +34,15 @@ impl ConditionFault {
 /// The values of [`CONDITIONS`] in a row.
 pub(crate) type StatedConditions = [Option<f64>; CONDITIONS.len()];
 
+/// The parameters of the launch that a row gives.
+pub(crate) const LAUNCH_PARAMETERS: [&str; 5] = [
+    "launch.ball_speed",
+    "launch.launch_angle",
+    "launch.launch_direction",
+    "launch.backspin",
+    "launch.sidespin",
+];
+
 /// Largest spin axis in a row that states backspin and spin axis, rad: sidespin = backspin ·
 /// tan(axis), and tan 90° is infinite.
 const MOST_AXIS: f64 = std::f64::consts::FRAC_PI_2 - 1e-9;
@@ -124,8 +133,8 @@ pub(crate) fn contradiction(
     ))
 }
 
-/// Launch parameters of a row from the values of [`CONDITIONS`]. A missing direction or spin tilt
-/// counts as 0; redundant spins are removed by [`without_redundant_spins`]. `has` is true for
+/// Values of [`LAUNCH_PARAMETERS`] from the values of [`CONDITIONS`]. A missing direction or spin
+/// tilt counts as 0; redundant spins are removed by [`without_redundant_spins`]. `has` is true for
 /// conditions that have a column.
 ///
 /// # Errors
@@ -133,7 +142,7 @@ pub(crate) fn contradiction(
 pub(crate) fn conditions(
     values: StatedConditions,
     has: impl Fn(Outcome) -> bool,
-) -> Result<[(&'static str, f64); 5], ConditionFault> {
+) -> Result<[f64; LAUNCH_PARAMETERS.len()], ConditionFault> {
     let [speed, angle, direction, spins @ ..] = without_redundant_spins(values);
     let is_empty = "the cell is empty; every launch needs this value";
     let speed = speed.ok_or(ConditionFault::missing(Outcome::BallSpeed, is_empty))?;
@@ -151,13 +160,7 @@ pub(crate) fn conditions(
         ));
     }
     let [back, side] = spin_components(spins, has)?;
-    Ok([
-        ("launch.ball_speed", speed),
-        ("launch.launch_angle", angle),
-        ("launch.launch_direction", direction.unwrap_or(0.0)),
-        ("launch.backspin", back),
-        ("launch.sidespin", side),
-    ])
+    Ok([speed, angle, direction.unwrap_or(0.0), back, side])
 }
 
 /// Backspin and sidespin from spin values that [`without_redundant_spins`] kept.

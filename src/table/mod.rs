@@ -27,8 +27,8 @@ mod text;
 pub(crate) use air::{air_of_rows, air_of_setup, air_replaced, ignore_stated_air, weather_column};
 pub(crate) use column::{Column, Content, TableFormat};
 pub(crate) use conditions::{
-    ConditionFault, StatedConditions, conditions, contradiction, is_straight_by_assumption,
-    without_redundant_spins,
+    ConditionFault, LAUNCH_PARAMETERS, StatedConditions, conditions, contradiction,
+    is_straight_by_assumption, without_redundant_spins,
 };
 pub(crate) use decimal_mark::DecimalMark;
 #[cfg(feature = "commands")]

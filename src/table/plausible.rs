@@ -170,7 +170,7 @@ pub(crate) fn implausible_launch(
     if let Some(reason) = CONDITIONS.iter().zip(&used).find_map(stated) {
         return Some(reason);
     }
-    let [.., (_, back), (_, side)] = conditions(used, |_| true).ok()?;
+    let [.., back, side] = conditions(used, |_| true).ok()?;
     // the stated spins may give implausible components: near a spin axis of 90° the tangent is
     // large, and above 90° the cosine is negative
     [

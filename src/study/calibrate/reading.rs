@@ -7,9 +7,9 @@ use crate::error::{Error, Result as Read};
 use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Shot, interpret};
 use crate::table::{
-    CLUB_LEFT_OUT, CONDITIONS, ClubColumns, Column, ConditionFault, Content, ShotLabels,
-    StatedConditions as Launch, TableHead, TextTable, assumed_units_remark, club_column,
-    columns_remark, conditions, contradiction, given_air, has_whole_launch, heads_of,
+    CLUB_LEFT_OUT, CONDITIONS, ClubColumns, Column, ConditionFault, Content, LAUNCH_PARAMETERS,
+    ShotLabels, StatedConditions as Launch, TableHead, TextTable, assumed_units_remark,
+    club_column, columns_remark, conditions, contradiction, given_air, has_whole_launch, heads_of,
     ignore_stated_air, implausible_club, implausible_launch, impossible, in_degrees,
     is_straight_by_assumption, missing_launch_remark, near_known, not_compared, outside,
     redundant_spins_remark, without_redundant_spins,
@@ -496,7 +496,7 @@ impl Reading {
     ) -> Result<(), RowError> {
         let wrong = |error: Error| RowError::new(None, error.to_string());
         let launch = self.launch(stated)?;
-        for (name, value) in launch {
+        for (name, value) in LAUNCH_PARAMETERS.into_iter().zip(launch) {
             let parameter = self.setup.parameter(name).map_err(wrong)?;
             at_shot.set_value(parameter, Some(value)).map_err(wrong)?;
             row.shot.inputs.push((parameter, value));
@@ -511,7 +511,7 @@ impl Reading {
             return None;
         }
         let launch = self.launch(stated).ok()?;
-        contradiction(stated, [launch[3].1, launch[4].1], |of| self.head(of))
+        contradiction(stated, [launch[3], launch[4]], |of| self.head(of))
     }
 
     /// The spins of a row that are not measured, since the row states the spin in another way too.
@@ -627,7 +627,7 @@ impl Reading {
     }
 
     /// Computes the launch parameters (name and SI value) from the launch conditions of a row.
-    fn launch(&self, stated: Launch) -> Result<[(&'static str, f64); 5], RowError> {
+    fn launch(&self, stated: Launch) -> Result<[f64; LAUNCH_PARAMETERS.len()], RowError> {
         let has = |of: Outcome| self.column(Content::Outcome(of)).is_some();
         conditions(stated, has).map_err(
             |ConditionFault {
