@@ -296,9 +296,10 @@ impl Optimum {
     /// effect.
     fn with_idle_parameters(&self, found: &Message) -> Message {
         let goal = &self.search.of.expression;
-        let idle = self.idle();
-        let varied = self.search.vary.iter();
-        let varied = varied.filter(|vary| vary.low < vary.high).count();
+        let vary = &self.search.vary;
+        let idle = vary.iter().enumerate().filter(|(i, _)| self.is_idle(*i));
+        let idle: Vec<&str> = idle.map(|(_, vary)| vary.parameter.name).collect();
+        let varied = vary.iter().filter(|vary| vary.low < vary.high).count();
         if idle.len() == varied || self.is_flat() {
             let every = match self.search.scenarios.is_one_drive() {
                 true => "drive",
@@ -358,13 +359,6 @@ impl Optimum {
             }
         });
         width > 0.0 && change <= negligible && !is_limited
-    }
-
-    fn idle(&self) -> Vec<&'static str> {
-        let vary = self.search.vary.iter().enumerate();
-        vary.filter(|(i, _)| self.is_idle(*i))
-            .map(|(_, vary)| vary.parameter.name)
-            .collect()
     }
 
     /// True if the objective is constant over the ranges: to second order, it changes by rounding
