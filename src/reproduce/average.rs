@@ -80,17 +80,8 @@ impl Average {
 
 /// The mean carry of the evaluators at the loft `x`, with its derivatives.
 fn average(evaluators: &[Evaluator], x: &[f64]) -> Result<Taylor> {
-    let mut mean = Taylor {
-        value: 0.0,
-        gradient: vec![0.0],
-        hessian: vec![vec![0.0]],
-    };
-    for evaluator in evaluators {
-        let carry = &evaluator.at(x)?[0];
-        let part = 1.0 / evaluators.len() as f64;
-        mean.value += part * carry.value;
-        mean.gradient[0] += part * carry.gradient[0];
-        mean.hessian[0][0] += part * carry.hessian[0][0];
-    }
-    Ok(mean)
+    let carry = |evaluator: &Evaluator| Ok(evaluator.at(x)?.swap_remove(0));
+    let carries = evaluators.iter().map(carry).collect::<Result<Vec<_>>>()?;
+    let part = 1.0 / carries.len() as f64;
+    Ok(Taylor::sum(carries.iter().map(|carry| (carry, part))))
 }

@@ -266,7 +266,7 @@ impl Problem for FlightAlone {
                 let speed = Taylor {
                     value: x[0],
                     gradient: vec![1.0, 0.0, 0.0],
-                    hessian: vec![vec![0.0; 3]; 3],
+                    ..Taylor::zero(3, 3)
                 };
                 Evaluation {
                     objective: speed,

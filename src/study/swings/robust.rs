@@ -583,8 +583,7 @@ impl Problem for Losses<'_> {
         };
         let mut greatest = Taylor {
             value: xt[n],
-            gradient: vec![0.0; n + 1],
-            hessian: vec![vec![0.0; n + 1]; n + 1],
+            ..Taylor::zero(n + 1, n + 1)
         };
         greatest.gradient[n] = 1.0;
         let mut constraints = vec![];
