@@ -3,6 +3,7 @@
 use super::statistics::SigmaOrigin;
 use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup, Vary};
+use crate::statistics::largest_magnitude;
 use crate::units::Message;
 use serde::Serialize;
 
@@ -48,10 +49,7 @@ impl ShotTable {
     /// uncertainty|.
     pub fn rounding(&self) -> f64 {
         let measured = self.shots.iter().flat_map(|shot| &shot.measured);
-        1e-12
-            * measured
-                .map(|measurement| (measurement.value / measurement.sigma).abs())
-                .fold(0.0, f64::max)
+        1e-12 * largest_magnitude(measured.map(|measurement| measurement.value / measurement.sigma))
     }
 
     /// The parameters of a setup that at least one shot states.

@@ -94,8 +94,8 @@ pub(super) fn integrals(
                 .iter()
                 .zip(&halves[0])
                 .zip(&halves[1])
-                .map(|((whole, a), b)| (whole - a - b).abs());
-            let error = changes.fold(0.0, f64::max);
+                .map(|((whole, a), b)| whole - a - b);
+            let error = largest_magnitude(changes);
             parts.push(Subinterval {
                 halves: Some(halves),
                 error,
