@@ -621,6 +621,12 @@ impl Setup<f64> {
         }
     }
 
+    /// The value of a parameter. An unset parameter has the value [`Parameter::unset`], which may be
+    /// `None`.
+    pub(crate) fn value_or_unset(&self, parameter: &Parameter) -> Option<f64> {
+        self.value(parameter).or(parameter.unset)
+    }
+
     /// Checks that a parameter is a [`variable`](Self::variable) of this setup.
     ///
     /// # Errors

@@ -9,7 +9,7 @@ use super::reply::Reply;
 use super::shown;
 use super::swings::{OverSwings, goals, nominal, notes};
 use crate::optimize::Status;
-use crate::parameters::{Parameter, Setup};
+use crate::parameters::Setup;
 use crate::study::Optimum;
 use crate::study::design::{ConstraintState, Design, DesignConstraint, Enforcement, Improvement};
 use crate::units::{System, signed};
@@ -36,12 +36,12 @@ pub struct Designed<'a> {
 impl Designed<'_> {
     /// The reply of the command `design`: the reply `search`, with the rules and limits added.
     pub fn reply(&self, search: Reply<OptimumReport>) -> Reply<OptimumReport> {
-        let before = self
-            .best
-            .search
-            .vary
-            .iter()
-            .map(|vary| (vary.parameter.name, self.own(vary.parameter)));
+        let before = self.best.search.vary.iter().map(|vary| {
+            (
+                vary.parameter.name,
+                self.setup.value_or_unset(vary.parameter),
+            )
+        });
         let states = self.design.constraint_states(self.best);
         let design = DesignReport {
             rules: if self.design.is_under_rules {
@@ -113,7 +113,7 @@ impl Designed<'_> {
         let solution = &self.best.solution;
         let own = self.best.search.vary.iter().zip(&solution.x).enumerate();
         let own = own.map(|(i, (vary, x))| {
-            let before = self.own(vary.parameter);
+            let before = self.setup.value_or_unset(vary.parameter);
             let show = |value: f64| shown::within(vary, value, system);
             let change = before.map_or(String::new(), |before| {
                 shown::change(vary.parameter, x - before, system)
@@ -153,12 +153,6 @@ impl Designed<'_> {
             .chain(self.notes.iter().map(String::as_str))
             .map(Line::flush)
             .collect()
-    }
-
-    /// The value of a parameter in the setup. An unset parameter has the value
-    /// [`Parameter::unset`], which may be `None`.
-    fn own(&self, parameter: &Parameter) -> Option<f64> {
-        self.setup.value(parameter).or(parameter.unset)
     }
 
     /// The cells of a rule or limit: its value, and its margin or multiplier.

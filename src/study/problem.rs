@@ -288,12 +288,7 @@ impl SearchProblem {
                 let place = self.vary.iter().position(|vary| vary == parameter);
                 (
                     place.map_or_else(
-                        || {
-                            self.setup
-                                .value(parameter)
-                                .or(parameter.unset)
-                                .unwrap_or(f64::NAN)
-                        },
+                        || self.setup.value_or_unset(parameter).unwrap_or(f64::NAN),
                         |place| x[place],
                     ),
                     place,
@@ -430,13 +425,9 @@ impl SearchProblem {
     /// Values of the varied parameters in the setup as given. A parameter without a value has the
     /// value of [`Parameter::unset`], or NaN if that is `None`.
     pub fn values_as_set_up(&self) -> Vec<f64> {
-        let own = |parameter: &&'static Parameter| {
-            self.set_up
-                .value(parameter)
-                .or(parameter.unset)
-                .unwrap_or(f64::NAN)
-        };
-        self.vary.iter().map(own).collect()
+        let own = |parameter: &&'static Parameter| self.set_up.value_or_unset(parameter);
+        let values = self.vary.iter().map(own);
+        values.map(|value| value.unwrap_or(f64::NAN)).collect()
     }
 
     /// Values of the goals of a setup with this design, as [`values`](Self::values) defines them.

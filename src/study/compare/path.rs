@@ -200,10 +200,7 @@ impl SetupPath {
             if is_of_the_whole || is_replaced || parameter.kind == Kind::Setting {
                 continue;
             }
-            match ends
-                .each_ref()
-                .map(|setup| setup.value(parameter).or(parameter.unset))
-            {
+            match ends.each_ref().map(|setup| setup.value_or_unset(parameter)) {
                 [from, to] if from == to => {}
                 [Some(from), Some(to)] if from.is_finite() && to.is_finite() => {
                     ends[0].put(&[parameter], |_| from);
