@@ -49,43 +49,34 @@ impl DetectionTest {
     }
 }
 
-/// Factors of the landing terms: the derivatives of the outcomes [`AT_LANDING`] by the landing
-/// time, and the derivative of the landing time by each parameter.
-pub(super) struct LandingTerms {
-    per_time: [f64; 3],
-    times: Vec<(&'static Parameter, f64)>,
-}
-
-impl LandingTerms {
-    /// The landing terms for the parameters `wrt`; `None` if the ball does not land.
-    pub fn new(setup: &Setup<f64>, wrt: &[&'static Parameter]) -> Option<Self> {
-        let velocity = Drive::new(setup).ok()?.landed().ok()?.velocity;
-        let time = gradient(setup, Outcome::FlightTime, wrt).ok()?;
-        let times = wrt.iter().copied().zip(time.gradient).collect();
-        Some(Self {
-            per_time: changes_per_time(velocity),
-            times,
-        })
-    }
-
-    /// Landing term of the derivative in a row; `None` for an outcome without a landing term.
-    fn of(&self, row: &DerivativeRow) -> Option<f64> {
-        let place = AT_LANDING.iter().position(|of| *of == row.of)?;
-        let (_, time) = self
-            .times
-            .iter()
-            .find(|(parameter, _)| *parameter == row.parameter)?;
-        Some(self.per_time[place] * time)
-    }
+/// Landing term of the derivative in each row: the derivative of the outcome by the landing time,
+/// times the derivative of the landing time by the parameter. `None` for an outcome without a
+/// landing term. The list is `None` if the ball does not land.
+fn landing_terms(
+    setup: &Setup<f64>,
+    wrt: &[&'static Parameter],
+    rows: &[DerivativeRow],
+) -> Option<Vec<Option<f64>>> {
+    let per_time = changes_per_time(Drive::new(setup).ok()?.landed().ok()?.velocity);
+    let time = gradient(setup, Outcome::FlightTime, wrt).ok()?.gradient;
+    let term = |row: &DerivativeRow| {
+        let outcome = AT_LANDING.iter().position(|of| *of == row.of)?;
+        let parameter = wrt.iter().position(|one| *one == row.parameter)?;
+        Some(per_time[outcome] * time[parameter])
+    };
+    Some(rows.iter().map(term).collect())
 }
 
 /// Plants each error in the passing rows, and judges the wrong derivatives. Rows that the error
 /// does not change, and rows whose derivative or landing term is negligible, are left out.
 pub(super) fn detection_tests(
     setup: &Setup<f64>,
+    wrt: &[&'static Parameter],
     rows: &[DerivativeRow],
-    landing: Option<&LandingTerms>,
 ) -> [DetectionTest; 3] {
+    let landing_terms = landing_terms(setup, wrt, rows).unwrap_or(vec![None; rows.len()]);
+    let is_passed =
+        |row: &DerivativeRow| [row.first.verdict, row.num_dual.verdict] == [Verdict::Pass; 2];
     PlantedError::ALL.map(|error| {
         let mut test = DetectionTest {
             error,
@@ -93,11 +84,9 @@ pub(super) fn detection_tests(
             caught: 0,
             caught_by_num_dual: 0,
         };
-        for row in rows
-            .iter()
-            .filter(|row| [row.first.verdict, row.num_dual.verdict] == [Verdict::Pass; 2])
-        {
-            let Some(wrong) = wrong(error, row, landing).filter(|wrong| *wrong != row.first.exact)
+        let rows = rows.iter().zip(&landing_terms);
+        for (row, term) in rows.filter(|(row, _)| is_passed(row)) {
+            let Some(wrong) = wrong(error, row, *term).filter(|wrong| *wrong != row.first.exact)
             else {
                 continue;
             };
@@ -110,13 +99,13 @@ pub(super) fn detection_tests(
     })
 }
 
-fn wrong(error: PlantedError, row: &DerivativeRow, landing: Option<&LandingTerms>) -> Option<f64> {
+fn wrong(error: PlantedError, row: &DerivativeRow, landing_term: Option<f64>) -> Option<f64> {
     let exact = row.first.exact;
     let (size, wrong) = match error {
         PlantedError::Sign => (exact, -exact),
         PlantedError::Millionth => (exact, exact * (1.0 + 1e-6)),
         PlantedError::LandingTerm => {
-            let term = landing?.of(row)?;
+            let term = landing_term?;
             (term, exact - term)
         }
     };

@@ -16,7 +16,6 @@ pub use agreement::Agreement;
 pub use continuity::Continuity;
 pub use convergence::Convergence;
 use convergence::LOG_WIND;
-use detection::LandingTerms;
 pub use detection::{DetectionTest, PlantedError};
 pub use landing::AtLanding;
 pub use rows::DerivativeRow;
@@ -270,7 +269,7 @@ pub fn certify(
         stopped: AtomicBool::new(false),
     };
     let mut rows = rows_by_parameter(setup, &drive, &of, wrt, &work)?;
-    let planted = detection::detection_tests(setup, &rows, LandingTerms::new(setup, wrt).as_ref());
+    let planted = detection::detection_tests(setup, wrt, &rows);
     rows.sort_by(|a, b| {
         a.verdict()
             .cmp(&b.verdict())
