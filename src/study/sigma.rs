@@ -165,10 +165,12 @@ enum DefaultSigma {
     Of(f64, &'static str),
     /// A fraction of the parameter's value.
     Part(f64),
-    /// Standard uncertainty of the mean wind, m/s. With the gusts it gives the standard uncertainty
-    /// of the wind (root of the sum of squares).
-    Wind(f64),
+    /// [`MEAN_WIND`] and the gusts (root of the sum of squares).
+    Wind,
 }
+
+/// Standard uncertainty of the mean wind, m/s.
+const MEAN_WIND: f64 = 1.0;
 
 /// Roughness length, m, that determines the gusts in a setup without `wind.roughness`: open country
 /// with low vegetation (EN 1991-1-4, terrain category II).
@@ -268,9 +270,9 @@ const DEFAULTS: &[(&str, DefaultSigma, &str)] = &[
     ("air.pressure", DefaultSigma::Of(3.0, "hPa"), PRESSURE),
     ("air.altitude", DefaultSigma::Of(25.0, "m"), ALTITUDE),
     ("air.humidity", DefaultSigma::Of(0.1, ""), HUMIDITY),
-    ("wind.right", DefaultSigma::Wind(1.0), WIND),
-    ("wind.downrange", DefaultSigma::Wind(1.0), WIND),
-    ("wind.speed", DefaultSigma::Wind(1.0), WIND),
+    ("wind.right", DefaultSigma::Wind, WIND),
+    ("wind.downrange", DefaultSigma::Wind, WIND),
+    ("wind.speed", DefaultSigma::Wind, WIND),
     ("wind.from", DefaultSigma::Of(10.0, "deg"), BEARING),
     ("ground.restitution", DefaultSigma::Of(0.1, ""), TURF),
     ("ground.compliance", DefaultSigma::Of(5.0, "deg"), TURF),
@@ -305,9 +307,9 @@ pub fn with_defaults(setup: &Setup<f64>, given: &[Sigma], of: &[Outcome]) -> Res
                 number * parameter.quantity.size_of(unit).unwrap_or(1.0)
             }
             DefaultSigma::Part(part) => part * setup.value(parameter).unwrap_or_default().abs(),
-            DefaultSigma::Wind(mean) => {
+            DefaultSigma::Wind => {
                 let [right, downrange, speed] = gusts(setup);
-                mean.hypot(match *name {
+                MEAN_WIND.hypot(match *name {
                     "wind.right" => right,
                     "wind.downrange" => downrange,
                     _ => speed,
