@@ -13,19 +13,12 @@ const OF_SHARES: f64 = 1e-11;
 pub(super) struct DifferenceSplit<'a> {
     path: &'a SetupPath,
     of: Vec<Outcome>,
-    /// Drives along the path: first with the discrete parameters of drive a, then with the discrete
-    /// parameters of drive b.
-    sides: [PathSide; 2],
-}
-
-/// Drives along the path that have the discrete parameters of one end.
-#[derive(Default)]
-struct PathSide {
-    evaluator: Option<Evaluator>,
+    /// First with the discrete parameters of drive a, then with those of drive b.
+    evaluators: [Option<Evaluator>; 2],
     /// The derivatives of the outcomes, times the parameter differences, at each flown position on
-    /// the path; `None` if one of the outcomes does not exist there. The key is the position, as
-    /// bits.
-    flown: HashMap<u64, Option<Vec<Vec<f64>>>>,
+    /// the path; `None` if one of the outcomes does not exist there. The key is the index in
+    /// `evaluators` and the position, as bits.
+    flown: HashMap<(usize, u64), Option<Vec<Vec<f64>>>>,
 }
 
 impl<'a> DifferenceSplit<'a> {
@@ -34,7 +27,8 @@ impl<'a> DifferenceSplit<'a> {
         Self {
             path,
             of,
-            sides: Default::default(),
+            evaluators: [None, None],
+            flown: HashMap::new(),
         }
     }
 
@@ -92,16 +86,13 @@ impl<'a> DifferenceSplit<'a> {
                 .map(|taylor| times_lengths(&taylor.gradient))
                 .collect())
         };
-        let PathSide {
-            evaluator: of_all,
-            flown: places,
-        } = &mut self.sides[side];
-        let of_all = match of_all {
+        let of_all = match &mut self.evaluators[side] {
             Some(of_all) => of_all,
             none => none.insert(evaluator(&self.of)?),
         };
-        let here = places
-            .entry(at.to_bits())
+        let here = self
+            .flown
+            .entry((side, at.to_bits()))
             .or_insert_with(|| flown(of_all).ok());
         let place = self.of.iter().position(|one| *one == of);
         match (here, place) {
