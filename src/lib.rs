@@ -81,6 +81,7 @@ mod input_file;
 pub mod integration;
 mod json;
 pub mod launch;
+mod lock;
 pub mod number;
 pub mod optimize;
 pub mod parameters;

@@ -3,6 +3,7 @@ use super::host::{Progress, Work};
 use super::mention::commands_with;
 use super::running::running;
 use super::wording::{advice_on, in_host_syntax, name_in_host_syntax};
+use crate::lock::lock;
 use crate::report::{Document, Empty, Reply, Report, SetupOrigin, TextOptions};
 use crate::units::{Message, System};
 use crate::{Error, Result};
@@ -12,7 +13,7 @@ use serde_json::Value;
 use std::ffi::OsStr;
 use std::fmt::Display;
 use std::io;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 /// The units that `--units` states; `None` without this option.
@@ -29,22 +30,22 @@ pub fn system() -> System {
 /// reported already. Early warnings come first in the answer; an answer without a result has no
 /// other warnings.
 pub fn warn_early(warning: Message) {
-    if running().early().contains(&warning) {
+    if lock(&running().early).contains(&warning) {
         return;
     }
     say_warning(&warning);
-    running().early().push(warning);
+    lock(&running().early).push(warning);
 }
 
 /// Reports warnings, and adds them to the answer. Does nothing for a warning that was reported
 /// early.
 pub fn warn(warnings: impl IntoIterator<Item = Message>) {
     for warning in warnings {
-        if running().early().contains(&warning) {
+        if lock(&running().early).contains(&warning) {
             continue;
         }
         say_warning(&warning);
-        running().warnings().push(warning);
+        lock(&running().warnings).push(warning);
     }
 }
 
@@ -59,10 +60,10 @@ fn say_warning(warning: &Message) {
 /// All warnings of the answer.
 pub fn warnings() -> Vec<Message> {
     let running = running();
-    let early = running.early().clone();
+    let early = lock(&running.early).clone();
     early
         .into_iter()
-        .chain(running.warnings().iter().cloned())
+        .chain(lock(&running.warnings).iter().cloned())
         .collect()
 }
 
@@ -82,7 +83,7 @@ impl Answer {
 
     pub fn json(value: &impl Serialize) -> Self {
         let mut value = value_of(value);
-        let left_out = running().left_out().clone();
+        let left_out = lock(&running().left_out).clone();
         if let (Some(answer), false) = (value.as_object_mut(), left_out.is_empty()) {
             answer.insert("left_out".into(), left_out.into());
         }
@@ -96,7 +97,7 @@ impl Answer {
 
     /// An answer without a result, as JSON.
     pub fn none(reply: Reply<Empty>) -> Self {
-        let warnings = running().early().clone();
+        let warnings = lock(&running().early).clone();
         Self::of_value(value_of(&Reply { warnings, ..reply }))
     }
 
@@ -198,7 +199,7 @@ pub fn note_each<'a>(input: impl Display, notes: impl IntoIterator<Item = &'a Me
 
 /// Adds a text about omitted parameters to the JSON; with `--verbose`, also reports the text.
 pub fn note_left_out(text: &str) {
-    running().left_out().push(text.into());
+    lock(&running().left_out).push(text.into());
     note_detail(text);
 }
 
@@ -396,7 +397,7 @@ pub fn shown(work: Work<'_>) -> Arc<dyn Progress> {
 pub fn once_a_second() -> impl Fn() -> bool + Send + Sync {
     let last = Mutex::new(Instant::now());
     move || {
-        let mut last = last.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut last = lock(&last);
         let is_due = last.elapsed() >= Duration::from_secs(1);
         if is_due {
             *last = Instant::now();

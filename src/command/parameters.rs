@@ -3,6 +3,7 @@ use crate::command::args::DriveArgs;
 use crate::command::output::Answer;
 use crate::command::request::Source;
 use crate::command::running::running;
+use crate::lock::lock;
 use crate::parameters::DEFAULT_PRESET;
 use crate::report::ParametersReport;
 
@@ -31,7 +32,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         None => report,
     };
     // add the warnings of the setup to the JSON, without printing them
-    running().warnings().extend(setup.warnings());
+    lock(&running().warnings).extend(setup.warnings());
     let origin = request.origin();
     Ok(Answer::report(&report, &origin, args.json))
 }

@@ -3,12 +3,13 @@
 use super::args::OutputOptions;
 use super::host::{Host, MessageKind};
 use super::mention::with_mentions_of;
+use crate::lock::lock;
 use crate::thread_stack::with_innermost;
 use crate::units::{Message, System};
 use clap::Command;
 use std::cell::RefCell;
 use std::ffi::OsString;
-use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, LazyLock, Mutex};
 
 /// A command with its host.
 pub struct Running {
@@ -19,11 +20,11 @@ pub struct Running {
     /// The arguments, without the name of the program.
     pub words: Vec<OsString>,
     /// Warnings that were reported before the work of the command began.
-    early: Mutex<Vec<Message>>,
+    pub early: Mutex<Vec<Message>>,
     /// The other warnings of the answer.
-    warnings: Mutex<Vec<Message>>,
+    pub warnings: Mutex<Vec<Message>>,
     /// Parameters that the answer leaves out, with the reasons.
-    left_out: Mutex<Vec<String>>,
+    pub left_out: Mutex<Vec<String>>,
     /// The text of the setup named `-`, after its first use.
     input: Mutex<Option<Arc<str>>>,
 }
@@ -100,29 +101,12 @@ impl Running {
         }
     }
 
-    /// The warnings that were reported before the work of the command began. They come first in the
-    /// answer.
-    pub fn early(&self) -> MutexGuard<'_, Vec<Message>> {
-        self.early.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// The warnings of the answer that follow the early warnings.
-    pub fn warnings(&self) -> MutexGuard<'_, Vec<Message>> {
-        self.warnings.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// The parameters that the answer leaves out, with the reasons. They become the key `left_out`
-    /// of the answer.
-    pub fn left_out(&self) -> MutexGuard<'_, Vec<String>> {
-        self.left_out.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
     /// The text of the setup named `-`, which is read once.
     ///
     /// # Errors
     /// If the setup cannot be read.
     pub fn input(&self) -> std::io::Result<Arc<str>> {
-        let mut input = self.input.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut input = lock(&self.input);
         if input.is_none() {
             *input = Some(self.host.input()?.into());
         }

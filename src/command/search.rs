@@ -9,6 +9,7 @@ use crate::command::output::{note, shown, system, warn};
 use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::running::running;
+use crate::lock::lock;
 use crate::optimize::{Checkpoint, Iteration, Observers, Options, Status};
 use crate::parameters::Parameter;
 use crate::report::{goal_text, iteration_line, optimum_toml};
@@ -18,7 +19,7 @@ use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
 impl SearchArgs {
     /// The search. By default it varies loft and attack angle, except for a parameter that the
@@ -154,7 +155,7 @@ impl OptimumArgs {
         let best: Mutex<Option<f64>> = Mutex::new(None);
         let progress = bar.clone();
         follow.end = Some(Arc::new(move |_, solution| {
-            let mut best = best.lock().unwrap_or_else(PoisonError::into_inner);
+            let mut best = lock(&best);
             let is_feasible = solution.residual.feasibility <= 1e-6;
             *best = [*best, solution.value.filter(|_| is_feasible)]
                 .into_iter()

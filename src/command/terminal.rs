@@ -7,12 +7,13 @@
 
 use super::host::{Host, MessageKind, Progress, Work};
 use super::{colour, width};
+use crate::lock::lock;
 use crate::report::{Reply, remark};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{self, IsTerminal, Read, Write};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 /// Signals within this time count as one: a wrapper such as `timeout` may repeat the signal of the
@@ -53,16 +54,8 @@ struct Interruptible {
 }
 
 impl Terminal {
-    fn now(&self) -> MutexGuard<'_, Now> {
-        self.now.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn bar(&self) -> MutexGuard<'_, Option<ProgressBar>> {
-        self.bar.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
     fn pressed(&self) {
-        let mut now = self.now();
+        let mut now = lock(&self.now);
         if now.is_printed {
             std::process::exit(AT_ONCE);
         }
@@ -114,7 +107,7 @@ impl Terminal {
 impl Host for Terminal {
     fn print(&self, text: &str) -> io::Result<()> {
         // during printing, Ctrl-C ends the program at once
-        self.now().is_printed = true;
+        lock(&self.now).is_printed = true;
         colour::print(text)
     }
 
@@ -146,7 +139,7 @@ impl Host for Terminal {
                 let _ = write!(anstream::stderr().lock(), "{text}");
             }
         };
-        let bar = self.bar().clone();
+        let bar = lock(&self.bar).clone();
         match bar {
             Some(bar) => bar.suspend(write),
             None => write(),
@@ -154,7 +147,7 @@ impl Host for Terminal {
     }
 
     fn begin(&self, command: &'static str, is_json: bool) {
-        let mut now = self.now();
+        let mut now = lock(&self.now);
         (now.command, now.is_json) = (command, is_json);
         let terminal = self.clone();
         // if no handler can be set, Ctrl-C ends the program in the default way
@@ -168,7 +161,7 @@ impl Host for Terminal {
     }
 
     fn can_stop(&self, stopping: &'static str, stop: &Arc<AtomicBool>) {
-        self.now().work = Some(Interruptible {
+        lock(&self.now).work = Some(Interruptible {
             stop: stop.clone(),
             stopping,
             pressed_at: None,
@@ -176,11 +169,11 @@ impl Host for Terminal {
     }
 
     fn cannot_stop(&self) {
-        self.now().work = None;
+        lock(&self.now).work = None;
     }
 
     fn hold(&self) -> Box<dyn FnOnce(&Path) + '_> {
-        let mut now = self.now();
+        let mut now = lock(&self.now);
         Box::new(move |path| now.written.push(path.display().to_string()))
     }
 
@@ -201,7 +194,7 @@ impl Host for Terminal {
                 spinner
             }
         };
-        *self.bar() = Some(bar.clone());
+        *lock(&self.bar) = Some(bar.clone());
         Arc::new(bar)
     }
 }

@@ -6,6 +6,7 @@ use super::solution::Solution;
 use crate::atomic_file::{create_beside, folder_of, persist};
 use crate::error::{Error, Result};
 use crate::external_errors::{read_error_text, write_error_text};
+use crate::lock::lock;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::{ErrorKind, Write};
@@ -86,13 +87,13 @@ impl Checkpoint {
             content: Mutex::new(content),
         };
         // if the file cannot be written, fail now and not after hours of work
-        checkpoint.write(&checkpoint.lock(), text.is_some())?;
+        checkpoint.write(&lock(&checkpoint.content), text.is_some())?;
         Ok(checkpoint)
     }
 
     /// Saved state of search `number`; `None` if nothing was saved.
     pub fn saved(&self, number: usize) -> Option<SavedSearch> {
-        self.lock().searches.get(&number).cloned()
+        lock(&self.content).searches.get(&number).cloned()
     }
 
     /// Saves `search`, the state of search `number`.
@@ -100,7 +101,7 @@ impl Checkpoint {
     /// # Errors
     /// [`Error::Checkpoint`] if the file cannot be written.
     pub fn save(&self, number: usize, search: SavedSearch) -> Result<()> {
-        let mut content = self.lock();
+        let mut content = lock(&self.content);
         content.searches.insert(number, search);
         self.write(&content, true)
     }
@@ -131,12 +132,5 @@ impl Checkpoint {
                 reason,
             }
         })
-    }
-
-    fn lock(&self) -> std::sync::MutexGuard<'_, CheckpointContent> {
-        // a poisoned lock is safe to use, because each change of the content replaces whole entries
-        self.content
-            .lock()
-            .unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 }

@@ -1,7 +1,8 @@
 use super::table::{LAW, Setup};
 use crate::error::{Error, Result};
+use crate::lock::lock;
 use std::collections::BTreeMap;
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
 
 /// A named setup: its differences from the defaults of the parameter table, each number with its
 /// source.
@@ -345,7 +346,7 @@ impl Setup<f64> {
         // the texts are parsed once, because that takes longer than a drive
         static SETUPS: Mutex<BTreeMap<&str, Setup<f64>>> = Mutex::new(BTreeMap::new());
         let preset = Preset::known(name)?;
-        let mut setups = SETUPS.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut setups = lock(&SETUPS);
         if let Some(setup) = setups.get(name) {
             return Ok(*setup);
         }

@@ -17,10 +17,11 @@ use crate::batch::Batch;
 use crate::derivative::{self, Evaluator, Order, Taylor};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
+use crate::lock::lock;
 use crate::optimize::{Domain, Evaluation, Problem};
 use crate::parameters::{Parameter, Setup, Vary};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
 /// The goals of a search as functions of the varied parameters.
 ///
@@ -231,12 +232,9 @@ impl SearchProblem {
     /// before.
     fn second_derivatives(&self, x: &[f64]) -> std::result::Result<Arc<SecondDerivatives>, String> {
         let nearest: Vec<f64> = (0..x.len()).map(|i| self.on_the_grid(i, x[i])).collect();
-        let lock = || {
-            self.second_derivatives
-                .lock()
-                .unwrap_or_else(PoisonError::into_inner)
-        };
-        let cached = lock().clone().filter(|known| known.at == nearest);
+        let cached = lock(&self.second_derivatives)
+            .clone()
+            .filter(|known| known.at == nearest);
         if let Some(known) = cached {
             return Ok(known);
         }
@@ -261,7 +259,7 @@ impl SearchProblem {
         };
         // a swing that does not fly at the nearest point of the grid may fly at `x`
         let found = computed(&nearest).or_else(|_: String| computed(x))?;
-        *lock() = Some(Arc::clone(&found));
+        *lock(&self.second_derivatives) = Some(Arc::clone(&found));
         Ok(found)
     }
 

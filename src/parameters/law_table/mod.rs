@@ -13,10 +13,11 @@ use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
 use crate::fingerprint::Fingerprint;
 use crate::input_file::InputFile;
+use crate::lock::lock;
 use read::LawTableFault;
 use std::fmt;
 use std::path::{Path, absolute};
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
 
 /// Name of the setting for a table: `aero.table = "mine.csv"`.
 pub const TABLE: &str = "aero.table";
@@ -72,7 +73,7 @@ impl LawTable {
         rows.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
         let fingerprint = fingerprint(nodes.speed.iter().chain(&nodes.spin), &rows);
 
-        let mut tables = TABLES.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut tables = lock(&TABLES);
         // a command may open a setup file more than once
         let is_same = |other: &&&Self| {
             other.fingerprint == fingerprint && other.nodes == rows && other.file == absolute_path
