@@ -179,7 +179,10 @@ fn fix_at_kink(
         let SearchVerdict { status, message } = match end.status {
             Status::Interrupted => SearchVerdict::interrupted(iterations, residual),
             Status::IterationLimit => SearchVerdict::iteration_limit(iterations, residual),
-            _ => SearchVerdict::new(found.status, found.message),
+            _ => SearchVerdict {
+                status: found.status,
+                message: found.message,
+            },
         };
         return Ok(Solution {
             status,

@@ -69,12 +69,6 @@ pub(super) struct SearchVerdict<S = Status> {
     pub message: String,
 }
 
-impl<S> SearchVerdict<S> {
-    pub fn new(status: S, message: String) -> Self {
-        Self { status, message }
-    }
-}
-
 impl SearchVerdict {
     pub fn iteration_limit(iterations: u64, residual: Option<f64>) -> Self {
         /// Largest KKT residual of a point that counts as optimal without convergence.
@@ -91,7 +85,10 @@ impl SearchVerdict {
             counted(iterations, "iteration"),
             with_residual(residual)
         );
-        Self::new(Status::IterationLimit, message)
+        Self {
+            status: Status::IterationLimit,
+            message,
+        }
     }
 
     pub fn without_start(tried: u64) -> Self {
@@ -102,20 +99,29 @@ impl SearchVerdict {
                  tried so far"
             ),
         };
-        Self::new(Status::Interrupted, message)
+        Self {
+            status: Status::Interrupted,
+            message,
+        }
     }
 
     pub fn interrupted(iterations: u64, residual: Option<f64>) -> Self {
         let after = counted(iterations, "iteration");
         let message = format!("stopped after {after}{}", with_residual(residual));
-        Self::new(Status::Interrupted, message)
+        Self {
+            status: Status::Interrupted,
+            message,
+        }
     }
 
     pub fn undefined(trials: u32, why: &str) -> Self {
         let message = format!(
             "the functions are undefined at the start and at {trials} other points of the box: {why}"
         );
-        Self::new(Status::Undefined, message)
+        Self {
+            status: Status::Undefined,
+            message,
+        }
     }
 
     pub fn kink(kink: &Kink, at: f64, residual: f64) -> Self {
@@ -124,7 +130,10 @@ impl SearchVerdict {
              residual {residual:.1e}",
             kink.variable
         );
-        Self::new(Status::StalledAtKink, message)
+        Self {
+            status: Status::StalledAtKink,
+            message,
+        }
     }
 
     /// Verdict for a point where the KKT conditions hold only with a huge multiplier, because a
@@ -141,7 +150,10 @@ impl SearchVerdict {
              {multiplier:.1e}, and so do not prove an optimum; KKT residual {residual:.1e}. Remove \
              that bound or start elsewhere"
         );
-        Self::new(Status::Stalled, message)
+        Self {
+            status: Status::Stalled,
+            message,
+        }
     }
 }
 
@@ -156,7 +168,10 @@ pub(super) fn gradient_test(residual: KktResidual, tolerance: f64) -> Option<Sea
     let largest = residual.largest();
     (largest <= tolerance).then(|| {
         let message = format!("KKT residual {largest:.1e} <= {tolerance:.0e}");
-        SearchVerdict::new(Status::Converged, message)
+        SearchVerdict {
+            status: Status::Converged,
+            message,
+        }
     })
 }
 
@@ -181,7 +196,7 @@ pub(super) fn rounding_test(
             "KKT residual {largest:.1e} <= {tolerance:.0e}, relative to the objective at the start; \
              rounding prevents a smaller one"
         );
-        SearchVerdict::new(Status::Converged, message)
+        SearchVerdict { status: Status::Converged, message }
     })
 }
 
@@ -230,7 +245,10 @@ pub(super) fn unbounded_test(
          falls there, and no bound or constraint lies ahead; give that variable a bound",
         outward.variable, outward.at
     );
-    Some(SearchVerdict::new(Status::Unbounded, message))
+    Some(SearchVerdict {
+        status: Status::Unbounded,
+        message,
+    })
 }
 
 /// Verdict `Infeasible`, if no step reduces the violation of the linearized constraints.
@@ -256,7 +274,10 @@ pub(super) fn infeasible(violation: f64) -> SearchVerdict {
         "no point was found that meets the constraints: the smallest violation found, from this \
          point and from other points of the box, is {violation:.3e} (relative)"
     );
-    SearchVerdict::new(Status::Infeasible, message)
+    SearchVerdict {
+        status: Status::Infeasible,
+        message,
+    }
 }
 
 /// Verdict `Stalled`, if the trust region is so small that every step is rounding.
@@ -267,7 +288,10 @@ pub(super) fn radius_test(radius: f64, residual: f64) -> Option<SearchVerdict> {
             "the trust region has shrunk to {radius:.1e} <= {LEAST:.0e} with a KKT residual of \
              {residual:.1e}"
         );
-        SearchVerdict::new(Status::Stalled, message)
+        SearchVerdict {
+            status: Status::Stalled,
+            message,
+        }
     })
 }
 
@@ -284,7 +308,10 @@ pub(super) fn kink_test(
             "the objective has a kink here: the model of {active_terms} of its sides predicts a \
              reduction of {predicted:.1e} <= {LEAST:.0e} (relative); KKT residual {residual:.1e}"
         );
-        SearchVerdict::new(Status::StalledAtKink, message)
+        SearchVerdict {
+            status: Status::StalledAtKink,
+            message,
+        }
     })
 }
 
@@ -301,6 +328,6 @@ pub(super) fn progress_test(
             "for {PATIENCE} iterations the model predicted a reduction no larger than rounding (last \
              {predicted:.1e}, relative) and the KKT residual stays at {residual:.1e}"
         );
-        SearchVerdict::new(Status::Stalled, message)
+        SearchVerdict { status: Status::Stalled, message }
     })
 }

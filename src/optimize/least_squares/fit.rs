@@ -243,12 +243,18 @@ fn check_input(domain: &Domain, start: &[f64], options: &FitOptions) -> Result<(
 fn stalled(reason: &str, cosine: f64) -> SearchVerdict<FitStatus> {
     let message =
         format!("{reason}; {COSINE} {cosine:.1e}. Start elsewhere, or fit fewer parameters");
-    SearchVerdict::new(FitStatus::Stalled, message)
+    SearchVerdict {
+        status: FitStatus::Stalled,
+        message,
+    }
 }
 
 fn interrupted(cosine: f64, tolerance: f64) -> SearchVerdict<FitStatus> {
     let message = format!("stopped before the lowest sum: {COSINE} {cosine:.1e} > {tolerance:.0e}");
-    SearchVerdict::new(FitStatus::Interrupted, message)
+    SearchVerdict {
+        status: FitStatus::Interrupted,
+        message,
+    }
 }
 
 /// State of a fit between two iterations.
@@ -297,12 +303,18 @@ impl FitState {
         if largest <= options.rounding {
             let message =
                 format!("every residual is a rounding error: the largest is {largest:.1e}");
-            return Some(SearchVerdict::new(FitStatus::Converged, message));
+            return Some(SearchVerdict {
+                status: FitStatus::Converged,
+                message,
+            });
         }
         if cosine <= tolerance {
             let message =
                 format!("no small change lowers the sum: {COSINE} {cosine:.1e} <= {tolerance:.0e}");
-            return Some(SearchVerdict::new(FitStatus::Converged, message));
+            return Some(SearchVerdict {
+                status: FitStatus::Converged,
+                message,
+            });
         }
         if is_interrupted {
             return Some(interrupted(cosine, tolerance));
@@ -311,7 +323,10 @@ impl FitState {
             let limit = counted(self.iterations, "iteration");
             let message =
                 format!("stopped at the limit of {limit}: {COSINE} {cosine:.1e} > {tolerance:.0e}");
-            SearchVerdict::new(FitStatus::IterationLimit, message)
+            SearchVerdict {
+                status: FitStatus::IterationLimit,
+                message,
+            }
         })
     }
 
@@ -428,7 +443,10 @@ impl FitState {
                 "the minimized sum is at its smallest: a step could lower it by {part:.1e} \
                  of its value at most{note}"
             );
-            return SearchVerdict::new(FitStatus::Converged, message);
+            return SearchVerdict {
+                status: FitStatus::Converged,
+                message,
+            };
         }
         self.rounding_verdict(bounds).unwrap_or_else(|| {
             stalled(
@@ -459,7 +477,7 @@ impl FitState {
                  further",
                 if distance > 0.0 { step / distance } else { 0.0 }
             );
-            SearchVerdict::new(FitStatus::Converged, message)
+            SearchVerdict { status: FitStatus::Converged, message }
         })
     }
 
