@@ -80,13 +80,6 @@ pub enum StepSource {
     Unpolished,
 }
 
-impl QpStep {
-    /// This step with the method that found it.
-    pub(super) fn found_by(self, source: StepSource) -> Self {
-        Self { source, ..self }
-    }
-}
-
 impl MaxTerm {
     pub(super) fn value(&self, d: &DVector<f64>) -> f64 {
         self.offset + self.gradient.dot(d)

@@ -50,14 +50,20 @@ impl QpSolver {
             .as_ref()
             .filter(|active| active.fits(program));
         if let Some(step) = previous.and_then(|active| program.exact_step(active)) {
-            return Some(step.found_by(StepSource::WarmStart));
+            return Some(QpStep {
+                source: StepSource::WarmStart,
+                ..step
+            });
         }
         self.active_set = None;
         let ClarabelResult { active, step } = self.interior_point.solve(program)?;
         let active = program.consistent_working_set(active);
         if let Some((active, step)) = program.polished(active.clone()) {
             self.active_set = Some(active);
-            return Some(step.found_by(StepSource::Clarabel));
+            return Some(QpStep {
+                source: StepSource::Clarabel,
+                ..step
+            });
         }
         let approximate = step?;
         let most_violation =
@@ -67,6 +73,9 @@ impl QpSolver {
             .or_else(|| {
                 (program.violation(&approximate.d) <= most_violation).then_some(approximate)
             })
-            .map(|step| step.found_by(StepSource::Unpolished))
+            .map(|step| QpStep {
+                source: StepSource::Unpolished,
+                ..step
+            })
     }
 }
