@@ -111,12 +111,8 @@ pub(super) fn objective_size(value: f64, gradient: &[f64], scale: &[f64]) -> f64
 impl Scaling {
     /// Scaling of a search that starts at `first`.
     pub fn new(domain: Domain, scale: Vec<f64>, first: &EvaluatedPoint) -> Self {
-        let initial_size = first
-            .f
-            .objective
-            .value
-            .abs()
-            .max(largest_scaled(&first.f.objective.gradient, &scale));
+        let objective = &first.f.objective;
+        let initial_size = objective_size(objective.value, &objective.gradient, &scale);
         let gamma = |j: usize| {
             let constraint = &first.f.constraints[j];
             let change = largest_scaled(&constraint.gradient, &scale)
@@ -270,8 +266,9 @@ impl Scaling {
     /// Sets φ₀ at a later point if the value and the gradient of f were 0 at the start.
     pub fn floor_size(&mut self, at: &EvaluatedPoint) {
         if self.initial_size <= f64::MIN_POSITIVE {
-            let slope = largest_scaled(&at.f.objective.gradient, &self.scale);
-            self.initial_size = at.f.objective.value.abs().max(slope).max(f64::MIN_POSITIVE);
+            let objective = &at.f.objective;
+            let size = objective_size(objective.value, &objective.gradient, &self.scale);
+            self.initial_size = size.max(f64::MIN_POSITIVE);
         }
     }
 
