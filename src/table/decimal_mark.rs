@@ -10,8 +10,6 @@ pub(crate) enum DecimalMark {
 }
 
 impl DecimalMark {
-    const ALL: [Self; 2] = [Self::Comma, Self::Point];
-
     fn sign(self) -> char {
         match self {
             Self::Comma => ',',
@@ -19,18 +17,13 @@ impl DecimalMark {
         }
     }
 
-    fn other(self) -> Self {
-        match self {
-            Self::Comma => Self::Point,
-            Self::Point => Self::Comma,
-        }
-    }
-
     /// The mark of a number that contains only commas or only points; `None` for other numbers.
     fn only_in(number: &str) -> Option<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|mark| number.contains(mark.sign()) && !number.contains(mark.other().sign()))
+        match (number.contains(','), number.contains('.')) {
+            (true, false) => Some(Self::Comma),
+            (false, true) => Some(Self::Point),
+            _ => None,
+        }
     }
 
     /// Detects the decimal mark of a table from `columns` of some rows. `None` if no mark occurs,
@@ -53,7 +46,7 @@ impl DecimalMark {
             if has_thousands(number, mark.sign()) {
                 continue;
             }
-            if found == Some(mark.other()) {
+            if found.is_some_and(|found| found != mark) {
                 return None;
             }
             found = Some(mark);
