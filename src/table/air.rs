@@ -52,7 +52,11 @@ fn density_in(text: &str, of_table: Option<DecimalMark>) -> Option<f64> {
     let text = with_spaces(text);
     let words: Vec<&str> = text.split_whitespace().collect();
     let number_before = |at: usize| number_at_end(&words[..at], of_table);
-    let (altitude, temperature) = (altitude_unit(&words)?, temperature_unit(&words)?);
+    // the units in `1135 ft altitude` and `77 °F`
+    let altitude = words.iter().position(|word| *word == "altitude")?;
+    let altitude = altitude.checked_sub(1)?;
+    let is_degrees = |word: &&str| ["°F", "°C", "F", "C"].contains(word);
+    let temperature = words.iter().position(is_degrees)?;
     let degrees = if words[temperature].ends_with('F') {
         "degF"
     } else {
@@ -93,18 +97,6 @@ pub(crate) fn weather_column(columns: &[Column], rows: &[Vec<String>]) -> Option
     };
     let is_known = |at: usize| is_condition_head(&words(&columns[at].head));
     (0..columns.len()).find(|at| is_known(*at) && has_number(*at))
-}
-
-/// Index of the unit in `1135 ft altitude`.
-fn altitude_unit(words: &[&str]) -> Option<usize> {
-    let altitude = words.iter().position(|word| *word == "altitude")?;
-    altitude.checked_sub(1)
-}
-
-/// Index of the unit in `77 °F`.
-fn temperature_unit(words: &[&str]) -> Option<usize> {
-    let is_degrees = |word: &&str| ["°F", "°C", "F", "C"].contains(word);
-    words.iter().position(is_degrees)
 }
 
 /// The text with a space before and after each comma and semicolon that is not in a number, and
