@@ -73,14 +73,6 @@ impl Method {
             Self::DormandPrince8 => 8,
         }
     }
-
-    /// Evaluations of the force per step.
-    pub fn stages(self) -> u32 {
-        match self {
-            Self::Rk4 => 4,
-            Self::DormandPrince8 => 12,
-        }
-    }
 }
 
 /// Name of the setting, as in `flight.method = "dp8"`.
