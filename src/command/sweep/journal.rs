@@ -159,7 +159,7 @@ impl Journal {
             journal.length += line.len() as u64;
             entries.push(entry);
         }
-        journal.cut()?;
+        cut(&mut journal.file, journal.length)?;
         Ok(Some((journal, identity, entries)))
     }
 
@@ -172,7 +172,7 @@ impl Journal {
             .write_all(&line)
             .and_then(|()| self.file.sync_data());
         if written.is_err() {
-            self.cut()?;
+            cut(&mut self.file, self.length)?;
             return written;
         }
         self.entries.push((entry.bytes, self.length));
@@ -186,12 +186,7 @@ impl Journal {
         while let Some((_, at)) = self.entries.pop_if(|(of, _)| *of > bytes) {
             self.length = at;
         }
-        self.cut()
-    }
-
-    fn cut(&mut self) -> io::Result<()> {
-        self.file.set_len(self.length)?;
-        self.file.seek(SeekFrom::Start(self.length)).map(|_| ())
+        cut(&mut self.file, self.length)
     }
 
     /// Removes the journal of a complete file.
@@ -199,6 +194,12 @@ impl Journal {
         self.file.set_len(0)?;
         std::fs::remove_file(&self.path)
     }
+}
+
+/// Cuts a file after its first `length` bytes, and writes on from there.
+pub fn cut(file: &mut File, length: u64) -> io::Result<()> {
+    file.set_len(length)?;
+    file.seek(SeekFrom::Start(length)).map(|_| ())
 }
 
 /// Locks a journal, because two sweeps that write one file would corrupt it.

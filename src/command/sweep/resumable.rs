@@ -1,4 +1,4 @@
-use super::journal::{Journal, WrittenRows, with_suffix};
+use super::journal::{Journal, WrittenRows, cut, with_suffix};
 use super::rows::{FormattedRows, Identity, RowFormatter};
 use crate::atomic_file::persist;
 #[cfg(feature = "parquet")]
@@ -11,7 +11,7 @@ use crate::report::{PARQUET_MAGIC, ParquetGroup, PlacedGroup, SweepParquet};
 use crate::units::counted;
 use crate::{Error, Result};
 use std::fs::{File, OpenOptions};
-use std::io::{self, ErrorKind, Seek, SeekFrom, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use tempfile::TempPath;
@@ -191,7 +191,7 @@ impl<'a> ResumableFile<'a> {
         if let RowFormatter::Parquet(_) = formatter {
             kept.restore_groups(&entries)?;
         }
-        kept.cut().map_err(unusable)?;
+        cut(&mut kept.file, kept.written.bytes).map_err(unusable)?;
         note(&format!(
             "resuming after {}",
             counted(kept.recorded_rows, "row")
@@ -272,18 +272,11 @@ impl<'a> ResumableFile<'a> {
     fn append(&mut self, bytes: &[u8]) -> Result<()> {
         if let Err(error) = self.file.write_all(bytes) {
             // remove the incomplete row
-            let _ = self.cut();
+            let _ = cut(&mut self.file, self.written.bytes);
             return Err(self.failed(&error));
         }
         self.written.bytes += bytes.len() as u64;
         Ok(())
-    }
-
-    fn cut(&mut self) -> io::Result<()> {
-        self.file.set_len(self.written.bytes)?;
-        self.file
-            .seek(SeekFrom::Start(self.written.bytes))
-            .map(|_| ())
     }
 
     /// The path of the incomplete file.
@@ -370,7 +363,7 @@ impl ResumableFile<'_> {
                 return Err(self.failed(&error));
             };
             self.written = before;
-            self.cut()
+            cut(&mut self.file, self.written.bytes)
                 .and_then(|()| self.journal.forget_beyond(self.written.bytes))
                 .map_err(|error| self.failed(&error))?;
             no_room = Some(error);
