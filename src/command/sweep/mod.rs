@@ -55,11 +55,7 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let format = format_of(args)?;
     let destination = destination(args, &request, format)?;
-    let SweepRequest {
-        mut points,
-        batch,
-        notes,
-    } = SweepRequest::of(args, &request)?;
+    let SweepRequest { mut points, batch } = SweepRequest::of(args, &request)?;
     let identity = Identity::new(&batch, format, points.identity());
     let formatter = identity.formatter(&batch, format)?;
     disk_space::check(
@@ -83,7 +79,7 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
     // an incomplete file has the name FILE.part
     let part = destination.file().filter(|_| !is_complete).map(part_of);
     let file = part.as_deref().unwrap_or(&args.output);
-    let summary = SweepSummary::new(total, counts, notes, file);
+    let summary = SweepSummary::new(total, counts, points.notes(), file);
     warn(counts.exceeded().warnings(
         &batch.setup().law,
         ["drive that landed", "drives that landed"],

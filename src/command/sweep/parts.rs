@@ -47,11 +47,7 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
     let stop =
         interrupt::enable("stopping after the drives under way; nothing of the part is kept");
     let request = args.setup_args.request()?;
-    let SweepRequest {
-        mut points,
-        batch,
-        notes,
-    } = SweepRequest::of(args, &request)?;
+    let SweepRequest { mut points, batch } = SweepRequest::of(args, &request)?;
     let setup = *batch.setup();
     let dataset = dataset_of(args, batch, points.as_ref(), part.parts)?;
     let rows = parts::rows_of(part.part, part.parts, points.rows())?;
@@ -89,7 +85,7 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
         let body = WrittenPart {
             folder: folder.display().to_string(),
             manifest,
-            remarks: notes,
+            remarks: points.notes(),
         };
         let reply = Reply::done("sweep", warnings(), body);
         return Ok(Answer::json(&reply.ended("done", there)));

@@ -5,15 +5,12 @@ use crate::command::output::note_each;
 use crate::command::request::Request;
 use crate::integration::Integration;
 use crate::table::sweep_points;
-use crate::units::Message;
 use crate::{Error, Result};
 
 /// The inputs of a sweep: the points, and the setup, outcomes and derivatives of the batch.
 pub struct SweepRequest {
     pub points: Box<dyn Points>,
     pub batch: Batch,
-    /// Remarks about the source of the points.
-    pub notes: Vec<Message>,
 }
 
 impl SweepRequest {
@@ -22,9 +19,8 @@ impl SweepRequest {
         let of = outcomes(&args.outcomes)?;
         let table = args.points.as_deref();
         let points = sweep_points(&setup, table, &args.over, args.sample, args.seed)?;
-        let notes = points.notes();
         let shown = table.map_or("`over`".into(), |table| table.display().to_string());
-        note_each(shown, &notes);
+        note_each(shown, &points.notes());
         if let (Some(table), 0) = (&args.points, points.rows()) {
             let reason = "it has a head and no rows; give a row for each drive".into();
             return Err(Error::Table {
@@ -57,10 +53,6 @@ impl SweepRequest {
         if let Some(instructions) = args.instructions {
             batch = batch.with_level(instructions)?;
         }
-        Ok(Self {
-            points,
-            batch,
-            notes,
-        })
+        Ok(Self { points, batch })
     }
 }
