@@ -294,19 +294,10 @@ fn sentences(checked: &Checked) -> Vec<String> {
 
 /// Numbers in the syntax of job arrays: `3,17-20`.
 fn ranges(numbers: &[u64]) -> String {
-    let mut ranges: Vec<(u64, u64)> = vec![];
-    for number in numbers {
-        match ranges.last_mut() {
-            Some((_, last)) if *last + 1 == *number => *last = *number,
-            _ => ranges.push((*number, *number)),
-        }
-    }
-    let range = |(first, last): &(u64, u64)| {
-        if first == last {
-            first.to_string()
-        } else {
-            format!("{first}-{last}")
-        }
+    let range = |run: &[u64]| match run {
+        [first, .., last] => format!("{first}-{last}"),
+        single => single.iter().map(u64::to_string).collect(),
     };
-    ranges.iter().map(range).collect::<Vec<_>>().join(",")
+    let runs = numbers.chunk_by(|before, number| before + 1 == *number);
+    runs.map(range).collect::<Vec<_>>().join(",")
 }
