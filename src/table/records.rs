@@ -254,6 +254,14 @@ pub(super) fn is_open(text: &str, separator: u8) -> bool {
     is_quoted
 }
 
+/// The only filled cell of a record, with its index; `None` if it has several.
+pub(super) fn only_cell<S: AsRef<str>>(row: &[S]) -> Option<(usize, &str)> {
+    let cells = row.iter().map(AsRef::as_ref).enumerate();
+    let mut filled = cells.filter(|(_, cell)| !cell.is_empty());
+    let only = filled.next()?;
+    filled.next().is_none().then_some(only)
+}
+
 /// Quotes a cell if necessary.
 pub(crate) fn quoted(cell: &str, separator: u8) -> Cow<'_, str> {
     match cell

@@ -3,7 +3,7 @@
 use super::column::Column;
 use super::launch_monitor::words;
 use super::numbers::cell_number;
-use super::records::Record;
+use super::records::{Record, only_cell};
 use super::refusal::Refusal;
 use crate::units::counted;
 
@@ -42,20 +42,17 @@ impl<'a> RowFault<'a> {
         labels: &ShotLabels,
         column: impl Fn(usize) -> Option<&'c Column>,
     ) -> Option<Self> {
-        let mut filled = row
-            .iter()
-            .map(AsRef::as_ref)
-            .enumerate()
-            .filter(|(_, cell)| !cell.is_empty());
-        let (at, only) = filled.next()?;
         // `60°` is a value in a column of angles, but the title of a wedge elsewhere
-        let is_value =
-            |column: &Column| cell_number(only, column.format.has_decimal_comma()).is_some();
-        let is_number = || only.parse::<f64>().is_ok() || column(at).is_some_and(is_value);
-        if filled.next().is_none() && !is_number() {
-            return Some(Self::Title(only));
+        let is_value = |column: &Column, cell: &str| {
+            cell_number(cell, column.format.has_decimal_comma()).is_some()
+        };
+        let is_number = |(at, cell): &(usize, &str)| {
+            cell.parse::<f64>().is_ok() || column(*at).is_some_and(|column| is_value(column, cell))
+        };
+        match only_cell(row).filter(|only| !is_number(only)) {
+            Some((_, title)) => Some(Self::Title(title)),
+            None => labels.summary(row).map(Self::Summary),
         }
-        labels.summary(row).map(Self::Summary)
     }
 
     /// Reason for rejecting the row.
@@ -252,8 +249,7 @@ impl ShotLabels {
                 return None;
             }
             // a row with a single filled cell is a title
-            let is_title = |row: &&Vec<String>| row.iter().filter(|c| !c.is_empty()).count() == 1;
-            let rows = rows.iter().filter(|row| !is_title(row));
+            let rows = rows.iter().filter(|row| only_cell(row).is_none());
             let cells: Vec<&str> = rows.map(|row| row[at].as_str()).collect();
             Label::of_cells(&cells, head.is_empty())
         };

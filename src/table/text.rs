@@ -5,7 +5,7 @@ use super::encoding::{Encoding, decoded};
 use super::head::{TableHead, TableOptions};
 use super::launch_monitor::{is_export, is_head, units_row};
 use super::numbers::cell_number;
-use super::records::{Lines, Record, cells};
+use super::records::{Lines, Record, cells, only_cell};
 use super::row_filter::RowFilter;
 use crate::csv_dialect::detect_separator;
 use crate::error::{Error, Result};
@@ -351,7 +351,7 @@ impl HeadPlace {
                 title: title.take(),
                 cells: row.into_iter().map(Into::into).collect(),
             };
-            title = only_cell(&place.cells);
+            title = only_cell(&place.cells).map(|(_, cell)| cell.to_owned());
             if begins_with_mark {
                 // an earlier record with at least as many filled cells has the heads of the table
                 let is_first = first
@@ -383,11 +383,4 @@ impl HeadPlace {
         let is_number = |cell: &String| cell_number(cell, true).is_some();
         self.cells.iter().any(is_number) || units_row(&heads.cells, &self.cells).is_some()
     }
-}
-
-/// The only filled cell of a record; `None` if it has several.
-fn only_cell(row: &[String]) -> Option<String> {
-    let mut filled = row.iter().filter(|cell| !cell.is_empty());
-    let only = filled.next()?;
-    filled.next().is_none().then(|| only.clone())
 }
