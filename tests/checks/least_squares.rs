@@ -1,7 +1,7 @@
 //! Least squares: problems of NIST, exact minima, rejected steps, interrupts.
 
 use longdrive::optimize::least_squares::{
-    Fit, FitObserver, FitOptions, FitStatus, Loss, Residuals, Rows, fit, fit_from, fit_observed,
+    Fit, FitObserver, FitOptions, FitStatus, Loss, Rows, fit, fit_from, fit_observed,
 };
 use longdrive::optimize::{Domain, starts};
 use std::cell::Cell;
@@ -19,7 +19,7 @@ struct NistProblem {
     sum: f64,
 }
 
-impl Residuals for NistProblem {
+impl NistProblem {
     fn evaluate(&self, b: &[f64]) -> Result<Rows, String> {
         let rows = self.data.iter().map(|(y, x)| {
             let (value, gradient) = (self.model)(*x, b);
@@ -123,7 +123,7 @@ fn fitted(set: &NistProblem, start: &[f64], low: f64, high: f64) -> Fit {
     let n = set.certified.len();
     let domain = Domain::new(vec![low; n], vec![high; n]).unwrap();
     fit(
-        set,
+        &|b: &[f64]| set.evaluate(b),
         &domain,
         start,
         &FitOptions {
@@ -169,9 +169,10 @@ fn published_nist_boxbod_within_bounds_from_its_hard_start_and_from_several() {
     let domain = Domain::new(vec![0.0, 0.0], vec![1000.0, 10.0]).unwrap();
     let spread = starts(&domain, &[1.0, 1.0], 8).unwrap();
     assert_eq!(spread[0], [1.0, 1.0]);
-    let alone = fit(set, &domain, &spread[0], &FitOptions::default()).unwrap();
+    let residuals = |b: &[f64]| set.evaluate(b);
+    let alone = fit(&residuals, &domain, &spread[0], &FitOptions::default()).unwrap();
     let found = fit_from(
-        set,
+        &residuals,
         &domain,
         &spread,
         &FitOptions::default(),

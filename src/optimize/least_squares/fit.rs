@@ -4,7 +4,7 @@ use super::super::domain::{Bounds, Domain};
 use super::super::qp::QpSolver;
 use super::super::status::SearchVerdict;
 use super::step::{GaussNewtonPoint, ModelStep};
-use super::{FitOptions, Residuals, Rows};
+use super::{FitOptions, Rows};
 use crate::error::{Error, Result};
 use crate::units::counted;
 use rayon::prelude::*;
@@ -107,8 +107,7 @@ pub struct FitObserver {
     /// Called at every iteration with its number and F.
     pub iteration: Option<Arc<dyn Fn(u64, f64) + Send + Sync>>,
     /// Interrupt flag: once true, the fit ends with the best point so far. It ends after the
-    /// current evaluation, or during an evaluation that [checks the
-    /// flag](super::Residuals::evaluate).
+    /// current evaluation, or during an evaluation that checks the flag.
     pub interrupt: Arc<AtomicBool>,
 }
 
@@ -121,11 +120,14 @@ impl FitObserver {
 
 /// Fits from a start, which is first projected on the bounds.
 ///
+/// The residuals are undefined at a point for a reason, in a sentence. The fit then shortens its
+/// step, or, if the [`interrupt`](FitObserver::interrupt) flag is set, ends at the previous iterate.
+///
 /// # Errors
 /// [`Error::Optimizer`] if the start, the tolerance or the loss is invalid, or if the domain has
 /// constraints.
 pub fn fit(
-    residuals: &impl Residuals,
+    residuals: &impl Fn(&[f64]) -> Result<Rows, String>,
     domain: &Domain,
     start: &[f64],
     options: &FitOptions,
@@ -139,7 +141,7 @@ pub fn fit(
 /// # Errors
 /// Errors of [`fit`], and [`Error::Optimizer`] if there are no starts.
 pub fn fit_from(
-    residuals: &(impl Residuals + Sync),
+    residuals: &(impl Fn(&[f64]) -> Result<Rows, String> + Sync),
     domain: &Domain,
     starts: &[Vec<f64>],
     options: &FitOptions,
@@ -159,7 +161,7 @@ pub fn fit_from(
 /// # Errors
 /// Errors of [`fit`].
 pub fn fit_observed(
-    residuals: &impl Residuals,
+    residuals: &impl Fn(&[f64]) -> Result<Rows, String>,
     domain: &Domain,
     start: &[f64],
     options: &FitOptions,
@@ -169,7 +171,7 @@ pub fn fit_observed(
     let bounds = &domain.variables;
     let start = bounds.project(start);
     let evaluate = |x: Vec<f64>| {
-        let rows = residuals.evaluate(&x)?;
+        let rows = residuals(&x)?;
         GaussNewtonPoint::new(x, rows, options.loss)
     };
     let at = match evaluate(start.clone()) {

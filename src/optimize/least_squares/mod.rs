@@ -41,23 +41,6 @@ pub struct Rows {
     pub jacobian: Vec<Vec<f64>>,
 }
 
-/// Residuals of a least-squares problem.
-pub trait Residuals {
-    /// The residuals and their Jacobian at `x`.
-    ///
-    /// # Errors
-    /// The reason, in a sentence, why the residuals are undefined at `x`. The fit then shortens its
-    /// step, or, if the [`interrupt`](FitObserver::interrupt) flag is set, ends at the previous
-    /// iterate.
-    fn evaluate(&self, x: &[f64]) -> Result<Rows, String>;
-}
-
-impl<F: Fn(&[f64]) -> Result<Rows, String>> Residuals for F {
-    fn evaluate(&self, x: &[f64]) -> Result<Rows, String> {
-        self(x)
-    }
-}
-
 /// Options of a fit, with their defaults.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitOptions {

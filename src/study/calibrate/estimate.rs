@@ -6,9 +6,7 @@ use super::statistics::{FitRange, FitStatistics};
 use super::verdict;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::optimize::least_squares::{
-    Fit, FitObserver, FitOptions, FitStatus, Residuals, fit_from,
-};
+use crate::optimize::least_squares::{Fit, FitObserver, FitOptions, FitStatus, fit_from};
 use crate::optimize::{Domain, starts};
 use crate::parameters::{Parameter, Setup, Vary, refuse_replaced};
 use crate::study::cancellable::stopped;
@@ -302,7 +300,8 @@ impl RepeatedSearches {
         const SAME: f64 = 1e-4;
         let mut renewals = 0;
         loop {
-            let fits = fit_from(&*problem, domain, &from, options, observer)?;
+            let residuals = |x: &[f64]| problem.evaluate(x);
+            let fits = fit_from(&residuals, domain, &from, options, observer)?;
             let best = &fits[0];
             if best.rows.residuals.is_empty() {
                 return Err(no_start(problem, own, observer));

@@ -5,7 +5,7 @@ use super::shot_table::{MeasuredShot, Measurement, Stationary};
 use crate::derivative::{self, Evaluator, Order};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::optimize::least_squares::{Residuals, Rows};
+use crate::optimize::least_squares::Rows;
 use crate::parameters::{Parameter, Setup};
 use crate::study::cancellable::{each_until, stopped};
 use crate::units::significant;
@@ -173,10 +173,9 @@ impl ShotResiduals<'_> {
         self.curvatures = curvatures;
         self.evaluate(x).is_ok()
     }
-}
 
-impl Residuals for ShotResiduals<'_> {
-    fn evaluate(&self, x: &[f64]) -> std::result::Result<Rows, String> {
+    /// The residuals and their Jacobian at `x`, or why they are undefined.
+    pub fn evaluate(&self, x: &[f64]) -> std::result::Result<Rows, String> {
         let moved = self.moved(x).map_err(|error| error.to_string())?;
         let by_shot = self.by_shot(&moved).map_err(|error| error.to_string())?;
         let mut all = Rows {
