@@ -92,15 +92,11 @@ impl ActiveSet {
     }
 }
 
-fn size(solution: &Solution, scale: &[f64]) -> f64 {
-    let value = solution.value.unwrap_or_default();
-    objective_size(value, &solution.gradient, scale)
-}
-
 /// Hessian of the Lagrangian in scaled variables. Rounding errors are set to 0, because they would
 /// make the optimum look isolated along a variable without effect.
 fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
-    let least = ROUNDING * size(solution, scale);
+    let value = solution.value.unwrap_or_default();
+    let least = ROUNDING * objective_size(value, &solution.gradient, scale);
     DMatrix::from_fn(scale.len(), scale.len(), |i, k| {
         let curvature = solution.hessian[i][k] * scale[i] * scale[k];
         if curvature.abs() > least {
