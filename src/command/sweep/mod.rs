@@ -79,7 +79,13 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
     // an incomplete file has the name FILE.part
     let part = destination.file().filter(|_| !is_complete).map(part_of);
     let file = part.as_deref().unwrap_or(&args.output);
-    let summary = SweepSummary::new(total, counts, points.notes(), file);
+    let summary = SweepSummary {
+        file: file.display().to_string(),
+        rows: total,
+        written: counts.total(),
+        statuses: counts.counts().collect(),
+        remarks: points.notes(),
+    };
     warn(counts.exceeded().warnings(
         &batch.setup().law,
         ["drive that landed", "drives that landed"],
@@ -237,16 +243,6 @@ pub struct SweepSummary {
 }
 
 impl SweepSummary {
-    fn new(rows: u64, status_counts: &StatusCounts, remarks: Vec<Message>, file: &Path) -> Self {
-        Self {
-            file: file.display().to_string(),
-            rows,
-            written: status_counts.total(),
-            statuses: status_counts.counts().collect(),
-            remarks,
-        }
-    }
-
     fn text(&self, file: Option<&Path>) -> String {
         let counts = self.statuses.iter().filter(|(_, count)| **count > 0);
         let counts: Vec<_> = counts
