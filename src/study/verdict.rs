@@ -30,7 +30,7 @@ pub enum BoundSide {
 }
 
 variant_names! {
-    /// Name in JSON: `lower`.
+    /// Name in JSON, such as `lower`.
     BoundSide as "BoundSide" {
         Lower = "lower",
         Upper = "upper",

@@ -216,7 +216,7 @@ fn exact_loss_at_the_ends_of_the_intervals_of_an_optimum() {
 }
 
 /// The gain of the club alone equals the gain of a search that varies only the loft. With a limit on
-/// the total, a local search over the loft ends at a worse optimum.
+/// the total distance, a local search would not find this optimum.
 #[test]
 fn same_gain_of_the_club_as_a_search_over_the_loft_alone() {
     for (preset, limit) in [

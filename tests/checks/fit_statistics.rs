@@ -87,7 +87,8 @@ fn parameters_with_as_many_values_are_determined() {
     }
 }
 
-/// The columns differ by 1e-4. The standard error is then 1e4/√2, which exceeds a narrow range.
+/// The columns differ by 1e-4. The standard error is then 1e4/√2, more than
+/// the width of a narrow range.
 #[test]
 fn standard_errors_beyond_the_range_are_no_answers() {
     let rows = Rows {

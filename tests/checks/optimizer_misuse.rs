@@ -102,7 +102,7 @@ fn a_saved_search_of_another_problem_is_refused() {
     );
 }
 
-/// Removes an entry from every array of a saved search, one after the other.
+/// For each array of a saved search: removes an entry of this array alone.
 #[test]
 fn a_damaged_search_is_refused_and_nothing_panics() {
     fn arrays(value: &Value, path: &str, found: &mut Vec<String>) {

@@ -24,7 +24,7 @@ const UNSOLVED: &str = "HS13";
 
 /// The largest allowed KKT residual of a problem: 1e-8, except for MGH10 (Meyer). The least-squares
 /// residuals of MGH10 are differences of numbers near 3e4, with a rounding error of 4e-12. Its
-/// gradient multiplies sixteen of these differences by 6e6.
+/// gradient is a sum of sixteen such differences, each times up to 6e6.
 fn tolerance(case: &Case) -> f64 {
     if case.name == "MGH10" { 1e-4 } else { 1e-8 }
 }

@@ -323,7 +323,7 @@ fn same_drive_as_set_up_by_a_search_and_by_simulate() {
     assert!(before.is_null(), "{before}");
 }
 
-/// A map of the best speed does not mark the drive as set up, because this drive has another speed.
+/// On a map at the best speed there is no mark of the setup's own drive, which has another speed.
 #[test]
 fn a_map_of_another_speed_has_no_mark_of_the_drive_as_set_up() {
     let folder = tempfile::tempdir().unwrap();

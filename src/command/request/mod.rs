@@ -591,7 +591,7 @@ impl Request {
         }
     }
 
-    /// Prints a note on the launch conditions `before` that the setting `by` has unset: total spin
+    /// Prints a note if a setting (`by`) has unset earlier launch conditions (`before`): total spin
     /// replaces backspin and sidespin, and backspin replaces total spin and spin axis.
     fn note_replaced(
         &self,

@@ -15,7 +15,7 @@ pub enum Verdict {
 }
 
 variant_names! {
-    /// Name in JSON: `pass`.
+    /// Name in JSON, such as `pass`.
     Verdict as "Verdict" {
         Fail = "fail",
         Corner = "corner",

@@ -56,7 +56,7 @@ pub enum FitStatus {
 }
 
 variant_names! {
-    /// Name in reports: `converged`.
+    /// Name in reports, such as `converged`.
     FitStatus as "FitStatus" {
         Converged = "converged",
         Undetermined = "undetermined",

@@ -16,7 +16,8 @@ use maud::{Markup, html};
 /// Maximum number of parameters named as sources of the uncertainty.
 const NAMED: usize = 3;
 
-/// Ratio of two uncertainties above which their two shown digits may be equal.
+/// If an uncertainty is more than this fraction of a larger one, both may be equal as shown, with
+/// two digits.
 const ALIKE: f64 = 0.9;
 
 /// The summary at the beginning of the page.

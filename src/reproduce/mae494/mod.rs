@@ -52,7 +52,7 @@ pub struct Mae494 {
     pub average: Average,
     /// Parametric study.
     pub parametric: Parametric,
-    /// Jumps of the carry that the report's flight loop computes, and searches on this carry.
+    /// The report's flight loop computes a carry with jumps: the jumps, and the ends of searches.
     pub noise: Noise,
 }
 

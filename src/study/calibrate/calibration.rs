@@ -71,7 +71,7 @@ pub struct Starts {
     pub at_best: usize,
     /// Number of starts that did not reach the smallest sum of squares, by status; `undefined` if
     /// the ball of a row does not fly at the starting point.
-    // empty if the curvatures were renewed twice or more: only the best search is then repeated
+    // empty from the second renewal of the curvatures on, since only the best search is repeated
     #[serde(rename = "elsewhere", serialize_with = "by_name")]
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, usize>"))]
     pub others: Vec<(FitStatus, usize)>,
