@@ -240,6 +240,7 @@ pub fn explain(mut error: clap::Error, command: Option<&'static str>, is_json: b
         return complain(&not_utf8(), command, is_json);
     }
     in_own_words(&mut error);
+    add_subcommands(&mut error);
     let rendered = error.render();
     let shown = in_host_syntax(&rendered.ansi().to_string());
     if !error.use_stderr() {
@@ -366,6 +367,34 @@ fn in_own_words(error: &mut clap::Error) {
             ContextValue::StyledStrs(vec![tip.into()]),
         );
     }
+}
+
+/// Adds the subcommands to the error about an unknown one, unless the parser suggests one: `plot`
+/// takes the kind of the plot before the setup.
+fn add_subcommands(error: &mut clap::Error) {
+    let is_unknown = error.kind() == ErrorKind::InvalidSubcommand;
+    if !is_unknown || error.get(ContextKind::SuggestedSubcommand).is_some() {
+        return;
+    }
+    let running = running();
+    let mut command = running.program;
+    let words = running.words.iter().map_while(|word| word.to_str());
+    for word in words {
+        command = command.find_subcommand(word).unwrap_or(command);
+    }
+    let names: Vec<_> = command
+        .get_subcommands()
+        .map(clap::Command::get_name)
+        .collect();
+    let tip = format!(
+        "one of these comes after '{}': {}",
+        command.get_name(),
+        names.join(", ")
+    );
+    error.insert(
+        ContextKind::Suggested,
+        ContextValue::StyledStrs(vec![tip.into()]),
+    );
 }
 
 /// Prints an answer without a result.

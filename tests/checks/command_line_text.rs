@@ -443,6 +443,12 @@ fn messages_have_plain_numbers_chosen_units_and_suggestions() {
             "'-- ",
         ),
         (
+            vec!["--quiet", "plot", "me.toml", "-o", "a.svg"],
+            2,
+            "one of these comes after 'plot': trajectory, contour, chart,",
+            "after 'longdrive'",
+        ),
+        (
             vec!["chart", "-o", "a.svg", "--along", "club.loft=8deg..12deg"],
             2,
             "this command has no option '-o'; --help lists those that it has",
