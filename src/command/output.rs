@@ -369,8 +369,8 @@ fn in_own_words(error: &mut clap::Error) {
     }
 }
 
-/// Adds the subcommands to the error about an unknown one, unless the parser suggests one: `plot`
-/// takes the kind of the plot before the setup.
+/// Adds the subcommands of a command to the error about an unknown one, unless the parser suggests
+/// one: `plot` takes the kind of the plot before the setup. The commands of the program are too many.
 fn add_subcommands(error: &mut clap::Error) {
     let is_unknown = error.kind() == ErrorKind::InvalidSubcommand;
     if !is_unknown || error.get(ContextKind::SuggestedSubcommand).is_some() {
@@ -381,6 +381,9 @@ fn add_subcommands(error: &mut clap::Error) {
     let words = running.words.iter().map_while(|word| word.to_str());
     for word in words {
         command = command.find_subcommand(word).unwrap_or(command);
+    }
+    if std::ptr::eq(command, running.program) {
+        return;
     }
     let names: Vec<_> = command
         .get_subcommands()
