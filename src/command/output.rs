@@ -370,7 +370,8 @@ fn in_own_words(error: &mut clap::Error) {
 }
 
 /// Adds the subcommands of a command to the error about an unknown one, unless the parser suggests
-/// one: `plot` takes the kind of the plot before the setup. The commands of the program are too many.
+/// one: `plot` takes the kind of the plot before the setup. The commands of the program are too
+/// many.
 fn add_subcommands(error: &mut clap::Error) {
     let is_unknown = error.kind() == ErrorKind::InvalidSubcommand;
     if !is_unknown || error.get(ContextKind::SuggestedSubcommand).is_some() {
