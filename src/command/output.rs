@@ -370,22 +370,20 @@ fn in_own_words(error: &mut clap::Error) {
 }
 
 /// Adds the subcommands of a command to the error about an unknown one, unless the parser suggests
-/// one: `plot` takes the kind of the plot before the setup. The commands of the program are too
-/// many.
+/// one: `plot` takes the kind of the plot before the setup.
 fn add_subcommands(error: &mut clap::Error) {
     let is_unknown = error.kind() == ErrorKind::InvalidSubcommand;
     if !is_unknown || error.get(ContextKind::SuggestedSubcommand).is_some() {
         return;
     }
     let running = running();
-    let mut command = running.program;
-    let words = running.words.iter().map_while(|word| word.to_str());
-    for word in words {
-        command = command.find_subcommand(word).unwrap_or(command);
-    }
-    if std::ptr::eq(command, running.program) {
+    let is_typed = |command: &&clap::Command| {
+        let name = command.get_name();
+        command.has_subcommands() && running.words.iter().any(|word| word == name)
+    };
+    let Some(command) = running.program.get_subcommands().find(is_typed) else {
         return;
-    }
+    };
     let names: Vec<_> = command
         .get_subcommands()
         .map(clap::Command::get_name)

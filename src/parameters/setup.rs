@@ -621,8 +621,8 @@ impl Setup<f64> {
         }
     }
 
-    /// The value of a parameter. An unset parameter has the value [`Parameter::unset`], which may be
-    /// `None`.
+    /// The value of a parameter. An unset parameter has the value [`Parameter::unset`], which may
+    /// be `None`.
     pub(crate) fn value_or_unset(&self, parameter: &Parameter) -> Option<f64> {
         self.value(parameter).or(parameter.unset)
     }

@@ -83,8 +83,8 @@ parameter_groups! {
         /// Loft at the sweet spot.
         loft: T = "club.loft", "λ", ANGLE in "deg", Range::within_degrees(90.0),
             "9.8 deg", "McNally (2016), measured driver";
-        /// Moment of inertia about the vertical axis through the centre of mass, the MOI of golf: entry
-        /// xx of the inertia tensor in the head frame.
+        /// Moment of inertia about the vertical axis through the centre of mass, the MOI of golf:
+        /// entry xx of the inertia tensor in the head frame.
         inertia_xx: T = "club.inertia.xx", "I_xx", INERTIA in "g cm^2", Range::above_to(0.0, 1.0),
             "5679 g cm^2", "measured driver, docs/sources.md";
         /// Moment of inertia about the axis from heel to toe: entry yy of the inertia tensor.

@@ -100,7 +100,8 @@ pub(crate) fn missing_of_launch(columns: &[Column]) -> Vec<&'static str> {
 /// would only be the assumed one.
 pub(crate) fn missing_launch_remark(columns: &[Column]) -> Result<Option<String>, String> {
     let near = near_known(columns);
-    let is_club_speed = |column: &Column| matches!(column.content, Content::Input(parameter) if parameter.name == "swing.speed");
+    let is_club_speed =
+        |column: &Column| matches!(column.content, Content::Input(of) if of.name == "swing.speed");
     if !has_outcome(columns, Outcome::BallSpeed) && !columns.iter().any(is_club_speed) {
         let heads: Vec<&str> = columns.iter().map(|column| &column.head[..]).collect();
         return Err(format!(

@@ -254,7 +254,7 @@ pub(super) fn is_open(text: &str, separator: u8) -> bool {
     is_quoted
 }
 
-/// The only filled cell of a record, with its index; `None` if it has several.
+/// The only filled cell of a record, with its index; `None` if it has none or several.
 pub(super) fn only_cell<S: AsRef<str>>(row: &[S]) -> Option<(usize, &str)> {
     let cells = row.iter().map(AsRef::as_ref).enumerate();
     let mut filled = cells.filter(|(_, cell)| !cell.is_empty());

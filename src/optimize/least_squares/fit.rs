@@ -120,8 +120,9 @@ impl FitObserver {
 
 /// Fits from a start, which is first projected on the bounds.
 ///
-/// The residuals are undefined at a point for a reason, in a sentence. The fit then shortens its
-/// step, or, if the [`interrupt`](FitObserver::interrupt) flag is set, ends at the previous iterate.
+/// `residuals` returns the rows at a point, or a sentence that says why they are undefined there.
+/// The fit then shortens its step, or, if the [`interrupt`](FitObserver::interrupt) flag is set,
+/// ends at the previous iterate.
 ///
 /// # Errors
 /// [`Error::Optimizer`] if the start, the tolerance or the loss is invalid, or if the domain has

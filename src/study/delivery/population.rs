@@ -92,8 +92,8 @@ const PRIOR_FACTORS: [f64; 4] = [1.0, 0.5, 0.25, 0.125];
 const ITERATIONS: u32 = 30;
 /// Stopping tolerance of mean and covariance, in prior standard uncertainties.
 const TOLERANCE: f64 = 1e-5;
-/// Distance from the end of the iterations that counts as converged, in prior standard
-/// uncertainties.
+/// Distance from the end of the iterations that counts as converged: of the mean, in prior standard
+/// uncertainties; of the covariance, in their squares.
 const NEGLIGIBLE: f64 = 0.01;
 /// Largest acceptable [discrepancy](PredictedOutcome::discrepancy) of an outcome.
 const ACCEPTED_DISCREPANCY: f64 = 0.25;

@@ -189,9 +189,9 @@ impl Robust {
     }
 
     /// If the lower or the upper bound of a variable is widened by one unit, the greatest loss
-    /// decreases by this amount, to first order. It is the multiplier of the bound at the minimax design, minus a mean of the
-    /// multipliers of the bound at the best design of each model. The weights of this mean are
-    /// [`loss_multipliers`](Self::loss_multipliers). The subtraction is necessary because the wider
+    /// decreases by this amount, to first order. It is the multiplier of the bound at the minimax
+    /// design, minus a mean of the multipliers of the bound at the best design of each model. The
+    /// weights of this mean are [`loss_multipliers`](Self::loss_multipliers). The subtraction is necessary because the wider
     /// bound also improves the best designs.
     pub fn bound_prices(&self, variable: usize) -> [f64; 2] {
         let price = |multipliers: fn(&Solution) -> &[f64]| {
