@@ -60,19 +60,10 @@ impl<'a> ChartDrawing<'a> {
     fn new(chart: &'a Chart, own: Option<&'a Optimum>, system: System) -> Self {
         let own = own.and_then(|best| Some((best.setup.value(chart.along.parameter)?, best)));
         let own = own.filter(|(at, _)| (chart.along.low..=chart.along.high).contains(at));
-        let other = own.and_then(|(at, best)| {
-            let lost = chart.loss_at(best)?;
-            let than = if lost > 0.0 { "better" } else { "worse" };
-            Some(format!(
-                "At {} the line follows another optimum than the mark, which is {than} by {}.",
-                shown::stated(chart.along.parameter, at, system),
-                shown::difference(best.search.outcome(), lost.abs(), system)
-            ))
-        });
         Self {
             chart,
             own,
-            other,
+            other: own.and_then(|(at, best)| other_optimum(chart, at, best, system)),
             system,
             along: NamedQuantity::parameter(chart.along.parameter),
         }
@@ -171,6 +162,19 @@ impl<'a> ChartDrawing<'a> {
         notes.extend(ends.map(|why| why.in_units(system)));
         figure.noted(notes.join(" "))
     }
+}
+
+/// The sentence about the optimum `own` at the value `at`, if the chart follows another optimum
+/// there.
+fn other_optimum(chart: &Chart, at: f64, own: &Optimum, system: System) -> Option<String> {
+    let of = own.search.outcome();
+    let lost = chart.loss_at(own)?;
+    let than = if lost > 0.0 { "better" } else { "worse" };
+    Some(format!(
+        "At {} the line follows another optimum than the mark, which is {than} by {}.",
+        shown::stated(chart.along.parameter, at, system),
+        shown::difference(of, lost.abs(), system)
+    ))
 }
 
 /// The sentence about a parameter that is at the same bound in every optimum, in place of a plot.

@@ -70,14 +70,7 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
         landings
             .iter()
             .filter(|landing| landing.is_too_wide)
-            .map(|landing| {
-                format!(
-                    "{}: no ellipses are drawn, because the standard deviations of its inputs are \
-                     too large: more than 2 % of the drives would have a value outside of its \
-                     allowed range or would not land.",
-                    capital(&landing.name)
-                )
-            }),
+            .map(too_wide),
     );
     if landings.iter().any(|landing| landing.rest.is_some()) {
         notes.push("The total is where the ball comes to rest.".into());
@@ -243,25 +236,31 @@ fn outline(ellipse: &LandingEllipse) -> Vec<[f64; 2]> {
 
 fn note_of(landing: &Landing, system: System) -> String {
     let [lateral, carry] = landing.at;
-    let lateral = shown::outcome(Outcome::Lateral, lateral, system);
-    let beside = match (lateral.strip_suffix(" R"), lateral.strip_suffix(" L")) {
-        (Some(size), _) => format!("{size} right of the target line"),
-        (_, Some(size)) => format!("{size} left of the target line"),
-        _ => "on the target line".into(),
-    };
     let total = landing.rest.map_or(String::new(), |rest| {
         let total = shown::outcome(Outcome::Total, rest[1], system);
         format!(", total {total}")
     });
     format!(
-        "{}: carry {}, {beside}{total}.",
+        "{}: carry {}, {}{total}.",
         capital(&landing.name),
         shown::outcome(Outcome::Carry, carry, system),
+        beside_target(lateral, system)
     )
 }
 
+/// The side of the target line: "3.2 yd right of the target line", "on the target line".
+fn beside_target(lateral: f64, system: System) -> String {
+    let shown = shown::outcome(Outcome::Lateral, lateral, system);
+    let beside = [(" R", "right"), (" L", "left")]
+        .into_iter()
+        .find_map(|(sign, side)| Some((shown.strip_suffix(sign)?, side)));
+    beside.map_or("on the target line".into(), |(size, side)| {
+        format!("{size} {side} of the target line")
+    })
+}
+
 /// The note about the ellipses. `None` if no drive has ellipses because the scatter of a drive is
-/// too wide.
+/// too wide: [`too_wide`] is the note then.
 fn ellipses_note(landings: &[Landing], system: System) -> Option<String> {
     let Some(landing) = landings.iter().find(|landing| !landing.ellipses.is_empty()) else {
         let is_known = landings.iter().all(|landing| !landing.is_too_wide);
@@ -280,4 +279,14 @@ fn ellipses_note(landings: &[Landing], system: System) -> Option<String> {
         sigmas.join(", "),
         Landing::SAMPLED
     ))
+}
+
+/// The reason why a drive has no ellipses although its inputs vary.
+fn too_wide(landing: &Landing) -> String {
+    format!(
+        "{}: no ellipses are drawn, because the standard deviations of its inputs are too large: \
+         more than 2 % of the drives would have a value outside of its allowed range or would not \
+         land.",
+        capital(&landing.name)
+    )
 }

@@ -28,17 +28,7 @@ pub fn launches_figure(map: &Launches, system: System) -> Figure {
         shown::outcome(Outcome::BallSpeed, map.ball_speed, system)
     );
     figure.layers.extend(layers(map));
-    let mut notes = vec!["Dashed: the best launch angle for each backspin.".to_owned()];
-    notes.extend(map.launched.iter().map(|one| note_of(one, map, system)));
-    notes.push(
-        "The map has the ball speed, launch direction and sidespin of the first launch; air and \
-         ball are the setup's."
-            .into(),
-    );
-    if map.plane.values[0].iter().any(Option::is_none) {
-        notes.push("Without colour: no flight.".into());
-    }
-    figure.noted(notes.join(" "))
+    figure.noted(note(map, system))
 }
 
 /// The best launch for each spin, and the launches of the drives.
@@ -65,6 +55,20 @@ fn layers(map: &Launches) -> Vec<Layer> {
         at: place(one),
     });
     ridge.into_iter().chain(arrow).chain(marks).collect()
+}
+
+fn note(map: &Launches, system: System) -> String {
+    let mut notes = vec!["Dashed: the best launch angle for each backspin.".to_owned()];
+    notes.extend(map.launched.iter().map(|one| note_of(one, map, system)));
+    notes.push(
+        "The map has the ball speed, launch direction and sidespin of the first launch; air and \
+         ball are the setup's."
+            .into(),
+    );
+    if map.plane.values[0].iter().any(Option::is_none) {
+        notes.push("Without colour: no flight.".into());
+    }
+    notes.join(" ")
 }
 
 /// The launch and the carry of a drive. The ball speed is added if it differs from the ball speed

@@ -99,14 +99,7 @@ pub fn laws_figure(
             .into(),
     );
     notes.extend(plot.points_note(laws));
-    let is_omitted = values(&figure.layers).any(|value| !(low..=high).contains(&value));
-    notes.extend(is_omitted.then(|| {
-        format!(
-            "Values below {} and above {} are not drawn.",
-            significant(low, 3),
-            significant(high, 3)
-        )
-    }));
+    notes.extend(omitted_note(&figure));
     notes.push(
         "Laws that depend on the speed or the spin, not only on Reynolds number and spin ratio, are \
          drawn for the setup's ball and air."
@@ -121,6 +114,19 @@ fn values(layers: &[Layer]) -> impl Iterator<Item = f64> {
     points
         .map(|[_, value]| value)
         .filter(|value| value.is_finite())
+}
+
+/// The note about values outside of the vertical axis. `None` if there are none.
+fn omitted_note(figure: &Figure) -> Option<String> {
+    let [low, high] = figure.y.range.unwrap_or(COEFFICIENTS);
+    let is_omitted = values(&figure.layers).any(|value| !(low..=high).contains(&value));
+    is_omitted.then(|| {
+        format!(
+            "Values below {} and above {} are not drawn.",
+            significant(low, 3),
+            significant(high, 3)
+        )
+    })
 }
 
 /// The axes of a plot of laws, with the ball and the air.

@@ -25,11 +25,7 @@ impl OptimumWindows<'_> {
         let vary = optimum.search.vary.iter().zip(self.windows);
         let windows: Vec<_> = vary
             .filter(|(vary, _)| vary.low < vary.high)
-            .map(|(vary, window)| {
-                let low = window_end(vary, window.low, &window.low_limit, system);
-                let high = window_end(vary, window.high, &window.high_limit, system);
-                format!("{} {low} to {high}", vary.parameter.name)
-            })
+            .map(|(vary, window)| window_text(vary, window, system))
             .collect();
         let windows = format!(
             "within {loss} of the best if one parameter alone changes: {}",
@@ -38,6 +34,16 @@ impl OptimumWindows<'_> {
         let club = self.club_alone.map(|club| club_text(optimum, club, system));
         [windows].into_iter().chain(club).collect()
     }
+}
+
+/// A window in words, such as "club.loft 5.36° to 6.94°".
+fn window_text(vary: &Vary, window: &Window, system: System) -> String {
+    format!(
+        "{} {} to {}",
+        vary.parameter.name,
+        window_end(vary, window.low, &window.low_limit, system),
+        window_end(vary, window.high, &window.high_limit, system)
+    )
 }
 
 /// An end of a window, such as "5.36°". If the end is not due to the loss, the text has the reason:

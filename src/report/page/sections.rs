@@ -13,7 +13,7 @@ use crate::report::optimum::{bound_in_words, window_end};
 use crate::report::presets::{SourcedValue, sources};
 use crate::report::shown::{self, capital};
 use crate::study::certificate::DerivativeRow;
-use crate::study::{Effects, Flatness, NamedDrive, Optimum};
+use crate::study::{Effects, Flatness, NamedDrive, Optimum, Vary, Window, WindowLimit};
 use crate::units::{System, counted, significant, typeset};
 use maud::{Markup, Render, html};
 
@@ -93,15 +93,7 @@ pub(super) fn optimum(best: &Optimum, flatness: Option<&Flatness>) -> Markup {
                         td.number { (label("to")) (both(|system| shown::ends(vary, system)[1].clone())) }
                         td.words { (label("bound")) (both(|system| bound_in_words(best, i, system))) }
                         @if let Some(flatness) = flatness {
-                            td.words {
-                                (label(window_head(of, flatness)))
-                                span {
-                                    @let window = &flatness.windows[i];
-                                    (both(|system| window_end(vary, window.low, &window.low_limit, system)))
-                                    " … "
-                                    (both(|system| window_end(vary, window.high, &window.high_limit, system)))
-                                }
-                            }
+                            td.words { (label(window_head(of, flatness))) (window(vary, &flatness.windows[i])) }
                         }
                     }
                 }
@@ -120,6 +112,15 @@ fn label(head: impl Render) -> Markup {
 fn window_head(of: Outcome, flatness: &Flatness) -> Markup {
     let loss = both(|system| shown::difference(of, flatness.loss, system));
     html! { "alone, for a loss of " (loss) }
+}
+
+/// The window of a parameter. An end that is not due to the loss has its reason in parentheses.
+fn window(vary: &Vary, window: &Window) -> Markup {
+    let end =
+        |value: f64, limit: &WindowLimit| both(|system| window_end(vary, value, limit, system));
+    html! {
+        span { (end(window.low, &window.low_limit)) " … " (end(window.high, &window.high_limit)) }
+    }
 }
 
 fn limits(best: &Optimum) -> Markup {
