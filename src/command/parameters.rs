@@ -12,8 +12,9 @@ pub struct Args {
     #[command(flatten)]
     pub drive: DriveArgs,
 
-    /// List only the parameters with this word in their names or groups, e.g. loft. Without a
-    /// SETUP it may be the first word: longdrive parameters swing.
+    /// List only the parameters with this word in their names or, if there is none, in their
+    /// meanings, e.g. loft or MOI. Without a SETUP it may be the first word: longdrive parameters
+    /// swing.
     #[arg(value_name = "WORD")]
     pub word: Option<String>,
 

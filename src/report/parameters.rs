@@ -25,7 +25,8 @@ pub struct ParametersReport {
     /// True if the setup states `flight.method` or `flight.step`. Otherwise a command that computes
     /// many drives chooses method and step.
     pub states_step: bool,
-    /// Only parameters and choices whose names contain this word are listed; `None` lists all.
+    /// Only parameters and choices with this word in their names or meanings are listed; `None`
+    /// lists all.
     #[serde(skip)]
     word: Option<String>,
 }
@@ -98,25 +99,17 @@ impl ParametersReport {
         }
     }
 
-    /// Selects the parameters and choices whose names contain a word.
+    /// Selects the parameters and choices whose names contain a word; if none does, the parameters
+    /// whose meanings contain it.
     ///
     /// # Errors
-    /// [`Error::Unknown`] if no name contains the word. The error suggests the most similar name,
-    /// group or preset.
+    /// [`Error::Unknown`] if no name and no meaning contains the word. The error suggests the most
+    /// similar name, group or preset.
     pub fn with_word(mut self, word: &str) -> Result<Self> {
-        let mut choices = self.choices.iter().map(|one| one.choice).chain([LAW]);
-        let is_choice = choices.any(|name| has_word(name, word));
-        let names: Vec<_> = self.parameters.iter().map(|one| one.parameter).collect();
-        if !is_choice && !names.iter().any(|name| has_word(name, word)) {
-            let parts = names.iter().flat_map(|name| name.split('.'));
-            let presets = PRESETS.iter().map(|preset| preset.name);
-            let known: Vec<_> = parts.chain(names.iter().copied()).chain(presets).collect();
-            return Err(Error::unknown(
-                "parameter or group",
-                word,
-                known,
-                "`parameters()` lists them all",
-            ));
+        let names = || self.parameters.iter().map(|one| one.parameter);
+        let choices = self.choices.iter().map(|one| one.choice).chain([LAW]);
+        if !names().chain(choices).any(|name| has_word(name, word)) {
+            return self.with_word_in_meaning(word);
         }
         self.parameters.retain(|one| has_word(one.parameter, word));
         self.choices.retain(|one| has_word(one.choice, word));
@@ -124,31 +117,28 @@ impl ParametersReport {
         Ok(self)
     }
 
-    /// The parameters and choices whose names contain the word. The coefficients of laws that the
-    /// setup does not use are last.
-    fn selection(&self, word: &str, system: System) -> Document {
-        let mut document = Document::default();
-        if !self.parameters.is_empty() {
-            let all: Vec<_> = self.parameters.iter().collect();
-            document.add(listing("parameter", &all, system));
+    fn with_word_in_meaning(mut self, word: &str) -> Result<Self> {
+        if !self.parameters.iter().any(|one| has_word(one.doc, word)) {
+            let names = || self.parameters.iter().map(|one| one.parameter);
+            let parts = names().flat_map(|name| name.split('.'));
+            let presets = PRESETS.iter().map(|preset| preset.name);
+            return Err(Error::unknown(
+                "parameter or group",
+                word,
+                parts.chain(names()).chain(presets),
+                "`parameters()` lists them all",
+            ));
         }
-        for choice in &self.choices {
-            document.list([Line::item(choice.text())]);
-        }
-        if has_word(LAW, word) {
-            document.list([Line::item(format!(
-                "{LAW} = {} here; the laws are {}",
-                self.law,
-                Law::NAMES.join(", ")
-            ))]);
-        }
-        document
+        self.parameters.retain(|one| has_word(one.doc, word));
+        self.choices.clear();
+        self.word = Some(word.into());
+        Ok(self)
     }
 }
 
-/// True if the name contains the word, which may be in upper or lower case.
-fn has_word(name: &str, word: &str) -> bool {
-    name.contains(&word.to_lowercase())
+/// True if the text contains the word, in upper or lower case.
+fn has_word(text: &str, word: &str) -> bool {
+    text.to_lowercase().contains(&word.to_lowercase())
 }
 
 impl ParameterReport {
@@ -173,12 +163,11 @@ impl ParameterReport {
 impl Report for ParametersReport {
     const COMMAND: &'static str = "parameters";
 
-    /// The values by group. With the option `all`, a listing follows: a row for each parameter with
-    /// its value, default, range, symbol and meaning, then the choices and the coefficients of the
-    /// other laws.
+    /// The values by group; the listing follows with the option `all`. With a word, the listing
+    /// alone.
     fn document(&self, system: System) -> Document {
-        if let Some(word) = &self.word {
-            return self.selection(word, system);
+        if self.word.is_some() {
+            return self.listings(system);
         }
         let mut document = Document::default();
         document.add(self.values(system));
@@ -214,20 +203,32 @@ impl ParametersReport {
         table
     }
 
+    /// A row for each parameter with its value, default, range, symbol and meaning, then the choices
+    /// and the coefficients of the other laws.
     fn listings(&self, system: System) -> Document {
         let (own, others): (Vec<_>, Vec<_>) = self
             .parameters
             .iter()
             .partition(|one| one.law.is_none_or(|law| law == self.law));
         let mut document = Document::default();
-        document.add(listing("parameter", &own, system));
+        if !own.is_empty() {
+            document.add(listing("parameter", &own, system));
+        }
         for choice in &self.choices {
             document.list([Line::item(choice.text())]);
         }
-        document.list([Line::item(format!(
-            "{LAW} = {} here; the coefficients of the other laws:",
-            self.law
-        ))]);
+        if !others.is_empty() {
+            document.list([Line::item(format!(
+                "{LAW} = {} here; the coefficients of the other laws:",
+                self.law
+            ))]);
+        } else if self.word.as_ref().is_some_and(|word| has_word(LAW, word)) {
+            document.list([Line::item(format!(
+                "{LAW} = {} here; the laws are {}",
+                self.law,
+                Law::NAMES.join(", ")
+            ))]);
+        }
         for law in Law::NAMES.iter().copied().chain([TABLE_LAW]) {
             let of_law: Vec<_> = others
                 .iter()

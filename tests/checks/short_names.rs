@@ -101,7 +101,7 @@ fn every_command_with_a_setup_lists_the_short_names_together() {
 }
 
 #[test]
-fn a_word_selects_parameters_by_name_or_group() {
+fn a_word_selects_parameters_by_name_and_else_by_meaning() {
     let names = |words: &[&str]| -> Vec<String> {
         let (status, found) = json(&[&["parameters"], words].concat());
         assert_eq!(status, 0);
@@ -115,6 +115,8 @@ fn a_word_selects_parameters_by_name_or_group() {
     assert!(swing.iter().all(|name| name.contains("swing")));
     assert_eq!(names(&["winfield-tan", "Loft"]), ["club.loft"]);
     assert_eq!(names(&["club.loft"]), ["club.loft"]);
+    assert_eq!(names(&["MOI"]), ["club.inertia.xx"]);
+    assert_eq!(names(&["moi"]), ["club.inertia.xx"]);
     let text = longdrive(&["parameters", "loft"]).out;
     assert!(
         text.contains("club.loft") && text.lines().count() < 10,
