@@ -44,8 +44,9 @@ TEXTS = {
     "tolerance": "the largest error of a length, m or a text; without it 1 um where many drives "
     "are flown, unless the setup states flight.method or flight.step.",
     "own-step": "keep flight.method and flight.step of the setup.",
-    "other": 'the second drive, b, a setup as the first: for example setup.replace({"club.loft": '
-    '"11 deg"}). Without it launch_a or launch_b gives the difference.',
+    "other": 'the second drive, b: a setup, the name of a preset, or a dict like {"club.loft": '
+    '"11 deg"}, which changes the first setup unless it names a preset. Without it launch_a or '
+    "launch_b gives the difference.",
 }
 """Help in Python of options whose help is about the command line of the program."""
 

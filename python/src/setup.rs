@@ -10,7 +10,7 @@ use longdrive::parameters::{
     DEFAULT_PRESET, GOLFER, LAW, Law, METHOD, Parameter, SPEED_OF, SetupFile, TABLE, TURF,
     is_of_step, is_of_strike,
 };
-use longdrive::report::{ChangedSetting, changes, setup_toml};
+use longdrive::report::{ChangedSetting, changes, given_toml, setup_toml};
 use longdrive::units::System;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
@@ -71,7 +71,7 @@ const SHOWN: usize = 4;
 pub struct PySetup {
     /// The setup itself.
     pub setup: longdrive::Setup<f64>,
-    /// The preset or file on which the setup is based.
+    /// The preset or file on which the setup is based, with the parameters that Python gives.
     pub file: Arc<SetupFile>,
     /// Method and step for an error of a micrometre, chosen when a function first needs them.
     chosen: Arc<OnceLock<Arc<Integration>>>,
@@ -159,13 +159,19 @@ impl PySetup {
     /// A setup from Python: a setup, the name of a preset, a dict, or None for the preset
     /// `tour-average`. Refuses values of a dict that have no effect, and warns of its angles.
     pub fn of(given: &Bound<'_, PyAny>) -> Answer<Self> {
-        let call = Self::of_call(given, AngleUnit::Radian)?;
+        let call = Self::of_call(given, AngleUnit::Radian, None)?;
         call.setup.refuse_idle(&call.stated, &[], "")?;
         call.setup.warn_of(given.py(), call.bare_angles)?;
         Ok(call.setup)
     }
 
-    fn of_call(given: &Bound<'_, PyAny>, angles: AngleUnit) -> Answer<CallSetup> {
+    /// A setup as the argument of a call. A dict that names no preset starts from `base`, by
+    /// default the preset `tour-average`.
+    fn of_call(
+        given: &Bound<'_, PyAny>,
+        angles: AngleUnit,
+        base: Option<&Self>,
+    ) -> Answer<CallSetup> {
         let setup = if let Ok(setup) = given.cast::<Self>() {
             setup.get().clone()
         } else if given.is_none() {
@@ -173,7 +179,7 @@ impl PySetup {
         } else if let Ok(name) = given.cast::<PyString>() {
             Self::of_preset(text_of("setup", name)?)?
         } else {
-            return Self::of_dict(given, angles);
+            return Self::of_dict(given, angles, base);
         };
         Ok(CallSetup {
             setup,
@@ -182,11 +188,19 @@ impl PySetup {
         })
     }
 
-    fn of_dict(dict: &Bound<'_, PyAny>, angles: AngleUnit) -> Answer<CallSetup> {
+    fn of_dict(
+        dict: &Bound<'_, PyAny>,
+        angles: AngleUnit,
+        base: Option<&Self>,
+    ) -> Answer<CallSetup> {
         let mut given = given::flattened(dict)?;
         given::refuse_repeated(&given)?;
         let preset = given::preset(&mut given)?;
-        let base = Self::of_preset(preset.as_deref().unwrap_or(DEFAULT_PRESET))?;
+        let base = match (preset, base) {
+            (Some(preset), _) => Self::of_preset(&preset)?,
+            (None, Some(base)) => base.clone(),
+            (None, None) => Self::of_preset(DEFAULT_PRESET)?,
+        };
         let (setup, bare_angles) = base.with(&given, angles)?;
         let names = given.into_iter().map(|given| given.name);
         Ok(CallSetup {
@@ -278,7 +292,16 @@ impl PySetup {
         let names: Vec<_> = set.map(|row| row.name).collect();
         setup.refuse_replaced(&names)?;
         setup.validate_values()?;
-        Ok((Self::based_on(setup, Arc::clone(&self.file)), bare_angles))
+        let mut file = SetupFile::clone(&self.file);
+        for change in given {
+            for row in setup.set_by(&change.name) {
+                file.given.retain(|given| *given != row);
+                if !change.is_unset() {
+                    file.given.push(row);
+                }
+            }
+        }
+        Ok((Self::based_on(setup, Arc::new(file)), bare_angles))
     }
 
     fn changes(&self) -> Answer<Vec<ChangedSetting>> {
@@ -347,7 +370,7 @@ impl PySetup {
         self.setup.law.table().map(|table| format!("{table:?}"))
     }
 
-    /// The preset, and the choices and values that differ from it.
+    /// The preset, and the choices and values that differ from it or are given.
     fn differences<'py>(&self, py: Python<'py>) -> Answer<Bound<'py, PyDict>> {
         let (own, mut base) = (
             &self.setup,
@@ -390,7 +413,8 @@ impl PySetup {
         };
         let replaced = |row: &Parameter| own.why_replaced(row).is_some();
         for row in own.parameters() {
-            if own.value(row) != base.value(row) && !replaced(row) {
+            let is_given = self.file.given.contains(&row);
+            if (is_given || own.value(row) != base.value(row)) && !replaced(row) {
                 differences.set_item(row.name, own.value(row))?;
             }
         }
@@ -464,7 +488,7 @@ impl PySetup {
                 Some(given)
                     if given.cast::<PyMapping>().is_ok() && !given.is_instance_of::<Self>() =>
                 {
-                    let call = Self::of_dict(given, angles)?;
+                    let call = Self::of_dict(given, angles, None)?;
                     call.setup.warn_of(given.py(), call.bare_angles)?;
                     Ok(call.setup)
                 }
@@ -527,14 +551,15 @@ impl PySetup {
     }
 
     /// The setup for an argument of a function, the parameters that a dict states, and its angles
-    /// without a unit.
+    /// without a unit. A dict that names no preset starts from `base`.
     #[staticmethod]
     fn _of_call(
         given: &Bound<'_, PyAny>,
         angles: &Bound<'_, PyAny>,
+        base: Option<&Self>,
     ) -> PyResult<(Self, Vec<String>, Vec<BareAngle>)> {
         answer(|| {
-            let call = Self::of_call(given, AngleUnit::of(Some(angles))?)?;
+            let call = Self::of_call(given, AngleUnit::of(Some(angles))?, base)?;
             Ok((call.setup, call.stated, call.bare_angles))
         })
     }
@@ -714,13 +739,15 @@ impl PySetup {
     }
 
     /// The setup as an argument of a command: the name of its preset and false, or the text of a
-    /// setup file and true. The text has method and step only if the setup states them.
+    /// setup file and true. The text gives what Python gives; it has method and step only if the
+    /// setup states them.
     fn _for_command(&self) -> PyResult<(String, bool)> {
         answer(|| {
-            if self.setup == longdrive::Setup::preset(self.file.preset.name)? {
+            let is_preset = self.setup == longdrive::Setup::preset(self.file.preset.name)?;
+            if is_preset && self.file.given.is_empty() {
                 return Ok((self.file.preset.name.to_owned(), false));
             }
-            Ok((self.toml()?, true))
+            Ok((given_toml(&self.setup, &self.file)?, true))
         })
     }
 

@@ -298,6 +298,53 @@ def test_a_setup_without_a_step_lets_the_command_choose(seed: int) -> None:
     assert {"method", "step"} <= {line.split(" = ")[0] for line in chosen._for_command()[0].splitlines()}
 
 
+def _setups(values: dict[str, str], folder: Path) -> list[Any]:
+    """The same stated values as a dict, a setup, a pickled setup and a file."""
+    groups = {name.split(".")[0] for name in values}
+    lines = []
+    for group in groups:
+        lines.append(f"[{group}]")
+        lines += [
+            f'{name.split(".", 1)[1]} = "{text}"'
+            for name, text in values.items()
+            if name.startswith(group)
+        ]
+    file = folder / "mine.toml"
+    file.write_text("\n".join(lines))
+    setup = Setup(values)
+    return [values, setup, pickle.loads(pickle.dumps(setup)), Setup.read(file)]
+
+
+def test_a_stated_value_counts_as_given_in_a_dict_a_setup_and_a_file(tmp_path: Path) -> None:
+    """Also a value that is the preset's."""
+    shots = "examples/launches.csv"
+    file = str(Path(__file__).parents[2] / shots)
+    for setup in _setups({"club.loft": "8.8 deg"}, tmp_path):
+        found = longdrive.delivery(setup, shots=file)
+        assert not any("is the loft of tour-average" in text for text in found.warnings), setup
+    advised = longdrive.delivery(None, shots=file).warnings
+    assert any("is the loft of tour-average" in text for text in advised)
+    for setup in _setups({"ground.turf": "average"}, tmp_path):
+        table = {"Ball Speed (mph)": [150.0], "Launch Angle (deg)": [12.0], "Spin Rate (rpm)": [2600.0],
+                 "Total (yd)": [250.0]}
+        flown = longdrive.fly(table, setup, of=["total"])
+        assert not any("the ground is not given" in text for text in flown.remarks), setup
+    own = {"swing.shaft_lean": "2 deg", "strike.high": "6 mm"}
+    for setup in _setups(own, tmp_path):
+        found = longdrive.optimize(setup, vary={"club.loft": ("4 deg", "20 deg")})
+        assert found.advice == "", setup
+    assert longdrive.optimize(Setup({"swing.speed": "95 mph"})).advice != ""
+
+
+def test_a_dict_as_the_second_drive_changes_the_first() -> None:
+    first = Setup({"swing.speed": "92 mph", "club.loft": "10.5 deg"})
+    change = {"club.loft": "13.5 deg"}
+    found = longdrive.compare(first, change)
+    assert found == longdrive.compare(first, first.replace(change))
+    other = longdrive.compare(first, {"preset": "tour-average", **change})
+    assert other == longdrive.compare(first, Setup(change)) != found
+
+
 def test_a_dict_keeps_the_point_of_the_club_speed() -> None:
     setup = Setup({"swing.speed_of": "face-centre", "swing.closure.z": "2000 deg/s"})
     assert setup["swing.speed_of"] == "face-centre" and "swing.speed_of" in setup

@@ -91,7 +91,10 @@ pub fn run(args: &Args) -> Result<Answer> {
     let kept = kept(&optimum.search.vary, || {
         Ok(DefaultRanges::new(usual_vary(&found.setup)?, &request))
     })?;
-    let origin = request.origin().with_held(&kept, &found.setup);
+    let origin = request
+        .origin()
+        .with_held(&kept, &found.setup)
+        .with_stated(&swings_args.title());
     let designed = Designed {
         design: &design,
         setup: &found.setup,

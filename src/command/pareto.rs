@@ -122,6 +122,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         &setup,
         |request, setup| args.goals.swings.default_ranges(request, setup),
     )?;
+    let origin = origin.with_stated(&args.goals.swings.title());
     let answer = Answer::report(&report, &origin, request.is_json);
     Ok(answer.found(is_whole))
 }

@@ -4,7 +4,7 @@ use crate::command::explore::page::compiled_in;
 use crate::command::files::OutputRule;
 use crate::command::host::Progress;
 use crate::command::names::sigmas;
-use crate::command::output::{Answer, bar, command_line, note, system, warn, warnings};
+use crate::command::output::{Answer, bar, command_line, note, system, text_of, warn, warnings};
 use crate::command::plot::{counted_points, limits};
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
@@ -15,7 +15,7 @@ use crate::derivative::default_variables;
 use crate::flight::Flight;
 use crate::optimize::Observer;
 use crate::report::page::{EXPLORER_FILE, Findings, SETUP_FILE, report_documents};
-use crate::report::{Reply, SetupOrigin, TextFile, explorer_state};
+use crate::report::{Document, Reply, SetupOrigin, TextFile, explorer_state};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{DerivativeRow, certify};
 use crate::study::{
@@ -74,6 +74,15 @@ pub fn run(args: &Args) -> Result<Answer> {
     names.extend(explorer_page.map(|_| EXPLORER_FILE));
     let folder = OutputRule::new(request.inputs(), args.overwrite).folder(&args.output, &names)?;
 
+    let origin = match &inputs.search {
+        Some(search) => request.origin_with_held(
+            &args.search.vary,
+            &search.vary,
+            &inputs.stated,
+            DefaultRanges::longest_drive,
+        )?,
+        None => request.origin(),
+    };
     let bar = bar("parts");
     bar.set_length(USUAL_POINTS + 5);
     let mut findings = Findings {
@@ -81,6 +90,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         system: system(),
         command: command_line(&running().words),
         date,
+        advice: in_host_syntax(&origin.advice),
         ..Findings::new(
             name_of(&request),
             inputs.stated,
@@ -105,15 +115,6 @@ pub fn run(args: &Args) -> Result<Answer> {
         args.output.join("index.html").display(),
         counted(files.len() as u64, "file")
     ));
-    let origin = match &inputs.search {
-        Some(search) => request.origin_with_held(
-            &args.search.vary,
-            &search.vary,
-            &inputs.stated,
-            DefaultRanges::longest_drive,
-        )?,
-        None => request.origin(),
-    };
     let names = files.iter().map(|(name, _)| *name).collect();
     Ok(answer(args, &origin, &findings, names))
 }
@@ -226,7 +227,9 @@ fn answer(args: &Args, origin: &SetupOrigin, findings: &Findings, files: Vec<&st
         let reply = Reply::done("report", warnings(), body).about(origin);
         Answer::json(&reply.ended(status, message))
     } else {
-        Answer::text(String::new())
+        let mut document = Document::default();
+        origin.put_before(&mut document, system());
+        Answer::text(text_of(&document))
     };
     answer.found(missing.is_none() && own.landed().is_ok())
 }

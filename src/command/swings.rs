@@ -112,6 +112,15 @@ impl SwingsArgs {
             .transpose()
     }
 
+    /// The swings, for the title of an answer: ", swings golfer.csv", or the distributions and
+    /// correlations, each after a comma.
+    pub fn title(&self) -> String {
+        let file = self.swings.iter();
+        let file = file.map(|file| format!(", swings {}", file.display()));
+        let texts = self.distribution.iter().chain(&self.correlation);
+        file.chain(texts.map(|text| format!(", {text}"))).collect()
+    }
+
     /// The files that these options read.
     pub fn inputs(&self) -> impl Iterator<Item = PathBuf> {
         self.swings.iter().chain(&self.strokes).cloned()
@@ -234,7 +243,9 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     interrupt::disable();
     // `held` is empty: the default search varies only the loft, and is refused if the request
     // states the loft
-    let origin = request.origin_of_search(&found.optima.best.search.vary);
+    let origin = request
+        .origin_of_search(&found.optima.best.search.vary)
+        .with_stated(&args.swings.title());
     let answer = Answer::of(
         request.is_json,
         &origin,

@@ -268,7 +268,7 @@ impl Setup<f64> {
             message.quantity(Quantity::LENGTH, "yd", value, Digits::Significant(2))
         };
         let message = yards(message, least).words(" to ");
-        Some(yards(message, most).words(" per 10 °F"))
+        Some(yards(message, most).words(" per 10 °F (5.6 °C)"))
     }
 
     /// Warning about an altitude without a temperature. The default of 25 °C is warmer than the

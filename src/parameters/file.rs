@@ -48,7 +48,8 @@ pub struct SetupFile {
     pub preset: &'static Preset,
     /// True if the file names its preset.
     pub names_preset: bool,
-    /// Parameters that the file gives, in the order of the file.
+    /// Parameters that the file gives, in the order of the file. A turf gives the numbers of the
+    /// ground.
     pub given: Vec<&'static Parameter>,
     /// Comments after the values, by the dotted names of parameters and choices. A setup file that
     /// is written again repeats the comment of each unchanged value.
@@ -137,7 +138,7 @@ impl SetupFile {
         let given = items
             .iter()
             .filter(|item| !item.is_reset())
-            .filter_map(|item| setup.parameter(&item.key).ok())
+            .flat_map(|item| setup.set_by(&item.key))
             .collect();
         let remarks = items.iter().filter_map(|item| {
             let remark = comment_after(text, item.value_end)?;

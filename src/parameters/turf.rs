@@ -1,5 +1,6 @@
 //! Turfs by name: presets of the parameters of the ground.
 
+use super::declare::Parameter;
 use super::presets::{Preset, PresetEntry, entry};
 use super::table::Setup;
 use crate::error::{Error, Result};
@@ -66,11 +67,16 @@ pub static TURFS: &[Preset] = &[
     },
 ];
 
-impl super::Parameter {
+impl Parameter {
     /// True if the parameter affects the run only, not the flight.
     pub fn affects_only_run(&self) -> bool {
         self.name.starts_with(GROUP) && self.name != HEIGHT
     }
+}
+
+/// The names of the parameters that a turf sets, the same for every turf.
+fn turf_parameters() -> impl Iterator<Item = &'static str> {
+    TURFS[0].entries.iter().map(|entry| entry.name)
 }
 
 /// Refuses a turf if all of its numbers are also given: the turf would have no effect.
@@ -78,7 +84,7 @@ impl super::Parameter {
 /// # Errors
 /// [`Error::Together`] for a turf without effect.
 pub(super) fn refuse_idle_turf(is_given: impl Fn(&str) -> bool) -> Result<()> {
-    let names: Vec<_> = TURFS[0].entries.iter().map(|entry| entry.name).collect();
+    let names: Vec<_> = turf_parameters().collect();
     if !is_given(TURF) || !names.iter().all(|name| is_given(name)) {
         return Ok(());
     }
@@ -111,6 +117,20 @@ impl Setup<f64> {
             self.set_value(parameter, parameter.read(entry.value, false)?)?;
         }
         Ok(())
+    }
+
+    /// The parameters that the setting `name` sets: the numbers of the ground for a turf, otherwise
+    /// the parameter of this name. The other choices set none.
+    pub fn set_by(&self, name: &str) -> Vec<&'static Parameter> {
+        let names = if name == TURF {
+            turf_parameters().collect()
+        } else {
+            vec![name]
+        };
+        names
+            .into_iter()
+            .filter_map(|name| self.parameter(name).ok())
+            .collect()
     }
 
     /// The turf whose numbers this setup has; `None` if no turf has them.

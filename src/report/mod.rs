@@ -83,7 +83,7 @@ pub use sensitivity::{
     Analysis, PredictedOptimum, ResolvedOptimum, SensitivityOf, SensitivityReport,
     StatedChangeReport,
 };
-pub use setup_file::{preset_toml, setup_toml};
+pub use setup_file::{given_toml, preset_toml, setup_toml};
 #[cfg(feature = "commands")]
 pub(crate) use setup_file::{setting_text, with_step_of};
 #[cfg(test)]

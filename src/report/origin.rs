@@ -10,7 +10,7 @@ use crate::units::System;
 #[derive(Clone, Debug, Default)]
 pub struct SetupOrigin {
     /// The preset or file, followed by the settings of the request: "tour-average,
-    /// swing.speed=95mph".
+    /// swing.speed=95mph". Empty if the answer itself names its setups.
     pub title: String,
     /// False if the request does not name the setup, as with a setup from standard input.
     pub has_name: bool,
@@ -30,6 +30,13 @@ impl SetupOrigin {
             .filter_map(|parameter| Some((*parameter, setup.value(parameter)?)))
             .collect();
         Self { held, ..self }
+    }
+
+    /// Appends what else the request states, such as its swings, to the title.
+    #[must_use]
+    pub fn with_stated(self, stated: &str) -> Self {
+        let title = self.title + stated;
+        Self { title, ..self }
     }
 
     /// Puts the setup before the other lines of an answer.

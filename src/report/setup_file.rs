@@ -48,6 +48,34 @@ pub fn setup_toml(
     Ok(toml(setup, file.preset, about, &rows, is_of_preset))
 }
 
+/// Writes a setup as a setup file in TOML that gives the parameters in `file.given`, and those whose
+/// values differ from the preset's. The other values are comments, so that reading the text gives
+/// the same setup, and no parameter that only the preset has.
+///
+/// ```
+/// use longdrive::{parameters::SetupFile, report::given_toml};
+/// let file = SetupFile::read("[club]\nloft = '8.8 deg'", "mine.toml").unwrap();
+/// let text = given_toml(&file.setup, &file).unwrap();
+/// let read = SetupFile::read(&text, "mine.toml").unwrap();
+/// assert_eq!((read.setup, read.given), (file.setup, file.given));
+/// ```
+///
+/// # Errors
+/// The errors of [`setup_toml`].
+pub fn given_toml(setup: &Setup<f64>, file: &SetupFile) -> Result<String> {
+    let of_preset = Setup::preset(file.preset.name)?;
+    let is_only_of_preset = |row: &SourcedValue| {
+        let parameter = of_preset.parameter(row.name);
+        parameter.is_ok_and(|parameter| {
+            of_preset.value(parameter) == setup.value(parameter)
+                && !file.given.contains(&parameter)
+                && !is_of_step(row.name)
+        })
+    };
+    let rows = rows(setup, file, &[])?;
+    Ok(toml(setup, file.preset, &[], &rows, is_only_of_preset))
+}
+
 /// The line about a constraint for the head of a setup file.
 pub(super) fn about_constraint(constraint: &Constraint) -> String {
     format!("subject to {}", constraint.expression)

@@ -443,7 +443,7 @@ fn a_stated_temperature_says_that_the_ball_is_not_colder() {
     let warning = cold["warnings"][0].as_str().unwrap();
     assert!(
         warning.contains("a cold ball is slower too, which is not modelled")
-            && warning.contains("the carry changes by 1.3 yd to 2 yd per 10 °F"),
+            && warning.contains("the carry changes by 1.3 yd to 2 yd per 10 °F (5.6 °C)"),
         "{warning}"
     );
     let (_, hot) = json(&["simulate", "--set", "air.temperature=40degC"]);

@@ -169,6 +169,25 @@ fn same_gain_of_the_club_and_of_the_swing_on_the_page_and_in_optimize() {
     assert_eq!(table[1].len(), 3);
 }
 
+/// What the answer assumes of shaft and strike stands on the page as in the text of `optimize`.
+#[test]
+fn the_page_has_the_advice_of_the_answer() {
+    let arguments = [
+        "--speed",
+        "92mph",
+        "--loft",
+        "10.5deg",
+        "--vary",
+        "club.loft=4deg..20deg",
+    ];
+    let (_, page) = report(&arguments);
+    let (_, found) = json(&[&["optimize"][..], &arguments].concat());
+    let advice = found["advice"].as_str().unwrap();
+    assert!(advice.starts_with("the loft is for the shaft and strike of tour-average"));
+    let printed = words(answer(&page), "us");
+    assert!(printed.contains(&advice[1..]), "{printed}");
+}
+
 #[test]
 fn same_carry_and_total_by_loft_and_attack_angle_and_alone() {
     let (_, page) = report(&["--set", "swing.speed=95mph"]);
@@ -315,7 +334,7 @@ fn the_uncertainty_of_a_total_and_the_names_in_data_files_have_the_chosen_units(
         let name = mark.unwrap().split(',').nth(1).unwrap();
         assert!(name.ends_with(apex), "{units}: {name}");
         let text = longdrive(&["optimize", "--units", units]).out;
-        let totals = format!("(totals are known to {within})");
+        let totals = format!("(totals ± {within} at best)");
         assert!(text.contains(&totals), "{text}");
     }
 }

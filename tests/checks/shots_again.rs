@@ -239,8 +239,24 @@ fn same_measured_totals_in_the_columns_of_a_launch_monitor() {
     }
 }
 
+/// A turf names the ground, by an option or in a setup file.
 #[test]
 fn totals_are_compared_only_on_a_named_ground() {
+    let folder = tempfile::tempdir().unwrap();
+    let firm = folder.path().join("firm.toml");
+    std::fs::write(&firm, "ground.turf = \"firm\"\n").unwrap();
+    let (_, answer) = json(&[
+        "fly",
+        &shots("trackman.csv"),
+        firm.to_str().unwrap(),
+        "--of",
+        "total",
+    ]);
+    assert!(
+        !answer["remarks"]
+            .to_string()
+            .contains("not compared: the ground")
+    );
     let file = shots("trackman.csv");
     let (_, answer) = json(&["fly", &file, "--of", "total"]);
     let remarks = answer["remarks"].to_string();

@@ -116,6 +116,62 @@ fn over_swings_a_stated_attack_angle_is_no_held_parameter() {
     assert!(robust.get("held").is_none());
 }
 
+/// The first line names the swings, as it names settings.
+#[test]
+fn the_first_line_of_a_search_over_swings_names_them() {
+    let swing = "swing.speed=normal(92mph,2mph)";
+    for words in [
+        &["optimize"][..],
+        &["robust", "--model", "impact.friction=0.3"],
+        &[
+            "pareto",
+            "--maximize",
+            "lowest(carry, 10%)",
+            "--points",
+            "3",
+        ],
+        &["design", "tour-average", "--rules", "none"],
+    ] {
+        let more = [
+            "--maximize",
+            "mean(carry)",
+            "--loft",
+            "11deg",
+            "--vary",
+            "club.loft=9deg..13deg",
+            "--distribution",
+            swing,
+            "--scenarios",
+            "16",
+        ];
+        let (_, found) = json(&[words, &more[..]].concat());
+        let from = found["from"].as_str().unwrap();
+        assert_eq!(from, format!("tour-average, club.loft=11deg, {swing}"));
+    }
+}
+
+/// The longest total is no advice if the ball lands flatter than any measured bounce: the totals
+/// are not known then.
+#[test]
+fn no_advice_rests_on_totals_of_flat_landings() {
+    let says = |words: &[&str]| {
+        let text = on_one_line(&longdrive(words).out);
+        text.contains("--maximize total finds the longest total")
+    };
+    let steep = ["optimize", "--attack=-3deg"];
+    let flat = [
+        "optimize",
+        "--speed",
+        "92mph",
+        "--attack=-3deg",
+        "--loft",
+        "10.5deg",
+        "--vary",
+        "club.loft=4deg..20deg",
+    ];
+    assert!(says(&steep) && !says(&flat));
+}
+
 /// By default a design varies the loft, unless the loft is stated.
 #[test]
 fn a_design_holds_a_stated_loft() {

@@ -163,6 +163,7 @@ def optimum(reply: Reply, request: Request) -> Optimum:
         kkt_residual=reply.get("kkt_residual"),
         warnings=reply["warnings"],
         held=reply.held,
+        advice=reply.advice,
         started=request.setup_with_launch(),
         tolerance=request.values.get("tolerance"),
         own_step=request.values.get("own_step", False),

@@ -519,8 +519,9 @@ def compare(
         The first drive, a in messages: a setup, the name of a preset, a dict, or None for the
         preset tour-average.
     other : SetupLike
-        The second drive, b, a setup as the first: for example setup.replace({"club.loft": "11
-        deg"}). Without it launch_a or launch_b gives the difference.
+        The second drive, b: a setup, the name of a preset, or a dict like {"club.loft": "11 deg"},
+        which changes the first setup unless it names a preset. Without it launch_a or launch_b
+        gives the difference.
     launch : Given
         Compute the flight of a ball with these launch conditions, as a launch monitor reports them:
         ball_speed, launch_angle, launch_direction, and backspin with sidespin or spin with

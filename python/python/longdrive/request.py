@@ -110,7 +110,11 @@ class Request:
         if _takes_table(option):
             return self._table(name, given)
         if option.value.startswith("SETUP"):
-            self.files[name] = self._setup_of(given).setup.to_toml().encode()
+            # a dict is a change of the first setup
+            text, is_file = self._setup_of(given, self.setup).setup._for_command()
+            if not is_file:
+                return text
+            self.files[name] = text.encode()
             return name
         if name == "at" and "along" in arguments and not isinstance(given, str):
             return self._converter.places(arguments["along"], given)
@@ -128,8 +132,8 @@ class Request:
         self.setup_text = text if is_file else ""
         self.values[option.name] = "-" if is_file else text
 
-    def _setup_of(self, given: Any) -> CallSetup:
-        call = CallSetup.of(given, self._angles)
+    def _setup_of(self, given: Any, base: Setup | None = None) -> CallSetup:
+        call = CallSetup.of(given, self._angles, base)
         self._setup_warnings += call.warnings
         return call
 

@@ -25,9 +25,15 @@ class CallSetup(NamedTuple):
     """Warnings about angles without a unit."""
 
     @classmethod
-    def of(cls, given: SetupLike, angles: AngleUnit = "rad") -> CallSetup:
-        """The setup for an argument. Its warnings belong to the answer of the call."""
-        setup, stated, bare_angles = Setup._of_call(given, angles)
+    def of(
+        cls, given: SetupLike, angles: AngleUnit = "rad", base: Setup | None = None
+    ) -> CallSetup:
+        """The setup for an argument. Its warnings belong to the answer of the call.
+
+        A dict that names no preset starts from ``base``, by default from the preset
+        ``tour-average``.
+        """
+        setup, stated, bare_angles = Setup._of_call(given, angles, base)
         return cls(setup, stated, warnings_of(bare_angles))
 
     @property

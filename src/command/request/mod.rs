@@ -625,10 +625,15 @@ impl Request {
     }
 
     /// Warns of values of the setup file that a law, a table or a turf of the command line
-    /// replaces.
+    /// replaces. A turf in place of another turf has no warning.
     fn warn_of_replaced(&self) {
+        let has_turf = self.source.content.setup.turf().is_some();
         let settings = self.settings.iter();
-        let choices = settings.filter(|setting| [LAW, TABLE, TURF].contains(&&*setting.parameter));
+        let choices = settings.filter(|setting| match &*setting.parameter {
+            LAW | TABLE => true,
+            TURF => !has_turf,
+            _ => false,
+        });
         let in_file: Vec<_> = self.source.content.given.iter().collect();
         for choice in choices {
             let group = choice.parameter.split('.').next().unwrap_or_default();

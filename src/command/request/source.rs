@@ -56,11 +56,9 @@ impl Source {
     /// The setup `content` of a host, with the argument `-`. `stated` are the parameters that the
     /// host gives.
     pub fn of_host(content: SetupFile, stated: Vec<String>) -> Self {
-        let row = |name: &String| content.setup.parameter(name).ok();
-        let given = stated.iter().filter_map(row).collect();
         Self {
             argument: STANDARD_INPUT.into(),
-            content: SetupFile { given, ..content },
+            content,
             stated,
         }
     }

@@ -49,13 +49,18 @@ pub(in crate::report) fn gain_lines(
     };
     let lines: Vec<_> = [objective, other].into_iter().filter_map(line).collect();
     let text = format!(
-        "{} (totals are known to {})",
+        "{} (totals ± {} at best)",
         lines.join("; "),
         total_uncertainty().in_units(system)
     );
     let falls = |of: Outcome| change(of).is_some_and(|change| change < 0.0);
+    // the search for the longest total would compare totals that are not known
+    let are_known = [start, Some(drive)]
+        .into_iter()
+        .flatten()
+        .all(|drive| drive.flat_landing_warning(&optimum.setup).is_none());
     let advice = match objective {
-        Outcome::Carry if !falls(Outcome::Carry) && falls(Outcome::Total) => {
+        Outcome::Carry if are_known && !falls(Outcome::Carry) && falls(Outcome::Total) => {
             "the carry grows and the total falls: `maximize total` finds the longest total"
         }
         _ => "",

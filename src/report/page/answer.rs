@@ -38,6 +38,7 @@ pub(super) fn answer(findings: &Findings) -> Markup {
                 (limits(best))
             }
             (what_is_known(findings))
+            @if !findings.advice.is_empty() { p { (capital(&findings.advice)) "." } }
         }
     }
 }

@@ -72,6 +72,8 @@ pub struct Findings {
     pub system: System,
     /// Warnings, and the reasons for missing sections.
     pub remarks: Vec<Message>,
+    /// Advice on the setup; empty if there is none.
+    pub advice: String,
     /// The command that made the page.
     pub command: String,
     /// The date of the page.
@@ -114,6 +116,7 @@ impl Findings {
             explorer: None,
             system: System::default(),
             remarks: vec![],
+            advice: String::new(),
             command: String::new(),
             date: String::new(),
         }
