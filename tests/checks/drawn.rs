@@ -1121,3 +1121,31 @@ fn the_caption_of_laws_names_the_measured_points_at_any_reynolds_number() {
     let nothing = caption("ferguson", "1.5e5");
     assert!(!nothing.contains("Points are"), "{nothing}");
 }
+
+/// What a golfer states of the club and its path.
+const STATED: [&str; 4] = ["--attack", "-3deg", "--loft", "10.5deg"];
+
+/// Draws a plot of the stated drive, and returns the picture and the messages, each on one line.
+fn stated_plot(kind: &str, more: &[&str]) -> (String, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.svg").display().to_string();
+    let output = longdrive(&[&["plot", kind, "-o", &file], &STATED[..], more].concat());
+    assert_eq!(output.status, 0, "{kind} {more:?}: {}", output.err);
+    let picture = std::fs::read_to_string(&file).unwrap();
+    (picture, on_one_line(&output.err))
+}
+
+const SPEED: [&str; 2] = ["--speed", "92mph"];
+
+/// The best launch angles of the slow drive are above the map.
+#[test]
+fn a_caption_names_a_dashed_line_only_if_it_is_drawn() {
+    let (picture, messages) = stated_plot("launch", &SPEED);
+    assert!(!picture.contains("dasharray"), "{picture}");
+    assert!(!messages.contains("Dashed"), "{messages}");
+    let says = "sidespin of the drive as set up;";
+    assert!(messages.contains(says), "{messages}");
+    let map = Launches::around(&[("as set up", &setup())]).unwrap();
+    let note = launches_figure(&map, System::Us).note;
+    assert!(note.starts_with("Dashed: the best launch angle"), "{note}");
+}

@@ -2,7 +2,7 @@ use super::style::{field, style};
 use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, NamedQuantity};
 use crate::report::shown::{self, capital};
-use crate::study::{Launches, NamedLaunch, Vary};
+use crate::study::{Launches, NamedDrive, NamedLaunch, Vary};
 use crate::units::System;
 
 /// A map of the carry as a function of launch angle and backspin at a constant ball speed, as in
@@ -33,7 +33,7 @@ pub fn launches_figure(map: &Launches, system: System) -> Figure {
 
 /// The best launch for each spin, and the launches of the drives.
 fn layers(map: &Launches) -> Vec<Layer> {
-    let ridge = (map.ridge.len() > 1).then(|| Layer::Line {
+    let ridge = has_ridge(map).then(|| Layer::Line {
         name: "best launch".into(),
         hue: Hue::Ink,
         is_dashed: true,
@@ -57,14 +57,25 @@ fn layers(map: &Launches) -> Vec<Layer> {
     ridge.into_iter().chain(arrow).chain(marks).collect()
 }
 
+/// True if the best launch angles make a line.
+fn has_ridge(map: &Launches) -> bool {
+    map.ridge.len() > 1
+}
+
 fn note(map: &Launches, system: System) -> String {
-    let mut notes = vec!["Dashed: the best launch angle for each backspin.".to_owned()];
+    let mut notes = vec![];
+    if has_ridge(map) {
+        notes.push("Dashed: the best launch angle for each backspin.".to_owned());
+    }
     notes.extend(map.launched.iter().map(|one| note_of(one, map, system)));
-    notes.push(
-        "The map has the ball speed, launch direction and sidespin of the first launch; air and \
-         ball are the setup's."
-            .into(),
-    );
+    let first = match map.launched.first() {
+        Some(one) if one.name == NamedDrive::AS_SET_UP => "drive as set up",
+        _ => "first launch",
+    };
+    notes.push(format!(
+        "The map has the ball speed, launch direction and sidespin of the {first}; air and ball \
+         are the setup's."
+    ));
     if map.plane.values[0].iter().any(Option::is_none) {
         notes.push("Without colour: no flight.".into());
     }
