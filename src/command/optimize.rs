@@ -17,6 +17,9 @@ pub fn run(args: &Args) -> Result<Answer> {
     let args = &args.optimum;
     let request = args.setup_args.request()?;
     let setup = request.with_starts(request.partial_setup, &args.search.vary)?;
+    let instead = "`simulate()` flies the drive as stated";
+    args.search
+        .refuse_nothing_to_vary(&request, &setup, instead)?;
     let search = args.search.search(&request, &setup, None)?;
     let setup = request.for_many(setup, &search.vary)?;
     let output = args.destination(&request, std::iter::empty())?;

@@ -45,6 +45,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     } = &args.optimum;
     let request = setup_args.request()?;
     let own = request.with_starts(request.partial_setup, &search.vary)?;
+    let instead = "`sensitivity()` is about the drive as stated";
+    search.refuse_nothing_to_vary(&request, &own, instead)?;
     let search = search.search(&request, &own, None)?;
     let setup = request.for_many(own, &search.vary)?;
     let requested = AnalysisRequest::new(args, &setup, &search)?;

@@ -3,7 +3,7 @@
 use crate::command::args::SwingsArgs;
 use crate::command::request::Request;
 use crate::parameters::{Parameter, Vary};
-use crate::report::SetupOrigin;
+use crate::report::{SetupOrigin, setting_text};
 use crate::study::Search;
 use crate::{Error, Result, Setup};
 
@@ -32,7 +32,7 @@ pub fn kept(
     usual: impl FnOnce() -> Result<DefaultRanges>,
 ) -> Result<Vec<&'static Parameter>> {
     match given {
-        [] => Ok(usual()?.kept),
+        [] => Ok(usual()?.kept.iter().map(|range| range.parameter).collect()),
         _ => Ok(vec![]),
     }
 }
@@ -71,11 +71,38 @@ impl SwingsArgs {
     }
 }
 
+/// The texts of ranges as arguments: `vary club.loft=4deg..20deg`.
+fn as_arguments(ranges: impl IntoIterator<Item = String>) -> String {
+    let each = ranges.into_iter().map(|range| format!("`vary {range}`"));
+    each.collect::<Vec<_>>().join(" ")
+}
+
+/// A range as text: "club.loft=4deg..20deg". Without spaces, a shell needs no quotes.
+fn range_text(range: &Vary) -> String {
+    let [low, high] = [range.low, range.high].map(|end| setting_text(range.parameter, end));
+    let high = high.split_once('=').map_or("", |(_, value)| value);
+    format!("{low}..{high}").replace(' ', "")
+}
+
+/// Ranges of the launch, with the form of the spin that the setup has.
+fn launch_ranges(setup: &Setup<f64>) -> [String; 2] {
+    let spin = match setup.launch.spin {
+        Some(_) => "spin",
+        None => "backspin",
+    };
+    [
+        "launch.launch_angle=5deg..20deg".into(),
+        format!("launch.{spin}=1500rpm..4000rpm"),
+    ]
+}
+
 /// The default ranges of a command. A parameter that the request states is not varied.
 pub struct DefaultRanges {
     vary: Vec<Vary>,
-    /// The parameters of the ranges that the request states; they are not varied.
-    kept: Vec<&'static Parameter>,
+    /// The ranges of parameters that the request states; these are not varied.
+    kept: Vec<Vary>,
+    /// Ranges that a request can state, as arguments.
+    examples: String,
 }
 
 impl DefaultRanges {
@@ -84,9 +111,11 @@ impl DefaultRanges {
         let (kept, vary): (Vec<_>, Vec<_>) = ranges
             .into_iter()
             .partition(|range| request.states(range.parameter.name));
+        let examples = as_arguments(kept.iter().map(range_text));
         Self {
             vary,
-            kept: kept.into_iter().map(|range| range.parameter).collect(),
+            kept,
+            examples,
         }
     }
 
@@ -95,12 +124,26 @@ impl DefaultRanges {
     /// # Errors
     /// The errors of [`Search::longest_drive`].
     pub fn longest_drive(request: &Request, setup: &Setup<f64>) -> Result<Self> {
-        let ranges = if setup.launch.is_given() {
-            vec![]
-        } else {
-            Search::longest_drive(setup)?.vary
-        };
-        Ok(Self::new(ranges, request))
+        if setup.launch.is_given() {
+            return Ok(Self {
+                vary: vec![],
+                kept: vec![],
+                examples: as_arguments(launch_ranges(setup)),
+            });
+        }
+        Ok(Self::new(Search::longest_drive(setup)?.vary, request))
+    }
+
+    /// Two ranges of a map of this setup, as arguments.
+    ///
+    /// # Errors
+    /// The errors of [`Search::longest_drive`].
+    pub fn of_map(setup: &Setup<f64>) -> Result<String> {
+        if setup.launch.is_given() {
+            return Ok(as_arguments(launch_ranges(setup)));
+        }
+        let ranges = Search::longest_drive(setup)?.vary;
+        Ok(as_arguments(ranges.iter().map(range_text)))
     }
 
     /// The loft alone, for a search over swings: there the attack angle varies from swing to swing.
@@ -118,26 +161,26 @@ impl DefaultRanges {
         self
     }
 
-    /// The reason why there is no range to vary; `None` if there is a range.
+    /// The reason why there is no range to vary, with examples of ranges; `None` if there is a
+    /// range.
     pub fn reason(&self) -> Option<String> {
         if !self.vary.is_empty() {
             return None;
         }
-        let names: Vec<_> = self.kept.iter().map(|parameter| parameter.name).collect();
+        let names: Vec<_> = self.kept.iter().map(|range| range.parameter.name).collect();
+        let examples = &self.examples;
         Some(match names.as_slice() {
-            [] => "the drive is given by its launch, so there is no loft and no attack angle to \
-                   vary; give the parameters of the launch to vary, for example `vary \
-                   launch.launch_angle=5deg..20deg`"
-                .into(),
+            [] => format!(
+                "the drive is given by its launch, so there is no loft and no attack angle to \
+                 vary; give the parameters of the launch to vary, for example {examples}"
+            ),
             [name] => format!(
                 "nothing is left to vary: {name} is stated, and so not varied; to vary it, give a \
-                 range, for example `vary club.loft=4deg..20deg`; `simulate()` flies the drive as \
-                 stated"
+                 range, for example {examples}"
             ),
             _ => format!(
-                "nothing is left to vary: {} are stated, and so not varied; to vary them, give a \
-                 range, for example `vary club.loft=4deg..20deg`; `simulate()` flies the drive as \
-                 stated",
+                "nothing is left to vary: {} are stated, and so not varied; to vary them, give \
+                 ranges, for example {examples}",
                 names.join(" and ")
             ),
         })

@@ -67,6 +67,25 @@ impl SearchArgs {
         Ok(DefaultRanges::longest_drive(request, setup)?.reason())
     }
 
+    /// Refuses a search with nothing to vary. `instead` is the advice for the drive as stated.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`], and the errors of [`nothing_to_vary`](Self::nothing_to_vary).
+    pub fn refuse_nothing_to_vary(
+        &self,
+        request: &Request,
+        setup: &Setup<f64>,
+        instead: &str,
+    ) -> Result<()> {
+        match self.nothing_to_vary(request, setup)? {
+            Some(reason) => {
+                let source = format!("{reason}; {instead}");
+                Err(Error::unreadable("the search", source))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// The objective and its sense. By default, `usual` is maximized. `read` takes the name and the
     /// value of an option, and returns the objective.
     ///

@@ -98,6 +98,9 @@ fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Op
             None => Ok(None),
         };
     }
+    let instead = "without `at_optimum`, the answer is about the drive as stated";
+    args.search
+        .refuse_nothing_to_vary(request, setup, instead)?;
     let search = args.search.search(request, setup, None)?;
     let setup = request.for_many(*setup, &search.vary)?;
     let found = optimum(&setup, search, Observer::default())?;

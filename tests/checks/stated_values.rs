@@ -219,6 +219,55 @@ fn a_search_with_nothing_to_vary_is_refused_with_advice() {
     );
 }
 
+/// The arguments of the ranges in an error's example: "--vary", "club.loft=4deg..20deg", ….
+fn ranges_of_advice(message: &str) -> Vec<String> {
+    let (_, example) = message.split_once("for example ").unwrap();
+    let words = example.split([' ', ';']);
+    let is_of_ranges = |word: &&str| *word == "--vary" || word.contains("..");
+    words.take_while(is_of_ranges).map(String::from).collect()
+}
+
+#[test]
+fn the_ranges_of_an_advice_give_the_answer_if_typed() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.svg").display().to_string();
+    let club = ["--speed", "92mph", "--attack", "-3deg", "--loft", "10.5deg"];
+    let attack_is_free = ["--loft", "10.5deg"];
+    let launch = [
+        "--launch",
+        "ball_speed=140mph,launch_angle=12deg,spin=3000rpm",
+    ];
+    let contour = ["plot", "contour", "-o", &file, "--overwrite"];
+    let optimum = "'longdrive simulate' flies the drive as stated";
+    let slopes = "'longdrive sensitivity' is about the drive as stated";
+    let without = "without --at-optimum, the answer is about the drive as stated";
+    for (command, stated, instead) in [
+        (&contour[..], &club[..], None),
+        (&contour, &attack_is_free, None),
+        (&contour, &launch, None),
+        (&["optimize"], &club, Some(optimum)),
+        (&["optimum-sensitivity"], &club, Some(slopes)),
+        (&["sensitivity", "--at-optimum"], &club, Some(without)),
+    ] {
+        let asked = [command, stated].concat();
+        let output = longdrive(&asked);
+        let message = on_one_line(&output.err);
+        assert_eq!(output.status, 2, "{asked:?}: {message}");
+        for other in [optimum, slopes, without] {
+            assert_eq!(
+                message.contains(other),
+                Some(other) == instead,
+                "{asked:?}: {message}"
+            );
+        }
+        let ranges = ranges_of_advice(&message);
+        let typed: Vec<&str> = ranges.iter().map(String::as_str).collect();
+        assert_eq!(typed.len(), 4, "{asked:?}: {message}");
+        let output = longdrive(&[&asked[..], &typed].concat());
+        assert_eq!(output.status, 0, "{asked:?} {typed:?}: {}", output.err);
+    }
+}
+
 /// A setup file gives the start of a search, and does not hold its values.
 #[test]
 fn a_setup_file_states_the_start_and_holds_nothing() {

@@ -13,6 +13,7 @@ use crate::command::names::{outcomes, sigmas};
 use crate::command::output::{Answer, bar, note, spinner, system, warn, with_bar};
 use crate::command::pareto;
 use crate::command::picture::PlotDestination;
+use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::verify::note_missing_outcomes;
 use crate::optimize::{Observer, Status};
@@ -120,9 +121,9 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
 /// The [`Map`] around an optimum, or around the setup if the search finds none.
 fn mapped(setup: &Setup<f64>, search: &Search, args: &SearchArgs) -> Result<(DrawnOptimum, Map)> {
     let [across, up, ..] = search.vary[..] else {
-        let (name, reason) = (
-            "`vary`".into(),
-            "a map needs two parameters; give `vary` twice".into(),
+        let reason = format!(
+            "a map needs two parameters; give `vary` twice, for example {}",
+            DefaultRanges::of_map(setup)?
         );
         return Err(Error::SearchRange { name, reason });
     };
@@ -132,6 +133,7 @@ fn mapped(setup: &Setup<f64>, search: &Search, args: &SearchArgs) -> Result<(Dra
     Ok((drawn, map))
 }
 
+        let name = "`vary`".into();
 /// The constraints of a search, each with a map of the limited outcome over the first two varied
 /// parameters. Empty if fewer than two parameters vary.
 pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, Map)>> {
