@@ -216,10 +216,11 @@ fn changed_number(
     row: &'static Parameter,
     system: System,
 ) -> Option<ChangedSetting> {
-    // compare a coefficient that the preset's law lacks with its default
-    let from = base
-        .parameter(row.name)
-        .map_or_else(|_| row.default_value(), |known| base.value(known));
+    // compare a coefficient of another law than the preset's with its default
+    let from = match base.parameter(row.name) {
+        Ok(known) if known == row => base.value(known),
+        _ => row.default_value(),
+    };
     let to = setup.value(row);
     if from == to {
         return None;

@@ -310,6 +310,16 @@ pub(super) fn constraint(constraint: &Constraint, system: System) -> String {
     }
 }
 
+/// The constraints of a search, for the end of a sentence about its optimum: ", with descent angle
+/// ≥ 38° and apex height ≤ 35 yd". Empty without constraints.
+pub fn with_constraints(subject_to: &[Constraint], system: System) -> String {
+    if subject_to.is_empty() {
+        return String::new();
+    }
+    let each = subject_to.iter().map(|limit| constraint(limit, system));
+    format!(", with {}", each.collect::<Vec<_>>().join(" and "))
+}
+
 /// An active bound or constraint: "attack angle at its upper bound", "apex height ≤ 35 yd". `name`
 /// formats the name of a parameter.
 pub(super) fn active(

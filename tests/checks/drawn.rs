@@ -5,8 +5,9 @@ use crate::common::close;
 use crate::report::{polylines, whole};
 use longdrive::batch::Batch;
 use longdrive::optimize::Observer;
+use longdrive::parameters::Preset;
 use longdrive::report::figures::{
-    OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
+    OnChart, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
     trajectory_figure,
 };
 use longdrive::report::plot::{Figure, Hue, Layer, Look, figure_csv, figure_svg};
@@ -32,6 +33,15 @@ fn in_large_steps() -> Setup<f64> {
     setup.set_all(crate::common::RIGID).unwrap();
     setup.set("strike.high", "3 mm").unwrap();
     setup
+}
+
+/// A setup that starts from `tour-average`, and an optimum, to show on a chart.
+fn on_chart<'a>(setup: &'a Setup<f64>, own: Option<&'a Optimum>) -> OnChart<'a> {
+    OnChart {
+        setup,
+        preset: Preset::named("tour-average").unwrap(),
+        own,
+    }
 }
 
 /// An outcome of the setup with some parameters changed.
@@ -85,6 +95,7 @@ fn optimum_with_map(
     let region = Region::around(&best, across, up, YARD).unwrap();
     let on = OnMap {
         setup,
+        preset: Preset::named("tour-average").unwrap(),
         limits: &limits,
         best: Some(&best),
         region: region.as_ref(),
@@ -361,7 +372,7 @@ fn a_chart_marks_the_drive_and_names_active_bounds() {
     let along = Vary::read(&setup, "swing.speed=90mph..125mph").unwrap();
     let found = chart(&setup, &search, along, &[], &ChartObserver::default()).unwrap();
     let best = optimum(&setup, search, Observer::default()).unwrap();
-    let figures = chart_figures(&found, Some(&best), System::Us);
+    let figures = chart_figures(&found, &on_chart(&setup, Some(&best)), System::Us);
     assert_eq!(figures.drawn.len(), 2, "the attack angle has no figure");
     assert!(
         figures.at_bound[0].1.contains("upper bound"),
@@ -375,10 +386,12 @@ fn a_chart_marks_the_drive_and_names_active_bounds() {
         .zip([best.value().unwrap(), best.solution.x[0]])
     {
         let mark = figure.layers.iter().find_map(|layer| match layer {
-            Layer::Mark { name, at, .. } if name.contains("mph: ") => Some(*at),
+            Layer::Mark { name, at, hue } if name.contains("mph: ") => Some((*at, *hue)),
             _ => None,
         });
-        assert_eq!(mark, Some([setup.swing.speed, value]));
+        // the mark is on the line of optima, and has its colour
+        let marked = ([setup.swing.speed, value], Hue::OPTIMUM);
+        assert_eq!(mark, Some(marked));
     }
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("a.svg").display().to_string();
@@ -417,7 +430,7 @@ fn a_chart_that_misses_the_optimum_of_the_setup_has_a_sentence_about_it() {
     let lost = followed.points[0].best.value().unwrap() - own.value().unwrap();
     assert!(lost > 0.005, "{lost} m/s");
     close(found.loss_at(&own).unwrap(), lost, lost, 1e-6, "the loss");
-    let figures = chart_figures(&found, Some(&own), System::Us);
+    let figures = chart_figures(&found, &on_chart(&setup, Some(&own)), System::Us);
     assert!(
         !figures
             .at_bound
@@ -447,7 +460,7 @@ fn events_of_a_chart_are_in_words_with_the_chosen_units() {
         (System::Us, "apex height ≤ 35 yd begins"),
         (System::Metric, "apex height ≤ 32.004 m begins"),
     ] {
-        let note = &chart_figures(&found, None, system).drawn[0].note;
+        let note = &chart_figures(&found, &on_chart(&setup, None), system).drawn[0].note;
         assert!(
             note.contains(limit) && !note.contains("<=") && !note.contains("apex_height"),
             "{note}"
@@ -1135,7 +1148,71 @@ fn stated_plot(kind: &str, more: &[&str]) -> (String, String) {
     (picture, on_one_line(&output.err))
 }
 
+/// The texts of a picture, joined by spaces: words of a wrapped line stay in order.
+fn texts(svg: &str) -> String {
+    let picture = whole(svg);
+    let texts = picture
+        .descendants()
+        .filter(|node| node.has_tag_name("text"));
+    let texts: Vec<_> = texts.filter_map(|text| text.text()).collect();
+    on_one_line(&texts.join(" "))
+}
+
 const SPEED: [&str; 2] = ["--speed", "92mph"];
+const LOFT_ALONE: [&str; 2] = ["--vary", "club.loft=4deg..20deg"];
+
+#[test]
+fn a_subtitle_names_stated_values_that_are_not_on_an_axis() {
+    let speed = ["--vary", "swing.speed=80mph..100mph"];
+    let attack = ["--vary", "swing.attack_angle=-5deg..5deg"];
+    let along = ["--along", "swing.speed=85mph..100mph"];
+    let limit = ["--subject-to", "descent_angle >= 38 deg"];
+    for (kind, more, subtitle) in [
+        (
+            "contour",
+            [&SPEED[..], &LOFT_ALONE, &speed].concat(),
+            " at attack angle −3°, all else as set up ",
+        ),
+        (
+            "contour",
+            [&SPEED[..], &LOFT_ALONE, &attack].concat(),
+            " at club speed 92 mph, all else as set up ",
+        ),
+        (
+            "contour",
+            [&speed[..], &attack].concat(),
+            " at club loft 10.5°, all else as set up ",
+        ),
+        (
+            "contour",
+            [&speed[..], &["--vary", "club.mass=180g..220g"]].concat(),
+            " at attack angle −3°, club loft 10.5°, all else as set up ",
+        ),
+        (
+            "chart",
+            [&LOFT_ALONE[..], &along].concat(),
+            " at attack angle −3°, all else as set up ",
+        ),
+        (
+            "chart",
+            [&LOFT_ALONE[..], &along, &["--set=aero.law=smits-smith"]].concat(),
+            " at attack angle −3°, law of drag and lift smits-smith, all else as set up ",
+        ),
+        (
+            "chart",
+            [&LOFT_ALONE[..], &along, &limit].concat(),
+            " at attack angle −3°, all else as set up, with descent angle ≥ 38° ",
+        ),
+    ] {
+        let (picture, _) = stated_plot(kind, &more);
+        let texts = texts(&picture);
+        assert!(texts.contains(subtitle), "{kind} {more:?}: {texts}");
+    }
+    // as set up in the preset, with a speed and a loft on the axes
+    let setup = setup();
+    let (_, _, figure) = optimum_with_map(&setup, [LOFT, "swing.speed=80mph..100mph"], &[]);
+    assert_eq!(figure.subtitle, "all else as set up");
+}
 
 /// The best launch angles of the slow drive are above the map.
 #[test]

@@ -3,6 +3,7 @@
 
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
+use longdrive::parameters::Preset;
 use longdrive::report::figures::{
     Causes, OnMap, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
@@ -94,6 +95,7 @@ fn figures() -> Vec<Figure> {
             &landscape,
             &OnMap {
                 setup: &setup,
+                preset: Preset::named("tour-average").unwrap(),
                 limits: &[],
                 best: None,
                 region: None,

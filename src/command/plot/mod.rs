@@ -20,8 +20,8 @@ use crate::optimize::{Observer, Status};
 use crate::parameters::{Law, Parameter};
 use crate::repeated::first_repeated;
 use crate::report::figures::{
-    ChartFigures, OnMap, Over, View, chart_figures, difference_figure, laws_figure, map_figure,
-    tornado_figure, trajectory_figure, vcurve_figure,
+    ChartFigures, OnChart, OnMap, Over, View, chart_figures, difference_figure, laws_figure,
+    map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use crate::report::plot::Figure;
 use crate::reproduce::while_loop;
@@ -112,6 +112,7 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
         // without the start values of the search: these are not values of the drive as set up
         setup: &request.partial_setup,
         limits: &limits,
+        preset: request.source.content.preset,
         best,
         region: region.as_ref(),
     };
@@ -177,7 +178,13 @@ fn along(args: &PlotChart) -> Result<Answer> {
         .map(|_| optimum(&setup, search.clone(), Observer::default()))
         .transpose()?
         .filter(|own| own.solution.status == Status::Converged);
-    let figures = chart_figures(&chart, own.as_ref(), system());
+    let on = OnChart {
+        // without the start values of the search: these are not values of the drive as set up
+        setup: &request.partial_setup,
+        preset: request.source.content.preset,
+        own: own.as_ref(),
+    };
+    let figures = chart_figures(&chart, &on, system());
     let figure = figure_of(&figures, &search, shown, &target)?;
     target.write_with_setup(&request, &setup, figure, chart.warnings())
 }

@@ -1,7 +1,9 @@
+use super::constants::{constants, subtitle};
 use crate::drive::Outcome;
+use crate::parameters::{Preset, Setup};
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shown::{self, capital};
-use crate::study::{BoundSide, Chart, ChartPoint, NamedDrive, Optimum, Vary};
+use crate::study::{BoundSide, Chart, ChartPoint, NamedDrive, Optimum, Search, Vary};
 use crate::units::System;
 
 /// The optimum along a parameter, as small plots with a common horizontal axis.
@@ -14,10 +16,21 @@ pub struct ChartFigures {
     pub at_bound: Vec<(Vary, String)>,
 }
 
+/// The setup and the optimum to show on a chart.
+#[derive(Clone, Copy, Debug)]
+pub struct OnChart<'a> {
+    /// The setup. It may have no value of the chart's parameter and of varied parameters.
+    pub setup: &'a Setup<f64>,
+    /// The preset that the setup starts from. The subtitle names the differences.
+    pub preset: &'a Preset,
+    /// The optimum at the setup's value of the chart's parameter.
+    pub own: Option<&'a Optimum>,
+}
+
 /// The optimum along a parameter: a plot of the optimal value, and a plot of each varied parameter
-/// that changes, with the bounds of its range. The plots mark `own`, the optimum at the setup's
-/// value of the parameter. Texts are in the units of `system`.
-pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> ChartFigures {
+/// that changes, with the bounds of its range. The plots mark the optimum at the setup's value of
+/// the parameter. Texts are in the units of `system`.
+pub fn chart_figures(chart: &Chart, on: &OnChart<'_>, system: System) -> ChartFigures {
     let mut found = ChartFigures {
         drawn: vec![],
         at_bound: vec![],
@@ -26,7 +39,8 @@ pub fn chart_figures(chart: &Chart, own: Option<&Optimum>, system: System) -> Ch
         return found;
     };
     let search = &first.best.search;
-    let drawing = ChartDrawing::new(chart, own, system);
+    let own = on.own;
+    let drawing = ChartDrawing::new(chart, on, search, system);
     for (i, vary) in search.vary.iter().enumerate() {
         match common_bound(chart, own, i, vary) {
             Some(side) => found
@@ -54,11 +68,15 @@ struct ChartDrawing<'a> {
     other: Option<String>,
     system: System,
     along: NamedQuantity,
+    /// The constant parameters, and the constraints.
+    subtitle: String,
 }
 
 impl<'a> ChartDrawing<'a> {
-    fn new(chart: &'a Chart, own: Option<&'a Optimum>, system: System) -> Self {
-        let own = own.and_then(|best| Some((best.setup.value(chart.along.parameter)?, best)));
+    fn new(chart: &'a Chart, on: &OnChart<'a>, search: &Search, system: System) -> Self {
+        let own = on
+            .own
+            .and_then(|best| Some((best.setup.value(chart.along.parameter)?, best)));
         let own = own.filter(|(at, _)| (chart.along.low..=chart.along.high).contains(at));
         Self {
             chart,
@@ -66,6 +84,7 @@ impl<'a> ChartDrawing<'a> {
             other: own.and_then(|(at, best)| other_optimum(chart, at, best, system)),
             system,
             along: NamedQuantity::parameter(chart.along.parameter),
+            subtitle: constant_parameters(chart, on, search, system),
         }
     }
 
@@ -97,12 +116,11 @@ impl<'a> ChartDrawing<'a> {
     fn figure(&self, of: &str, title: String, quantity: NamedQuantity) -> Figure {
         let tag = self.chart.along.parameter.name.replace('.', "-");
         let name = format!("chart-{of}-by-{tag}");
-        Figure::new(
-            name,
-            title,
-            Axis::linear(self.along.clone()),
-            Axis::linear(quantity),
-        )
+        let [x, y] = [self.along.clone(), quantity].map(Axis::linear);
+        Figure {
+            subtitle: self.subtitle.clone(),
+            ..Figure::new(name, title, x, y)
+        }
     }
 
     fn bound_line(&self, name: &str, bound: f64) -> Layer {
@@ -138,7 +156,7 @@ impl<'a> ChartDrawing<'a> {
         let own = self.own.and_then(|(at, best)| Some([at, value(best)?]));
         figure.layers.extend(own.map(|at| Layer::Mark {
             name: format!("{}: {}", shown::stated(along, at[0], system), text(at[1])),
-            hue: Hue::SET_UP,
+            hue: Hue::OPTIMUM,
             at,
         }));
         let mut notes: Vec<String> = self.other.iter().cloned().collect();
@@ -162,6 +180,16 @@ impl<'a> ChartDrawing<'a> {
         notes.extend(ends.map(|why| why.in_units(system)));
         figure.noted(notes.join(" "))
     }
+}
+
+/// The subtitle of a chart: the constant parameters as set up, and the constraints.
+fn constant_parameters(chart: &Chart, on: &OnChart<'_>, search: &Search, system: System) -> String {
+    let varies = |name: &str| {
+        let mut varied = search.parameters().chain([chart.along.parameter]);
+        varied.any(|parameter| parameter.name == name)
+    };
+    let constants = constants(on.setup, on.preset, varies, system);
+    subtitle(&constants) + &shown::with_constraints(&search.subject_to, system)
 }
 
 /// The sentence about the optimum `own` at the value `at`, if the chart follows another optimum

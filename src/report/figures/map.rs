@@ -1,5 +1,6 @@
+use super::constants::{constants, subtitle};
 use super::style::field;
-use crate::parameters::Setup;
+use crate::parameters::{Preset, Setup};
 use crate::report::plot::{Axis, Field, Figure, Hue, Layer, LineNames, NamedQuantity};
 use crate::report::shown::{self, capital};
 use crate::study::{Constraint, Map, NamedDrive, Optimum, Region, Slope, Vary};
@@ -13,6 +14,8 @@ const LONGEST_ARROW: f64 = 0.1;
 pub struct OnMap<'a> {
     /// The drive as set up.
     pub setup: &'a Setup<f64>,
+    /// The preset that the setup starts from. The subtitle names the differences.
+    pub preset: &'a Preset,
     /// The constraints, each with the map of its outcome.
     pub limits: &'a [(Constraint, Map)],
     /// The optimum, if one was found.
@@ -42,7 +45,7 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     figure.aspect = 0.85;
     figure.line_names = LineNames::OnLines;
     let best = on.best.filter(|best| best.value().is_some());
-    figure.subtitle = constant_parameters(on.setup, best, [across, up], system);
+    figure.subtitle = constant_parameters(on, best, [across, up], system);
     for (i, (constraint, map)) in on.limits.iter().enumerate() {
         let limited = field(&map.plane, 0, map.of);
         let forbidden = forbidden(constraint, &limited, 2 + i, system);
@@ -170,24 +173,27 @@ fn is_elsewhere(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> bool {
     })
 }
 
-/// The text about the constant parameters of a map: the speed, and the optimal values of the varied
+/// The subtitle of a map: the constant parameters as set up, and the optimal values of the varied
 /// parameters that are not axes.
 fn constant_parameters(
-    setup: &Setup<f64>,
+    on: &OnMap<'_>,
     best: Option<&Optimum>,
     axes: [&Vary; 2],
     system: System,
 ) -> String {
     let is_axis = |name: &str| axes.iter().any(|vary| vary.parameter.name == name);
-    let speed = if setup.launch.is_given() {
-        "launch.ball_speed"
-    } else {
-        "swing.speed"
+    let varied = || {
+        best.iter()
+            .flat_map(|best| best.search.vary.iter().zip(&best.solution.x))
     };
-    let varied = best
-        .iter()
-        .flat_map(|best| best.search.vary.iter().zip(&best.solution.x));
-    let varied: Vec<String> = varied
+    let is_varied = |name: &str| varied().any(|(vary, _)| vary.parameter.name == name);
+    let mut constants = constants(
+        on.setup,
+        on.preset,
+        |name| is_axis(name) || is_varied(name),
+        system,
+    );
+    let at_optimum: Vec<String> = varied()
         .filter(|(vary, _)| !is_axis(vary.parameter.name))
         .map(|(vary, x)| {
             format!(
@@ -197,29 +203,10 @@ fn constant_parameters(
             )
         })
         .collect();
-    let is_varied = best.is_some_and(|best| {
-        best.search
-            .vary
-            .iter()
-            .any(|vary| vary.parameter.name == speed)
-    });
-    let speed = setup
-        .variable(speed)
-        .ok()
-        .filter(|row| !is_axis(row.name) && !is_varied);
-    let speed = speed.and_then(|row| {
-        Some(format!(
-            "{} {}",
-            shown::words(row.name),
-            shown::stated(row, setup.value(row)?, system)
-        ))
-    });
-    let optimum = (!varied.is_empty()).then(|| format!("{} of the optimum", varied.join(", ")));
-    let parts = [speed, optimum, Some("all else as set up".into())];
-    format!(
-        "at {}",
-        parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
-    )
+    if !at_optimum.is_empty() {
+        constants.push(format!("{} of the optimum", at_optimum.join(", ")));
+    }
+    subtitle(&constants)
 }
 
 /// The line of a constraint, and its hatched forbidden side.

@@ -12,8 +12,8 @@ mod sections;
 pub use findings::{EXPLORER_FILE, Findings, SETUP_FILE};
 
 use super::figures::{
-    Causes, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
-    strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
+    Causes, OnChart, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure,
+    map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use super::frame::{self, Pair, TextFile, both, chosen, picture_files, pictures};
 use super::optimum::optimum_toml;
@@ -66,10 +66,17 @@ fn plots(findings: &Findings) -> Plots {
     }
     let (launches, face) = (findings.launches.as_ref(), findings.face.as_ref());
     let on_map = OnMap {
-        setup: &findings.setup,
+        // without the chosen method and step, which the subtitle would name
+        setup: &findings.stated,
+        preset: findings.file.preset,
         limits: &findings.limits,
         best: findings.best(),
         region: findings.region.as_ref(),
+    };
+    let on_chart = OnChart {
+        setup: on_map.setup,
+        preset: on_map.preset,
+        own: on_map.best,
     };
     let causes = |effects| Causes::APART.map(|causes| (effects, causes));
     Plots {
@@ -87,7 +94,7 @@ fn plots(findings: &Findings) -> Plots {
         }),
         chart: pairs(|system| {
             let charts = findings.chart.iter();
-            charts.flat_map(move |chart| chart_figures(chart, on_map.best, system).drawn)
+            charts.flat_map(move |chart| chart_figures(chart, &on_chart, system).drawn)
         }),
         effects: findings
             .effects

@@ -1,0 +1,51 @@
+//! The subtitle of a plot of optima: the parameters that are constant in the plot.
+
+use crate::parameters::{Preset, Setup, is_of_strike};
+use crate::report::presets::changes;
+use crate::report::shown;
+use crate::units::System;
+
+/// Maximum number of changed parameters that a subtitle names. The others are as set up, which the
+/// subtitle says of all that it does not name.
+const NAMED: usize = 6;
+
+/// The constant parameters of a plot, each with its value: the speed, and the differences between
+/// the setup and its preset. `varies` is true for the names of parameters that are not constant.
+pub(super) fn constants(
+    setup: &Setup<f64>,
+    preset: &Preset,
+    varies: impl Fn(&str) -> bool,
+    system: System,
+) -> Vec<String> {
+    let is_launched = setup.launch.is_given();
+    let speed = if is_launched {
+        "launch.ball_speed"
+    } else {
+        "swing.speed"
+    };
+    let speed_text = setup.variable(speed).ok().and_then(|row| {
+        let value = shown::stated(row, setup.value(row)?, system);
+        Some(format!("{} {value}", shown::words(row.name)))
+    });
+    // no error occurs: every preset is read in a test
+    let changed = changes(setup, preset, system).unwrap_or_default();
+    let changed = changed.into_iter().filter(|change| {
+        let is_unused = is_launched && is_of_strike(change.key);
+        change.key != speed && !is_unused && !varies(change.key)
+    });
+    let changed = changed.map(|change| format!("{} {}", change.name, change.to));
+    speed_text
+        .filter(|_| !varies(speed))
+        .into_iter()
+        .chain(changed.take(NAMED))
+        .collect()
+}
+
+/// The subtitle: "at club speed 92 mph, attack angle −3°, all else as set up".
+pub(super) fn subtitle(constants: &[String]) -> String {
+    const REST: &str = "all else as set up";
+    match constants {
+        [] => REST.into(),
+        constants => format!("at {}, {REST}", constants.join(", ")),
+    }
+}
