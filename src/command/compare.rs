@@ -57,8 +57,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     let of = outcomes(&args.of)?;
     let requests = args.pair.requests()?;
     let comparison = args.pair.comparison(&requests)?;
-    warn(warnings(&comparison));
-    if let Some(advice) = requests.iter().find_map(Request::loft_advice) {
+    warn(warnings(&comparison, Outcome::ALL));
+    if let Some(advice) = loft_advice(&requests) {
         note(&advice);
     }
     let spinner = spinner("splitting the difference");
@@ -83,17 +83,25 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(answer.found(is_complete))
 }
 
-/// The warnings of both drives. Each warning begins with the name of its drive.
-pub fn warnings(comparison: &Comparison) -> Vec<Message> {
-    let of = |(name, side): (&str, usize)| {
-        let warnings =
-            comparison.drives[side].warnings_about(&comparison.setups[side], Outcome::ALL);
+/// The advice on the loft of the first drive that needs it.
+pub fn loft_advice(requests: &[Request; 2]) -> Option<String> {
+    requests.iter().find_map(Request::loft_advice)
+}
+
+/// The warnings of both drives about these outcomes. Each warning begins with the name of its
+/// drive.
+pub fn warnings(comparison: &Comparison, of: &[Outcome]) -> Vec<Message> {
+    let of_drive = |(name, side): (&str, usize)| {
+        let warnings = comparison.drives[side].warnings_about(&comparison.setups[side], of);
         warnings
             .into_iter()
             .map(|warning| Message::from(format!("drive {name}: ")).message(warning))
             .collect::<Vec<_>>()
     };
-    [("a", 0), ("b", 1)].into_iter().flat_map(of).collect()
+    [("a", 0), ("b", 1)]
+        .into_iter()
+        .flat_map(of_drive)
+        .collect()
 }
 
 /// Names of the drives in errors.

@@ -3,13 +3,12 @@
 use crate::command::args::{stated, whole};
 use crate::command::files::{Destination, OutputRule, ending};
 use crate::command::output::{Answer, note, stated_system, system, warn, warnings};
-use crate::command::request::Request;
 #[cfg(not(feature = "png"))]
 use crate::features::how_to_get;
 use crate::report::plot::{Figure, Look, figure_csv, figure_svg};
-use crate::report::{Ending, Reply};
+use crate::report::{Ending, Reply, SetupOrigin};
 use crate::units::Message;
-use crate::{Error, Result, Setup};
+use crate::{Error, Result};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -81,6 +80,7 @@ pub struct PlotDestination<'a> {
     format: PlotFormat,
     destination: Destination,
     ending: Ending,
+    origin: SetupOrigin,
 }
 
 impl<'a> PlotDestination<'a> {
@@ -102,7 +102,13 @@ impl<'a> PlotDestination<'a> {
             format,
             destination: rule.file(&drawing.output)?,
             ending: Ending::DONE,
+            origin: SetupOrigin::default(),
         })
+    }
+
+    /// Sets the setup of the plot. Its advice is a note, or a member of the JSON.
+    pub fn about(self, origin: SetupOrigin) -> Self {
+        Self { origin, ..self }
     }
 
     /// Sets the status of the command. With a message, the plot does not show all that the request
@@ -117,20 +123,6 @@ impl<'a> PlotDestination<'a> {
             name: self.drawing.output.display().to_string(),
             reason: reason.into(),
         }
-    }
-
-    /// Writes the plot. Reports the warnings about the drive of the setup, and the warnings
-    /// `of_optima` about optima.
-    pub fn write_with_setup(
-        &self,
-        request: &Request,
-        setup: &Setup<f64>,
-        figure: &Figure,
-        of_optima: Vec<Message>,
-    ) -> Result<Answer> {
-        let mut warnings = setup.drive_warnings(&[]);
-        warnings.extend(of_optima);
-        self.write(request.is_json, figure, warnings)
     }
 
     /// Writes the plot and reports the warnings about its drives.
@@ -150,6 +142,9 @@ impl<'a> PlotDestination<'a> {
         };
         let file = drawing.output.display().to_string();
         self.destination.write(&bytes)?;
+        if !is_json && !self.origin.advice.is_empty() {
+            note(&self.origin.advice);
+        }
         note(&format!("{file}: {}", figure.title));
         if !figure.note.is_empty() {
             note(&figure.note);
@@ -164,7 +159,8 @@ impl<'a> PlotDestination<'a> {
                 note: &figure.note,
                 bytes: bytes.len(),
             };
-            Answer::json(&Reply::done("plot", warnings(), body).ended(status, message))
+            let reply = Reply::done("plot", warnings(), body).about(&self.origin);
+            Answer::json(&reply.ended(status, message))
         } else {
             Answer::text(String::new())
         };

@@ -295,6 +295,12 @@ pub(super) fn total_uncertainty() -> Message {
     )
 }
 
+/// The uncertainty of a total, for a sentence about it: "is known within 10 yd at best".
+pub(super) fn total_is_known(system: System) -> String {
+    let within = total_uncertainty().in_units(system);
+    format!("is known within {within} at best")
+}
+
 /// The uncertainty of a total, in words.
 pub fn total_uncertainty_note() -> Message {
     Message::from("total, run and lateral total are known within ")

@@ -96,7 +96,7 @@ pub use shots::{
 };
 pub use shown::{
     goal as goal_text, outcome as outcome_text, parameter as computed_text,
-    stated as parameter_text, stated_difference as parameter_difference_text,
+    stated as parameter_text, stated_difference as parameter_difference_text, with_constraints,
 };
 #[cfg(feature = "parquet")]
 pub use sweep::SweepParquet;

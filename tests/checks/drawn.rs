@@ -1162,6 +1162,25 @@ const SPEED: [&str; 2] = ["--speed", "92mph"];
 const LOFT_ALONE: [&str; 2] = ["--vary", "club.loft=4deg..20deg"];
 
 #[test]
+fn a_caption_names_the_constraints_of_its_optimum() {
+    let free = [&SPEED[..], &LOFT_ALONE].concat();
+    let limits = [
+        "--subject-to=descent_angle >= 38 deg",
+        "--subject-to=apex_height <= 60 yd",
+    ];
+    let limited = [&free[..], &limits].concat();
+    for kind in ["launch", "fairway", "strike"] {
+        let (_, messages) = stated_plot(kind, &limited);
+        let says = "The optimum has club.loft 15.94°, with descent angle ≥ 38° and apex height ≤ 60 \
+                    yd.";
+        assert!(messages.contains(says), "{kind}: {messages}");
+        let (_, messages) = stated_plot(kind, &free);
+        let says = "The optimum has club.loft 14.25°.";
+        assert!(messages.contains(says), "{kind}: {messages}");
+    }
+}
+
+#[test]
 fn a_subtitle_names_stated_values_that_are_not_on_an_axis() {
     let speed = ["--vary", "swing.speed=80mph..100mph"];
     let attack = ["--vary", "swing.attack_angle=-5deg..5deg"];

@@ -268,6 +268,42 @@ fn the_ranges_of_an_advice_give_the_answer_if_typed() {
     }
 }
 
+#[test]
+fn a_picture_has_the_advice_of_the_command_about_its_drive() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.svg").display().to_string();
+    let stated = ["--speed", "92mph", "--attack", "-3deg"];
+    let loft = "club.loft 8.8° is the loft of tour-average at 115 mph";
+    let shaft = "the loft is for the shaft and strike of tour-average";
+    let vary = ["--vary", "club.loft=4deg..20deg"];
+    let with_attack = ["--vary", "swing.attack_angle=-5deg..5deg"];
+    let along = ["--along", "club.mass=180g..220g"];
+    let contour = [&vary[..], &with_attack].concat();
+    let chart = [&vary[..], &along].concat();
+    for (kind, more, advice) in [
+        ("trajectory", &[][..], loft),
+        ("tornado", &[], loft),
+        ("face", &[], loft),
+        ("vcurve", &[], loft),
+        ("compare", &["--set-b", "club.loft=10deg"], loft),
+        ("launch", &vary, shaft),
+        ("fairway", &vary, shaft),
+        ("strike", &vary, shaft),
+        ("contour", &contour, shaft),
+        ("chart", &chart, shaft),
+    ] {
+        let command = ["plot", kind, "-o", &file, "--overwrite"];
+        let command = [&command[..], &stated, more].concat();
+        let output = longdrive(&command);
+        assert_eq!(output.status, 0, "{kind}: {}", output.err);
+        let messages = on_one_line(&output.err);
+        assert_eq!(messages.matches(advice).count(), 1, "{kind}: {messages}");
+        let (_, answer) = json(&command);
+        let told = answer["advice"].as_str().unwrap_or_default();
+        assert!(told.contains(advice), "{kind}: {answer}");
+    }
+}
+
 /// A setup file gives the start of a search, and does not hold its values.
 #[test]
 fn a_setup_file_states_the_start_and_holds_nothing() {

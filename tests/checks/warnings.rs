@@ -776,6 +776,34 @@ fn a_flat_landing_has_a_warning_with_the_total_and_at_an_optimum() {
 
 /// The drive before the search lands on a slope that falls half as steeply as the ball.
 #[test]
+fn pictures_of_a_total_warn_of_a_flat_landing_and_others_do_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.svg").display().to_string();
+    let flat = ["--speed", "92mph", "--attack", "-3deg", "--loft", "10.5deg"];
+    let other = ["--set-b", "club.loft=10deg"];
+    let compare_totals = [&other[..], &["--of", "total"]].concat();
+    for (kind, more, is_warned) in [
+        ("trajectory", &[][..], true),
+        ("fairway", &[], true),
+        ("tornado", &["--of", "total"], true),
+        ("tornado", &[], false),
+        ("compare", &compare_totals, true),
+        ("compare", &other, false),
+        ("launch", &[], false),
+    ] {
+        let command = ["plot", kind, "-o", &file, "--overwrite"];
+        let output = longdrive(&[&command[..], &flat, more].concat());
+        assert_eq!(output.status, 0, "{kind}: {}", output.err);
+        let messages = on_one_line(&output.err);
+        let warned = messages.contains("to the ground, below 25°");
+        assert_eq!(warned, is_warned, "{kind} {more:?}: {messages}");
+        let is_known = messages.contains("known within 10 yd at best");
+        let is_drawn = ["trajectory", "fairway"].contains(&kind);
+        assert_eq!(is_known, is_drawn, "{kind}: {messages}");
+    }
+}
+
+#[test]
 fn a_flat_landing_of_the_compared_drive_is_on_its_own_ground() {
     let setup = Setup::default();
     let search = Search::longest_drive(&setup).unwrap();

@@ -5,11 +5,12 @@ use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, note, spinner, system, warn};
 use crate::command::picture::{PictureArgs, PlotDestination};
+use crate::command::ranges::DefaultRanges;
 use crate::command::request::{Request, Source};
 use crate::optimize::{Observer, Status};
 use crate::report::figures::{face_figure, fairway_figure, launches_figure, strikes_figure};
 use crate::report::plot::Figure;
-use crate::report::{Ending, computed_text};
+use crate::report::{Ending, SetupOrigin, computed_text, with_constraints};
 use crate::study::{
     Cause, Face, Landing, Launches, NamedDrive, Optimum, Search, causes, optimum, with_defaults,
 };
@@ -19,9 +20,10 @@ use crate::{Drive, Error, Outcome, Result, Setup};
 pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(request.inputs(), &args.drawing)?;
-    let (setup, DrawnOptimum { best, ending }) = setup_and_optimum(&request, &args.search)?;
+    let (setup, found) = setup_and_optimum(&request, &args.search)?;
+    let target = target.ended(found.ending).about(found.origin);
+    let best = found.best;
     let setup = request.with_assumed_launch(setup)?;
-    let target = target.ended(ending);
     let given = sigmas(&setup, &args.sigma)?;
     let of = [Outcome::Carry, Outcome::Lateral];
     let mut landings = vec![Landing::of(
@@ -35,14 +37,17 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
         landings.push(Landing::of(NamedDrive::OPTIMUM, &setup, &sigmas)?);
     }
     let figure = with_optimum(fairway_figure(&landings, system()), best.as_ref());
-    target.write_with_setup(&request, &setup, &figure, at_optimum(best.as_ref()))
+    let shown = [Outcome::Carry, Outcome::Lateral, Outcome::Total];
+    let warnings = warnings(&setup, best.as_ref(), &shown);
+    target.write(request.is_json, &figure, warnings)
 }
 
 pub fn launches(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(request.inputs(), &args.drawing)?;
-    let (setup, DrawnOptimum { best, ending }) = setup_and_optimum(&request, &args.search)?;
-    let target = target.ended(ending);
+    let (setup, found) = setup_and_optimum(&request, &args.search)?;
+    let target = target.ended(found.ending).about(found.origin);
+    let best = found.best;
     let optimum = best.iter().map(|best| (NamedDrive::OPTIMUM, &best.setup));
     let drives: Vec<_> = std::iter::once((NamedDrive::AS_SET_UP, &setup))
         .chain(optimum)
@@ -51,18 +56,20 @@ pub fn launches(args: &PlotSearch) -> Result<Answer> {
     let map = Launches::around(&drives)?;
     spinner.finish();
     let figure = with_optimum(launches_figure(&map, system()), best.as_ref());
-    target.write_with_setup(&request, &setup, &figure, at_optimum(best.as_ref()))
+    let warnings = warnings(&setup, best.as_ref(), &[Outcome::Carry]);
+    target.write(request.is_json, &figure, warnings)
 }
 
 pub fn face(setup_args: &SetupArgs, drawing: &PictureArgs) -> Result<Answer> {
     let request = setup_args.request()?;
-    let target = PlotDestination::new(request.inputs(), drawing)?;
+    let target = PlotDestination::new(request.inputs(), drawing)?.about(request.origin());
     let setup = request.for_many(request.setup()?, &[])?;
     refuse_launch(&setup, &target)?;
     let spinner = spinner("computing strikes");
     let face = Face::of(&setup)?;
     spinner.finish();
-    target.write_with_setup(&request, &setup, &face_figure(&face, system()), vec![])
+    let warnings = warnings(&setup, None, &[Outcome::Carry]);
+    target.write(request.is_json, &face_figure(&face, system()), warnings)
 }
 
 pub fn strikes(args: &PlotStrike) -> Result<Answer> {
@@ -87,10 +94,12 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     let Designs {
         setup,
         other,
-        warnings,
+        best,
+        differences,
         ending,
+        origin,
     } = designs;
-    let target = target.ended(ending);
+    let target = target.ended(ending).about(origin);
     let names = other
         .as_ref()
         .map_or([NamedDrive::AS_SET_UP, ""], |(names, _)| *names);
@@ -105,7 +114,10 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         doing: "draw",
         what: "design",
     })?;
-    target.write_with_setup(&request, &setup, &figure, warnings)
+    let figure = with_optimum(figure, best.as_ref());
+    let mut warnings = warnings(&setup, best.as_ref(), &Face::OUTCOMES);
+    warnings.extend(differences);
+    target.write(request.is_json, &figure, warnings)
 }
 
 /// The designs of a plot of strikes.
@@ -113,9 +125,12 @@ struct Designs {
     setup: Setup<f64>,
     /// The second design, with the names of both.
     other: Option<([&'static str; 2], Setup<f64>)>,
-    /// Warnings about the second design.
-    warnings: Vec<Message>,
+    /// The optimum, if it is the second design.
+    best: Option<Optimum>,
+    /// A warning about differences of the designs that are not of the club.
+    differences: Vec<Message>,
     ending: Ending,
+    origin: SetupOrigin,
 }
 
 impl Designs {
@@ -130,27 +145,31 @@ impl Designs {
         let setup = request.for_many(request.setup()?, &[])?;
         refuse_other_hand(&setup, &other, target)?;
         Ok(Self {
-            warnings: other_differences(&setup, &other),
+            differences: other_differences(&setup, &other),
             setup,
             other: Some((["before", "after"], other)),
+            best: None,
             ending: Ending::DONE,
+            origin: request.origin(),
         })
     }
 
     /// The drive as set up and its optimum.
     fn with_optimum(request: &Request, search: &SearchArgs) -> Result<Self> {
-        let (setup, DrawnOptimum { best, ending }) = setup_and_optimum(request, search)?;
+        let (setup, found) = setup_and_optimum(request, search)?;
         let names = [NamedDrive::AS_SET_UP, NamedDrive::OPTIMUM];
         Ok(Self {
             setup,
-            warnings: at_optimum(best.as_ref()),
-            other: best.map(|best| (names, best.setup)),
-            ending,
+            differences: vec![],
+            other: found.best.as_ref().map(|best| (names, best.setup)),
+            best: found.best,
+            ending: found.ending,
+            origin: found.origin,
         })
     }
 }
 
-/// Adds the parameters of the optimum to the caption.
+/// Adds the parameters of the optimum and its constraints to the caption.
 fn with_optimum(figure: Figure, best: Option<&Optimum>) -> Figure {
     let Some(best) = best else {
         return figure;
@@ -162,7 +181,12 @@ fn with_optimum(figure: Figure, best: Option<&Optimum>) -> Figure {
             format!("{} {value}", vary.parameter.name)
         })
         .collect();
-    let note = format!("{} The optimum has {}.", figure.note, varied.join(", "));
+    let note = format!(
+        "{} The optimum has {}{}.",
+        figure.note,
+        varied.join(", "),
+        with_constraints(&best.search.subject_to, system())
+    );
     figure.noted(note)
 }
 
@@ -214,16 +238,22 @@ fn other_differences(before: &Setup<f64>, after: &Setup<f64>) -> Vec<Message> {
     vec![message.into()]
 }
 
-/// The warnings about the drive at an optimum; none without an optimum.
-pub fn at_optimum(best: Option<&Optimum>) -> Vec<Message> {
-    let warnings = best.and_then(|best| {
+/// The warnings about the drive as set up, then those about the drive at an optimum. `shown` are
+/// the outcomes that the plot shows.
+pub fn warnings(setup: &Setup<f64>, best: Option<&Optimum>, shown: &[Outcome]) -> Vec<Message> {
+    let of_best = best.and_then(|best| {
+        let of = [shown, &best.search.outcomes()].concat();
         let drive = best.drive.as_ref()?;
-        Some(drive.warnings_about(&best.setup, &best.search.outcomes()))
+        Some(drive.warnings_about(&best.setup, &of))
     });
-    warnings
+    let of_best = of_best
         .into_iter()
         .flatten()
-        .map(|warning| Message::from("at the optimum: ").message(warning))
+        .map(|warning| Message::from("at the optimum: ").message(warning));
+    setup
+        .drive_warnings(shown)
+        .into_iter()
+        .chain(of_best)
         .collect()
 }
 
@@ -234,16 +264,26 @@ pub struct DrawnOptimum {
     /// The status of the plot: that of the search if the request states an option of the search and
     /// there is no optimum, otherwise `done`.
     pub ending: Ending,
+    /// The setup of the plot, with advice on the search.
+    pub origin: SetupOrigin,
 }
 
 impl DrawnOptimum {
     /// The optimum of a search. Warns if the search finds none; the plot then shows only the drive.
-    pub fn of(setup: &Setup<f64>, search: Search, args: &SearchArgs) -> Result<Self> {
+    pub fn of(
+        request: &Request,
+        setup: &Setup<f64>,
+        search: Search,
+        args: &SearchArgs,
+    ) -> Result<Self> {
+        let usual = DefaultRanges::longest_drive;
+        let origin = request.origin_with_held(&args.vary, &search.vary, setup, usual)?;
         let best = optimum(setup, search, Observer::default())?;
         if best.solution.status == Status::Converged {
             return Ok(Self {
                 best: Some(best),
                 ending: Ending::DONE,
+                origin,
             });
         }
         let (status, message) = (best.status(), best.message());
@@ -256,7 +296,11 @@ impl DrawnOptimum {
             },
             None => Ending::DONE,
         };
-        Ok(Self { best: None, ending })
+        Ok(Self {
+            best: None,
+            ending,
+            origin,
+        })
     }
 }
 
@@ -270,6 +314,7 @@ fn setup_and_optimum(request: &Request, search: &SearchArgs) -> Result<(Setup<f6
         let none = DrawnOptimum {
             best: None,
             ending: Ending::DONE,
+            origin: request.origin(),
         };
         return Ok((request.for_many(setup, &[])?, none));
     }
@@ -277,6 +322,6 @@ fn setup_and_optimum(request: &Request, search: &SearchArgs) -> Result<(Setup<f6
     let setup = request.for_many(setup, &varied.vary)?;
     // before the search, refuse a drive that does not land: the plot needs its landing
     Drive::new(&setup)?.landed()?;
-    let drawn = DrawnOptimum::of(&setup, varied, search)?;
+    let drawn = DrawnOptimum::of(request, &setup, varied, search)?;
     Ok((setup, drawn))
 }

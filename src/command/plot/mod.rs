@@ -7,7 +7,7 @@ pub use args::Args;
 
 use crate::atmosphere::AirState;
 use crate::command::args::SearchArgs;
-use crate::command::compare::warnings;
+use crate::command::compare::{loft_advice, warnings};
 use crate::command::host::Progress;
 use crate::command::names::{outcomes, sigmas};
 use crate::command::output::{Answer, bar, note, spinner, system, warn, with_bar};
@@ -19,6 +19,7 @@ use crate::command::verify::note_missing_outcomes;
 use crate::optimize::{Observer, Status};
 use crate::parameters::{Law, Parameter};
 use crate::repeated::first_repeated;
+use crate::report::SetupOrigin;
 use crate::report::figures::{
     ChartFigures, OnChart, OnMap, Over, View, chart_figures, difference_figure, laws_figure,
     map_figure, tornado_figure, trajectory_figure, vcurve_figure,
@@ -35,7 +36,7 @@ use crate::{Error, Outcome, Result, Setup};
 use args::{
     PlotChart, PlotCompare, PlotKind, PlotLaws, PlotSearch, PlotTornado, PlotTrajectory, PlotVcurve,
 };
-use drive::{DrawnOptimum, at_optimum, face, fairway, launches, strikes};
+use drive::{DrawnOptimum, face, fairway, launches, strikes};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -65,7 +66,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 
 fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
+    let target = PlotDestination::new(request.inputs(), &args.drawing)?.about(request.origin());
     let setup = request.within_tolerance(request.setup()?)?;
     let flown = NamedDrive::new("", &setup)?;
     flown.drive.landed()?;
@@ -75,7 +76,8 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
         }
         error => error,
     })?;
-    target.write_with_setup(&request, &setup, &figure, vec![])
+    let warnings = setup.drive_warnings(&[Outcome::Carry, Outcome::Total]);
+    target.write(request.is_json, &figure, warnings)
 }
 
 fn contour(args: &PlotSearch) -> Result<Answer> {
@@ -85,15 +87,14 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
     let search = args.search.search(&request, &setup, None)?;
     let setup = request.for_many(setup, &search.vary)?;
     let spinner = spinner("computing the map");
-    let (DrawnOptimum { best, ending }, map) = mapped(&setup, &search, &args.search)?;
-    let target = target.ended(ending);
+    let (found, map) = mapped(&request, &setup, &search, &args.search)?;
+    let target = target.ended(found.ending).about(found.origin);
     if let Some(flat) = map.flat() {
         let reason = format!("{flat}; vary parameters that change it");
         return Err(target.refused(reason));
     }
-    let best = best.as_ref();
+    let best = found.best.as_ref();
     let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
-    let of_best = at_optimum(best);
     if let Some((_, message)) = best.and_then(short_drive) {
         note(message);
     }
@@ -111,30 +112,36 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
     let on = OnMap {
         // without the start values of the search: these are not values of the drive as set up
         setup: &request.partial_setup,
-        limits: &limits,
         preset: request.source.content.preset,
+        limits: &limits,
         best,
         region: region.as_ref(),
     };
-    target.write_with_setup(&request, &setup, &map_figure(&map, &on, system()), of_best)
+    let warnings = drive::warnings(&setup, best, &search.outcomes());
+    target.write(request.is_json, &map_figure(&map, &on, system()), warnings)
 }
 
 /// The [`Map`] around an optimum, or around the setup if the search finds none.
-fn mapped(setup: &Setup<f64>, search: &Search, args: &SearchArgs) -> Result<(DrawnOptimum, Map)> {
+fn mapped(
+    request: &Request,
+    setup: &Setup<f64>,
+    search: &Search,
+    args: &SearchArgs,
+) -> Result<(DrawnOptimum, Map)> {
     let [across, up, ..] = search.vary[..] else {
         let reason = format!(
             "a map needs two parameters; give `vary` twice, for example {}",
             DefaultRanges::of_map(setup)?
         );
+        let name = "`vary`".into();
         return Err(Error::SearchRange { name, reason });
     };
-    let drawn = DrawnOptimum::of(setup, search.clone(), args)?;
+    let drawn = DrawnOptimum::of(request, setup, search.clone(), args)?;
     let around = drawn.best.as_ref().map_or(setup, |best| &best.setup);
     let map = map(around, search.outcome(), across, up, Fineness::default())?;
     Ok((drawn, map))
 }
 
-        let name = "`vary`".into();
 /// The constraints of a search, each with a map of the limited outcome over the first two varied
 /// parameters. Empty if fewer than two parameters vary.
 pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, Map)>> {
@@ -186,7 +193,11 @@ fn along(args: &PlotChart) -> Result<Answer> {
     };
     let figures = chart_figures(&chart, &on, system());
     let figure = figure_of(&figures, &search, shown, &target)?;
-    target.write_with_setup(&request, &setup, figure, chart.warnings())
+    let usual = DefaultRanges::longest_drive;
+    let origin = request.origin_with_held(&args.search.vary, &search.vary, &setup, usual)?;
+    let warnings = [setup.drive_warnings(&[]), chart.warnings()].concat();
+    let target = target.about(origin);
+    target.write(request.is_json, figure, warnings)
 }
 
 /// Counts the points of a chart in a progress bar.
@@ -250,7 +261,7 @@ fn figure_of<'a>(
 
 fn tornado(args: &PlotTornado) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
+    let target = PlotDestination::new(request.inputs(), &args.drawing)?.about(request.origin());
     let setup = request.within_tolerance(request.setup()?)?;
     let setup = request.with_assumed_launch(setup)?;
     let of = Outcome::named(&args.of)?;
@@ -270,25 +281,30 @@ fn tornado(args: &PlotTornado) -> Result<Answer> {
         );
         return Err(target.refused(reason));
     };
-    target.write_with_setup(&request, &setup, &figure, vec![])
+    target.write(request.is_json, &figure, setup.drive_warnings(&[of]))
 }
 
 fn difference(args: &PlotCompare) -> Result<Answer> {
     let requests = args.pair.requests()?;
-    let target = PlotDestination::new(requests.iter().flat_map(Request::inputs), &args.drawing)?;
+    let origin = SetupOrigin {
+        advice: loft_advice(&requests).unwrap_or_default(),
+        ..SetupOrigin::default()
+    };
+    let target = PlotDestination::new(requests.iter().flat_map(Request::inputs), &args.drawing)?
+        .about(origin);
     let of = Outcome::named(&args.of)?;
     let comparison = args.pair.comparison(&requests)?;
     if !comparison.differs() {
         return Err(target.refused("drives a and b are equal, so there is nothing to draw"));
     }
-    let warnings = warnings(&comparison);
+    let warnings = warnings(&comparison, &[of]);
     let figure = difference_figure(&comparison.of(of)?, system());
     target.write(args.pair.setup_args.json, &figure, warnings)
 }
 
 fn vcurve(args: &PlotVcurve) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let target = PlotDestination::new(request.inputs(), &args.drawing)?;
+    let target = PlotDestination::new(request.inputs(), &args.drawing)?.about(request.origin());
     let setup = request.within_tolerance(request.setup()?)?;
     let of = outcomes(&args.derivatives.of)?;
     let wrt = args.derivatives.variables(&setup, &of)?;
@@ -309,15 +325,9 @@ fn vcurve(args: &PlotVcurve) -> Result<Answer> {
             .iter()
             .find(|row| row.of == of && row.parameter == parameter)
     };
-    target.write_with_setup(
-        &request,
-        &setup,
-        &vcurve_figure(
-            requested.filter_map(row),
-            &while_loop(&setup, &certificate.rows),
-        ),
-        vec![],
-    )
+    let loops = while_loop(&setup, &certificate.rows);
+    let figure = vcurve_figure(requested.filter_map(row), &loops);
+    target.write(request.is_json, &figure, setup.drive_warnings(&of))
 }
 
 fn laws(args: &PlotLaws) -> Result<Answer> {

@@ -1,6 +1,7 @@
 use super::scale::{Grows, to_scale, with_margin};
 use super::style::{clear_names, style};
 use crate::drive::Outcome;
+use crate::report::drive::total_is_known;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, nice_step};
 use crate::report::shown::{self, capital};
 use crate::statistics::extent;
@@ -73,7 +74,10 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
             .map(too_wide),
     );
     if landings.iter().any(|landing| landing.rest.is_some()) {
-        notes.push("The total is where the ball comes to rest.".into());
+        notes.push(format!(
+            "The total, where the ball comes to rest, {}.",
+            total_is_known(system)
+        ));
     }
     let unit = system.unit("yd");
     let width = FAIRWAY / DisplayUnit::from(Outcome::Carry).size_in(system);

@@ -3,7 +3,7 @@ use super::style::{clear_names, style};
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Vector;
-use crate::report::drive::total_uncertainty;
+use crate::report::drive::total_is_known;
 use crate::report::plot::{Axis, AxisScale, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shown;
 use crate::statistics::extent;
@@ -233,10 +233,9 @@ fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) 
         return String::new();
     }
     format!(
-        " After the landing the ball bounces and runs to its total, {}, which is known within \
-         {} at best.",
+        " After the landing the ball bounces and runs to its total, {}, which {}.",
         totals.join(" and "),
-        total_uncertainty().in_units(system)
+        total_is_known(system)
     )
 }
 
