@@ -156,6 +156,7 @@ impl<'a> PlotDestination<'a> {
                 name: &figure.name,
                 file,
                 title: &figure.title,
+                subtitle: &figure.subtitle,
                 note: &figure.note,
                 bytes: bytes.len(),
             };
@@ -178,6 +179,8 @@ pub struct PlotFile<'a> {
     file: String,
     /// Title of the plot.
     title: &'a str,
+    /// Line below the title with the constant parameters; may be empty.
+    subtitle: &'a str,
     /// Note of the plot.
     note: &'a str,
     /// Size of the file.

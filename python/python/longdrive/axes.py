@@ -44,7 +44,7 @@ def draw(ax: Any, data: bytes, name: str, title: str) -> None:
     name : str
         The name of the plot, such as ``vcurve``.
     title : str
-        The title.
+        The title, with the subtitle in a line of its own.
 
     Raises
     ------
@@ -122,17 +122,26 @@ def _draw_layer(
         for left, low, right, high in zip(x, y, to_x, to_y):
             ax.plot([left, right, right, left, left], [low, low, high, high, low], label=label)
     else:
-        _draw_contours(ax, x, y, [columns[head] for head in heads[2:]])
+        _draw_contours(ax, x, y, {head: columns[head] for head in heads[2:]})
 
 
-def _draw_contours(ax: Any, x: Floats, y: Floats, fields: list[Floats]) -> None:
-    """Draws contours of the first field with finite values. (x, y) are the nodes of a grid."""
-    for field in fields:
+def _draw_contours(ax: Any, x: Floats, y: Floats, fields: dict[str, Floats]) -> None:
+    """Draws contours of the first field with finite values, labelled in the unit of its head.
+
+    (x, y) are the nodes of a grid.
+    """
+    for head, field in fields.items():
         known = np.isfinite(field)
         if known.any():
             across, down = np.unique(x), np.unique(y)
             grid = np.full((len(down), len(across)), np.nan)
             grid[np.searchsorted(down, y), np.searchsorted(across, x)] = field
             lines = ax.contour(across, down, grid)
-            ax.clabel(lines)
+            ax.clabel(lines, fmt=_with_unit_of(head))
             return
+
+
+def _with_unit_of(head: str) -> str:
+    """The format of a number with the unit of a column head: ``%g m`` for ``carry [m]``."""
+    _, _, unit = head.rstrip("]").partition("[")
+    return f"%g {unit.replace('%', '%%')}".rstrip()

@@ -24,6 +24,8 @@ class Picture(Reply):
 
     title: str
     """Title of the plot."""
+    subtitle: str
+    """Line below the title with the constant parameters; may be empty."""
     note: str
     """Note below the plot."""
     form: str
@@ -114,5 +116,6 @@ def picture(reply: Reply, request: Request) -> Picture:
     if request.axes is not None:
         from .axes import draw
 
-        draw(request.axes, data, reply["name"], reply["title"])
+        lines = [reply["title"], reply["subtitle"]]
+        draw(request.axes, data, reply["name"], "\n".join(filter(None, lines)))
     return Picture(reply, form=path.suffix.lower(), data=data)
