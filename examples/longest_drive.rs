@@ -16,7 +16,7 @@ fn main() -> longdrive::Result<()> {
             .iter()
             .map(|text| Vary::read(&setup, text))
             .collect::<longdrive::Result<_>>()?,
-        ..Search::longest_drive(&setup)?
+        ..Search::largest(Outcome::Carry)
     };
 
     let observer = Observer::showing(|iteration| {

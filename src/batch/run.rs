@@ -29,8 +29,7 @@ impl Batch {
     /// Computes the drives of all points, in blocks of at most [`CHUNK`] rows. The thread that
     /// computed a block also calls `work` on it. `sink` receives the results of `work` in the order
     /// of the points. Returns the number of the row after the last delivered row, or
-    /// `run.first_row` if no row was delivered. Without an interruption, this is the smaller of
-    /// `run.end_row` and the number of points.
+    /// `run.first_row` if no row was delivered.
     ///
     /// A drive without a flight is not an error: its [`Status`](super::Status) reports it. The
     /// integration has the method and step of the setup;

@@ -164,7 +164,9 @@ impl Outcome {
     ///
     /// # Errors
     /// [`Error::NoFlight`] for an outcome of the flight if the ball does not land;
-    /// [`Error::Undefined`] for an outcome of the club if the setup gives the launch.
+    /// [`Error::Undefined`] for an outcome of the club if the setup gives the launch, and for a
+    /// value that is not finite. An angle is not finite if its direction does not exist (a vertical
+    /// launch, no spin).
     pub fn of<T: Number>(self, drive: &Drive<T>) -> Result<T> {
         let landed = match &drive.flight {
             Flight::Landed(landed) => Some(landed),
@@ -177,10 +179,17 @@ impl Outcome {
             head: drive.head.as_ref(),
             read: |number| number,
         };
-        self.evaluate(&inputs).ok_or_else(|| match &drive.flight {
+        let value = self.evaluate(&inputs).ok_or_else(|| match &drive.flight {
             Flight::None(why) if self.group() == OutcomeGroup::Flight => (*why).into(),
             _ => self.unavailable(),
-        })
+        })?;
+        if !value.re().is_finite() {
+            return Err(Error::Undefined {
+                what: self.name().into(),
+                reason: self.why_undefined().into(),
+            });
+        }
+        Ok(value)
     }
 
     /// Error for an outcome whose inputs are missing: no club strikes the ball, or the apex and the
@@ -198,11 +207,9 @@ impl Outcome {
         }
     }
 
-    /// The value of this outcome. `None` for an outcome of the flight without a landing, for an
-    /// outcome of the club without a club, and for a value that is not finite. An angle is not
-    /// finite if its direction does not exist (a vertical launch, no spin).
+    /// The value of this outcome; `None` where [`of`](Self::of) has an error.
     pub fn value(self, drive: &Drive<f64>) -> Option<f64> {
-        self.of(drive).ok().filter(|value| value.is_finite())
+        self.of(drive).ok()
     }
 
     /// Unwraps a direction: brings it within half a turn of `reference`, so that differences and

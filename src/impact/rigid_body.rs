@@ -262,8 +262,8 @@ impl<T: Number> Collision<T> {
         }
         if !system.compliance.is_positive() {
             return Err(jammed(
-                "the contact's 3 × 3 system is singular; check club.mass, club.inertia, ball.mass \
-                 and ball.inertia",
+                "the contact's 3 × 3 system is singular; check club.mass, club.inertia, ball.mass, \
+                 ball.radius and ball.inertia",
             ));
         }
         Ok(system)

@@ -361,7 +361,8 @@ macro_rules! parameter_groups {
         }
 
         impl Default for Setup<f64> {
-            /// The preset `modern-driver`.
+            /// The preset `modern-driver`. Commands and setup files start from
+            /// [`DEFAULT_PRESET`](super::presets::DEFAULT_PRESET).
             fn default() -> Self {
                 // the texts are parsed once, because that takes longer than a drive
                 static DEFAULT: std::sync::LazyLock<Setup<f64>> = std::sync::LazyLock::new(|| {

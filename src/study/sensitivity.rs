@@ -20,7 +20,8 @@ pub struct Sensitivity {
     pub optimum: Vec<f64>,
 }
 
-/// Sensitivity of an optimum to a parameter, from the KKT system with exact second derivatives.
+/// Sensitivity of an optimum to a parameter, from the KKT system with exact second derivatives
+/// (`longdrive optimum-sensitivity`).
 ///
 /// # Errors
 /// [`Error::NotConverged`] without a converged optimum; [`Error::Unreadable`] if the search varies
@@ -101,7 +102,7 @@ pub fn refuse_varied(search: &Search, parameter: &Parameter) -> Result<()> {
 pub struct Change {
     /// The parameter.
     pub parameter: &'static Parameter,
-    /// AmountKind, SI.
+    /// The amount, SI.
     pub delta: f64,
 }
 

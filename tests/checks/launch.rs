@@ -646,6 +646,27 @@ fn same_drives_of_a_swept_launch_condition_and_alone() {
     }
 }
 
+/// A ball without spin has no spin axis: an error, not a NaN.
+#[test]
+fn an_outcome_without_a_finite_value_is_an_error() {
+    let mut setup = Setup::preset("tour-average").unwrap();
+    setup
+        .set_all([
+            ("launch.ball_speed", "70 m/s"),
+            ("launch.launch_angle", "12 deg"),
+            ("launch.spin", "0 rpm"),
+        ])
+        .unwrap();
+    let drive = Drive::new(&setup).unwrap();
+    let error = Outcome::SpinAxis.of(&drive).unwrap_err();
+    assert!(
+        error.to_string().contains("the ball does not spin"),
+        "{error}"
+    );
+    assert_eq!(Outcome::SpinAxis.value(&drive), None);
+    assert!(Outcome::Spin.of(&drive).unwrap() == 0.0);
+}
+
 /// A launch direction or spin axis that the launch does not give counts as 0, with the uncertainty
 /// of a measured one: who measures less is not less uncertain.
 #[test]

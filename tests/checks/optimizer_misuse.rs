@@ -226,6 +226,26 @@ fn a_fit_refuses_constraints() {
     assert!(error.to_string().contains("without constraints"), "{error}");
 }
 
+/// As a gradient of the wrong length, and unlike residuals that are undefined at the start.
+#[test]
+fn residuals_of_a_wrong_shape_are_an_error() {
+    let domain = Domain::new(vec![-2.0; 2], vec![2.0; 2]).unwrap();
+    for (residuals, jacobian, says) in [
+        (vec![1.0, 2.0], vec![vec![1.0, 0.0]], "it must be 2 by 2"),
+        (vec![1.0], vec![vec![1.0]], "it must be 1 by 2"),
+        (vec![], vec![], "no residuals"),
+    ] {
+        let rows = Rows {
+            residuals,
+            jacobian,
+        };
+        let given = |_: &[f64]| Ok(rows.clone());
+        let options = least_squares::FitOptions::default();
+        let error = fit(&given, &domain, &[0.0, 0.0], &options).unwrap_err();
+        assert!(error.to_string().contains(says), "{error}");
+    }
+}
+
 #[test]
 fn a_response_is_that_of_an_optimum_with_its_own_functions() {
     let problem = Exact(Valley);

@@ -212,7 +212,7 @@ fn a_search_without_an_optimum_does_not_call_its_end_one() {
             let blocks = output.out.split("\n\n").next().unwrap();
             assert!(blocks.contains(&format!("\n{status}: ")), "{}", output.out);
             assert!(
-                output.out.starts_with("from tour-average\n"),
+                output.out.starts_with("from tour-average"),
                 "{}",
                 output.out
             );

@@ -125,8 +125,8 @@ impl FitObserver {
 /// ends at the previous iterate.
 ///
 /// # Errors
-/// [`Error::Optimizer`] if the start, the tolerance or the loss is invalid, or if the domain has
-/// constraints.
+/// [`Error::Optimizer`] if the start, the tolerance or the loss is invalid, if the domain has
+/// constraints, or if the first residuals are none or their Jacobian has another shape.
 pub fn fit(
     residuals: &impl Fn(&[f64]) -> Result<Rows, String>,
     domain: &Domain,
@@ -175,7 +175,12 @@ pub fn fit_observed(
         let rows = residuals(&x)?;
         GaussNewtonPoint::new(x, rows, options.loss)
     };
-    let at = match evaluate(start.clone()) {
+    let first = residuals(&start);
+    if let Ok(rows) = &first {
+        rows.check_shape(start.len()).map_err(Error::Optimizer)?;
+    }
+    let first = first.and_then(|rows| GaussNewtonPoint::new(start.clone(), rows, options.loss));
+    let at = match first {
         Ok(at) => at,
         Err(why) => {
             let undefined = (!observer.is_interrupted()).then_some(why);
@@ -433,19 +438,20 @@ impl FitState {
             .map_or(0.0, |step| step.predicted_reduction);
         let is_rounding = undamped <= 1e3 * SUM_ROUNDING * self.at.cost;
         if is_rounding || self.damping <= FIRST_DAMPING {
-            let part = if self.at.cost > 0.0 {
-                undamped / self.at.cost
-            } else {
-                0.0
+            let message = match is_rounding {
+                true => {
+                    let part = if self.at.cost > 0.0 {
+                        undamped / self.at.cost
+                    } else {
+                        0.0
+                    };
+                    format!(
+                        "the minimized sum is at its smallest: a step could lower it by {part:.1e} \
+                         of its value at most, which is less than its rounding error"
+                    )
+                }
+                false => "no step lowers the minimized sum by more than rounding".into(),
             };
-            let note = match is_rounding {
-                true => ", which is less than its rounding error",
-                false => "",
-            };
-            let message = format!(
-                "the minimized sum is at its smallest: a step could lower it by {part:.1e} \
-                 of its value at most{note}"
-            );
             return SearchVerdict {
                 status: FitStatus::Converged,
                 message,

@@ -41,6 +41,23 @@ pub struct Rows {
     pub jacobian: Vec<Vec<f64>>,
 }
 
+impl Rows {
+    /// Returns the reason if there is no residual, or if the Jacobian does not have a row for each
+    /// residual with a derivative by each of the `n` variables.
+    fn check_shape(&self, n: usize) -> Result<(), String> {
+        let m = self.residuals.len();
+        if m == 0 {
+            return Err("there are no residuals to fit".into());
+        }
+        if self.jacobian.len() != m || self.jacobian.iter().any(|row| row.len() != n) {
+            return Err(format!(
+                "the Jacobian has the wrong shape; it must be {m} by {n} (residuals by variables)"
+            ));
+        }
+        Ok(())
+    }
+}
+
 /// Options of a fit, with their defaults.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitOptions {

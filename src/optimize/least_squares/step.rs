@@ -28,14 +28,7 @@ impl GaussNewtonPoint {
     /// Builds the model; fails if residuals or Jacobian have the wrong shape or are not finite.
     pub fn new(x: Vec<f64>, rows: Rows, loss: Loss) -> Result<Self, String> {
         let n = x.len();
-        if rows.jacobian.len() != rows.residuals.len()
-            || rows.jacobian.iter().any(|row| row.len() != n)
-        {
-            let shape = format!("{} by {n}", rows.residuals.len());
-            return Err(format!(
-                "the Jacobian has the wrong shape; it must be {shape} (residuals by variables)"
-            ));
-        }
+        rows.check_shape(n)?;
         let all = rows.residuals.iter().chain(rows.jacobian.iter().flatten());
         if !all.copied().all(f64::is_finite) {
             return Err("a residual or a derivative is not finite".into());

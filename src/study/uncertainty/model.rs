@@ -14,7 +14,7 @@ use serde::{Serialize, Serializer};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SamplePlan {
     /// Number of points N of each of the sets A and B of a [`SaltelliDesign`]. A function of d
-    /// variables is evaluated at N (d + 2) points.
+    /// variables is evaluated at N (d + 2) points. `longdrive uncertainty` takes 4096.
     pub samples: usize,
     /// Seed of the random numbers; equal seeds give bitwise equal results.
     pub seed: u64,
