@@ -149,8 +149,7 @@ impl<'a> PlotDestination<'a> {
         if !figure.note.is_empty() {
             note(&figure.note);
         }
-        let Ending { status, message } = self.ending.clone();
-        let is_complete = message.is_none();
+        let is_complete = self.ending.message.is_none();
         let answer = if is_json {
             let body = PlotFile {
                 name: &figure.name,
@@ -161,7 +160,7 @@ impl<'a> PlotDestination<'a> {
                 bytes: bytes.len(),
             };
             let reply = Reply::done("plot", warnings(), body).about(&self.origin);
-            Answer::json(&reply.ended(status, message))
+            Answer::json(&reply.ended(self.ending.clone()))
         } else {
             Answer::text(String::new())
         };

@@ -15,7 +15,7 @@ use crate::derivative::default_variables;
 use crate::flight::Flight;
 use crate::optimize::Observer;
 use crate::report::page::{EXPLORER_FILE, Findings, SETUP_FILE, report_documents};
-use crate::report::{Document, Reply, SetupOrigin, TextFile, explorer_state};
+use crate::report::{Document, Ending, Reply, SetupOrigin, TextFile, explorer_state};
 use crate::reproduce::while_loop;
 use crate::study::certificate::{DerivativeRow, certify};
 use crate::study::{
@@ -215,17 +215,23 @@ fn answer(args: &Args, origin: &SetupOrigin, findings: &Findings, files: Vec<&st
     let missing = findings.found.as_ref();
     let missing = missing.filter(|_| findings.best().is_none());
     let answer = if args.setup_args.json {
-        let (status, message) = match (&own.flight, missing) {
-            (Flight::None(why), _) => (why.status(), Some(why.to_string())),
-            (Flight::Landed(_), None) => ("done", None),
-            (Flight::Landed(_), Some(found)) => (found.status(), Some(found.message().to_string())),
+        let ending = match (&own.flight, missing) {
+            (Flight::None(why), _) => Ending {
+                status: why.status(),
+                message: Some(why.to_string()),
+            },
+            (Flight::Landed(_), None) => Ending::DONE,
+            (Flight::Landed(_), Some(found)) => Ending {
+                status: found.status(),
+                message: Some(found.message().to_string()),
+            },
         };
         let body = ReportFiles {
             folder: args.output.display().to_string(),
             files,
         };
         let reply = Reply::done("report", warnings(), body).about(origin);
-        Answer::json(&reply.ended(status, message))
+        Answer::json(&reply.ended(ending))
     } else {
         let mut document = Document::default();
         origin.put_before(&mut document, system());

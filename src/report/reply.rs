@@ -11,10 +11,9 @@ use serde::Serialize;
 pub struct Reply<T> {
     /// The command; `null` if none was recognized.
     pub command: Option<&'static str>,
-    /// The status in a word.
-    pub status: &'static str,
-    /// The status in a sentence; `null` if there is nothing to add.
-    pub message: Option<String>,
+    /// The status, in a word and in a sentence.
+    #[serde(flatten)]
+    pub ending: Ending,
     /// Warnings about the request.
     pub warnings: Vec<Message>,
     /// The setup of the answer: the preset or file, and the settings of the request. Omitted if the
@@ -53,12 +52,13 @@ pub trait Report: Serialize {
     fn document(&self, system: System) -> Document;
 }
 
-/// The status of a command.
-#[derive(Clone, Debug, PartialEq)]
+/// The status of a command: `done`, `partial`, `no-answer`, or a word of this command.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Ending {
-    /// The status in a word: `done`, `partial`, `no-answer`, or a word of this command.
+    /// The status in a word.
     pub status: &'static str,
-    /// The reason in a sentence, if the status word is not sufficient.
+    /// The status in a sentence; `null` if there is nothing to add.
     pub message: Option<String>,
 }
 
@@ -118,8 +118,7 @@ pub struct Empty {}
 impl<'a, T: Report> Reply<&'a T> {
     /// The reply with this report.
     pub fn of(report: &'a T, warnings: Vec<Message>) -> Self {
-        let Ending { status, message } = report.ending();
-        Self::done(T::COMMAND, warnings, report).ended(status, message)
+        Self::done(T::COMMAND, warnings, report).ended(report.ending())
     }
 }
 
@@ -128,8 +127,7 @@ impl<T> Reply<T> {
     pub fn done(command: &'static str, warnings: Vec<Message>, body: T) -> Self {
         Self {
             command: Some(command),
-            status: "done",
-            message: None,
+            ending: Ending::DONE,
             warnings,
             from: None,
             held: vec![],
@@ -151,14 +149,10 @@ impl<T> Reply<T> {
         }
     }
 
-    /// Sets the status and the sentence that explains it.
+    /// Sets the status.
     #[must_use]
-    pub fn ended(self, status: &'static str, message: Option<String>) -> Self {
-        Self {
-            status,
-            message,
-            ..self
-        }
+    pub fn ended(self, ending: Ending) -> Self {
+        Self { ending, ..self }
     }
 }
 
@@ -176,8 +170,10 @@ impl Reply<Empty> {
     pub fn refused(command: Option<&'static str>, status: &'static str, message: String) -> Self {
         Self {
             command,
-            status,
-            message: Some(message),
+            ending: Ending {
+                status,
+                message: Some(message),
+            },
             warnings: vec![],
             from: None,
             held: vec![],

@@ -5,7 +5,7 @@ use super::optimum::{
     OptimumReport, OptimumWindows, add_convergence, add_varied_and_constraints, drive_lines,
     gain_lines,
 };
-use super::reply::Reply;
+use super::reply::{Ending, Reply};
 use super::shown;
 use super::swings::OverSwings;
 use crate::error::{Error, Result};
@@ -137,16 +137,19 @@ impl SensitivityReport {
             ellipses: analysis.map(|analysis| analysis.flatness.ellipses.clone()),
             changes,
         };
-        let reply = Reply::done("optimum-sensitivity", optimum.warnings, body);
-        match (analysis, why) {
+        let ending = match (analysis, why) {
             // the `message` of each sensitivity has the reason
-            (Some(analysis), _) if !analysis.is_answered() => reply.ended(
-                "no-answer",
-                Some("this optimum has none of the requested sensitivities".into()),
-            ),
-            (None, Some(why)) => reply.ended(why.status(), Some(why.to_string())),
-            _ => reply.ended(optimum.status, optimum.message),
-        }
+            (Some(analysis), _) if !analysis.is_answered() => Ending {
+                status: "no-answer",
+                message: Some("this optimum has none of the requested sensitivities".into()),
+            },
+            (None, Some(why)) => Ending {
+                status: why.status(),
+                message: Some(why.to_string()),
+            },
+            _ => optimum.ending,
+        };
+        Reply::done("optimum-sensitivity", optimum.warnings, body).ended(ending)
     }
 }
 

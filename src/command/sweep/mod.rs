@@ -20,7 +20,7 @@ use crate::command::files::{Destination, DestinationKind};
 use crate::command::interrupt;
 use crate::command::output::{Answer, bar, note, say_error, warn, warnings};
 use crate::drive::CheckScope;
-use crate::report::Reply;
+use crate::report::{Ending, Reply};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result};
 use request::SweepRequest;
@@ -125,13 +125,18 @@ fn answer(
         note(&summary.text(None));
     }
     let answer = if is_json {
-        let reply = Reply::done("sweep", warnings(), summary);
-        let stopped = || format!("stopped: {}", summary.text(None));
-        Answer::json(&match (is_complete, nothing) {
-            (true, None) => reply,
-            (true, nothing) => reply.ended("no-answer", nothing),
-            (false, _) => reply.ended("interrupted", Some(stopped())),
-        })
+        let ending = match (is_complete, nothing) {
+            (true, None) => Ending::DONE,
+            (true, Some(nothing)) => Ending {
+                status: "no-answer",
+                message: Some(nothing),
+            },
+            (false, _) => Ending {
+                status: "interrupted",
+                message: Some(format!("stopped: {}", summary.text(None))),
+            },
+        };
+        Answer::json(&Reply::done("sweep", warnings(), summary).ended(ending))
     } else if is_complete && !is_standard_output {
         let file = destination.file().and(destination.shown_on_disk());
         Answer::text(summary.text(file) + "\n")

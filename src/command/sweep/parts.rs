@@ -12,7 +12,7 @@ use crate::drive::CheckScope;
 use crate::input_file::is_in_memory;
 use crate::parameters::DEFAULT_PRESET;
 use crate::parts::{self, Checked, Dataset, Manifest, PartResult, SweepDefinition};
-use crate::report::{Reply, summary_document};
+use crate::report::{Ending, Reply, summary_document};
 use crate::statistics::{Histogram, Ranking};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result};
@@ -87,8 +87,12 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
             manifest,
             remarks: points.notes(),
         };
-        let reply = Reply::done("sweep", warnings(), body);
-        return Ok(Answer::json(&reply.ended("done", there)));
+        let ending = Ending {
+            status: "done",
+            message: there,
+        };
+        let reply = Reply::done("sweep", warnings(), body).ended(ending);
+        return Ok(Answer::json(&reply));
     }
     Ok(Answer::text(written_text(part, folder, &manifest, there)))
 }
@@ -173,19 +177,18 @@ pub fn check(args: &Args, folder: &Path) -> Result<Answer> {
     }
     let (is_complete, lines) = (checked.is_complete(), sentences(&checked));
     if args.setup_args.json {
-        let reply = Reply::done(
-            "sweep",
-            warnings(),
-            CheckedParts {
-                folder: folder.display().to_string(),
-                checked,
+        let ending = match is_complete {
+            true => Ending::DONE,
+            false => Ending {
+                status: "partial",
+                message: Some(lines.join("; ")),
             },
-        );
-        let reply = if is_complete {
-            reply
-        } else {
-            reply.ended("partial", Some(lines.join("; ")))
         };
+        let body = CheckedParts {
+            folder: folder.display().to_string(),
+            checked,
+        };
+        let reply = Reply::done("sweep", warnings(), body).ended(ending);
         return Ok(Answer::json(&reply).found(is_complete));
     }
     let text = lines.join("\n") + "\n\n" + &text_of(&summary_document(&checked.summary, system()));

@@ -1,8 +1,8 @@
 //! An optimum as JSON.
 
-use super::super::Reply;
 use super::super::drive::{LaunchReport, LawRanges, flight, launch, law_range};
 use super::super::json::{ByName, JsonNumber, Settings, settings};
+use super::super::reply::{Ending, Reply};
 use super::super::swings::{OverSwings, StudiesReport};
 use super::windows::OptimumWindows;
 use crate::drive::Outcome;
@@ -201,11 +201,17 @@ impl OptimumReport {
             swings: StudiesReport::new(best, over),
             ..Self::new(best)
         };
-        let reply = Reply::done("optimize", warnings, body);
-        match optima.interrupted() {
-            None => reply.ended(best.status(), Some(best.message().to_string())),
-            interrupted => reply.ended("interrupted", interrupted),
-        }
+        let ending = match optima.interrupted() {
+            None => Ending {
+                status: best.status(),
+                message: Some(best.message().to_string()),
+            },
+            interrupted => Ending {
+                status: "interrupted",
+                message: interrupted,
+            },
+        };
+        Reply::done("optimize", warnings, body).ended(ending)
     }
 
     /// The report of an optimum.
