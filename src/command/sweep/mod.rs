@@ -80,6 +80,7 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
     let part = destination.file().filter(|_| !is_complete).map(part_of);
     let file = part.as_deref().unwrap_or(&args.output);
     let summary = SweepSummary {
+        counts: counts.clone(),
         file: file.display().to_string(),
         rows: total,
         written: counts.total(),
@@ -95,7 +96,7 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
         note(&stopped(&summary, &output));
     }
     let nothing = (is_complete && !counts.has_any(batch.outcomes()))
-        .then(|| no_outcome(&summary, counts, batch.outcomes()));
+        .then(|| no_outcome(&summary, batch.outcomes()));
     let is_json = request.is_json;
     Ok(answer(
         is_json,
@@ -120,7 +121,7 @@ fn answer(
     let is_answered = is_complete && nothing.is_none();
     let is_standard_output = destination.kind == DestinationKind::StandardOutput;
     // standard output contains the rows: report the counts of drives that did not land as a note
-    let all_landed = summary.statuses.get(&Status::Landed) == Some(&summary.written);
+    let all_landed = summary.counts.count(Status::Landed) == summary.written;
     if is_answered && is_standard_output && !all_landed {
         note(&summary.text(None));
     }
@@ -217,13 +218,13 @@ fn stopped(summary: &SweepSummary, output: &SweepOutput<'_>) -> String {
 }
 
 /// The error of a sweep in which no drive has a requested outcome.
-fn no_outcome(summary: &SweepSummary, tally: &StatusCounts, of: &[Outcome]) -> String {
+fn no_outcome(summary: &SweepSummary, of: &[Outcome]) -> String {
     let which = if of.len() == 1 {
         "the requested outcome"
     } else {
         "any of the requested outcomes"
     };
-    let diverged = if tally.count(Status::Diverged) > 0 {
+    let diverged = if summary.counts.count(Status::Diverged) > 0 {
         "; simulate one of the diverged drives to see what to change"
     } else {
         ""
@@ -235,6 +236,8 @@ fn no_outcome(summary: &SweepSummary, tally: &StatusCounts, of: &[Outcome]) -> S
 #[derive(Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SweepSummary {
+    #[serde(skip)]
+    counts: StatusCounts,
     /// The file with the rows; `FILE.part` if the sweep was interrupted.
     file: String,
     /// Number of rows of the whole sweep.
@@ -249,10 +252,6 @@ pub struct SweepSummary {
 
 impl SweepSummary {
     fn text(&self, file: Option<&Path>) -> String {
-        let counts = self.statuses.iter().filter(|(_, count)| **count > 0);
-        let counts: Vec<_> = counts
-            .map(|(status, count)| format!("{count} {status}"))
-            .collect();
         let file = file.map_or(String::new(), |file| format!(" in {}", file.display()));
         // "1 drive", "2 drives", "1 of 2 drives"
         let drives = counted(self.rows, "drive");
@@ -261,6 +260,6 @@ impl SweepSummary {
         } else {
             format!("{} of {drives}", self.written)
         };
-        format!("{written}{file}: {}", counts.join(", "))
+        format!("{written}{file}: {}", self.counts)
     }
 }
