@@ -95,19 +95,8 @@ pub fn run(args: &Args) -> Result<Answer> {
         .origin()
         .with_held(&kept, &found.setup)
         .with_stated(&swings_args.title());
-    let designed = Designed {
-        design: &design,
-        setup: &found.setup,
-        best: &found.optima.best,
-        improvements: &improvements,
-        notes: &notes,
-    };
-    let answer = Answer::of(
-        request.is_json,
-        &origin,
-        |warnings| designed.reply(found.reply(warnings)),
-        |system| designed.document(&found.over, system),
-    );
+    let designed = Designed::new(found.report(), &design, &found.setup, &improvements, &notes);
+    let answer = Answer::report(&designed, &origin, request.is_json);
     Ok(answer.found(found.is_found()))
 }
 

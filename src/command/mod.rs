@@ -181,17 +181,17 @@ commands! {
     ///
     /// Finds the parameters that maximize or minimize an outcome: by default, the loft and attack
     /// angle of the longest carry.
-    Optimize(optimize): OptimumReport;
+    Optimize(optimize): OptimizeReport<'_>;
     /// Sensitivity of the optimum, and how flat it is.
     ///
     /// How the optimum depends on every other parameter, and the price of its bounds and
     /// constraints.
-    OptimumSensitivity(optimum_sensitivity): SensitivityReport;
+    OptimumSensitivity(optimum_sensitivity): SensitivityReport<'_>;
     /// Design head and face under the Rules of Golf.
     ///
     /// For swings that vary: the best bulge, roll, loft, inertia or movable weights, with the price
     /// of each rule.
-    Design(design): OptimumReport;
+    Design(design): Designed<'_>;
     /// Fit parameters to measured shots.
     ///
     /// With their uncertainties, and the combinations of parameters that the data do not determine.

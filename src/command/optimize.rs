@@ -5,7 +5,7 @@ use crate::command::output::{Answer, note, warn};
 use crate::command::ranges::DefaultRanges;
 use crate::command::search::write;
 use crate::optimize::Status;
-use crate::report::{OptimumReport, OptimumWindows, OverSwings, optimize_document};
+use crate::report::{OptimizeReport, OptimumWindows, OverSwings};
 use crate::study::{usual_loss, windows};
 use std::sync::atomic::AtomicBool;
 
@@ -49,12 +49,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         windows,
         club_alone: club.as_ref(),
     });
-    let reply = |warnings| {
-        let mut reply = OptimumReport::reply(&optima, &over, around.as_ref(), warnings);
-        reply.body.file = written;
-        reply
-    };
-    let document = |system| optimize_document(&optima, &over, around.as_ref(), system);
-    let answer = Answer::of(request.is_json, &origin, reply, document);
+    let report = OptimizeReport::new(&optima, &over, around, written);
+    let answer = Answer::report(&report, &origin, request.is_json);
     Ok(answer.found(is_converged && optima.stopped() == 0))
 }

@@ -4,7 +4,7 @@ use crate::command::output::{Answer, note, note_error, spinner, warn, with_bar};
 use crate::command::ranges::DefaultRanges;
 use crate::command::search::{allowed_loss, write};
 use crate::parameters::Parameter;
-use crate::report::{Analysis, OverSwings, SensitivityReport, optima_document, optimum_document};
+use crate::report::{Analysis, OptimizeReport, OverSwings, SensitivityReport};
 use crate::study::{
     Change, Optimum, Search, change, flatness, refuse_varied, sensitivities, short_drive,
     usual_loss,
@@ -79,24 +79,12 @@ pub fn run(args: &Args) -> Result<Answer> {
             found => analysis = Some(found?),
         }
     }
-    let reply = |warnings| {
-        let (analysis, reason) = (analysis.as_ref(), reason.as_ref());
-        let mut reply = SensitivityReport::reply(&optima, analysis, reason, warnings);
-        reply.body.optimum.file = written;
-        reply
-    };
-    let document = |system| match &analysis {
-        Some(analysis) => {
-            let mut document = analysis.document(best, system);
-            if optima.has_several_starts() {
-                document.append(optima_document(&optima, system));
-            }
-            document
-        }
-        None => optimum_document(best, &OverSwings::default(), None, system),
-    };
-    let answer = Answer::of(request.is_json, &origin, reply, document);
-    Ok(answer.found(analysis.is_some_and(|analysis| analysis.is_answered())))
+    let analysis = analysis.as_ref();
+    let over = OverSwings::default();
+    let search = OptimizeReport::new(&optima, &over, analysis.map(Analysis::windows), written);
+    let report = SensitivityReport::new(search, analysis, reason.as_ref());
+    let answer = Answer::report(&report, &origin, request.is_json);
+    Ok(answer.found(analysis.is_some_and(Analysis::is_answered)))
 }
 
 /// The requested derivatives and changes.

@@ -103,26 +103,10 @@ impl Answer {
 
     /// The report of a command about a setup, as JSON or as text.
     pub fn report(report: &impl Report, origin: &SetupOrigin, is_json: bool) -> Self {
-        Self::of(
-            is_json,
-            origin,
-            |warnings| Reply::of(report, warnings),
-            |system| report.document(system),
-        )
-    }
-
-    /// An answer about a setup. In JSON, it is `reply` with the warnings; as text, it is
-    /// `document`.
-    pub fn of<T: Serialize>(
-        is_json: bool,
-        origin: &SetupOrigin,
-        reply: impl FnOnce(Vec<Message>) -> Reply<T>,
-        document: impl FnOnce(System) -> Document,
-    ) -> Self {
         if is_json {
-            return Self::json(&reply(warnings()).about(origin));
+            return Self::json(&Reply::of(report, warnings()).about(origin));
         }
-        let mut document = document(system());
+        let mut document = report.document(system());
         origin.put_before(&mut document, system());
         Self::text(text_of(&document))
     }

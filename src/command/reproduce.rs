@@ -1,9 +1,7 @@
 use crate::Result;
 use crate::command::files::{Folder, OutputRule};
-use crate::command::output::{Answer, note, stated_system};
-use crate::report::{
-    Mae494Report, Reply, Report, SetupOrigin, TextFile, WinfieldTanReport, document_files,
-};
+use crate::command::output::{Answer, note, stated_system, text_of, warnings};
+use crate::report::{Mae494Report, Reply, Report, TextFile, WinfieldTanReport, document_files};
 use crate::reproduce::{Mae494, WinfieldTan, mae494, winfield_tan};
 use crate::units::{System, counted};
 use std::path::PathBuf;
@@ -82,12 +80,10 @@ fn answer(
     if let Some(folder) = folder {
         write(folder, report, system)?;
     }
-    Ok(Answer::of(
-        is_json,
-        &SetupOrigin::default(),
-        |warnings| Reply::of(report, warnings),
-        |_| report.document(system),
-    ))
+    Ok(match is_json {
+        true => Answer::json(&Reply::of(report, warnings())),
+        false => Answer::text(text_of(&report.document(system))),
+    })
 }
 
 /// Writes the document of a report with its figures and their data into a folder.

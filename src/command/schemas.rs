@@ -9,7 +9,7 @@ use super::report::ReportFiles;
 use super::sweep::SweepSummary;
 #[cfg(feature = "parquet")]
 use super::sweep::parts::{CheckedParts, WrittenPart};
-use crate::report::{Empty, OptimumReport, Reply, Report, SensitivityReport};
+use crate::report::{Empty, Reply, Report};
 use crate::study::Optimum;
 use schemars::generate::{Contract, SchemaGenerator, SchemaSettings};
 use schemars::transform::{RecursiveTransform, Transform};
@@ -45,10 +45,8 @@ macro_rules! bodies {
 }
 
 bodies! {
-    OptimumReport: Optimum::statuses();
-    SensitivityReport: [&Optimum::statuses()[..], &["no-answer", "undefined"]].concat();
-    ReportFiles<'_>: [&Optimum::statuses()[..], &["done", "aloft"]].concat();
-    PlotFile<'_>: [&Optimum::statuses()[..], &["done"]].concat();
+    ReportFiles<'_>: [&Optimum::STATUSES[..], &["done", "aloft"]].concat();
+    PlotFile<'_>: [&Optimum::STATUSES[..], &["done"]].concat();
     MessageCounts: ["done"];
     SweepSummary: ["done", "no-answer", "interrupted"];
     #[cfg(feature = "parquet")]

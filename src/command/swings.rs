@@ -9,7 +9,7 @@ use crate::command::request::Request;
 use crate::command::search::{options, write};
 use crate::optimize::Status;
 use crate::parameters::Vary;
-use crate::report::{OptimumReport, OverSwings, Reply, computed_text, optimize_document};
+use crate::report::{OptimizeReport, OverSwings, computed_text};
 use crate::study::swings::{
     Correlation, Rule, Scenarios, Strokes, Swings, analyse_over_swings, bootstrap_optimum,
 };
@@ -214,11 +214,8 @@ impl SwingsOptimum {
         self.optima.best.solution.status == Status::Converged && self.optima.stopped() == 0
     }
 
-    /// The answer in JSON.
-    pub fn reply(&self, warnings: Vec<Message>) -> Reply<OptimumReport> {
-        let mut reply = OptimumReport::reply(&self.optima, &self.over, None, warnings);
-        reply.body.file.clone_from(&self.file);
-        reply
+    pub fn report(&self) -> OptimizeReport<'_> {
+        OptimizeReport::new(&self.optima, &self.over, None, self.file.clone())
     }
 }
 
@@ -246,12 +243,7 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     let origin = request
         .origin_of_search(&found.optima.best.search.vary)
         .with_stated(&args.swings.title());
-    let answer = Answer::of(
-        request.is_json,
-        &origin,
-        |warnings| found.reply(warnings),
-        |system| optimize_document(&found.optima, &found.over, None, system),
-    );
+    let answer = Answer::report(&found.report(), &origin, request.is_json);
     Ok(answer.found(found.is_found()))
 }
 

@@ -2,40 +2,68 @@ use super::document::{Detail, Document, DocumentTable, Line};
 use super::json::JsonNumber;
 use super::limits::{change_of, ended_at};
 use super::optimum::{
-    DesignReport, LimitReport, OptimumReport, add_convergence, bound_in_words, ended_line,
+    DesignReport, LimitReport, OptimizeReport, add_convergence, bound_in_words, ended_line,
     varied_table,
 };
-use super::reply::Reply;
+use super::reply::{Ending, Report};
 use super::shown;
-use super::swings::{OverSwings, goals, nominal, notes};
+use super::swings::{goals, nominal, notes};
 use crate::optimize::Status;
 use crate::parameters::Setup;
 use crate::study::Optimum;
 use crate::study::design::{ConstraintState, Design, DesignConstraint, Enforcement, Improvement};
 use crate::units::{System, signed};
+use serde::Serialize;
 
 /// A value is displayed as 0 if it is smaller than this fraction of
 /// `DesignConstraint::reported_change`: it is a rounding error.
 const ROUNDING: f64 = 1e-6;
 
-/// A design with its limits and its changes.
-#[derive(Clone, Copy, Debug)]
+/// An optimum as JSON, SI and radians.
+///
+/// The answer of `design`: the best design, with its limits and its changes.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema), schemars(rename = "OptimumReport"))]
 pub struct Designed<'a> {
-    /// The search with its rules and limits.
-    pub design: &'a Design,
-    /// The setup before the search.
-    pub setup: &'a Setup<f64>,
-    /// The best design.
-    pub best: &'a Optimum,
-    /// The goals before the search and with the best design.
-    pub improvements: &'a [Improvement],
-    /// The assumptions, in sentences.
-    pub notes: &'a [String],
+    #[serde(skip)]
+    design: &'a Design,
+    #[serde(skip)]
+    setup: &'a Setup<f64>,
+    #[serde(skip)]
+    best: &'a Optimum,
+    #[serde(skip)]
+    improvements: &'a [Improvement],
+    #[serde(skip)]
+    notes: &'a [String],
+    /// The optimum, with the limits of the design and its changes.
+    #[serde(flatten)]
+    pub search: OptimizeReport<'a>,
 }
 
-impl Designed<'_> {
-    /// The reply of the command `design`: the reply `search`, with the rules and limits added.
-    pub fn reply(&self, search: Reply<OptimumReport>) -> Reply<OptimumReport> {
+impl<'a> Designed<'a> {
+    /// The best design that `search` found, with the rules and limits of `design`. `setup` is the
+    /// setup before the search; `improvements` are the goals before the search and with the best
+    /// design; `notes` are the assumptions, in sentences.
+    pub fn new(
+        search: OptimizeReport<'a>,
+        design: &'a Design,
+        setup: &'a Setup<f64>,
+        improvements: &'a [Improvement],
+        notes: &'a [String],
+    ) -> Self {
+        let mut designed = Self {
+            design,
+            setup,
+            best: &search.optima.best,
+            improvements,
+            notes,
+            search,
+        };
+        designed.search.optimum.design = Some(designed.limits_and_changes());
+        designed
+    }
+
+    fn limits_and_changes(&self) -> DesignReport {
         let before = self.best.search.vary.iter().map(|vary| {
             (
                 vary.parameter.name,
@@ -43,7 +71,7 @@ impl Designed<'_> {
             )
         });
         let states = self.design.constraint_states(self.best);
-        let design = DesignReport {
+        DesignReport {
             rules: if self.design.is_under_rules {
                 "golf"
             } else {
@@ -53,21 +81,24 @@ impl Designed<'_> {
             as_set_up: before.collect(),
             parts: self.improvements.to_vec(),
             held: states.iter().map(limit_report).collect(),
-        };
-        let body = OptimumReport {
-            design: Some(design),
-            ..search.body
-        };
-        Reply {
-            command: Some("design"),
-            body,
-            ..search
         }
+    }
+}
+
+impl Report for Designed<'_> {
+    const COMMAND: &'static str = "design";
+
+    #[cfg(test)]
+    const STATUSES: &'static [&'static str] = OptimizeReport::STATUSES;
+
+    fn ending(&self) -> Ending {
+        self.search.ending()
     }
 
     /// The design for readers: the values before and after the search, the rules and limits, the
     /// notes, and the convergence.
-    pub fn document(&self, over: &OverSwings, system: System) -> Document {
+    fn document(&self, system: System) -> Document {
+        let over = self.search.over;
         let mut document = Document::default();
         let is_converged = self.best.solution.status == Status::Converged;
         if !is_converged {
@@ -107,7 +138,9 @@ impl Designed<'_> {
         }
         document
     }
+}
 
+impl Designed<'_> {
     /// The varied parameters and the goals, before the search and with the best design.
     fn changes(&self, system: System) -> DocumentTable {
         let solution = &self.best.solution;

@@ -65,9 +65,8 @@ pub use laws::{LawReport, LawsReport};
 pub use lines::{by_reason, remark, wrapped};
 pub use mae494::Mae494Report;
 pub use optimum::{
-    ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimumReport,
-    OptimumWindows, iteration_line, optima_document, optimize_document, optimum_document,
-    optimum_toml,
+    ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimizeReport,
+    OptimumReport, OptimumWindows, iteration_line, optimum_toml,
 };
 pub use origin::SetupOrigin;
 pub use parameters::{ParameterReport, ParametersReport};

@@ -2,17 +2,14 @@ use super::document::{Detail, Document, DocumentTable, Line};
 use super::json::{ByName, JsonNumber};
 use super::lines::by_reason;
 use super::optimum::{
-    OptimumReport, OptimumWindows, add_convergence, add_varied_and_constraints, drive_lines,
-    gain_lines,
+    OptimizeReport, OptimumWindows, add_convergence, add_varied_and_constraints, drive_lines,
+    gain_lines, optima_document, optimum_document,
 };
-use super::reply::{Ending, Reply};
+use super::reply::{Ending, Report};
 use super::shown;
-use super::swings::OverSwings;
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
-use crate::study::{
-    Changed, Direction, Ellipse, Flatness, Optima, Optimum, PredictedEvent, Sensitivity,
-};
+use crate::study::{Changed, Direction, Ellipse, Flatness, Optimum, PredictedEvent, Sensitivity};
 use crate::units::{DisplayUnit, Message, System, printed, significant, with_unit};
 use serde::Serialize;
 
@@ -31,10 +28,14 @@ pub struct Analysis {
 /// These are `null` if the search did not converge.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct SensitivityReport {
+pub struct SensitivityReport<'a> {
+    #[serde(skip)]
+    analysis: Option<&'a Analysis>,
+    #[serde(skip)]
+    why: Option<&'a Error>,
     /// The optimum.
     #[serde(flatten)]
-    pub optimum: OptimumReport,
+    pub search: OptimizeReport<'a>,
     /// The derivatives of the optimum by each parameter.
     pub sensitivity: Option<ByName<SensitivityOf>>,
     /// Directions in the space of the free parameters, in ascending order of the curvature of the
@@ -107,19 +108,15 @@ pub struct ResolvedOptimum {
     pub message: Message,
 }
 
-impl SensitivityReport {
-    /// The answer of `optimum-sensitivity`. `analysis` is `None` if the search or the analysis
-    /// failed; `why` is the error of a failed analysis.
-    pub fn reply(
-        optima: &Optima,
-        analysis: Option<&Analysis>,
-        why: Option<&Error>,
-        warnings: Vec<Message>,
-    ) -> Reply<Self> {
-        let best = &optima.best;
-        let around = analysis.map(Analysis::windows);
-        let optimum =
-            OptimumReport::reply(optima, &OverSwings::default(), around.as_ref(), warnings);
+impl<'a> SensitivityReport<'a> {
+    /// The report of the optimum that `search` found. `analysis` is `None` if the search or the
+    /// analysis failed; `why` is the error of a failed analysis.
+    pub fn new(
+        search: OptimizeReport<'a>,
+        analysis: Option<&'a Analysis>,
+        why: Option<&'a Error>,
+    ) -> Self {
+        let best = &search.optima.best;
         let sensitivity = analysis.map(|analysis| {
             let all = analysis.sensitivities.iter();
             all.map(|(parameter, found)| (parameter.name, SensitivityOf::new(best, found)))
@@ -130,14 +127,38 @@ impl SensitivityReport {
             all.map(|changed| StatedChangeReport::new(best, changed))
                 .collect()
         });
-        let body = Self {
-            optimum: optimum.body,
+        Self {
+            analysis,
+            why,
+            search,
             sensitivity,
             directions: analysis.map(|analysis| analysis.flatness.directions.clone()),
             ellipses: analysis.map(|analysis| analysis.flatness.ellipses.clone()),
             changes,
-        };
-        let ending = match (analysis, why) {
+        }
+    }
+}
+
+impl Report for SensitivityReport<'_> {
+    const COMMAND: &'static str = "optimum-sensitivity";
+
+    /// The status words of a search, and those of its analysis.
+    #[cfg(test)]
+    const STATUSES: &'static [&'static str] = &[
+        "converged",
+        "stalled-at-kink",
+        "stalled",
+        "infeasible",
+        "unbounded",
+        "iteration-limit",
+        "interrupted",
+        "no-flight",
+        "no-answer",
+        "undefined",
+    ];
+
+    fn ending(&self) -> Ending {
+        match (self.analysis, self.why) {
             // the `message` of each sensitivity has the reason
             (Some(analysis), _) if !analysis.is_answered() => Ending {
                 status: "no-answer",
@@ -147,9 +168,21 @@ impl SensitivityReport {
                 status: why.status(),
                 message: Some(why.to_string()),
             },
-            _ => optimum.ending,
+            _ => self.search.ending(),
+        }
+    }
+
+    /// The analysed optimum, or without an analysis the best end of the searches.
+    fn document(&self, system: System) -> Document {
+        let OptimizeReport { optima, over, .. } = self.search;
+        let Some(analysis) = self.analysis else {
+            return optimum_document(&optima.best, over, None, system);
         };
-        Reply::done("optimum-sensitivity", optimum.warnings, body).ended(ending)
+        let mut document = analysis.document(&optima.best, system);
+        if optima.has_several_starts() {
+            document.append(optima_document(optima, system));
+        }
+        document
     }
 }
 
@@ -203,7 +236,8 @@ impl Analysis {
         self.sensitivities.is_empty() || all.any(|(_, sensitivity)| sensitivity.is_ok())
     }
 
-    fn windows(&self) -> OptimumWindows<'_> {
+    /// The windows of the varied parameters, without the gain of the club alone.
+    pub fn windows(&self) -> OptimumWindows<'_> {
         OptimumWindows {
             loss: self.flatness.loss,
             windows: &self.flatness.windows,
@@ -212,7 +246,7 @@ impl Analysis {
     }
 
     /// The optimum with its flatness, the stated changes, and the sensitivities.
-    pub fn document(&self, best: &Optimum, system: System) -> Document {
+    fn document(&self, best: &Optimum, system: System) -> Document {
         let mut document = Document::default();
         if let Some(drive) = &best.drive {
             document.list(gain_lines(best, drive, system));

@@ -93,9 +93,12 @@ pub(super) fn active(
     bounds.chain(limits).collect()
 }
 
+/// The name of [`Status::Undefined`] for a search over drives.
+const NO_FLIGHT: &str = "no-flight";
+
 pub(super) fn status_name(status: Status) -> &'static str {
     match status {
-        Status::Undefined => "no-flight",
+        Status::Undefined => NO_FLIGHT,
         status => status.name(),
     }
 }
@@ -192,10 +195,13 @@ impl LocalOptimum {
 }
 
 impl Optimum {
+    /// The names of all statuses.
     #[cfg(test)]
-    pub(crate) fn statuses() -> Vec<&'static str> {
-        Status::ALL.map(status_name).to_vec()
-    }
+    pub(crate) const STATUSES: [&'static str; Status::ALL.len()] = {
+        let mut names = Status::NAMES;
+        names[Status::Undefined as usize] = NO_FLIGHT;
+        names
+    };
 
     /// Name of the status; `no-flight` if the optimizer reports `undefined`.
     pub fn status(&self) -> &'static str {

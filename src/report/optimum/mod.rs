@@ -1,5 +1,6 @@
 //! The best drive, or the best design over swings: JSON, text, and setup file.
 
+mod answer;
 mod best_drive;
 mod bounds;
 mod report;
@@ -7,13 +8,17 @@ mod setup_file;
 mod text;
 mod windows;
 
+pub use answer::OptimizeReport;
 pub(super) use best_drive::{drive_lines, gain_lines};
 pub(super) use bounds::bound_in_words;
 pub use report::{
     ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimumReport,
 };
 pub use setup_file::optimum_toml;
-pub(super) use text::{add_convergence, add_varied_and_constraints, ended_line, varied_table};
-pub use text::{iteration_line, optima_document, optimize_document, optimum_document};
+pub use text::iteration_line;
+pub(super) use text::{
+    add_convergence, add_varied_and_constraints, ended_line, optima_document, optimum_document,
+    varied_table,
+};
 pub use windows::OptimumWindows;
 pub(super) use windows::window_end;

@@ -2,16 +2,13 @@
 
 use super::super::drive::{LaunchReport, LawRanges, flight, launch, law_range};
 use super::super::json::{ByName, JsonNumber, Settings, settings};
-use super::super::reply::{Ending, Reply};
-use super::super::swings::{OverSwings, StudiesReport};
-use super::windows::OptimumWindows;
+use super::super::swings::StudiesReport;
 use crate::drive::Outcome;
 use crate::optimize::Effort;
 #[cfg(test)]
 use crate::study::Sense;
 use crate::study::design::Improvement;
 use crate::study::{ClubAlone, ConstraintAtEnd, LocalOptimum, Optima, Optimum, Sample, Window};
-use crate::units::Message;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -178,42 +175,6 @@ impl StartReport {
 }
 
 impl OptimumReport {
-    /// The answer of `optimize`. `around` contains the windows of the optimum, and the gain of the
-    /// club alone.
-    pub fn reply(
-        optima: &Optima,
-        over: &OverSwings,
-        around: Option<&OptimumWindows<'_>>,
-        warnings: Vec<Message>,
-    ) -> Reply<Self> {
-        let best = &optima.best;
-        let windows = around.map(|around| {
-            let windows = best.search.vary.iter().zip(around.windows);
-            windows
-                .map(|(vary, window)| (vary.parameter.name, window.clone()))
-                .collect()
-        });
-        let body = Self {
-            optima: (optima.starts > 1).then(|| LocalReport::all(optima)),
-            window: windows,
-            window_loss: around.map(|around| around.loss).into(),
-            club_alone: around.and_then(|around| around.club_alone.cloned()),
-            swings: StudiesReport::new(best, over),
-            ..Self::new(best)
-        };
-        let ending = match optima.interrupted() {
-            None => Ending {
-                status: best.status(),
-                message: Some(best.message().to_string()),
-            },
-            interrupted => Ending {
-                status: "interrupted",
-                message: interrupted,
-            },
-        };
-        Reply::done("optimize", warnings, body).ended(ending)
-    }
-
     /// The report of an optimum.
     pub fn new(optimum: &Optimum) -> Self {
         let (solution, vary) = (&optimum.solution, &optimum.search.vary);

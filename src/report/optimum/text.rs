@@ -12,32 +12,9 @@ use crate::study::swings::Nominal;
 use crate::study::{Optima, Optimum, Sample, Search};
 use crate::units::{DisplayUnit, System, counted, counted_of, fixed, with_unit};
 
-/// The optimum for readers: the varied parameters with the gains of their bounds, the constraints,
-/// and the drive or the goals over the swings. After several starts, the results of all searches
-/// follow.
-pub fn optimize_document(
-    optima: &Optima,
-    over: &OverSwings,
-    around: Option<&OptimumWindows<'_>>,
-    system: System,
-) -> Document {
-    // with one start, `optimum_document` already reports an interruption
-    let several = optima.has_several_starts();
-    let mut document = Document::default();
-    if let Some(stopped) = optima.interrupted().filter(|_| several) {
-        let stopped = format!("interrupted: {stopped}; the best so far:");
-        document.list([Line::flush(stopped)]);
-    }
-    document.append(optimum_document(&optima.best, over, around, system));
-    if several {
-        document.append(optima_document(optima, system));
-    }
-    document
-}
-
 /// One optimum for readers: the result first, the convergence last. If the search did not converge,
 /// its status is first. If the objective has no value, the document has only the status.
-pub fn optimum_document(
+pub(in crate::report) fn optimum_document(
     optimum: &Optimum,
     over: &OverSwings,
     around: Option<&OptimumWindows<'_>>,
@@ -254,7 +231,7 @@ fn sample_line(optimum: &Optimum) -> Option<Line> {
 }
 
 /// The results of the searches as a table, best first, and the number of interrupted searches.
-pub fn optima_document(optima: &Optima, system: System) -> Document {
+pub(in crate::report) fn optima_document(optima: &Optima, system: System) -> Document {
     let search = &optima.best.search;
     let all = optima.starts;
     let names = search.parameters().map(|parameter| parameter.name);
