@@ -3,9 +3,7 @@
 
 use crate::boundary::{Answer, Failure, kind_of, shown, text_of};
 use longdrive::Setup;
-use longdrive::parameters::{
-    GOLFER, Kind, LAW, Law, METHOD, SPEED_OF, SettingText, TABLE, TURF, UNSET,
-};
+use longdrive::parameters::{CHOICES, Kind, LAW, Law, SettingText, TABLE, UNSET};
 use longdrive::units::Quantity;
 use pyo3::exceptions::PyOverflowError;
 use pyo3::prelude::*;
@@ -14,9 +12,6 @@ use std::collections::HashSet;
 
 /// The key that names the preset from which a dict starts, as in a setup file.
 pub const PRESET: &str = "preset";
-
-/// Parameters whose values are names.
-const CHOICES: [&str; 6] = [LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF];
 
 /// Largest depth of nested dicts, because a dict may contain itself. Names such as
 /// `club.inertia.xx` need three levels.

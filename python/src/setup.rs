@@ -7,7 +7,7 @@ use longdrive::atmosphere::in_effect;
 use longdrive::command::refuse_idle;
 use longdrive::integration::{Integration, StepChoice};
 use longdrive::parameters::{
-    DEFAULT_PRESET, GOLFER, LAW, Law, METHOD, Parameter, SPEED_OF, SetupFile, TABLE, TURF,
+    CHOICES, DEFAULT_PRESET, GOLFER, LAW, Law, METHOD, Parameter, SPEED_OF, SetupFile, TABLE, TURF,
     is_of_step, is_of_strike,
 };
 use longdrive::report::{ChangedSetting, changes, given_toml, setup_toml};
@@ -310,39 +310,30 @@ impl PySetup {
 
     fn item<'py>(&self, py: Python<'py>, name: &str) -> Answer<Bound<'py, PyAny>> {
         let setup = &self.setup;
-        let choice = match name {
-            LAW => Some(setup.law.name()),
-            METHOD => Some(setup.method.name()),
-            GOLFER => Some(setup.golfer.name()),
-            SPEED_OF => Some(setup.speed_of.name()),
-            PRESET => Some(self.file.preset.name),
-            TABLE if setup.law.table().is_none() => return Ok(py.None().into_bound(py)),
-            TABLE => setup.law.table().map(|table| table.file.as_str()),
-            _ => None,
+        if name == PRESET {
+            return Ok(self.file.preset.name.into_bound_py_any(py)?);
+        }
+        if name == TURF {
+            let message = format!(
+                "'{TURF}' only chooses the other numbers of the ground, which the setup has: \
+                 setup[\"ground.restitution\"]"
+            );
+            return Err(Failure::Key(message));
+        }
+        if CHOICES.contains(&name) {
+            return Ok(setup.choice(name).into_bound_py_any(py)?);
+        }
+        let row = setup
+            .parameter(name)
+            .map_err(|error| Failure::Key(error.to_string()))?;
+        // the weather, or the wind's speed and direction, determine the value
+        let is_replaced = setup.why_replaced(row).is_some();
+        let value = if is_replaced {
+            in_effect(setup).value(row)
+        } else {
+            setup.value(row)
         };
-        Ok(match choice {
-            Some(choice) => choice.into_bound_py_any(py)?,
-            None if name == TURF => {
-                let message = format!(
-                    "'{TURF}' only chooses the other numbers of the ground, which the setup has: \
-                     setup[\"ground.restitution\"]"
-                );
-                return Err(Failure::Key(message));
-            }
-            None => {
-                let row = setup
-                    .parameter(name)
-                    .map_err(|error| Failure::Key(error.to_string()))?;
-                // the weather, or the wind's speed and direction, determine the value
-                let is_replaced = setup.why_replaced(row).is_some();
-                let value = if is_replaced {
-                    in_effect(setup).value(row)
-                } else {
-                    setup.value(row)
-                };
-                value.into_bound_py_any(py)?
-            }
-        })
+        Ok(value.into_bound_py_any(py)?)
     }
 
     /// The names of the choices and parameters that determine the setup. A parameter that follows
@@ -385,21 +376,13 @@ impl PySetup {
             .map(|table| std::path::absolute(&table.file));
         let table = table.transpose().map_err(PyErr::from)?;
         let choices = [
-            (
-                LAW,
-                own.law.name(),
-                own.law.name() != base.law.name() && table.is_none(),
-            ),
-            (
-                METHOD,
-                own.method.name(),
-                states_step || own.method != base.method,
-            ),
-            (GOLFER, own.golfer.name(), own.golfer != base.golfer),
-            (SPEED_OF, own.speed_of.name(), own.speed_of != base.speed_of),
+            (LAW, own.law.name() != base.law.name() && table.is_none()),
+            (METHOD, states_step || own.method != base.method),
+            (GOLFER, own.golfer != base.golfer),
+            (SPEED_OF, own.speed_of != base.speed_of),
         ];
-        for (name, value, _) in choices.into_iter().filter(|(.., differs)| *differs) {
-            differences.set_item(name, value)?;
+        for (name, _) in choices.into_iter().filter(|(_, differs)| *differs) {
+            differences.set_item(name, own.choice(name))?;
         }
         if let Some(table) = table {
             differences.set_item(TABLE, table.display().to_string())?;
@@ -683,8 +666,8 @@ impl PySetup {
             return false;
         };
         let name = name.to_string_lossy();
-        [LAW, METHOD, GOLFER, SPEED_OF, PRESET, TABLE].contains(&&*name)
-            || self.setup.parameter(&name).is_ok()
+        let is_choice = name == PRESET || name != TURF && CHOICES.contains(&&*name);
+        is_choice || self.setup.parameter(&name).is_ok()
     }
 
     /// The names of the choices and parameters that make the setup, without parameters that other

@@ -40,7 +40,7 @@ pub use law_table::{AxisVariable, LawTable, LawTableAxis, TABLE, TABLE_LAW};
 pub(crate) use law_table::{Cell, CoefficientGrid, Surface, cells_of};
 pub use presets::{DEFAULT_PRESET, PRESETS, Preset, PresetEntry};
 pub use range::Range;
-pub use setup::SettingText;
+pub use setup::{CHOICES, SettingText};
 pub(crate) use setup::{NO_CLUB, refuse_twice};
 pub use steps::is_of_step;
 pub(crate) use table::with_law;

@@ -18,6 +18,9 @@ pub(crate) const NO_CLUB: &str = "no club strikes the ball, since its launch is 
 
 const LISTING: &str = "`parameters()` lists them all";
 
+/// The choices: settings whose values are names. [`Setup::choice`] is the name of each in a setup.
+pub const CHOICES: [&str; 6] = [LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF];
+
 /// The name of a parameter, or of a choice such as the law, and the text of its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SettingText<'a> {
@@ -252,11 +255,31 @@ impl Setup<f64> {
         Err(Error::unknown(
             "parameter",
             name,
-            rows.iter()
-                .map(|row| row.name)
-                .chain([LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF]),
+            rows.iter().map(|row| row.name).chain(CHOICES),
             LISTING,
         ))
+    }
+
+    /// The value of a choice: a name, or the file of a user's own table. `None` if `name` is none
+    /// of the [`CHOICES`], if the law is no table, and if no turf has the numbers of the ground.
+    ///
+    /// ```
+    /// use longdrive::Setup;
+    /// use longdrive::parameters::{METHOD, TABLE};
+    /// let setup = Setup::preset("tour-average").unwrap();
+    /// assert_eq!(setup.choice(METHOD), Some("rk4"));
+    /// assert_eq!(setup.choice(TABLE), None);
+    /// ```
+    pub fn choice(&self, name: &str) -> Option<&'static str> {
+        match name {
+            LAW => Some(self.law.name()),
+            TABLE => self.law.table().map(|table| table.file.as_str()),
+            METHOD => Some(self.method.name()),
+            TURF => self.turf().map(|turf| turf.name),
+            GOLFER => Some(self.golfer.name()),
+            SPEED_OF => Some(self.speed_of.name()),
+            _ => None,
+        }
     }
 
     /// Sets a parameter, or a choice such as the law, by name from a text such as `"10.5 deg"`. A
@@ -563,11 +586,6 @@ impl Setup<f64> {
                 reason,
             })
         };
-        if [LAW, TABLE, GOLFER, SPEED_OF].contains(&name) {
-            return refuse(format!(
-                "it is a choice, not a number; compare two runs with `set {name}=…`"
-            ));
-        }
         if name == TURF {
             return refuse(
                 "it is a choice, not a number; vary ground.compliance, ground.rolling and the like"
@@ -576,6 +594,11 @@ impl Setup<f64> {
         }
         if name == METHOD {
             return refuse("it is a setting of the computation, not of the drive".into());
+        }
+        if CHOICES.contains(&name) {
+            return refuse(format!(
+                "it is a choice, not a number; compare two runs with `set {name}=…`"
+            ));
         }
         let parameter = self.parameter(name)?;
         if parameter.kind == Kind::Setting {

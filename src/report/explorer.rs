@@ -53,22 +53,14 @@ fn changed_choices(
     let is_struck = !setup.launch.is_given();
     let is_other_step = setup.states_step && !base.states_step || setup.method != base.method;
     [
-        (LAW, setup.law.name(), setup.law.name() != base.law.name()),
-        (
-            GOLFER,
-            setup.golfer.name(),
-            is_struck && setup.golfer != base.golfer,
-        ),
-        (
-            SPEED_OF,
-            setup.speed_of.name(),
-            is_struck && setup.speed_of != base.speed_of,
-        ),
-        (METHOD, setup.method.name(), is_other_step),
+        (LAW, setup.law.name() != base.law.name()),
+        (GOLFER, is_struck && setup.golfer != base.golfer),
+        (SPEED_OF, is_struck && setup.speed_of != base.speed_of),
+        (METHOD, is_other_step),
     ]
     .into_iter()
-    .filter(|(.., is_changed)| *is_changed)
-    .map(|(name, own, _)| (name, own.to_owned()))
+    .filter(|(_, is_changed)| *is_changed)
+    .filter_map(|(name, _)| Some((name, setup.choice(name)?.to_owned())))
 }
 
 fn changed_numbers(

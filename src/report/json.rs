@@ -135,23 +135,22 @@ fn choices() -> serde_json::Value {
 /// the direction.
 pub(super) fn settings(setup: &Setup<f64>) -> Settings {
     let setup = &in_effect(setup);
-    let choice = |name: &str| Setting::Choice(name.to_owned());
-    let mut all: Vec<(&'static str, Setting)> = vec![(GOLFER, choice(setup.golfer.name()))];
+    let choice = |name: &'static str| Some((name, Setting::Choice(setup.choice(name)?.to_owned())));
+    let mut all: Vec<(&'static str, Setting)> = Vec::from_iter(choice(GOLFER));
     let mut has_law = false;
     for parameter in setup.parameters() {
         if parameter.law.is_some() && !has_law {
             has_law = true;
-            all.push((LAW, choice(setup.law.name())));
-            let table = setup.law.table();
-            all.extend(table.map(|table| (TABLE, choice(&table.file))));
+            all.extend(choice(LAW));
+            all.extend(choice(TABLE));
         }
         let value = setup.value(parameter).into();
         all.push((parameter.name, Setting::Number(value)));
         if parameter.name == "swing.speed" {
-            all.push((SPEED_OF, choice(setup.speed_of.name())));
+            all.extend(choice(SPEED_OF));
         }
         if parameter.name == "flight.step" {
-            all.push((METHOD, choice(setup.method.name())));
+            all.extend(choice(METHOD));
         }
     }
     Settings(all.into_iter().collect())

@@ -66,7 +66,7 @@ pub use lines::{by_reason, remark, wrapped};
 pub use mae494::Mae494Report;
 pub use optimum::{
     ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimizeReport,
-    OptimumReport, OptimumWindows, iteration_line, optimum_toml,
+    OptimumReport, OptimumWindows, iteration_line, optima_document, optimum_toml,
 };
 pub use origin::SetupOrigin;
 pub use parameters::{ParameterReport, ParametersReport};

@@ -275,15 +275,15 @@ fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
     [
         ChoiceReport {
             choice: METHOD,
-            value: Some(setup.method.name()),
-            default: Some(usual.method.name()),
+            value: setup.choice(METHOD),
+            default: usual.choice(METHOD),
             names: Method::NAMES.to_vec(),
             doc: format!("the methods are {}", methods.collect::<Vec<_>>().join(", ")),
         },
         ChoiceReport {
             choice: GOLFER,
-            value: Some(setup.golfer.name()),
-            default: Some(usual.golfer.name()),
+            value: setup.choice(GOLFER),
+            default: usual.choice(GOLFER),
             names: Golfer::NAMES.to_vec(),
             doc: "right or left, by the hand: swing, strike and club of a left-hander are the \
                   mirror image of a right-hander's"
@@ -291,8 +291,8 @@ fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
         },
         ChoiceReport {
             choice: SPEED_OF,
-            value: Some(setup.speed_of.name()),
-            default: Some(usual.speed_of.name()),
+            value: setup.choice(SPEED_OF),
+            default: usual.choice(SPEED_OF),
             names: SpeedOf::NAMES.to_vec(),
             doc: "centre-of-mass or face-centre, the point of the head whose speed, attack angle \
                   and path the swing states (they differ where swing.closure turns the head)"
@@ -300,13 +300,13 @@ fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
         },
         ChoiceReport {
             choice: TURF,
-            value: setup.turf().map(|turf| turf.name),
-            default: usual.turf().map(|turf| turf.name),
+            value: setup.choice(TURF),
+            default: usual.choice(TURF),
             names: TURFS.iter().map(|turf| turf.name).collect(),
             doc: format!(
                 "sets ground.restitution, ground.friction, ground.compliance and ground.rolling at \
                  once ({} here): {}",
-                setup.turf().map_or("none of them", |turf| turf.name),
+                setup.choice(TURF).unwrap_or("none of them"),
                 turfs.collect::<Vec<_>>().join("; ")
             ),
         },

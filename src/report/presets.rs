@@ -73,19 +73,14 @@ pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> 
         entry.source
     });
     let choices = [
-        SourcedValue::new(LAW, setup.law.name(), law),
-        SourcedValue::new(METHOD, setup.method.name(), method),
-        SourcedValue::new(
-            SPEED_OF,
-            setup.speed_of.name(),
-            "as radars state it, within millimetres",
-        ),
-        SourcedValue::new(
-            GOLFER,
-            setup.golfer.name(),
-            "right-handed, like the golfers of the sources",
-        ),
+        (LAW, law),
+        (METHOD, method),
+        (SPEED_OF, "as radars state it, within millimetres"),
+        (GOLFER, "right-handed, like the golfers of the sources"),
     ];
+    let choices = choices
+        .into_iter()
+        .filter_map(|(name, source)| Some(SourcedValue::new(name, setup.choice(name)?, source)));
     insert_choices(&mut rows, choices);
     rows
 }
@@ -133,11 +128,11 @@ pub(super) fn sources(
         let source = comment(row.name, is_of_file).unwrap_or(source);
         SourcedValue::new(row.name, set(row, value), source)
     };
-    let choice = |name: &'static str, choice_of: fn(&Setup<f64>) -> &'static str| {
-        let own = choice_of(setup);
-        let comment = comment(name, own == choice_of(&file.setup));
-        let source = comment.unwrap_or_else(|| source(name, own == choice_of(&base)));
-        SourcedValue::new(name, own, source)
+    let choice = |name: &'static str| {
+        let own = setup.choice(name)?;
+        let comment = comment(name, file.setup.choice(name) == Some(own));
+        let source = comment.unwrap_or_else(|| source(name, base.choice(name) == Some(own)));
+        Some(SourcedValue::new(name, own, source))
     };
     let mut rows: Vec<_> = setup
         .parameters()
@@ -146,18 +141,8 @@ pub(super) fn sources(
         .filter(|row| setup.why_replaced(row).is_none())
         .map(number)
         .collect();
-    let table_file = |setup: &Setup<f64>| setup.law.table().map(|table| table.file.as_str());
-    let table = table_file(setup).map(|own| {
-        let comment = comment(TABLE, table_file(&file.setup) == Some(own));
-        SourcedValue::new(TABLE, own, comment.unwrap_or_else(|| source(TABLE, false)))
-    });
-    let choices = [
-        choice(LAW, |setup| setup.law.name()),
-        choice(METHOD, |setup| setup.method.name()),
-        choice(SPEED_OF, |setup| setup.speed_of.name()),
-        choice(GOLFER, |setup| setup.golfer.name()),
-    ];
-    insert_choices(&mut rows, table.into_iter().chain(choices));
+    let choices = [TABLE, LAW, METHOD, SPEED_OF, GOLFER];
+    insert_choices(&mut rows, choices.into_iter().filter_map(choice));
     Ok(rows)
 }
 
@@ -245,7 +230,12 @@ fn changed_number(
 }
 
 fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item = ChangedSetting> {
-    let change = |key: &'static str, name: &str, from: &str, to: &str| {
+    let shown = |setup: &Setup<f64>, key: &str| match key {
+        LAW => setup.choice(TABLE).or(setup.choice(LAW)),
+        _ => setup.choice(key),
+    };
+    let change = move |(key, name): (&'static str, &str)| {
+        let (from, to) = (shown(base, key)?, shown(setup, key)?);
         (from != to).then(|| ChangedSetting {
             key,
             name: name.into(),
@@ -253,33 +243,13 @@ fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item 
             to: to.into(),
         })
     };
-    let law = setup
-        .law
-        .table()
-        .map_or(setup.law.name(), |table| table.file.as_str());
-    [
-        change(LAW, "law of drag and lift", base.law.name(), law),
-        change(
-            METHOD,
-            "method of integration",
-            base.method.name(),
-            setup.method.name(),
-        ),
-        change(
-            GOLFER,
-            "hand of the golfer",
-            base.golfer.name(),
-            setup.golfer.name(),
-        ),
-        change(
-            SPEED_OF,
-            "point of the club speed",
-            base.speed_of.name(),
-            setup.speed_of.name(),
-        ),
-    ]
-    .into_iter()
-    .flatten()
+    let names = [
+        (LAW, "law of drag and lift"),
+        (METHOD, "method of integration"),
+        (GOLFER, "hand of the golfer"),
+        (SPEED_OF, "point of the club speed"),
+    ];
+    names.into_iter().filter_map(change)
 }
 
 /// Presets with every number and its source.

@@ -15,10 +15,9 @@ pub use report::{
     ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimumReport,
 };
 pub use setup_file::optimum_toml;
-pub use text::iteration_line;
 pub(super) use text::{
-    add_convergence, add_varied_and_constraints, ended_line, optima_document, optimum_document,
-    varied_table,
+    add_convergence, add_varied_and_constraints, ended_line, optimum_document, varied_table,
 };
+pub use text::{iteration_line, optima_document};
 pub use windows::OptimumWindows;
 pub(super) use windows::window_end;

@@ -231,7 +231,7 @@ fn sample_line(optimum: &Optimum) -> Option<Line> {
 }
 
 /// The results of the searches as a table, best first, and the number of interrupted searches.
-pub(in crate::report) fn optima_document(optima: &Optima, system: System) -> Document {
+pub fn optima_document(optima: &Optima, system: System) -> Document {
     let search = &optima.best.search;
     let all = optima.starts;
     let names = search.parameters().map(|parameter| parameter.name);

@@ -3,7 +3,7 @@ use crate::drive::Outcome;
 use crate::error::Result;
 use crate::json::{JsonNumber, by_name, number};
 use crate::parameters::{
-    Alternatives, GOLFER, Kind, LAW, Parameter, SPEED_OF, Setup, described_differently,
+    Alternatives, GOLFER, Kind, LAW, Parameter, SPEED_OF, Setup, TABLE, described_differently,
 };
 use serde::{Serialize, Serializer};
 
@@ -50,12 +50,8 @@ impl Cause {
     /// for a cause whose value is a number or several numbers.
     pub fn choice_in(self, setup: &Setup<f64>) -> Option<&'static str> {
         match self {
-            Self::Golfer => Some(setup.golfer.name()),
-            Self::SpeedOf => Some(setup.speed_of.name()),
-            Self::Law => {
-                let table = setup.law.table();
-                Some(table.map_or(setup.law.name(), |table| table.file.as_str()))
-            }
+            Self::Golfer | Self::SpeedOf => setup.choice(self.name()),
+            Self::Law => setup.choice(TABLE).or(setup.choice(LAW)),
             Self::Launch if setup.launch.is_given() => Some("given"),
             Self::Launch => Some("struck by a club"),
             Self::Continuous(_) | Self::Discrete(_) | Self::Alternatives(_) => None,
