@@ -245,7 +245,7 @@ fn outcomes(title: &str, group: OutcomeGroup, drive: &Drive<f64>, system: System
             other.unwrap_or_default(),
         ]
     });
-    DocumentTable::new([title, "", ""], rows).right([])
+    DocumentTable::new([title, "", ""], rows)
 }
 
 /// The velocities of ball and head after impact.

@@ -196,7 +196,7 @@ impl ParametersReport {
         let rows = groups
             .into_iter()
             .map(|(group, texts)| vec![group.to_owned(), texts.join(", ")]);
-        let mut table = DocumentTable::new(["group", "parameters and values"], rows).right([]);
+        let mut table = DocumentTable::new(["group", "parameters and values"], rows);
         table.remark(
             "not shown here: the meaning, default and range of each parameter, and the other laws",
         );

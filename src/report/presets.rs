@@ -318,7 +318,7 @@ impl Report for PresetsReport {
             .iter()
             .map(|preset| vec![preset.name.into(), preset.about.into()]);
         let mut document = Document::default();
-        document.add(DocumentTable::new(["preset", ""], rows).right([]));
+        document.add(DocumentTable::new(["preset", ""], rows));
         document.list([Line::item(
             "`presets()` with a name prints one as a setup file, with the source of each number",
         )]);

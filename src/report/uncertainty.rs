@@ -119,8 +119,10 @@ impl Report for UncertaintyReport<'_> {
             document.add(ellipses(found, system));
         }
         let mut distributions = Document::default();
-        distributions
-            .add(DocumentTable::new(["uncertain parameter", "distribution"], inputs).right([]));
+        distributions.add(DocumentTable::new(
+            ["uncertain parameter", "distribution"],
+            inputs,
+        ));
         document.append_detail(distributions, Detail::WithAll);
         document.list([Line::flush(format!(
             "{} ({}, seed {}): {}",

@@ -111,13 +111,16 @@ pub(super) fn estimates(
             "The fit was interrupted: these values are its last point, not a minimum."
         });
     }
-    document.add(DocumentTable::new(
-        ["parameter", "estimate", "standard error", "95 % interval"],
-        found
-            .estimates
-            .iter()
-            .map(|estimate| estimated(estimate, system)),
-    ));
+    document.add(
+        DocumentTable::new(
+            ["parameter", "estimate", "standard error", "95 % interval"],
+            found
+                .estimates
+                .iter()
+                .map(|estimate| estimated(estimate, system)),
+        )
+        .right(1..4),
+    );
     document.paragraph(chi_square(statistics, table.sigma_origin));
     for undetermined in &statistics.undetermined {
         document.paragraph(format!(
@@ -131,7 +134,7 @@ pub(super) fn estimates(
 pub(super) fn residuals(document: &mut Document, found: &Calibration, system: System) {
     let head = ["row", "measured", "computed − measured", "in σ", "what"];
     let rows = found.residuals.iter().map(|residual| row(residual, system));
-    document.add(DocumentTable::new(head, rows));
+    document.add(DocumentTable::new(head, rows).right(0..4));
 }
 
 /// Adds the prediction errors on held-out data to a document, if there are any.
@@ -144,7 +147,7 @@ pub(super) fn held_out(document: &mut Document, held_out: &[(String, HeldOut)], 
     let rows = held_out
         .iter()
         .map(|(name, held)| held_row(name, held, system));
-    document.add(DocumentTable::new(head, rows));
+    document.add(DocumentTable::new(head, rows).right([1]));
 }
 
 /// A value in a unit, rounded at the second significant digit of its standard error. Without a
@@ -325,7 +328,7 @@ pub(super) fn correlations(document: &mut Document, found: &Calibration) {
         let name = format!("{} {}", a + 1, found.estimates[a].parameter.name);
         (0..n).map(|b| cell(a, b)).chain([name]).collect()
     });
-    document.add(DocumentTable::new(head, rows));
+    document.add(DocumentTable::new(head, rows).right(0..n));
 }
 
 fn row(residual: &FitResidual, system: System) -> Vec<String> {

@@ -154,7 +154,7 @@ mod tests {
     fn the_rows_left_out_are_counted_in_words() {
         for (rows, words) in [(11, "1 more row: `all`"), (12, "2 more rows: `all`")] {
             let rows = (0..rows).map(|row| vec![row.to_string()]);
-            let mut table = DocumentTable::new(["row"], rows).right([]);
+            let mut table = DocumentTable::new(["row"], rows);
             table.first_rows = 10;
             let text = table.text(&TextOptions {
                 all: false,
@@ -169,7 +169,7 @@ mod tests {
         let words =
             "a long explanation of what this row is about and what to do with it ".repeat(3);
         let rows = [vec!["x".repeat(40), words.trim().to_owned()]];
-        let table = DocumentTable::new(["name", "meaning"], rows.clone()).right([]);
+        let table = DocumentTable::new(["name", "meaning"], rows.clone());
         let text = table.columns(&rows, WIDTH);
         assert!(widest(&text) <= WIDTH && text.lines().count() > 3, "{text}");
         let kept: Vec<_> = text.split_whitespace().skip(3).collect();

@@ -39,7 +39,7 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: PaperUnits) {
         let slope = shown.per_radian(at.overshot);
         vec![format!("{} s", at.step), slope]
     });
-    document.add(DocumentTable::new(["time step", "loop"], rows));
+    document.add(DocumentTable::new(["time step", "loop"], rows).right(0..2));
     document.paragraph(
         "Longer differences reach over several jumps, but have an error from the curvature \
          instead. The same loft and attack angle, with the original time step:",
@@ -64,17 +64,20 @@ fn add_slopes(document: &mut Document, noise: &Noise, shown: PaperUnits) {
             .into(),
         ]
     });
-    document.add(DocumentTable::new(
-        [
-            "loft",
-            "exact",
-            "exact, at fixed time",
-            "loop",
-            "loop, interpolated",
-            "",
-        ],
-        rows,
-    ));
+    document.add(
+        DocumentTable::new(
+            [
+                "loft",
+                "exact",
+                "exact, at fixed time",
+                "loop",
+                "loop, interpolated",
+                "",
+            ],
+            rows,
+        )
+        .right(0..5),
+    );
 }
 
 /// Adds a table of finite differences with larger steps in the loft.
@@ -87,10 +90,13 @@ fn add_longer_differences(document: &mut Document, noise: &Noise, shown: PaperUn
             shown.per_radian(slopes.smooth),
         ]
     });
-    document.add(DocumentTable::new(
-        ["difference", "loop", "loop, interpolated", "smooth landing"],
-        rows,
-    ));
+    document.add(
+        DocumentTable::new(
+            ["difference", "loop", "loop, interpolated", "smooth landing"],
+            rows,
+        )
+        .right(0..4),
+    );
 }
 
 fn zoomed(zoom: &[Landings]) -> Figure {

@@ -151,7 +151,7 @@ fn add_constraints(document: &mut Document, optimum: &Optimum, system: System) {
             DocumentTable::new(head, rows).right([1, 2])
         }
         (true, false) => DocumentTable::new(["subject to", "value", ""], rows).right([1]),
-        (false, _) => DocumentTable::new(["subject to", ""], rows).right([]),
+        (false, _) => DocumentTable::new(["subject to", ""], rows),
     });
 }
 

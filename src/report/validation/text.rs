@@ -49,7 +49,8 @@ pub(super) fn summary(document: &mut Document, found: &[SetScores], system: Syst
     let mut head = vec!["drives", default, ALTERNATIVE];
     head.extend(own.map(|_| "your table"));
     head.extend(["best", "which is", &quantity]);
-    document.add(DocumentTable::new(head, rows));
+    let numbers = 0..head.len() - 2;
+    document.add(DocumentTable::new(head, rows).right(numbers));
     document.paragraph(reasons(found, default, system));
 }
 
@@ -149,7 +150,8 @@ pub(super) fn one(document: &mut Document, set: &SetScores, system: System) {
         cells.push(law_with_count(set, law));
         cells
     });
-    document.add(DocumentTable::new(head, rows));
+    let numbers = 0..head.len() - 1;
+    document.add(DocumentTable::new(head, rows).right(numbers));
 }
 
 /// The bias and the mean absolute error of a law, for each compared quantity.

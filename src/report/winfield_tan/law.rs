@@ -115,7 +115,7 @@ fn fit(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
         "standard error",
         "coefficient",
     ];
-    document.add(DocumentTable::new(head, rows));
+    document.add(DocumentTable::new(head, rows).right(0..3));
 }
 
 /// Adds drag and lift to a document, by spin ratio and speed.
@@ -150,7 +150,8 @@ fn values(document: &mut Document, found: &WinfieldTan, system: System) {
             .chain(lift)
             .collect()
     });
-    document.add(DocumentTable::new(heads, rows));
+    let numbers = 0..heads.len();
+    document.add(DocumentTable::new(heads, rows).right(numbers));
 }
 
 /// True if the spin is at most the largest spin of the paper's flights.
@@ -190,16 +191,19 @@ pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
         .iter()
         .map(|decay| decay.sum)
         .fold(f64::INFINITY, f64::min);
-    document.add(DocumentTable::new(
-        ["δ, 1/s", "sum of squares", "relative to the smallest"],
-        found.fitted.profile.iter().map(|decay| {
-            vec![
-                format!("{}", decay.rate),
-                format!("{:.1}", decay.sum),
-                format!("{:.2}", decay.sum / least),
-            ]
-        }),
-    ));
+    document.add(
+        DocumentTable::new(
+            ["δ, 1/s", "sum of squares", "relative to the smallest"],
+            found.fitted.profile.iter().map(|decay| {
+                vec![
+                    format!("{}", decay.rate),
+                    format!("{:.1}", decay.sum),
+                    format!("{:.2}", decay.sum / least),
+                ]
+            }),
+        )
+        .right(0..3),
+    );
     let axes = (
         Axis::linear(NamedQuantity::new("spin decay", Quantity::RATE, "1/s")),
         Axis::linear(NamedQuantity::plain("sum of squares")),
