@@ -2,11 +2,10 @@
 //! string with its unit. Errors have a line and a column.
 
 use super::air::is_reset;
-use super::choices::{GOLFER, METHOD, SPEED_OF};
 use super::declare::{Parameter, UNSET};
 use super::law_table::{TABLE, TABLE_LAW};
 use super::presets::{DEFAULT_PRESET, Preset};
-use super::setup::{SettingText, table_with_another_law};
+use super::setup::{CHOICES, SettingText, rank, table_with_another_law};
 use super::table::{LAW, Law, Setup};
 use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
@@ -30,10 +29,13 @@ struct Item<'a> {
 }
 
 impl Item<'_> {
+    /// The text of a string; empty for a value of another type.
+    fn text(&self) -> &str {
+        self.value.as_str().unwrap_or_default()
+    }
+
     fn is_reset(&self) -> bool {
-        self.value
-            .as_str()
-            .is_some_and(|text| is_reset(&self.key, text))
+        is_reset(&self.key, self.text())
     }
 }
 
@@ -112,15 +114,10 @@ impl SetupFile {
         })?;
         let mut items = Vec::new();
         flatten(table.get_ref(), "", &mut items);
-        // sort the items: preset, table, turf and law come first, then the others in the order of
-        // the file, the resets (`none`) last
-        let rank = |key: &str| match key {
-            PRESET => 0,
-            TABLE | TURF => 1,
-            LAW => 2,
-            _ => 3,
-        };
-        items.sort_by_key(|item| (rank(&item.key), item.is_reset(), item.key_at));
+        items.sort_by_key(|item| {
+            let rank = rank(&item.key, item.text());
+            (item.key != PRESET, rank, item.key_at)
+        });
         refuse_duplicate_keys(&items, text, file)?;
 
         let mut setup = Setup::preset(DEFAULT_PRESET)?;
@@ -199,17 +196,15 @@ impl Setup<f64> {
             let name = string(item, "the name of a file in quotes").map_err(at_value)?;
             return self.set_table(&folder.join(name)).map_err(at_value);
         }
-        if item.key == LAW {
+        if CHOICES.contains(&item.key.as_str()) {
             let name = name_in_quotes()?;
-            if matches!(self.law, Law::Table(_)) && name.trim() != TABLE_LAW {
+            let has_table = matches!(self.law, Law::Table(_));
+            if item.key == LAW && has_table && name.trim() != TABLE_LAW {
                 return Err(at_value(table_with_another_law(name)));
             }
-            return self.set_law(name).map_err(at_value);
-        }
-        if matches!(item.key.as_str(), TURF | METHOD | GOLFER | SPEED_OF) {
             let setting = SettingText {
                 name: &item.key,
-                text: name_in_quotes()?,
+                text: name,
                 is_bare: false,
             };
             return self.apply_setting(&setting).map_err(at_value);

@@ -382,29 +382,26 @@ impl Setup<f64> {
     /// # Errors
     /// The errors of [`set`](Self::set).
     pub fn set_each(&mut self, settings: &[SettingText<'_>]) -> Result<()> {
-        let of = |name: &'static str| settings.iter().filter(move |setting| setting.name == name);
-        for table in of(TABLE) {
-            if let Some(law) = of(LAW).find(|law| law.text.trim() != TABLE_LAW) {
-                return Err(table_with_another_law(law.text.trim()));
-            }
-            self.apply_setting(table)?;
+        let is_given = |name: &str| settings.iter().any(|setting| setting.name == name);
+        let is_another_law =
+            |setting: &&SettingText<'_>| setting.name == LAW && setting.text.trim() != TABLE_LAW;
+        if let Some(law) = settings.iter().find(is_another_law)
+            && is_given(TABLE)
+        {
+            return Err(table_with_another_law(law.text.trim()));
         }
-        for setting in of(LAW).chain(of(TURF)) {
+        refuse_idle_turf(is_given)?;
+        let mut settings = settings.to_vec();
+        settings.sort_by_key(|setting| rank(setting.name, setting.text));
+        for setting in &settings {
             self.apply_setting(setting)?;
         }
-        refuse_idle_turf(|known| settings.iter().any(|setting| setting.name == known))?;
-        let rest = settings
+        let given: Vec<&str> = settings
             .iter()
-            .filter(|setting| ![LAW, TABLE, TURF].contains(&setting.name));
-        let (resets, values): (Vec<_>, Vec<_>) =
-            rest.partition(|setting| is_reset(setting.name, setting.text));
-        // resets come last: a parameter can be reset only after the parameter that replaces it is
-        // set
-        for setting in values.iter().chain(&resets) {
-            self.apply_setting(setting)?;
-        }
-        let given = values.iter().map(|setting| setting.name);
-        let given: Vec<&str> = given.filter(|name| self.is_set(name)).collect();
+            .filter(|setting| !is_reset(setting.name, setting.text))
+            .map(|setting| setting.name)
+            .filter(|name| self.is_set(name))
+            .collect();
         self.refuse_replaced(&given)
     }
 
@@ -681,6 +678,19 @@ impl Setup<f64> {
         let mut rows = self.parameters();
         rows.retain(|row| self.variable(row.name).is_ok());
         rows
+    }
+}
+
+/// Place of a setting in the order in which several settings are applied: table, law, turf, values,
+/// resets (`none`). Table and law determine which coefficients exist, and values override those of
+/// the turf. A parameter can be reset only after the parameter that replaces it is set.
+pub(super) fn rank(name: &str, text: &str) -> u8 {
+    match name {
+        TABLE => 0,
+        LAW => 1,
+        TURF => 2,
+        _ if is_reset(name, text) => 4,
+        _ => 3,
     }
 }
 
