@@ -223,11 +223,12 @@ impl Shots {
         columns.is_some_and(|columns| columns.club_name.is_some())
     }
 
-    /// The parameters that only later sections of the table state, complete after the last row.
-    pub(crate) fn later_parameters(&self) -> &[&'static Parameter] {
+    /// The names of the parameters that only later sections of the table state, complete after the
+    /// last row.
+    pub(crate) fn later_parameters(&self) -> Vec<&'static str> {
         match &self.rows {
-            UnreadRows::Table(rows) => &rows.later_parameters,
-            UnreadRows::Objects(..) => &[],
+            UnreadRows::Table(rows) => rows.later_parameters.iter().map(|row| row.name).collect(),
+            UnreadRows::Objects(..) => vec![],
         }
     }
 

@@ -227,7 +227,7 @@ fn write_rows(
             return Ok(WrittenShots {
                 tally,
                 output,
-                of_format: writer.remark(),
+                of_format: writer.remark(shots),
             });
         }
     };

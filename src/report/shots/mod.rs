@@ -72,11 +72,7 @@ impl ShotWriter {
     /// A remark that names the parameters of the rows that the format does not store. Call it after
     /// the last shot.
     pub fn remark(&self, shots: &Shots) -> Option<Message> {
-        let later: Vec<&str> = shots
-            .later_parameters()
-            .iter()
-            .map(|row| row.name)
-            .collect();
+        let later = shots.later_parameters();
         match &self.table {
             ShotFormat::OpenConnect => {
                 let first = shots.other_parameters.iter().map(|row| row.name);

@@ -36,10 +36,6 @@ enum ColumnSource {
 pub struct ShotParquet {
     table: ParquetTable,
     columns: Vec<ColumnSource>,
-    /// Number of parameters that have a column.
-    parameters: usize,
-    /// Parameters that only later sections of the table state; they have no column.
-    without_column: Vec<&'static str>,
     waiting: Vec<Flown>,
     placed: Vec<PlacedGroup>,
     /// Offset of the next row group in the file, bytes.
@@ -113,8 +109,6 @@ impl ShotParquet {
         Ok(Self {
             table,
             columns,
-            parameters: shots.other_parameters.len(),
-            without_column: vec![],
             waiting: vec![],
             placed: vec![],
             at,
@@ -126,14 +120,6 @@ impl ShotParquet {
     /// # Errors
     /// [`Error::Output`](crate::Error::Output) if Parquet does not allow a value of the shots.
     pub fn push(&mut self, flown: Flown) -> Result<Vec<u8>> {
-        if let Some(section) = &flown.section {
-            let of_section = section.columns.other_parameters();
-            for parameter in of_section.iter().skip(self.parameters) {
-                if !self.without_column.contains(&parameter.name) {
-                    self.without_column.push(parameter.name);
-                }
-            }
-        }
         self.waiting.push(flown);
         match self
             .waiting
@@ -161,11 +147,12 @@ impl ShotParquet {
         Ok(bytes)
     }
 
-    /// A remark that names the parameters without a column. It is complete after the last shot.
-    pub fn remark(&self) -> Option<Message> {
+    /// A remark that names the parameters of the rows that have no column. Call it after the last
+    /// shot.
+    pub fn remark(&self, shots: &Shots) -> Option<Message> {
         let what = "parameters of later sections, which have no column in the Parquet file (JSON \
                     lines have them)";
-        columns_remark(what, &self.without_column)
+        columns_remark(what, &shots.later_parameters())
     }
 
     fn group(&mut self) -> Result<Vec<u8>> {
