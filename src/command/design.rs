@@ -94,7 +94,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let origin = request
         .origin()
         .with_held(&kept, &found.setup)
-        .with_stated(&swings_args.title());
+        .with_stated(&swings_args.end_of_title());
     let designed = Designed::new(found.report(), &design, &found.setup, &improvements, &notes);
     let answer = Answer::report(&designed, &origin, request.is_json);
     Ok(answer.found(found.is_found()))

@@ -231,7 +231,7 @@ impl GoalArgs {
         let origin = request.origin_with_held(&self.vary, vary, setup, |request, setup| {
             self.swings.default_ranges(request, setup)
         })?;
-        Ok(origin.with_stated(&self.swings.title()))
+        Ok(origin.with_stated(&self.swings.end_of_title()))
     }
 
     /// The two objectives, parsed by `read`.

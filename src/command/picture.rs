@@ -106,7 +106,7 @@ impl<'a> PlotDestination<'a> {
         })
     }
 
-    /// Sets the setup of the plot. Its advice is a note, or a member of the JSON.
+    /// Sets the setup of the plot. Its advice becomes a note, or a member of the JSON.
     pub fn about(self, origin: SetupOrigin) -> Self {
         Self { origin, ..self }
     }
@@ -178,7 +178,7 @@ pub struct PlotFile<'a> {
     file: String,
     /// Title of the plot.
     title: &'a str,
-    /// Line below the title with the constant parameters; may be empty.
+    /// Line below the title: constant parameters and constraints; may be empty.
     subtitle: &'a str,
     /// Note of the plot.
     note: &'a str,

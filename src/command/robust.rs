@@ -108,7 +108,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         &setup,
         |request, setup| args.swings.default_ranges(request, setup),
     )?;
-    let origin = origin.with_stated(&args.swings.title());
+    let origin = origin.with_stated(&args.swings.end_of_title());
     let answer = Answer::report(&report, &origin, request.is_json);
     Ok(answer.found(is_found))
 }

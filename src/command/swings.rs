@@ -112,9 +112,9 @@ impl SwingsArgs {
             .transpose()
     }
 
-    /// The swings, for the title of an answer: ", swings golfer.csv", or the distributions and
-    /// correlations, each after a comma.
-    pub fn title(&self) -> String {
+    /// The end of the title of an answer: ", swings golfer.csv", or the distributions and
+    /// correlations, each after a comma. Empty without swings.
+    pub fn end_of_title(&self) -> String {
         let file = self.swings.iter();
         let file = file.map(|file| format!(", swings {}", file.display()));
         let texts = self.distribution.iter().chain(&self.correlation);
@@ -242,7 +242,7 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     // states the loft
     let origin = request
         .origin_of_search(&found.optima.best.search.vary)
-        .with_stated(&args.swings.title());
+        .with_stated(&args.swings.end_of_title());
     let answer = Answer::report(&found.report(), &origin, request.is_json);
     Ok(answer.found(found.is_found()))
 }

@@ -207,7 +207,7 @@ impl Outcome {
         }
     }
 
-    /// The value of this outcome; `None` where [`of`](Self::of) has an error.
+    /// The value of this outcome; `None` if [`of`](Self::of) fails.
     pub fn value(self, drive: &Drive<f64>) -> Option<f64> {
         self.of(drive).ok()
     }

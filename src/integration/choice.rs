@@ -19,7 +19,7 @@ pub enum StepChoice {
     /// setup states them ([`Setup::states_step`]), or if no step reaches 1 µm.
     #[default]
     Micrometre,
-    /// Lengths have errors of at most this tolerance, m, also if the setup states its method or
+    /// Lengths have errors of at most this tolerance, m, even if the setup states its method or
     /// step.
     Within(f64),
     /// Method and step of the setup.

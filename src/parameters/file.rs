@@ -50,8 +50,8 @@ pub struct SetupFile {
     pub preset: &'static Preset,
     /// True if the file names its preset.
     pub names_preset: bool,
-    /// Parameters that the file gives, in the order of the file. A turf gives the numbers of the
-    /// ground.
+    /// Parameters that the file gives, in the order of the file. A turf counts as the parameters of
+    /// the ground that it sets.
     pub given: Vec<&'static Parameter>,
     /// Comments after the values, by the dotted names of parameters and choices. A setup file that
     /// is written again repeats the comment of each unchanged value.

@@ -18,7 +18,8 @@ pub(crate) const NO_CLUB: &str = "no club strikes the ball, since its launch is 
 
 const LISTING: &str = "`parameters()` lists them all";
 
-/// The choices: settings whose values are names. [`Setup::choice`] is the name of each in a setup.
+/// The choices: settings whose values are names of laws, files, methods, turfs and the like, and no
+/// numbers. [`Setup::choice`] gives their values.
 pub const CHOICES: [&str; 6] = [LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF];
 
 /// The name of a parameter, or of a choice such as the law, and the text of its value.
@@ -260,8 +261,9 @@ impl Setup<f64> {
         ))
     }
 
-    /// The value of a choice: a name, or the file of a user's own table. `None` if `name` is none
-    /// of the [`CHOICES`], if the law is no table, and if no turf has the numbers of the ground.
+    /// The value of a choice: a name, or the file of a user's own table. `None` if `name` is not one
+    /// of the [`CHOICES`], for [`TABLE`] if the law is no table, and for [`TURF`] if no turf has the
+    /// numbers of the ground.
     ///
     /// ```
     /// use longdrive::Setup;
@@ -353,7 +355,7 @@ impl Setup<f64> {
     /// Applies table, law and turf first, then the numbers in order, and the resets (`none`) last.
     ///
     /// # Errors
-    /// The errors of [`set`](Self::set).
+    /// The errors of [`set`](Self::set). The setup is then unchanged.
     pub fn set_all<'a>(
         &mut self,
         settings: impl IntoIterator<Item = (&'a str, &'a str)> + Clone,
@@ -380,8 +382,15 @@ impl Setup<f64> {
     /// ```
     ///
     /// # Errors
-    /// The errors of [`set`](Self::set).
+    /// The errors of [`set`](Self::set). The setup is then unchanged.
     pub fn set_each(&mut self, settings: &[SettingText<'_>]) -> Result<()> {
+        let mut changed = *self;
+        changed.apply_each(settings)?;
+        *self = changed;
+        Ok(())
+    }
+
+    fn apply_each(&mut self, settings: &[SettingText<'_>]) -> Result<()> {
         let is_given = |name: &str| settings.iter().any(|setting| setting.name == name);
         let is_another_law =
             |setting: &&SettingText<'_>| setting.name == LAW && setting.text.trim() != TABLE_LAW;

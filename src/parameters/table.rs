@@ -19,7 +19,7 @@ parameter_groups! {
         speed: T = "swing.speed", "V", SPEED in "mph", Range::above_to(0.0, 1000.0),
             "110 mph", "a fast amateur's swing, and the speed Winfield & Tan (1994) optimize at";
         /// Attack angle: the velocity's angle above horizontal (Winfield & Tan's swing elevation).
-        /// The head is pitched with it: it adds to the loft.
+        /// The head pitches with it, so it adds to the loft.
         attack_angle: T = "swing.attack_angle", "ε", ANGLE in "deg", Range::within_degrees(90.0),
             "-0.9 deg", "TrackMan, PGA TOUR averages 2023, driver";
         /// Horizontal direction of the velocity, + outwards: to the right, or to the left for a

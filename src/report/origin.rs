@@ -9,7 +9,7 @@ use crate::units::System;
 /// `from`.
 #[derive(Clone, Debug, Default)]
 pub struct SetupOrigin {
-    /// The preset or file, followed by the settings of the request: "tour-average,
+    /// The preset or file, followed by the settings and swings of the request: "tour-average,
     /// swing.speed=95mph". Empty if the answer itself names its setups.
     pub title: String,
     /// False if the request does not name the setup, as with a setup from standard input.
@@ -32,7 +32,7 @@ impl SetupOrigin {
         Self { held, ..self }
     }
 
-    /// Appends what else the request states, such as its swings, to the title.
+    /// Appends a text about more that the request states, such as its swings, to the title.
     #[must_use]
     pub fn with_stated(self, stated: &str) -> Self {
         let title = self.title + stated;

@@ -25,8 +25,7 @@ pub struct ParametersReport {
     /// True if the setup states `flight.method` or `flight.step`. Otherwise a command that computes
     /// many drives chooses method and step.
     pub states_step: bool,
-    /// Only parameters and choices with this word in their names or meanings are listed; `None`
-    /// lists all.
+    /// The word that selects by name or, if no name has it, by meaning; `None` lists all.
     #[serde(skip)]
     word: Option<String>,
 }

@@ -48,9 +48,9 @@ pub fn setup_toml(
     Ok(toml(setup, file.preset, about, &rows, is_of_preset))
 }
 
-/// Writes a setup as a setup file in TOML that gives the parameters in `file.given`, and those whose
-/// values differ from the preset's. The other values are comments, so that reading the text gives
-/// the same setup, and no parameter that only the preset has.
+/// Writes a setup as a setup file in TOML. Values that equal those of the preset, and that are not
+/// in `file.given`, are comments. So reading the text gives the same setup, and the parameters that
+/// are given.
 ///
 /// ```
 /// use longdrive::{parameters::SetupFile, report::given_toml};

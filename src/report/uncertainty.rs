@@ -119,10 +119,8 @@ impl Report for UncertaintyReport<'_> {
             document.add(ellipses(found, system));
         }
         let mut distributions = Document::default();
-        distributions.add(DocumentTable::new(
-            ["uncertain parameter", "distribution"],
-            inputs,
-        ));
+        let head = ["uncertain parameter", "distribution"];
+        distributions.add(DocumentTable::new(head, inputs));
         document.append_detail(distributions, Detail::WithAll);
         document.list([Line::flush(format!(
             "{} ({}, seed {}): {}",

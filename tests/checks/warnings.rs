@@ -774,7 +774,7 @@ fn a_flat_landing_has_a_warning_with_the_total_and_at_an_optimum() {
     ));
 }
 
-/// The drive before the search lands on a slope that falls half as steeply as the ball.
+/// Only a picture of a total depends on how flat the ball lands.
 #[test]
 fn pictures_of_a_total_warn_of_a_flat_landing_and_others_do_not() {
     let folder = tempfile::tempdir().unwrap();
@@ -803,6 +803,7 @@ fn pictures_of_a_total_warn_of_a_flat_landing_and_others_do_not() {
     }
 }
 
+/// The drive before the search lands on a slope that falls half as steeply as the ball.
 #[test]
 fn a_flat_landing_of_the_compared_drive_is_on_its_own_ground() {
     let setup = Setup::default();

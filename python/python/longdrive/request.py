@@ -110,7 +110,7 @@ class Request:
         if _takes_table(option):
             return self._table(name, given)
         if option.value.startswith("SETUP"):
-            # a dict is a change of the first setup
+            # a dict without a preset changes the first setup
             text, is_file = self._setup_of(given, self.setup).setup._for_command()
             if not is_file:
                 return text

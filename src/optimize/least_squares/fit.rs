@@ -126,7 +126,7 @@ impl FitObserver {
 ///
 /// # Errors
 /// [`Error::Optimizer`] if the start, the tolerance or the loss is invalid, if the domain has
-/// constraints, or if the first residuals are none or their Jacobian has another shape.
+/// constraints, or if at the start there are no residuals or the Jacobian has a wrong shape.
 pub fn fit(
     residuals: &impl Fn(&[f64]) -> Result<Rows, String>,
     domain: &Domain,
@@ -175,12 +175,12 @@ pub fn fit_observed(
         let rows = residuals(&x)?;
         GaussNewtonPoint::new(x, rows, options.loss)
     };
-    let first = residuals(&start);
-    if let Ok(rows) = &first {
+    let rows = residuals(&start);
+    if let Ok(rows) = &rows {
         rows.check_shape(start.len()).map_err(Error::Optimizer)?;
     }
-    let first = first.and_then(|rows| GaussNewtonPoint::new(start.clone(), rows, options.loss));
-    let at = match first {
+    let at = rows.and_then(|rows| GaussNewtonPoint::new(start.clone(), rows, options.loss));
+    let at = match at {
         Ok(at) => at,
         Err(why) => {
             let undefined = (!observer.is_interrupted()).then_some(why);
@@ -450,7 +450,9 @@ impl FitState {
                          of its value at most, which is less than its rounding error"
                     )
                 }
-                false => "no step lowers the minimized sum by more than rounding".into(),
+                false => {
+                    "the next step changes the minimized sum by less than its rounding error".into()
+                }
             };
             return SearchVerdict {
                 status: FitStatus::Converged,

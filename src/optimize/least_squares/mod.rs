@@ -42,8 +42,8 @@ pub struct Rows {
 }
 
 impl Rows {
-    /// Returns the reason if there is no residual, or if the Jacobian does not have a row for each
-    /// residual with a derivative by each of the `n` variables.
+    /// Checks that there are residuals, and that the Jacobian has a row for each residual and `n`
+    /// columns. The error is the reason.
     fn check_shape(&self, n: usize) -> Result<(), String> {
         let m = self.residuals.len();
         if m == 0 {

@@ -111,16 +111,12 @@ pub(super) fn estimates(
             "The fit was interrupted: these values are its last point, not a minimum."
         });
     }
-    document.add(
-        DocumentTable::new(
-            ["parameter", "estimate", "standard error", "95 % interval"],
-            found
-                .estimates
-                .iter()
-                .map(|estimate| estimated(estimate, system)),
-        )
-        .right(1..4),
-    );
+    let head = ["parameter", "estimate", "standard error", "95 % interval"];
+    let rows = found
+        .estimates
+        .iter()
+        .map(|estimate| estimated(estimate, system));
+    document.add(DocumentTable::new(head, rows).right(1..4));
     document.paragraph(chi_square(statistics, table.sigma_origin));
     for undetermined in &statistics.undetermined {
         document.paragraph(format!(

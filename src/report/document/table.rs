@@ -35,7 +35,7 @@ impl DocumentTable {
         }
     }
 
-    /// Right-aligns these columns: those of numbers.
+    /// Right-aligns these columns, as columns of numbers are.
     #[must_use]
     pub fn right(mut self, columns: impl IntoIterator<Item = usize>) -> Self {
         for column in columns {

@@ -64,20 +64,18 @@ fn add_slopes(document: &mut Document, noise: &Noise, shown: PaperUnits) {
             .into(),
         ]
     });
-    document.add(
-        DocumentTable::new(
-            [
-                "loft",
-                "exact",
-                "exact, at fixed time",
-                "loop",
-                "loop, interpolated",
-                "",
-            ],
-            rows,
-        )
-        .right(0..5),
+    let table = DocumentTable::new(
+        [
+            "loft",
+            "exact",
+            "exact, at fixed time",
+            "loop",
+            "loop, interpolated",
+            "",
+        ],
+        rows,
     );
+    document.add(table.right(0..5));
 }
 
 /// Adds a table of finite differences with larger steps in the loft.
@@ -90,13 +88,11 @@ fn add_longer_differences(document: &mut Document, noise: &Noise, shown: PaperUn
             shown.per_radian(slopes.smooth),
         ]
     });
-    document.add(
-        DocumentTable::new(
-            ["difference", "loop", "loop, interpolated", "smooth landing"],
-            rows,
-        )
-        .right(0..4),
+    let table = DocumentTable::new(
+        ["difference", "loop", "loop, interpolated", "smooth landing"],
+        rows,
     );
+    document.add(table.right(0..4));
 }
 
 fn zoomed(zoom: &[Landings]) -> Figure {

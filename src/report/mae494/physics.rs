@@ -49,23 +49,21 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: PaperUn
             what.into(),
         ]
     };
-    document.add(
-        DocumentTable::new(
-            ["ball speed", "launch angle", "backspin", "carry", ""],
-            [
-                row("the optimum of the whole", &parts.whole),
-                row(
-                    "the optimum of the flight alone at that ball speed",
-                    &parts.flight,
-                ),
-                row(
-                    "the optimum of the flight alone at the greatest ball speed",
-                    &found.energy.farthest,
-                ),
-            ],
-        )
-        .right(0..4),
+    let table = DocumentTable::new(
+        ["ball speed", "launch angle", "backspin", "carry", ""],
+        [
+            row("the optimum of the whole", &parts.whole),
+            row(
+                "the optimum of the flight alone at that ball speed",
+                &parts.flight,
+            ),
+            row(
+                "the optimum of the flight alone at the greatest ball speed",
+                &found.energy.farthest,
+            ),
+        ],
     );
+    document.add(table.right(0..4));
     document.paragraph(optima_of_subsystems(found, shown));
     document.paragraph(format!(
         "At the optimum of the whole: the change of carry in {} for one degree, through each part \
@@ -113,19 +111,17 @@ fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: PaperUnit
         ("loft", parts.by_loft),
         ("attack angle", parts.by_attack_angle),
     ];
-    document.add(
-        DocumentTable::new(
-            [
-                "ball speed",
-                "launch angle",
-                "backspin",
-                "total",
-                "by one degree of",
-            ],
-            rows.map(|(name, parts)| through(parts).into_iter().chain([name.into()]).collect()),
-        )
-        .right(0..4),
+    let table = DocumentTable::new(
+        [
+            "ball speed",
+            "launch angle",
+            "backspin",
+            "total",
+            "by one degree of",
+        ],
+        rows.map(|(name, parts)| through(parts).into_iter().chain([name.into()]).collect()),
     );
+    document.add(table.right(0..4));
 }
 
 pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: PaperUnits) {
@@ -151,13 +147,11 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: PaperUn
             parameter.name.into(),
         ]
     });
-    document.add(
-        DocumentTable::new(
-            ["best carry", "best loft", "value", "one per cent more of"],
-            rows,
-        )
-        .right(0..3),
+    let table = DocumentTable::new(
+        ["best carry", "best loft", "value", "one per cent more of"],
+        rows,
     );
+    document.add(table.right(0..3));
     document.paragraph(
         "The report says that the shape of the head has a large effect through the inertia dyadic; \
          in a strike on the sweet spot only the moment about \
@@ -177,19 +171,17 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: PaperUn
             format!("{} {:+.0} %", changed.parameter.name, 100.0 * part),
         ]
     });
-    document.add(
-        DocumentTable::new(
-            [
-                "carry predicted",
-                "carry",
-                "loft predicted",
-                "loft",
-                "change",
-            ],
-            rows,
-        )
-        .right(0..4),
+    let table = DocumentTable::new(
+        [
+            "carry predicted",
+            "carry",
+            "loft predicted",
+            "loft",
+            "change",
+        ],
+        rows,
     );
+    document.add(table.right(0..4));
 }
 
 /// A change with four decimals and its sign.

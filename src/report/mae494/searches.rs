@@ -50,20 +50,18 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: PaperUnit
             method(searches.method).into(),
         ]
     });
-    document.add(
-        DocumentTable::new(
-            [
-                "found",
-                "median miss",
-                "worst miss",
-                "flights each",
-                "landing",
-                "method",
-            ],
-            rows,
-        )
-        .right(0..4),
+    let table = DocumentTable::new(
+        [
+            "found",
+            "median miss",
+            "worst miss",
+            "flights each",
+            "landing",
+            "method",
+        ],
+        rows,
     );
+    document.add(table.right(0..4));
     document.figure(ends(&found.noise.searches, &best));
 }
 

@@ -69,32 +69,28 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: PaperUnits)
         ]
     };
     document.paragraph("Table 1: the best loft at each attack angle.");
-    document.add(
-        DocumentTable::new(
-            head("attack angle", "loft printed", "exact best loft"),
-            found
-                .table1
-                .iter()
-                .map(|r| row(r, r.printed.attack_angle, r.printed.loft, r.exact().loft)),
-        )
-        .right(0..7),
+    let table = DocumentTable::new(
+        head("attack angle", "loft printed", "exact best loft"),
+        found
+            .table1
+            .iter()
+            .map(|r| row(r, r.printed.attack_angle, r.printed.loft, r.exact().loft)),
     );
+    document.add(table.right(0..7));
     document.figure(best_lofts(&found.table1));
     document.paragraph("Table 2: the best attack angle at each loft.");
-    document.add(
-        DocumentTable::new(
-            head("loft", "attack angle printed", "exact best attack angle"),
-            found.table2.iter().map(|r| {
-                row(
-                    r,
-                    r.printed.loft,
-                    r.printed.attack_angle,
-                    r.exact().attack_angle,
-                )
-            }),
-        )
-        .right(0..7),
+    let table = DocumentTable::new(
+        head("loft", "attack angle printed", "exact best attack angle"),
+        found.table2.iter().map(|r| {
+            row(
+                r,
+                r.printed.loft,
+                r.printed.attack_angle,
+                r.exact().attack_angle,
+            )
+        }),
     );
+    document.add(table.right(0..7));
 }
 
 fn best_lofts(rows: &[RecomputedOptimum]) -> Figure {

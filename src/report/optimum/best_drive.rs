@@ -54,18 +54,11 @@ pub(in crate::report) fn gain_lines(
         total_uncertainty().in_units(system)
     );
     let falls = |of: Outcome| change(of).is_some_and(|change| change < 0.0);
-    // the search for the longest total would compare totals that are not known
-    let are_known = [start, Some(drive)]
-        .into_iter()
-        .flatten()
-        .all(|drive| drive.flat_landing_warning(&optimum.setup).is_none());
-    let advice = match objective {
-        Outcome::Carry if are_known && !falls(Outcome::Carry) && falls(Outcome::Total) => {
-            "the carry grows and the total falls: `maximize total` finds the longest total"
-        }
-        _ => "",
-    };
-    let advice = (!advice.is_empty()).then(|| Line::flush(advice));
+    let grows_and_falls = !falls(Outcome::Carry) && falls(Outcome::Total);
+    let is_advised = objective == Outcome::Carry && grows_and_falls && totals_are_known(optimum);
+    let advice = is_advised.then(|| {
+        Line::flush("the carry grows and the total falls: `maximize total` finds the longest total")
+    });
     let beyond = extrapolated(&optimum.setup, drive, system).map(Line::flush);
     [Line::flush(text)]
         .into_iter()
@@ -73,6 +66,18 @@ pub(in crate::report) fn gain_lines(
         .chain(beyond)
         .chain(advice)
         .collect()
+}
+
+/// False if the drive as set up or the best drive lands flatter than any measured bounce.
+fn totals_are_known(optimum: &Optimum) -> bool {
+    let drives = [
+        (&optimum.drive_as_set_up, &optimum.set_up),
+        (&optimum.drive, &optimum.setup),
+    ];
+    drives.into_iter().all(|(drive, setup)| {
+        let drive = drive.as_ref();
+        drive.is_none_or(|drive| drive.flat_landing_warning(setup).is_none())
+    })
 }
 
 /// A line with the constraints that the drive as set up violates; `None` if it meets all.

@@ -191,19 +191,17 @@ pub(super) fn decay(document: &mut Document, found: &WinfieldTan) {
         .iter()
         .map(|decay| decay.sum)
         .fold(f64::INFINITY, f64::min);
-    document.add(
-        DocumentTable::new(
-            ["δ, 1/s", "sum of squares", "relative to the smallest"],
-            found.fitted.profile.iter().map(|decay| {
-                vec![
-                    format!("{}", decay.rate),
-                    format!("{:.1}", decay.sum),
-                    format!("{:.2}", decay.sum / least),
-                ]
-            }),
-        )
-        .right(0..3),
+    let table = DocumentTable::new(
+        ["δ, 1/s", "sum of squares", "relative to the smallest"],
+        found.fitted.profile.iter().map(|decay| {
+            vec![
+                format!("{}", decay.rate),
+                format!("{:.1}", decay.sum),
+                format!("{:.2}", decay.sum / least),
+            ]
+        }),
     );
+    document.add(table.right(0..3));
     let axes = (
         Axis::linear(NamedQuantity::new("spin decay", Quantity::RATE, "1/s")),
         Axis::linear(NamedQuantity::plain("sum of squares")),

@@ -29,33 +29,31 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: PaperUni
         quantity: Quantity::TIME,
         unit: "s",
     };
-    document.add(
-        DocumentTable::new(
-            ["printed", "computed", "difference", "what"],
-            [
-                row("ball upwards", SPEED, ours.up, theirs.up),
-                row("ball downrange", SPEED, ours.downrange, theirs.downrange),
-                row("backspin", rate, ours.backspin, theirs.backspin),
-                row(
-                    "club downrange after impact",
-                    SPEED,
-                    ours.club_after,
-                    theirs.club_after,
-                ),
-                row(
-                    "launch angle",
-                    ANGLE,
-                    ours.launch_angle,
-                    theirs.launch_angle,
-                ),
-                row("carry", LENGTH, ours.carry, theirs.carry),
-                row("flight time", time, ours.flight_time, theirs.flight_time),
-                row("apex", LENGTH, ours.apex_height, theirs.apex_height),
-                row("time of the apex", time, ours.apex_time, theirs.apex_time),
-            ],
-        )
-        .right(0..3),
+    let table = DocumentTable::new(
+        ["printed", "computed", "difference", "what"],
+        [
+            row("ball upwards", SPEED, ours.up, theirs.up),
+            row("ball downrange", SPEED, ours.downrange, theirs.downrange),
+            row("backspin", rate, ours.backspin, theirs.backspin),
+            row(
+                "club downrange after impact",
+                SPEED,
+                ours.club_after,
+                theirs.club_after,
+            ),
+            row(
+                "launch angle",
+                ANGLE,
+                ours.launch_angle,
+                theirs.launch_angle,
+            ),
+            row("carry", LENGTH, ours.carry, theirs.carry),
+            row("flight time", time, ours.flight_time, theirs.flight_time),
+            row("apex", LENGTH, ours.apex_height, theirs.apex_height),
+            row("time of the apex", time, ours.apex_time, theirs.apex_time),
+        ],
     );
+    document.add(table.right(0..3));
     document.paragraph(format!(
         "The printed launch angle is a misprint: the printed components of the ball's velocity \
          give {}. The robot Iron Byron, with the same \
@@ -78,32 +76,30 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Paper
         )
     };
     document.heading("The optimum");
-    document.add(
-        DocumentTable::new(
-            ["loft", "attack angle", "carry", ""],
-            [
-                vec![
-                    shown.degrees(printed.loft),
-                    shown.degrees(printed.attack_angle),
-                    shown.printed(LENGTH, printed.carry),
-                    "printed".into(),
-                ],
-                vec![
-                    shown.degrees(printed.loft),
-                    shown.degrees(printed.attack_angle),
-                    at_printed,
-                    "printed delivery, computed".into(),
-                ],
-                vec![
-                    shown.degrees(computed.loft),
-                    shown.degrees(computed.attack_angle),
-                    shown.length(computed.carry),
-                    "exact".into(),
-                ],
+    let table = DocumentTable::new(
+        ["loft", "attack angle", "carry", ""],
+        [
+            vec![
+                shown.degrees(printed.loft),
+                shown.degrees(printed.attack_angle),
+                shown.printed(LENGTH, printed.carry),
+                "printed".into(),
             ],
-        )
-        .right(0..3),
+            vec![
+                shown.degrees(printed.loft),
+                shown.degrees(printed.attack_angle),
+                at_printed,
+                "printed delivery, computed".into(),
+            ],
+            vec![
+                shown.degrees(computed.loft),
+                shown.degrees(computed.attack_angle),
+                shown.length(computed.carry),
+                "exact".into(),
+            ],
+        ],
     );
+    document.add(table.right(0..3));
     document.paragraph(format!(
         "The optimum lies on a ridge: as the attack angle rises, the best loft falls, and carry \
          hardly changes. The printed delivery \
@@ -111,21 +107,19 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Paper
          has little meaning. Along the ridge:",
         less(found.optimum.cost())
     ));
-    document.add(
-        DocumentTable::new(
-            ["attack angle", "best loft", "carry", "loss"],
-            found.ridge.iter().map(|point| {
-                let loss = less((computed.carry - point.carry).max(0.0));
-                vec![
-                    shown.degrees(point.attack_angle),
-                    shown.degrees(point.loft),
-                    shown.length(point.carry),
-                    loss,
-                ]
-            }),
-        )
-        .right(0..4),
+    let table = DocumentTable::new(
+        ["attack angle", "best loft", "carry", "loss"],
+        found.ridge.iter().map(|point| {
+            let loss = less((computed.carry - point.carry).max(0.0));
+            vec![
+                shown.degrees(point.attack_angle),
+                shown.degrees(point.loft),
+                shown.length(point.carry),
+                loss,
+            ]
+        }),
     );
+    document.add(table.right(0..4));
 }
 
 pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
@@ -155,35 +149,31 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: PaperU
         shown.length_unit(),
     ));
     document.paragraph("Table 1: the best attack angle at each loft.");
-    document.add(
-        DocumentTable::new(
-            [
-                "loft",
-                "attack printed",
-                "attack",
-                "carry printed",
-                "carry",
-                "difference",
-            ],
-            found.table1.iter().map(|row| line(row, true, shown)),
-        )
-        .right(0..6),
+    let table = DocumentTable::new(
+        [
+            "loft",
+            "attack printed",
+            "attack",
+            "carry printed",
+            "carry",
+            "difference",
+        ],
+        found.table1.iter().map(|row| line(row, true, shown)),
     );
+    document.add(table.right(0..6));
     document.paragraph("Table 2: the best loft at each attack angle.");
-    document.add(
-        DocumentTable::new(
-            [
-                "attack angle",
-                "loft printed",
-                "loft",
-                "carry printed",
-                "carry",
-                "difference",
-            ],
-            found.table2.iter().map(|row| line(row, false, shown)),
-        )
-        .right(0..6),
+    let table = DocumentTable::new(
+        [
+            "attack angle",
+            "loft printed",
+            "loft",
+            "carry printed",
+            "carry",
+            "difference",
+        ],
+        found.table2.iter().map(|row| line(row, false, shown)),
     );
+    document.add(table.right(0..6));
     let slips = MISPRINTS.map(|(table, row, scanned, taken)| {
         format!("Table {table} at {row}° prints {scanned}; {taken} is used instead")
     });
@@ -265,39 +255,35 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Paper
     let mean = &found.average;
     document.heading("The average over attack angles");
     document.paragraph("Carry averaged over attack angles of 0, 1 … 10°, at each loft.");
-    document.add(
-        DocumentTable::new(
-            ["loft", "average carry"],
-            mean.rows.iter().map(|row| {
-                vec![
-                    format!("{:.0}°", row.loft.to_degrees()),
-                    shown.length(row.carry),
-                ]
-            }),
-        )
-        .right(0..2),
+    let table = DocumentTable::new(
+        ["loft", "average carry"],
+        mean.rows.iter().map(|row| {
+            vec![
+                format!("{:.0}°", row.loft.to_degrees()),
+                shown.length(row.carry),
+            ]
+        }),
     );
+    document.add(table.right(0..2));
     let row =
         |loft: f64, carry: String, what: &str| vec![shown.degrees(loft), carry, what.to_owned()];
     let computed = |best: LoftCarry, what: &str| row(best.loft, shown.length(best.carry), what);
-    document.add(
-        DocumentTable::new(
-            ["best loft", "average carry", "how"],
-            [
-                row(
-                    mean.printed.loft,
-                    shown.printed(LENGTH, mean.printed.carry),
-                    "printed: maximum of a polynomial of fifth order",
-                ),
-                computed(
-                    mean.by_polynomial,
-                    "maximum of the polynomial of fifth order through these rows",
-                ),
-                computed(mean.best, "exact optimum of the average, no polynomial"),
-            ],
-        )
-        .right(0..2),
+    let table = DocumentTable::new(
+        ["best loft", "average carry", "how"],
+        [
+            row(
+                mean.printed.loft,
+                shown.printed(LENGTH, mean.printed.carry),
+                "printed: maximum of a polynomial of fifth order",
+            ),
+            computed(
+                mean.by_polynomial,
+                "maximum of the polynomial of fifth order through these rows",
+            ),
+            computed(mean.best, "exact optimum of the average, no polynomial"),
+        ],
     );
+    document.add(table.right(0..2));
     let carry = Axis::linear(NamedQuantity::new("average carry", Quantity::LENGTH, "yd"));
     let points = |rows: &[LoftCarry]| rows.iter().map(|row| [row.loft, row.carry]).collect();
     let best = mean.by_polynomial;
