@@ -666,7 +666,7 @@ impl PySetup {
             return false;
         };
         let name = name.to_string_lossy();
-        let is_choice = name == PRESET || name != TURF && CHOICES.contains(&&*name);
+        let is_choice = name == PRESET || (name != TURF && CHOICES.contains(&&*name));
         is_choice || self.setup.parameter(&name).is_ok()
     }
 

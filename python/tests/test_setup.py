@@ -325,8 +325,12 @@ def test_a_stated_value_counts_as_given_in_a_dict_a_setup_and_a_file(tmp_path: P
     advised = longdrive.delivery(None, shots=file).warnings
     assert any("is the loft of tour-average" in text for text in advised)
     for setup in _setups({"ground.turf": "average"}, tmp_path):
-        table = {"Ball Speed (mph)": [150.0], "Launch Angle (deg)": [12.0], "Spin Rate (rpm)": [2600.0],
-                 "Total (yd)": [250.0]}
+        table = {
+            "Ball Speed (mph)": [150.0],
+            "Launch Angle (deg)": [12.0],
+            "Spin Rate (rpm)": [2600.0],
+            "Total (yd)": [250.0],
+        }
         flown = longdrive.fly(table, setup, of=["total"])
         assert not any("the ground is not given" in text for text in flown.remarks), setup
     own = {"swing.shaft_lean": "2 deg", "strike.high": "6 mm"}

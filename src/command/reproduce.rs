@@ -80,10 +80,10 @@ fn answer(
     if let Some(folder) = folder {
         write(folder, report, system)?;
     }
-    Ok(match is_json {
-        true => Answer::json(&Reply::of(report, warnings())),
-        false => Answer::text(text_of(&report.document(system))),
-    })
+    if is_json {
+        return Ok(Answer::json(&Reply::of(report, warnings())));
+    }
+    Ok(Answer::text(text_of(&report.document(system))))
 }
 
 /// Writes the document of a report with its figures and their data into a folder.

@@ -261,9 +261,9 @@ impl Setup<f64> {
         ))
     }
 
-    /// The value of a choice: a name, or the file of a user's own table. `None` if `name` is not one
-    /// of the [`CHOICES`], for [`TABLE`] if the law is no table, and for [`TURF`] if no turf has the
-    /// numbers of the ground.
+    /// The value of a choice: a name, or the file of a user's own table. `None` if `name` is not
+    /// one of the [`CHOICES`], for [`TABLE`] if the law is no table, and for [`TURF`] if no turf has
+    /// the numbers of the ground.
     ///
     /// ```
     /// use longdrive::Setup;

@@ -202,8 +202,8 @@ impl ParametersReport {
         table
     }
 
-    /// A row for each parameter with its value, default, range, symbol and meaning, then the choices
-    /// and the coefficients of the other laws.
+    /// A row for each parameter with its value, default, range, symbol and meaning, then the
+    /// choices and the coefficients of the other laws.
     fn listings(&self, system: System) -> Document {
         let (own, others): (Vec<_>, Vec<_>) = self
             .parameters

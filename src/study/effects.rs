@@ -97,8 +97,8 @@ impl Effects {
 /// Largest magnitude of an outcome, in its display unit, that counts as 0.
 const LEAST_SIZE: f64 = 1e-9;
 
-/// Effects of all numeric parameters on the outcomes (`longdrive sensitivity`). `progress` receives two numbers: how many of
-/// `sigmas` are finished, and how many there are.
+/// Effects of all numeric parameters on the outcomes (`longdrive sensitivity`). `progress` receives
+/// two numbers: how many of `sigmas` are finished, and how many there are.
 ///
 /// # Errors
 /// The errors of [`evaluate`]; [`Error::Unreadable`](crate::Error::Unreadable) for an uncertainty

@@ -774,6 +774,29 @@ fn a_flat_landing_has_a_warning_with_the_total_and_at_an_optimum() {
     ));
 }
 
+/// The temperature is that of the drive as set up and of the optimum.
+#[test]
+fn a_picture_of_two_drives_warns_once_of_what_both_share() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a.svg").display().to_string();
+    for kind in ["contour", "fairway", "launch", "strike"] {
+        let command = [
+            "plot",
+            kind,
+            "-o",
+            &file,
+            "--overwrite",
+            "--temperature",
+            "5C",
+        ];
+        let output = longdrive(&command);
+        assert_eq!(output.status, 0, "{kind}: {}", output.err);
+        let messages = on_one_line(&output.err);
+        let warnings = messages.matches("air.temperature changes the air alone");
+        assert_eq!(warnings.count(), 1, "{kind}: {messages}");
+    }
+}
+
 /// Only a picture of a total depends on how flat the ball lands.
 #[test]
 fn pictures_of_a_total_warn_of_a_flat_landing_and_others_do_not() {

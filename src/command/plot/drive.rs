@@ -246,15 +246,16 @@ pub fn warnings(setup: &Setup<f64>, best: Option<&Optimum>, shown: &[Outcome]) -
         let drive = best.drive.as_ref()?;
         Some(drive.warnings_about(&best.setup, &of))
     });
-    let of_best = of_best
+    let mut warnings = setup.drive_warnings(shown);
+    // a warning about the setup, such as its temperature, is about both drives
+    let of_best_alone = of_best
         .into_iter()
         .flatten()
-        .map(|warning| Message::from("at the optimum: ").message(warning));
-    setup
-        .drive_warnings(shown)
-        .into_iter()
-        .chain(of_best)
-        .collect()
+        .filter(|warning| !warnings.contains(warning))
+        .map(|warning| Message::from("at the optimum: ").message(warning))
+        .collect::<Vec<_>>();
+    warnings.extend(of_best_alone);
+    warnings
 }
 
 /// The optimum of a plot.

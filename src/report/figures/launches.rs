@@ -65,7 +65,9 @@ fn has_ridge(map: &Launches) -> bool {
 fn note(map: &Launches, system: System) -> String {
     let mut notes = vec![];
     if has_ridge(map) {
-        notes.push("Dashed: the best launch angle for each backspin.".to_owned());
+        notes.push(
+            "Dashed: the best launch angle for each backspin, where it is on the map.".to_owned(),
+        );
     }
     notes.extend(map.launched.iter().map(|one| note_of(one, map, system)));
     let first = match map.launched.first() {

@@ -38,7 +38,7 @@ pub(super) fn answer(findings: &Findings) -> Markup {
                 (limits(best))
             }
             (what_is_known(findings))
-            @if !findings.advice.is_empty() { p { (capital(&findings.advice)) "." } }
+            @if !findings.advice.is_empty() { p { (capital(&shown::spoken(&findings.advice))) "." } }
         }
     }
 }

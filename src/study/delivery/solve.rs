@@ -12,7 +12,8 @@ use nalgebra::DMatrix;
 /// The most probable delivery and strike for a measured launch: bounded least squares of the
 /// measurements and the priors, each divided by its standard uncertainty (Rodgers 2000, Inverse
 /// Methods for Atmospheric Sounding, ch. 2 and 5; docs/model.md). `setup` must not give a launch:
-/// the club strikes the ball. [`launches`](super::launches) makes `measured` from a setup that does.
+/// the club strikes the ball. [`launches`](super::launches) makes `measured` from a setup that
+/// does.
 ///
 /// # Errors
 /// [`Error::Delivery`] if `measured` or `unknowns` is empty, if a measured outcome does not belong
