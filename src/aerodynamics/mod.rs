@@ -118,8 +118,8 @@ pub struct LawProperties {
     pub has_corner_at_zero_spin: bool,
 }
 
-/// A law of drag and lift. A drive uses one of [`Law`](crate::parameters::Law); implementing this
-/// trait adds none. A law of your own is a table: [`Setup::set_table`](crate::Setup::set_table).
+/// A law of drag and lift. A drive uses one of [`Law`]; implementing this trait adds none. A law of
+/// your own is a table: [`Setup::set_table`](crate::Setup::set_table).
 pub trait AerodynamicLaw<T: Numbers> {
     /// C_D and C_L in this flow. C_L must tend to 0 with the spin, because the lift has no
     /// direction without spin.
