@@ -101,7 +101,7 @@ pub struct DefaultRanges {
     vary: Vec<Vary>,
     /// The ranges of parameters that the request states; these are not varied.
     kept: Vec<Vary>,
-    /// Ranges that a request can state, as arguments.
+    /// Ranges to suggest if nothing is left to vary, as arguments.
     examples: String,
 }
 

@@ -95,7 +95,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
         setup,
         other,
         best,
-        differences,
+        difference_warnings,
         ending,
         origin,
     } = designs;
@@ -116,7 +116,7 @@ pub fn strikes(args: &PlotStrike) -> Result<Answer> {
     })?;
     let figure = with_optimum(figure, best.as_ref());
     let mut warnings = warnings(&setup, best.as_ref(), &Face::OUTCOMES);
-    warnings.extend(differences);
+    warnings.extend(difference_warnings);
     target.write(request.is_json, &figure, warnings)
 }
 
@@ -128,7 +128,7 @@ struct Designs {
     /// The optimum, if it is the second design.
     best: Option<Optimum>,
     /// A warning about differences of the designs that are not of the club.
-    differences: Vec<Message>,
+    difference_warnings: Vec<Message>,
     ending: Ending,
     origin: SetupOrigin,
 }
@@ -145,7 +145,7 @@ impl Designs {
         let setup = request.for_many(request.setup()?, &[])?;
         refuse_other_hand(&setup, &other, target)?;
         Ok(Self {
-            differences: other_differences(&setup, &other),
+            difference_warnings: other_differences(&setup, &other),
             setup,
             other: Some((["before", "after"], other)),
             best: None,
@@ -160,7 +160,7 @@ impl Designs {
         let names = [NamedDrive::AS_SET_UP, NamedDrive::OPTIMUM];
         Ok(Self {
             setup,
-            differences: vec![],
+            difference_warnings: vec![],
             other: found.best.as_ref().map(|best| (names, best.setup)),
             best: found.best,
             ending: found.ending,

@@ -236,6 +236,7 @@ fn no_outcome(summary: &SweepSummary, of: &[Outcome]) -> String {
 #[derive(Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SweepSummary {
+    /// Numbers of drives by status, for the text.
     #[serde(skip)]
     counts: StatusCounts,
     /// The file with the rows; `FILE.part` if the sweep was interrupted.
