@@ -9,6 +9,8 @@ use crate::parameters::{
 use crate::units::System;
 use serde::Serialize;
 use std::borrow::Cow;
+use std::ffi::OsStr;
+use std::path::Path;
 
 /// A value of a setup with its source.
 #[derive(Clone, Debug)]
@@ -231,7 +233,7 @@ fn changed_number(
 
 fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item = ChangedSetting> {
     let shown = |setup: &Setup<f64>, key: &str| match key {
-        LAW => setup.choice(TABLE).or(setup.choice(LAW)),
+        LAW => setup.choice(TABLE).map(file_name).or(setup.choice(LAW)),
         _ => setup.choice(key),
     };
     let change = move |(key, name): (&'static str, &str)| {
@@ -250,6 +252,12 @@ fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item 
         (SPEED_OF, "point of the club speed"),
     ];
     names.into_iter().filter_map(change)
+}
+
+/// The name of a file. Pages and pictures omit its folder (privacy).
+fn file_name(path: &str) -> &str {
+    let name = Path::new(path).file_name().and_then(OsStr::to_str);
+    name.unwrap_or(path)
 }
 
 /// Presets with every number and its source.

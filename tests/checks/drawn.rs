@@ -1180,6 +1180,24 @@ fn a_caption_names_the_constraints_of_its_optimum() {
     }
 }
 
+/// Pictures are shown to others: no folder of a disk stands in them.
+#[test]
+fn a_picture_names_a_table_of_ones_own_without_its_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("mine.csv").display().to_string();
+    let nodes = "spin_ratio,cd,cl\n0.05,0.22,0.08\n0.1,0.24,0.13\n0.2,0.27,0.2\n0.3,0.3,0.25\n";
+    std::fs::write(&table, nodes).unwrap();
+    let law = format!("aero.table={table}");
+    let vary = ["--vary", "swing.speed=80mph..100mph"];
+    let (picture, _) = stated_plot(
+        "contour",
+        &[&LOFT_ALONE[..], &vary, &["--set", &law]].concat(),
+    );
+    let words = texts(&picture);
+    assert!(words.contains("law of drag and lift mine.csv"), "{words}");
+    assert!(!picture.contains(&*folder.path().to_string_lossy()));
+}
+
 #[test]
 fn a_subtitle_names_stated_values_that_are_not_on_an_axis() {
     let speed = ["--vary", "swing.speed=80mph..100mph"];
