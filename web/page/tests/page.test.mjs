@@ -159,6 +159,27 @@ test('a landing that no drive reaches is told beside the picture', async () => {
   });
 });
 
+test('a drive that is changed while an aim is computed keeps its change', async () => {
+  await stay(async ({ page }) => {
+    await page.locator('.aim summary').click();
+    await page.locator('.aim').getByLabel('lateral').evaluate((lateral) => {
+      const move = (input, value) => {
+        input.value = value;
+        for (const event of ['input', 'change']) {
+          input.dispatchEvent(new Event(event, { bubbles: true }));
+        }
+      };
+      move(lateral, 10);
+      move(document.querySelector('#slide-swing-speed'), 100);
+    });
+    await settle(page);
+    const changed = await fragment(page);
+    assert.match(changed, /swing\.speed=/);
+    assert.doesNotMatch(changed, /swing\.face_angle=/);
+    await page.locator('.aim summary').click();
+  });
+});
+
 test('the pointer drags the landing point, and its sliders do the same by keyboard', async () => {
   await stay(async ({ page }) => {
     const handle = await page.locator('.handle .reach').boundingBox();

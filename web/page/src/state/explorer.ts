@@ -72,6 +72,8 @@ export class Explorer {
   readonly law = computed(() => lawOf(this.design.value, this.catalog));
   readonly isLaunch = computed(() => hasLaunch(this.design.value));
 
+  /** The design of the last aim. */
+  #aimed: Design | null = null;
   #mapKey = '';
   #traps = 0;
   readonly #rest = new Debounce(REST);
@@ -359,10 +361,14 @@ export class Explorer {
   async aim(names: readonly [string, string], carry: number, lateral: number) {
     const vary = names.map((name) => ({ name, ...ends(this.sliderRange(name)) }));
     const request = { setup: this.setup(), units: this.state.value.units, vary, carry, lateral };
+    const design = this.design.value;
     this.busy.value = true;
     const answer = await this.interactive.calls('aim', [{ endpoint: 'aim', request }]);
     const first = answer?.numbers[0];
     if (!first) return;
+    // a change by the person replaces this aim; an answer to an earlier aim of the drag does not
+    const isCurrent = [design, this.#aimed].includes(this.design.value);
+    if (!isCurrent) return;
     const message = first.head.message ?? null;
     if (first.head.status !== 'reached' && first.head.status !== 'nearest') {
       this.aimMessage.value = message;
@@ -370,7 +376,8 @@ export class Explorer {
     }
     const values = Object.fromEntries(names.map((name, k) =>
       [name, textOf(first.block[k] ?? NaN, this.field(name).unit, 4)]));
-    this.changeDesign(withValues(this.design.value, values), false);
+    this.#aimed = withValues(this.design.value, values);
+    this.changeDesign(this.#aimed, false);
     this.aimMessage.value = message;
   }
 
