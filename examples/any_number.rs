@@ -12,7 +12,7 @@ fn carry<T: Number>(setup: &Setup<T>) -> longdrive::Result<T> {
 }
 
 fn main() -> longdrive::Result<()> {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let lifted = setup.map(|parameter, value| {
         if parameter.name == "club.loft" {
             Dual3_64::from(value).derivative()

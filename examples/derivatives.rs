@@ -8,7 +8,7 @@ use longdrive::units::per;
 use longdrive::{Outcome, Setup};
 
 fn main() -> longdrive::Result<()> {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let wrt = setup.variables();
     let outcomes = [Outcome::Carry, Outcome::Lateral, Outcome::Backspin];
     let rows = evaluate(&setup, &outcomes, &wrt, Order::First)?;

@@ -27,7 +27,7 @@ fn allocations<T: Number>(setup: &Setup<f64>, variable: impl Fn(f64) -> T) -> u6
 #[test]
 fn exact_no_allocations_in_a_drive() {
     for law in longdrive::parameters::Law::NAMES {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.set_law(law).unwrap();
         assert_eq!(allocations(&setup, |value| value), 0);
         assert_eq!(

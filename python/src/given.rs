@@ -229,7 +229,7 @@ fn is_group(name: &str) -> bool {
         row.strip_prefix(name)
             .is_some_and(|rest| rest.starts_with('.'))
     };
-    let setup = Setup::<f64>::default();
+    let setup = Setup::<f64>::modern_driver();
     setup
         .parameters()
         .into_iter()

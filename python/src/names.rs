@@ -125,7 +125,7 @@ pub fn unit_of_goal(goal: &str) -> &'static str {
 /// True if a value, SI, is outside of the range of its parameter.
 #[pyfunction]
 pub fn is_out_of_range(name: &str, value: f64) -> bool {
-    Setup::<f64>::default()
+    Setup::<f64>::modern_driver()
         .parameter(name)
         .is_ok_and(|row| !row.range.contains(value))
 }

@@ -30,7 +30,7 @@ impl<T: Numbers> AirState<T> {
     ///
     /// ```
     /// use longdrive::{Setup, atmosphere::AirState};
-    /// let mut setup = Setup::default();
+    /// let mut setup = Setup::modern_driver();
     /// assert_eq!(AirState::of(&setup.air).density, 1.184);
     /// let air = [("air.temperature", "10 degC"), ("air.altitude", "1609 m"), ("air.humidity", "40 %")];
     /// setup.set_all(air).unwrap();

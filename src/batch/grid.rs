@@ -16,7 +16,7 @@ impl GridAxis {
     ///
     /// ```
     /// use longdrive::{Setup, batch::GridAxis};
-    /// let axis = GridAxis::read(&Setup::default(), "swing.speed=40..50m/s:6").unwrap();
+    /// let axis = GridAxis::read(&Setup::modern_driver(), "swing.speed=40..50m/s:6").unwrap();
     /// assert_eq!((axis.value(0), axis.value(1), axis.value(5)), (40.0, 42.0, 50.0));
     /// ```
     ///

@@ -13,7 +13,7 @@
 //! use longdrive::batch::{Batch, Grid, GridAxis, Points, Run};
 //! use longdrive::{Outcome, Setup};
 //!
-//! let setup = Setup::default();
+//! let setup = Setup::modern_driver();
 //! let axis = |text| GridAxis::read(&setup, text).unwrap();
 //! let axes = vec![axis("club.loft=8deg..12deg:3"), axis("swing.speed=40..50 m/s:2")];
 //! let mut grid = Grid::new(axes).unwrap();

@@ -170,7 +170,10 @@ pub fn quantity_of_goal(goal: &str) -> Option<Quantity> {
 /// The parameter with this name. Includes the coefficients of every law.
 fn parameter(name: &str) -> Option<&'static Parameter> {
     let of_any_law = || Law::all_rows().find(|row| row.name == name);
-    Setup::default().parameter(name).ok().or_else(of_any_law)
+    Setup::modern_driver()
+        .parameter(name)
+        .ok()
+        .or_else(of_any_law)
 }
 
 /// The quantity of a parameter or an outcome; `None` for an unknown name. A number without a unit

@@ -143,7 +143,7 @@ pub fn refuse_table(file: &Path) -> Result<()> {
 /// Advice on `NAME=VALUE` without an option before it.
 fn after_an_option(left_over: &str) -> Option<String> {
     let (name, value) = left_over.split_once('=')?;
-    let is_parameter = Setup::default().parameter(name.trim()).is_ok();
+    let is_parameter = Setup::modern_driver().parameter(name.trim()).is_ok();
     let advice = if value.contains("..") {
         "each range needs its own option: write `vary NAME=LOW..HIGH` or `over NAME=LOW..HIGH`"
     } else {

@@ -283,7 +283,7 @@ mod tests {
 
     #[test]
     fn an_undefined_second_derivative_names_both_parameters() {
-        let setup = Setup::default();
+        let setup = Setup::modern_driver();
         let wrt = ["swing.speed", "club.loft"].map(|name| setup.variable(name).unwrap());
         let taylor = Taylor {
             value: 200.0,

@@ -52,7 +52,7 @@ impl<T: Number> Drive<T> {
     /// ```
     /// use longdrive::{Drive, Outcome, Setup};
     /// // without air: a parabola of range v² sin 2θ/g
-    /// let mut setup = Setup::default();
+    /// let mut setup = Setup::modern_driver();
     /// setup.air.density = 0.0;
     /// let drive = Drive::new(&setup).unwrap();
     /// let outcomes = [Outcome::BallSpeed, Outcome::LaunchAngle, Outcome::Carry];

@@ -291,7 +291,7 @@ mod tests {
 
     /// Outcomes that have no value after `without` has removed a part of a drive.
     fn lost(without: impl Fn(&mut Drive<f64>, &mut Landed<f64>)) -> Vec<Outcome> {
-        let mut drive = Drive::new(&Setup::default()).unwrap();
+        let mut drive = Drive::new(&Setup::modern_driver()).unwrap();
         let mut landed = *drive.landed().unwrap();
         without(&mut drive, &mut landed);
         drive.flight = Flight::Landed(landed);

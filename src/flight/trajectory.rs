@@ -41,7 +41,7 @@ pub struct TrajectoryPoint {
 ///
 /// ```
 /// use longdrive::{Setup, flight, impact};
-/// let setup = Setup::default();
+/// let setup = Setup::modern_driver();
 /// let path = flight::trajectory(&setup, &impact::strike(&setup).unwrap().launch).unwrap();
 /// assert_eq!(path.points[0].position.x, 0.0);
 /// assert!(path.points.last().unwrap().position.x.abs() < 1e-12); // on the ground

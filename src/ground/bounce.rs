@@ -152,7 +152,7 @@ mod tests {
     /// Penner's equations (2002, pp. 933–934), evaluated by hand for a ball that rolls at exit.
     #[test]
     fn published_bounce_of_penner_with_rolling_at_exit() {
-        let turf = Turf::new(&Setup::default());
+        let turf = Turf::new(&Setup::modern_driver());
         for (speed, spin) in [(REFERENCE_SPEED, 300.0), (25.0, 200.0), (28.0, 0.0)] {
             // S in eq. 19 at 45.6° to the ground
             let u: f64 = 45.6 / 70.0;
@@ -185,7 +185,7 @@ mod tests {
 
     #[test]
     fn energy_never_grows_in_a_bounce() {
-        let mut turf = Turf::new(&Setup::default());
+        let mut turf = Turf::new(&Setup::modern_driver());
         for compliance in [0.0, 0.1, 0.27, 1.0] {
             for friction in [0.01, 0.4, 3.0] {
                 (turf.compliance, turf.friction) = (compliance, friction);
@@ -211,7 +211,7 @@ mod tests {
     /// exceed this angle for a ball faster than 54 m/s: the crater would face away from the ball.
     #[test]
     fn no_ball_meets_the_crater_from_behind() {
-        let turf = Turf::new(&Setup::default());
+        let turf = Turf::new(&Setup::modern_driver());
         for speed in 1..200 {
             for degrees in 1..90 {
                 let ball = ball(f64::from(speed), f64::from(degrees).to_radians(), 0.0);
@@ -229,7 +229,7 @@ mod tests {
     /// A ball that skims the ground does not bounce upwards faster than it came down.
     #[test]
     fn exact_flat_bounces_stay_flat() {
-        let turf = Turf::new(&Setup::default());
+        let turf = Turf::new(&Setup::modern_driver());
         for speed in [5.0, 10.0, 15.0] {
             for degrees in 1..15 {
                 let ball = ball(speed, (90.0 - f64::from(degrees)).to_radians(), 0.0);
@@ -244,7 +244,7 @@ mod tests {
 
     #[test]
     fn exact_friction_is_c2_between_sticking_and_slipping() {
-        let setup = Setup::default();
+        let setup = Setup::modern_driver();
         let turf = Turf::new(&setup.map(|_, value| Dual2_64::from(value)));
         let given = |needed: f64| {
             let slip = Dual2_64::from(needed * 3.5).derivative();

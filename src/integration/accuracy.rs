@@ -71,7 +71,7 @@ const ROUNDING: f64 = 1e-12;
 ///
 /// ```
 /// use longdrive::{Outcome, Setup, integration::accuracy};
-/// let setup = Setup::default();
+/// let setup = Setup::modern_driver();
 /// let micrometre = accuracy(&setup, &[], &[Outcome::Carry], 1e-6).unwrap();
 /// assert!(micrometre.error < 1e-6 && micrometre.step > setup.flight.step);
 /// ```
@@ -392,13 +392,13 @@ mod tests {
             drives: 1,
             largest_defect: 1.0,
         };
-        let setup = accuracy.applied_to(&Setup::default());
+        let setup = accuracy.applied_to(&Setup::modern_driver());
         assert_eq!((setup.method, setup.flight.step), (Method::Rk4, 0.02));
     }
 
     #[test]
     fn a_drive_that_lands_in_the_reference_only_is_named_with_its_status() {
-        let (setup, stop) = (Setup::default(), AtomicBool::new(false));
+        let (setup, stop) = (Setup::modern_driver(), AtomicBool::new(false));
         let tested = TestedDrives::new(&setup, &[], &[Outcome::Carry], &stop).unwrap();
         let mut short = setup;
         short.flight.time_limit = 1.0;

@@ -191,7 +191,7 @@ impl Setup<f64> {
     /// its horizontal components.
     ///
     /// ```
-    /// let mut setup = longdrive::Setup::default();
+    /// let mut setup = longdrive::Setup::modern_driver();
     /// setup.set("air.temperature", "30 degC").unwrap();
     /// assert!(setup.refuse_replaced(&["club.loft"]).is_ok());
     /// assert!(setup.refuse_replaced(&["air.density"]).is_err());

@@ -360,12 +360,13 @@ macro_rules! parameter_groups {
             pub states_step: bool,
         }
 
-        impl Default for Setup<f64> {
-            /// The preset `modern-driver`. Commands and setup files start from
+        impl Setup<f64> {
+            /// The preset `modern-driver`: the values of the parameter table. There is no
+            /// `Setup::default`, because commands and setup files start from another preset,
             /// [`DEFAULT_PRESET`](super::presets::DEFAULT_PRESET).
-            fn default() -> Self {
+            pub fn modern_driver() -> Self {
                 // the texts are parsed once, because that takes longer than a drive
-                static DEFAULT: std::sync::LazyLock<Setup<f64>> = std::sync::LazyLock::new(|| {
+                static TABLE: std::sync::LazyLock<Setup<f64>> = std::sync::LazyLock::new(|| {
                     let (law, method) = (Law::default(), Method::default());
                     let (golfer, speed_of) = (Golfer::default(), SpeedOf::default());
                     Setup {
@@ -377,11 +378,9 @@ macro_rules! parameter_groups {
                         states_step: false,
                     }
                 });
-                *DEFAULT
+                *TABLE
             }
-        }
 
-        impl Setup<f64> {
             /// The value of a parameter; `None` if it is unset or belongs to another law.
             pub fn value(&self, parameter: &Parameter) -> Option<f64> {
                 $( if let Some(value) = self.$group.value(parameter) { return Some(value); } )+

@@ -84,7 +84,7 @@ fn embeds(setup: &Setup<f64>) -> bool {
 ///
 /// ```
 /// use longdrive::{Setup, parameters::idle_warnings};
-/// let mut setup = Setup::default();
+/// let mut setup = Setup::modern_driver();
 /// setup.set("wind.reference_height", "3 m").unwrap();
 /// let warnings = idle_warnings(["wind.reference_height"], &[setup]);
 /// assert!(warnings[0].to_string().contains("without wind.roughness"));

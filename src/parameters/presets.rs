@@ -350,7 +350,7 @@ impl Setup<f64> {
         if let Some(setup) = setups.get(name) {
             return Ok(*setup);
         }
-        let mut setup = Self::default();
+        let mut setup = Self::modern_driver();
         let entries = preset.entries.iter();
         setup.set_all(entries.map(|entry| (entry.name, entry.value)))?;
         setups.insert(preset.name, setup);

@@ -374,7 +374,7 @@ impl Setup<f64> {
     /// ```
     /// use longdrive::Setup;
     /// use longdrive::parameters::SettingText;
-    /// let mut setup = Setup::default();
+    /// let mut setup = Setup::modern_driver();
     /// let loft = SettingText { name: "club.loft", text: "0.2", is_bare: true };
     /// let speed = SettingText { name: "swing.speed", text: "50 m/s", is_bare: false };
     /// setup.set_each(&[loft, speed]).unwrap();

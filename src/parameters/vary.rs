@@ -20,10 +20,10 @@ impl Vary {
     ///
     /// ```
     /// use longdrive::{Setup, parameters::Vary};
-    /// let loft = Vary::read(&Setup::default(), "club.loft=4..20deg").unwrap();
+    /// let loft = Vary::read(&Setup::modern_driver(), "club.loft=4..20deg").unwrap();
     /// assert_eq!((loft.low, loft.high), (4.0_f64.to_radians(), 20.0_f64.to_radians()));
-    /// assert!(Vary::read(&Setup::default(), "club.loft=20deg..4deg").is_err());
-    /// assert!(Vary::read(&Setup::default(), "club.loft=4..20").is_err());
+    /// assert!(Vary::read(&Setup::modern_driver(), "club.loft=20deg..4deg").is_err());
+    /// assert!(Vary::read(&Setup::modern_driver(), "club.loft=4..20").is_err());
     /// ```
     ///
     /// # Errors

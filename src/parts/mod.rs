@@ -18,7 +18,7 @@
 //! use longdrive::parts::{Dataset, PartResult, check};
 //! use longdrive::{Outcome, Setup};
 //!
-//! let setup = Setup::default();
+//! let setup = Setup::modern_driver();
 //! let axis = GridAxis::read(&setup, "club.loft=5deg..15deg:3000").unwrap();
 //! let mut points = Grid::new(vec![axis]).unwrap();
 //! let batch = Batch::new(&setup, &[axis.over.parameter], &[Outcome::BallSpeed], &[]).unwrap();

@@ -264,7 +264,7 @@ impl ChoiceReport {
 
 /// The settings whose values are names. Each has a list of all possible names.
 fn choices(setup: &Setup<f64>) -> [ChoiceReport; 4] {
-    let usual = Setup::default();
+    let usual = Setup::modern_driver();
     let methods = Method::ALL
         .iter()
         .map(|method| format!("{} (order {})", method.name(), method.order()));

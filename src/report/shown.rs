@@ -56,7 +56,7 @@ pub(super) fn capital(text: &str) -> String {
 /// Replaces the names of parameters in a sentence by words: `swing.speed` becomes "club speed".
 /// Command-line input (`swing.speed=95mph`) stays unchanged.
 pub(super) fn spoken(sentence: &str) -> String {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let speak = |word: &str| {
         let name = word.trim_matches([',', ';', ':', '(', ')']);
         let is_spoken = word.contains('.') && !word.contains('=') && setup.parameter(name).is_ok();
@@ -500,7 +500,7 @@ mod tests {
 
     #[test]
     fn no_name_has_a_word_twice() {
-        let setup = Setup::default();
+        let setup = Setup::modern_driver();
         let parameters = setup
             .parameters()
             .into_iter()
@@ -571,7 +571,7 @@ mod tests {
     }
     #[test]
     fn two_different_numbers_never_print_alike() {
-        let setup = Setup::<f64>::default();
+        let setup = Setup::<f64>::modern_driver();
         let vary = |text: &str| Vary::read(&setup, text).unwrap();
         let loft = vary("club.loft=0deg..89deg");
         let shown = |vary: &Vary, degrees: f64| within(vary, degrees.to_radians(), System::Us);
@@ -613,7 +613,7 @@ mod tests {
 
     #[test]
     fn rounding_is_printed_as_0_and_small_derivatives_are_not() {
-        let setup = Setup::<f64>::default();
+        let setup = Setup::<f64>::modern_driver();
         let shown = |of: Outcome, value: f64, by: &str, d: f64, system: System| {
             slope(of, value, setup.parameter(by).unwrap(), d, system, 4)
         };

@@ -14,7 +14,7 @@
 //!
 //! let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yds]\n\
 //!             167,10.9,2686,275\n,11,2500,\n";
-//! let setup = Setup::default();
+//! let setup = Setup::modern_driver();
 //! let mut shots = Shots::read(&setup, "shots.csv", text.as_bytes()).unwrap();
 //! let flying = Flying::new(&setup, &[], &[Outcome::CarryDistance]).unwrap();
 //! let (mut carries, mut refused) = (vec![], vec![]);

@@ -9,7 +9,7 @@
 //! use longdrive::statistics::{Ranking, SummarySpec};
 //! use longdrive::{Outcome, Setup};
 //!
-//! let setup = Setup::default();
+//! let setup = Setup::modern_driver();
 //! let speed = setup.variable("swing.speed").unwrap();
 //! let batch = Batch::new(&setup, &[speed], &[Outcome::BallSpeed], &[]).unwrap();
 //! let fastest = SummarySpec::new(&batch, vec![], vec![Ranking::read("ball_speed:1", true).unwrap()]).unwrap();

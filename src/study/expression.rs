@@ -96,9 +96,9 @@ impl Constraint {
     /// ```
     /// use longdrive::{Setup, study::Constraint};
     /// let text = "volume: 120 cm^3 + 80 cm^2*club.cg_depth <= 460 cm^3";
-    /// let volume = Constraint::read_relation(&Setup::default(), text).unwrap();
+    /// let volume = Constraint::read_relation(&Setup::modern_driver(), text).unwrap();
     /// assert_eq!((volume.goal.expression.as_str(), volume.high), ("volume", 460e-6));
-    /// let wrong = Constraint::read_relation(&Setup::default(), "volume: 8 cm*club.cg_depth <= 460 cm^3");
+    /// let wrong = Constraint::read_relation(&Setup::modern_driver(), "volume: 8 cm*club.cg_depth <= 460 cm^3");
     /// assert!(wrong.unwrap_err().to_string().contains("m^3"));
     /// ```
     ///
@@ -480,7 +480,7 @@ impl Scope<'_> {
 
 /// Advice for a text that is the name of a parameter: limit the parameter's range instead.
 fn advice_on_parameter(text: &str) -> Option<String> {
-    let found = Setup::<f64>::default().parameter(text);
+    let found = Setup::<f64>::modern_driver().parameter(text);
     let is_parameter = matches!(found, Ok(_) | Err(Error::OtherLaw { .. }));
     is_parameter.then(|| {
         format!(

@@ -78,7 +78,7 @@ impl Default for Fineness {
 /// ```
 /// use longdrive::study::{Fineness, Vary, map};
 /// use longdrive::{Outcome, Setup};
-/// let setup = Setup::default();
+/// let setup = Setup::modern_driver();
 /// let [across, up] = ["club.loft=8deg..12deg", "swing.speed=40..50m/s"]
 ///     .map(|text| Vary::read(&setup, text).unwrap());
 /// let fineness = Fineness { nodes: 3, slopes: 1 };

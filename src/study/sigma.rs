@@ -22,7 +22,7 @@ impl Sigma {
     ///
     /// ```
     /// use longdrive::{Setup, study::Sigma};
-    /// let setup = Setup::default();
+    /// let setup = Setup::modern_driver();
     /// assert_eq!(Sigma::read(&setup, "swing.speed=1 m/s").unwrap().value, 1.0);
     /// assert_eq!(Sigma::read(&setup, "swing.speed=10%").unwrap().value, 0.1 * setup.swing.speed);
     /// assert!(Sigma::read(&setup, "swing.speed=-1 m/s").is_err());

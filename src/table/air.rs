@@ -72,7 +72,7 @@ fn density_in(text: &str, of_table: Option<DecimalMark>) -> Option<f64> {
             format!("{} {degrees}", number_before(temperature)?),
         ),
     ];
-    let mut setup = Setup::<f64>::default();
+    let mut setup = Setup::<f64>::modern_driver();
     setup
         .set_all(stated.iter().map(|(name, value)| (*name, value.as_str())))
         .ok()?;

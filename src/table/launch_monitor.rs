@@ -286,7 +286,10 @@ mod tests {
         for (head, of) in super::heads() {
             assert!(seen.insert(head), "{head} is listed twice");
             if let Meaning::Input(name) = of {
-                assert!(Setup::<f64>::default().variable(name).is_ok(), "{name}");
+                assert!(
+                    Setup::<f64>::modern_driver().variable(name).is_ok(),
+                    "{name}"
+                );
             }
         }
         for of in Outcome::ALL.iter().filter(|of| of.needs_run()) {

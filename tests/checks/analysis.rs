@@ -43,7 +43,7 @@ const BOX: [&str; 2] = ["club.loft=0deg..20deg", "swing.attack_angle=-10deg..10d
 /// A drive in three dimensions: an off-centre strike, wind, and a face that is not square to the
 /// path.
 fn off_centre() -> Setup<f64> {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     for (name, value) in [
         ("strike.high", "6 mm"),
         ("strike.toe", "-9 mm"),
@@ -161,7 +161,7 @@ fn differences_of_new_optima_confirm_every_sensitivity_at_a_constraint() {
 
 #[test]
 fn differences_confirm_the_price_of_a_constraint() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let at = |limit: &str| {
         best(
             &setup,
@@ -207,7 +207,7 @@ fn differences_confirm_the_price_of_a_constraint() {
 
 #[test]
 fn contradictory_constraints_end_as_infeasible_with_the_smallest_violation() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let search = search(
         &setup,
         &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
@@ -247,7 +247,7 @@ fn contradictory_constraints_end_as_infeasible_with_the_smallest_violation() {
 
 #[test]
 fn a_fixed_variable_beside_a_constraint_stays_where_it_is() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let search = search(
         &setup,
         &["club.loft=4deg..20deg", "swing.attack_angle=2deg..2deg"],
@@ -351,7 +351,7 @@ fn same_mae494_optimum_in_ranges_with_a_kink_from_every_batch_of_sixteen() {
 
 #[test]
 fn exact_loss_at_the_ends_of_windows() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     for vary in [
         ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
         ["club.loft=4deg..11deg", "swing.attack_angle=-25deg..40deg"],
@@ -395,7 +395,7 @@ fn exact_loss_at_the_ends_of_windows() {
 
 #[test]
 fn order_of_the_predicted_change_is_second_and_third() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let best = best(
         &setup,
         &search(
@@ -427,7 +427,7 @@ fn order_of_the_predicted_change_is_second_and_third() {
 
 #[test]
 fn a_change_of_the_active_set_is_predicted_and_confirmed() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     // the optimum is just inside the limit: more speed raises the apex to the limit
     let search = search(
         &setup,
@@ -463,7 +463,7 @@ fn a_change_of_the_active_set_is_predicted_and_confirmed() {
 
 #[test]
 fn same_optima_on_the_chart_and_in_single_searches() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let search = search(
         &setup,
         &["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"],
@@ -525,7 +525,7 @@ fn same_optima_on_the_chart_and_in_single_searches() {
 /// is 280 yd.
 #[test]
 fn same_begin_of_a_chart_and_of_the_feasible_range() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set_all(LARGE_STEPS).unwrap();
     let vary = ["club.loft=4deg..20deg", "swing.attack_angle=-5deg..5deg"];
     let (free, limited) = (
@@ -573,7 +573,7 @@ fn same_begin_of_a_chart_and_of_the_feasible_range() {
 #[test]
 fn a_search_leaves_a_saddle_for_a_maximum() {
     // by symmetry the landing speed has its minimum at zero cross wind
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let search = Search {
         of: Outcome::LandingSpeed.into(),
         ..search(&setup, &["wind.right=-20m/s..20m/s"], &[])
@@ -595,7 +595,7 @@ fn a_search_leaves_a_saddle_for_a_maximum() {
 /// change, so the spin depends only on the loft.
 #[test]
 fn an_optimum_that_does_not_depend_on_a_variable_has_no_sensitivity() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let vary = ["club.loft=4deg..20deg", BOX[1]];
     let search = Search {
         of: Outcome::Spin.into(),
@@ -625,7 +625,7 @@ fn an_optimum_that_does_not_depend_on_a_variable_has_no_sensitivity() {
 /// violation.
 #[test]
 fn same_nearest_point_of_many_starts_for_both_senses() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let limits = ["descent_angle >= 45 deg", "apex_height <= 30 yd"];
     let nearest = [Sense::Maximize, Sense::Minimize].map(|sense| {
         let search = Search {
@@ -675,7 +675,7 @@ fn same_nearest_point_of_many_starts_for_both_senses() {
 
 #[test]
 fn a_chart_of_a_sum_of_outcomes_is_refused_with_this_reason() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let mut search = search(&setup, &["club.loft=8deg..14deg"], &[]);
     search.of = Goal::read("mean(carry) - 2*mean(apex_height)", None).unwrap();
     let error = search.refuse_swings().unwrap_err().to_string();
@@ -687,7 +687,7 @@ fn a_chart_of_a_sum_of_outcomes_is_refused_with_this_reason() {
 
 #[test]
 fn no_starts_and_no_nodes_are_refused() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let search = search(
         &setup,
         &["club.loft=8deg..12deg", "swing.attack_angle=-2deg..2deg"],
@@ -720,7 +720,10 @@ fn no_starts_and_no_nodes_are_refused() {
 
 #[test]
 fn a_loss_that_is_not_above_0_and_finite_is_refused_with_its_unit() {
-    let best = best(&Setup::default(), &search(&Setup::default(), &BOX, &[]));
+    let best = best(
+        &Setup::modern_driver(),
+        &search(&Setup::modern_driver(), &BOX, &[]),
+    );
     let [across, up] = [best.search.vary[0], best.search.vary[1]];
     for loss in [0.0, -0.9144, f64::NAN, f64::INFINITY] {
         let refusals = [
@@ -742,7 +745,7 @@ fn a_loss_that_is_not_above_0_and_finite_is_refused_with_its_unit() {
 /// length of the velocity. The objective is 0 everywhere.
 #[test]
 fn an_equation_that_holds_up_to_rounding_excludes_no_point_of_a_region() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     for (name, value) in [
         ("launch.ball_speed", "74.7 m/s"),
         ("launch.launch_angle", "11 deg"),

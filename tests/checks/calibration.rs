@@ -22,7 +22,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// A setup with a known law.
 fn truth() -> Setup<f64> {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup
         .set_all([
             ("aero.law", "linear"),
@@ -82,7 +82,7 @@ fn fitted(text: &str, setup: &Setup<f64>, names: &[&str], loss: Loss) -> Calibra
 
 /// Launch of the ball of a shot.
 fn launch(shot: &MeasuredShot) -> Launch<f64> {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     for (parameter, value) in &shot.inputs {
         setup.set_value(parameter, Some(*value)).unwrap();
     }
@@ -539,7 +539,7 @@ fn exports_omit_summaries_and_incomplete_rows_by_name_and_have_angles_in_degrees
     let shots = "1,160,12.0,1.5 R,2500,6.8 L,262\n2,,11.0,0.5 L,2400,2.0 R,\n3,150,13.0,0.5 \
                  L,2600,2.0 R,240\n4,151,13.0,0,2600,0,\n";
     let below = "Average,155,12.5,0.5 R,2550,2.4 L,251\nStd. Dev.,5,0.5,1,50,4.4,11\n";
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let read = |text: &str| ShotTable::read(&setup, "export.csv", text.as_bytes());
     let table = read(&[head, shots, below].concat()).unwrap();
     let rows: Vec<usize> = table.shots.iter().map(|shot| shot.row).collect();
@@ -632,7 +632,7 @@ fn table_of_deliveries(speeds: &[f64], of: &[Outcome], sigma: Option<f64>) -> St
         .collect();
     let mut text = format!("swing.speed [m/s],{}\n", heads.join(","));
     for speed in speeds {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.swing.speed = *speed;
         let drive = Drive::new(&setup).unwrap();
         let cell = |outcome: &Outcome| {
@@ -713,8 +713,8 @@ fn exact_fits_without_residuals_are_converged() {
         );
         for name in ["aero.cd0", "aero.cl_max"] {
             let estimate = &found["estimates"][name];
-            let truth = Setup::default()
-                .value(Setup::default().variable(name).unwrap())
+            let truth = Setup::modern_driver()
+                .value(Setup::modern_driver().variable(name).unwrap())
                 .unwrap();
             assert!(
                 (number(&estimate["value"]) - truth).abs() < 1e-9,
@@ -1137,7 +1137,7 @@ fn a_launch_monitors_export_is_read_as_it_is_written() {
     let own = "ball_speed [mph],launch_angle [deg],launch_direction [deg],spin [rpm],spin_axis \
                [deg],carry [yd],lateral [yd]\n\
                153.5,10.5,-1.2,2500,3,241,-2\n152,11.5,0.5,2600,-2,238,1\n155,9.5,0,2400,0,243,0\n";
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let read = |text: &str| ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();
     let expected = read(own);
     assert_eq!(expected.sigma_origin, SigmaOrigin::Instruments);
@@ -1232,8 +1232,8 @@ fn the_sample_of_shots_is_fitted() {
     // the shots were made with these coefficients, and with noise in launch and flight: the
     // estimates are within three standard errors
     for name in ["aero.cd0", "aero.cl_max"] {
-        let truth = Setup::default()
-            .value(Setup::default().variable(name).unwrap())
+        let truth = Setup::modern_driver()
+            .value(Setup::modern_driver().variable(name).unwrap())
             .unwrap();
         let estimate = &found["estimates"][name];
         let error = number(&estimate["standard_uncertainty"]);
@@ -1376,7 +1376,7 @@ fn a_component_of_the_wind_is_not_fitted_to_shots_of_which_some_state_its_speed(
     let launch = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd]";
     let row = "150,12,2500,240";
     let text = format!("{launch}\n{row}\n{launch},wind.speed [m/s],wind.from [deg]\n{row},3,0\n");
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let table = ShotTable::read(&setup, "a.csv", text.as_bytes()).unwrap();
     let plan = FitPlan::read(&setup, &["wind.downrange=-5m/s..5m/s".into()]).unwrap();
     let error = calibrate(&setup, &table, &plan, &FitObserver::default()).unwrap_err();
@@ -1389,7 +1389,7 @@ fn a_component_of_the_wind_is_not_fitted_to_shots_of_which_some_state_its_speed(
 
 #[test]
 fn impossible_measured_values_are_refused_with_their_row() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let text = "ball_speed [m/s],launch_angle [deg],backspin [rpm],carry \
                 [m]\n60,12,2500,180\n70,11,2500,220\n";
     let read = ShotTable::read(&setup, "shots.csv", text.as_bytes()).unwrap();

@@ -780,7 +780,7 @@ fn exact_price_of_the_bound_of_a_minimum() {
         "--set",
         "club.loft=20deg",
     ];
-    let mut setup = longdrive::Setup::default();
+    let mut setup = longdrive::Setup::modern_driver();
     setup.set("club.loft", "20 deg").unwrap();
     let loft = setup.variable("club.loft").unwrap();
     let slope =

@@ -29,7 +29,7 @@ fn a_table_of_a_head_alone_is_refused() {
 /// One launch in several spellings, with and without measured values.
 #[test]
 fn same_points_for_every_spelling_of_the_head() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let values = |text: &str| {
         let (_folder, path) = table("a.csv", text);
         let mut points =
@@ -268,7 +268,7 @@ fn columns_that_only_a_later_section_has_are_named() {
     let launch = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm]";
     let text = format!("{launch}\n150,12,2500\n{launch},Launch Direction [deg]\n150,12,2500,3\n");
     let (_folder, path) = table("sections.csv", &text);
-    let points = open_table(&Setup::default(), &path).unwrap();
+    let points = open_table(&Setup::modern_driver(), &path).unwrap();
     let notes: Vec<String> = points.notes().iter().map(ToString::to_string).collect();
     let says = "from line 3 on: columns not read, since the first column heads lack them: Launch \
                 Direction";

@@ -247,7 +247,7 @@ fn any_setup() -> impl Strategy<Value = Setup<f64>> {
     );
     let law = 0..Law::NAMES.len();
     (swing, club, face, ball, air, law).prop_map(|(swing, club, face, ball, air, law)| {
-        let mut s = Setup::default();
+        let mut s = Setup::modern_driver();
         s.set_law(Law::NAMES[law]).unwrap();
         (
             s.swing.speed,

@@ -151,7 +151,7 @@ fn exact_shares_of_a_law_in_pieces_add_up_in_large_steps() {
 #[test]
 fn same_shares_of_several_outcomes_at_once_and_of_each_alone() {
     let a = changed(
-        &Setup::default(),
+        &Setup::modern_driver(),
         &[&LARGE_STEPS[..], &[("aero.law", "ferguson")]].concat(),
     );
     let b = changed(
@@ -198,7 +198,7 @@ fn same_shares_of_several_outcomes_at_once_and_of_each_alone() {
 
 #[test]
 fn exact_share_of_a_difference_in_one_parameter() {
-    let a = Setup::default();
+    let a = Setup::modern_driver();
     for (name, text) in [
         ("swing.speed", "118 mph"),
         ("club.loft", "13 deg"),
@@ -234,7 +234,7 @@ fn exact_share_of_a_difference_in_one_parameter() {
 
 #[test]
 fn exact_shares_of_a_linear_outcome_and_of_one_with_a_closed_form() {
-    let a = changed(&Setup::default(), &LAUNCH);
+    let a = changed(&Setup::modern_driver(), &LAUNCH);
     let b = changed(
         &a,
         &[
@@ -287,7 +287,7 @@ fn exact_shares_of_a_linear_outcome_and_of_one_with_a_closed_form() {
 #[test]
 fn differences_of_flights_with_one_launch_condition_changed_agree_with_its_share() {
     let a = changed(
-        &Setup::default(),
+        &Setup::modern_driver(),
         &[("swing.path", "2 deg"), ("wind.right", "3 m/s")],
     );
     let small = [
@@ -349,7 +349,7 @@ fn differences_of_flights_with_one_launch_condition_changed_agree_with_its_share
 
 #[test]
 fn exact_sum_of_shares_between_a_club_and_a_launch_and_between_two_forms_of_spin() {
-    let club = Setup::default();
+    let club = Setup::modern_driver();
     let given = changed(&club, &LAUNCH);
     let found = difference(&club, &given, Outcome::Carry);
     assert_eq!(found.by_parameter.shares.len(), 1);
@@ -391,9 +391,9 @@ fn exact_sum_of_shares_between_a_club_and_a_launch_and_between_two_forms_of_spin
 
 #[test]
 fn both_drives_are_flown_with_the_finer_method_and_step() {
-    let a = changed(&Setup::default(), &[("flight.step", "10 ms")]);
+    let a = changed(&Setup::modern_driver(), &[("flight.step", "10 ms")]);
     let b = changed(
-        &Setup::default(),
+        &Setup::modern_driver(),
         &[
             ("flight.step", "50 ms"),
             ("flight.method", "dp8"),
@@ -764,7 +764,7 @@ fn exact_shares_of_air_and_wind_given_by_the_same_parameters() {
 #[test]
 fn exact_shares_of_air_and_wind_changed_at_once_change_sign_on_the_way_back() {
     let a = changed(
-        &Setup::default(),
+        &Setup::modern_driver(),
         &[("air.density", "1.2 kg/m^3"), ("wind.right", "3 m/s")],
     );
     let other = [
@@ -774,7 +774,7 @@ fn exact_shares_of_air_and_wind_changed_at_once_change_sign_on_the_way_back() {
         ("swing.speed", "118 mph"),
         ("aero.law", "robinson"),
     ];
-    let b = changed(&Setup::default(), &other);
+    let b = changed(&Setup::modern_driver(), &other);
     for of in [Outcome::Carry, Outcome::Lateral] {
         let [there, back] =
             [difference(&a, &b, of), difference(&b, &a, of)].map(|found| found.by_parameter);
@@ -791,7 +791,7 @@ fn exact_shares_of_air_and_wind_changed_at_once_change_sign_on_the_way_back() {
     }
     // all other parameters are equal, so the wind causes the whole difference
     let b = changed(
-        &Setup::default(),
+        &Setup::modern_driver(),
         &[("air.density", "1.2 kg/m^3"), other[1], other[2]],
     );
     let found = difference(&a, &b, Outcome::Carry);

@@ -128,7 +128,7 @@ fn differences(
 
 #[test]
 fn differences_of_gradients_agree_with_a_hessian_of_many_parameters() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup
         .set_all([
             ("strike.toe", "9 mm"),
@@ -197,7 +197,7 @@ fn exact_value_and_zero_gradient_of_a_flight_without_parameters() {
         ])
         .unwrap();
     struck.set_all(idle).unwrap();
-    let mut launched = Setup::default();
+    let mut launched = Setup::modern_driver();
     launched
         .set_all([
             ("launch.ball_speed", "70 m/s"),
@@ -244,7 +244,7 @@ fn exact_value_and_zero_gradient_of_a_flight_without_parameters() {
 /// Hessian by a few parameters is computed directly.
 #[test]
 fn same_hessian_by_all_parameters_and_by_a_few() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup
         .set_all([
             ("strike.toe", "9 mm"),
@@ -306,7 +306,7 @@ fn same_hessian_by_all_parameters_and_by_a_few() {
 /// all parameters, the Hessian comes from the chain rule.
 #[test]
 fn same_diagonal_as_that_of_the_hessian() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let of = [Outcome::Carry, Outcome::Total, Outcome::LaunchAngle];
     let all = setup.variables();
     for (wrt, tolerance) in [(&all[..3], 0.0), (&all[..], 1e-10)] {
@@ -333,7 +333,7 @@ fn same_diagonal_as_that_of_the_hessian() {
 /// not, and its derivatives by the ground are 0.
 #[test]
 fn exact_carry_does_not_depend_on_the_ground() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let all = setup.variables();
     for order in [Order::First, Order::Second] {
         let of_carry = evaluate(&setup, &[Outcome::Carry], &all, order)
@@ -425,7 +425,7 @@ fn derivatives_do_not_depend_on_other_requested_outcomes() {
 
 #[test]
 fn values_alone_carry_no_derivatives() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let taylors = evaluate(&setup, &[Outcome::Carry, Outcome::Spin], &[], Order::Value).unwrap();
     assert!(taylors.iter().all(
         |Taylor {
@@ -490,7 +490,7 @@ fn zero_spin_is_a_corner_of_laws_with_drag_that_grows_with_spin() {
 /// A report of fewer derivatives than parameters would omit parameters without a message.
 #[test]
 fn reports_of_fewer_or_more_derivatives_than_parameters_panic_with_both_numbers() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let wrt = ["club.loft", "swing.speed"].map(|name| setup.variable(name).unwrap());
     let carry = hessian(&setup, Outcome::Carry, &wrt).unwrap();
     let text = |wrt: &[&'static Parameter], taylor: &Taylor| {
@@ -550,7 +550,7 @@ fn exact_tanh_is_finite_for_large_arguments_and_precise_near_zero() {
 /// An unset parameter has no value and no derivative. A request with it does not change the drive.
 #[test]
 fn exact_zero_derivative_by_an_unset_parameter() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let unset = setup.column("aero.spin_damping").unwrap();
     let value = evaluate(&setup, &[Outcome::Carry], &[unset], Order::Value).unwrap()[0].value;
     let carry = Outcome::Carry.of(&Drive::new(&setup).unwrap()).unwrap();
@@ -562,7 +562,7 @@ fn exact_zero_derivative_by_an_unset_parameter() {
 #[test]
 fn derivatives_need_little_stack() {
     let work = || {
-        let setup = Setup::default();
+        let setup = Setup::modern_driver();
         let (two, all) = (
             ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap()),
             setup.variables(),

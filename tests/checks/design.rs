@@ -203,7 +203,7 @@ fn varied_mass_has_a_budget() {
 
 #[test]
 fn exact_limit_of_a_temperature_on_its_scale() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set("air.temperature", "25 degC").unwrap();
     let read = |text: &str| Constraint::read_relation(&setup, text);
     for (limit, kelvin) in [
@@ -271,7 +271,7 @@ fn differences_certify_the_price_of_a_relation() {
 
 #[test]
 fn a_relation_is_read_or_refused_with_its_position() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let read = |text: &str| Constraint::read_relation(&setup, text);
     let limit = read("budget: 2*club.mass - 0.5 g/mm*club.cg_depth + 3 g == 400 g").unwrap();
     assert_eq!(
@@ -348,7 +348,7 @@ fn a_relation_is_read_or_refused_with_its_position() {
 
 #[test]
 fn a_relation_is_read_with_any_spaces_and_on_either_side_of_its_sign() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let read = |text: &str| {
         let relation = Constraint::read_relation(&setup, text).unwrap();
         (relation.goal.terms, relation.low, relation.high)
@@ -539,7 +539,7 @@ fn a_file_that_names_no_preset_is_refused() {
 /// 1e-6 m³ would be a whole cm³.
 #[test]
 fn a_limit_of_a_small_quantity_is_met_within_a_millionth_of_its_value() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let volume = Constraint::read_relation(&setup, "volume: 80 cm^2*club.cg_depth <= 460 cm^3");
     let volume = volume.unwrap();
     assert!(volume.is_met(460e-6) && volume.is_met(460e-6 * (1.0 + 1e-7)));

@@ -34,7 +34,7 @@ fn a_design_in_a_wind_whose_speed_varies() {
 /// does not fly, there still is an answer.
 #[test]
 fn other_swings_without_a_flight_do_not_suppress_a_design() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set("club.loft", "8 deg").unwrap();
     let attack = setup.parameter("swing.attack_angle").unwrap();
     let drive = Evaluator::new(&setup, &[Outcome::Carry], &[attack], Order::Value).unwrap();

@@ -448,7 +448,7 @@ fn a_chart_that_misses_the_optimum_of_the_setup_has_a_sentence_about_it() {
 
 #[test]
 fn events_of_a_chart_are_in_words_with_the_chosen_units() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let limit = Constraint::read("apex_height <= 35 yd").unwrap();
     let search = Search {
         subject_to: vec![limit],

@@ -54,7 +54,7 @@ fn for_planar_and_spatial_setups(check: impl Fn(&Setup<f64>)) {
     for law in Law::NAMES {
         for method in Method::ALL {
             for changes in [&[][..], &sideways, &windy] {
-                let mut setup = Setup::default();
+                let mut setup = Setup::modern_driver();
                 setup.set_law(law).unwrap();
                 setup.method = method;
                 setup.set_all(changes.iter().copied()).unwrap();
@@ -123,7 +123,7 @@ fn same_derivatives_by_the_fast_paths_and_the_general_one() {
 /// Decay rates from 0 to 50/s, at which the spin vanishes within a tenth of a second.
 #[test]
 fn same_derivatives_for_any_spin_decay() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set_law("robinson").unwrap();
     setup
         .set_all([("swing.attack_angle", "2 deg"), ("flight.step", "0.02 s")])
@@ -437,6 +437,6 @@ fn same_drives_between_the_checked_ones_within_the_tolerance() {
     assert!(
         [0.0, f64::NAN]
             .iter()
-            .all(|none| accuracy(&Setup::default(), &[], &[], *none).is_err())
+            .all(|none| accuracy(&Setup::modern_driver(), &[], &[], *none).is_err())
     );
 }

@@ -20,7 +20,7 @@ fn carry(setup: &Setup<f64>) -> f64 {
 
 #[test]
 fn exact_parabola_in_a_vacuum() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     (setup.air.density, setup.ground.height) = (0.0, 3.0);
     let launch = Launch {
         velocity: Vector::new(20.0, 3.0, 50.0),
@@ -59,7 +59,7 @@ fn exact_parabola_in_a_vacuum() {
 
 #[test]
 fn exact_hop_shorter_than_a_step() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.air.density = 0.0;
     let rise = 0.01;
     let launch = Launch {
@@ -83,7 +83,7 @@ fn exact_hop_shorter_than_a_step() {
 fn exact_terminal_fall_from_a_hill() {
     // a ball dropped without spin: at time t its speed is v_t tanh(g t/v_t), and it has fallen by
     // v_t²/g ln cosh(g t/v_t)
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set_law("linear").unwrap();
     (setup.ground.height, setup.flight.step) = (-100.0, 0.002);
     let launch = Launch {
@@ -116,7 +116,7 @@ fn exact_terminal_fall_from_a_hill() {
 fn exact_uniform_wind_is_a_moving_frame() {
     // in the frame that moves with the wind w, the air is still, and the ball is launched at v − w;
     // in time t this frame moves by w t
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     let still = Launch {
         velocity: Vector::new(15.0, -6.0, 55.0),
         spin: Vector::new(0.0, 250.0, 0.0),
@@ -152,7 +152,7 @@ fn exact_uniform_wind_is_a_moving_frame() {
 #[test]
 fn order_of_value_and_gradient_in_the_step_is_four() {
     for law in Law::NAMES {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.set_law(law).unwrap();
         setup.set("swing.attack_angle", "4 deg").unwrap();
         setup.aero.spin_damping = Some(2e-5);
@@ -213,7 +213,7 @@ fn same_carry_in_shorter_steps_within_a_micrometre() {
 
 #[test]
 fn exact_gradient_of_carry_by_gravity_in_a_vacuum() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.air.density = 0.0;
     let wrt = [setup.variable("gravity").unwrap()];
     let carry = &evaluate(&setup, &[Outcome::Carry], &wrt, Order::Second).unwrap()[0];
@@ -240,7 +240,7 @@ fn a_ball_that_does_not_rise_has_no_flight_and_no_carry() {
         velocity: Vector::new(up, 0.0, 60.0),
         spin: Vector::new(0.0, 300.0, 0.0),
     };
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     for up in [0.0, -1.0] {
         assert!(matches!(
             fly(&setup, &launch(up)).unwrap(),
@@ -263,7 +263,7 @@ fn a_ball_that_does_not_rise_has_no_flight_and_no_carry() {
         Flight::Landed(_)
     ));
 
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set("swing.attack_angle", "-15 deg").unwrap();
     let drive = Drive::new(&setup).unwrap();
     assert!(matches!(
@@ -282,7 +282,7 @@ fn a_ball_that_does_not_rise_has_no_flight_and_no_carry() {
 
 #[test]
 fn a_flight_without_end_stops_at_the_time_limit() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.wind.up = 60.0;
     setup.flight.time_limit = 20.0;
     let drive = Drive::new(&setup).unwrap();
@@ -297,7 +297,7 @@ fn a_flight_without_end_stops_at_the_time_limit() {
 #[test]
 fn exact_time_limit_between_aloft_and_landed() {
     for (method, step) in [("rk4", "0.01 s"), ("rk4", "0.3 s"), ("dp8", "1.1 s")] {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup
             .set_all([("flight.method", method), ("flight.step", step)])
             .unwrap();
@@ -333,7 +333,7 @@ fn exact_time_limit_between_aloft_and_landed() {
 
 #[test]
 fn a_step_too_coarse_for_the_drag_is_an_error_not_a_number() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.air.density = 1000.0;
     setup.set("flight.step", "1 s").unwrap();
     setup.set("swing.attack_angle", "20 deg").unwrap();
@@ -342,7 +342,7 @@ fn a_step_too_coarse_for_the_drag_is_an_error_not_a_number() {
 
 #[test]
 fn a_trajectory_starts_on_the_tee_and_ends_at_the_landing() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let path = trajectory(&setup, &strike(&setup).unwrap().launch).unwrap();
     let (first, last) = (path.points[0], path.points[path.points.len() - 1]);
     assert_eq!((first.time, first.position), (0.0, Vector::zero()));
@@ -358,7 +358,7 @@ fn a_trajectory_starts_on_the_tee_and_ends_at_the_landing() {
 /// `carry` is the component of this distance along the target line.
 #[test]
 fn exact_carry_distance_is_the_same_in_every_direction() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup
         .set_all([("strike.toe", "8 mm"), ("swing.face_angle", "5 deg")])
         .unwrap();
@@ -450,7 +450,7 @@ fn same_total_by_the_trajectory_and_by_the_drive() {
 /// such flight would end in acceptable time.
 #[test]
 fn steps_with_which_a_flight_would_not_end_are_refused_before_it_begins() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let launch = strike(&setup).unwrap().launch;
     for (step, says) in [
         (0.0, "flight.step = 0 s"),
@@ -490,7 +490,7 @@ fn steps_with_which_a_flight_would_not_end_are_refused_before_it_begins() {
 /// The shortest accepted step: 1e8 steps fill the default time limit.
 #[test]
 fn every_step_size_that_can_be_set_is_flown() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     let shortest = setup.parameter("flight.step").unwrap().range.low;
     assert_eq!(setup.flight.time_limit / shortest, 1e8);
     for text in ["1e-9 s", "1e-300 s", "5.9e-6 s", "0 s"] {
@@ -523,7 +523,7 @@ fn every_step_size_that_can_be_set_is_flown() {
 fn unusual_values_of_a_diverging_flight_are_named_and_the_step_only_if_long() {
     let usual = || Setup {
         law: Law::named("linear").unwrap(),
-        ..Setup::default()
+        ..Setup::modern_driver()
     };
     let launch = |speed: f64, spin: f64| Launch {
         velocity: Vector::new(0.2 * speed, 0.0, speed),
@@ -593,7 +593,7 @@ fn steep() -> Law<f64> {
 /// begin if the flag is set already.
 #[test]
 fn a_flag_ends_a_flight_of_millions_of_steps() {
-    let mut endless = Setup::default();
+    let mut endless = Setup::modern_driver();
     endless
         .set_all([("gravity", "0.001 m/s^2"), ("flight.step", "6e-5 s")])
         .unwrap();
@@ -630,7 +630,7 @@ fn a_flag_ends_a_flight_of_millions_of_steps() {
         assert!(matches!(ended, Err(Error::Stopped)), "{n}: {ended:?}");
     }
     // the flag is still set
-    let (setup, of) = (Setup::default(), [Outcome::Carry]);
+    let (setup, of) = (Setup::modern_driver(), [Outcome::Carry]);
     let drive = Drive::until(&setup, &stop);
     assert!(matches!(drive, Err(Error::Stopped)), "{drive:?}");
     let carry = Evaluator::new(&setup, &of, &[loft], Order::First).unwrap();

@@ -13,7 +13,7 @@ const OF_THE_RUN: [Outcome; 3] = [Outcome::Total, Outcome::Run, Outcome::Lateral
 
 /// A ball in a vacuum, which lands at its launch speed.
 fn launched(speed: f64, degrees: f64, backspin: f64) -> Setup<f64> {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.air.density = 0.0;
     setup.aero.spin_decay = 0.0;
     // a parabola is exact in any steps
@@ -79,7 +79,7 @@ fn independent_runs_within_a_millimetre() {
 
 #[test]
 fn exact_ball_embeds_in_wet_ground() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup
         .set_all([
             ("swing.path", "3 deg"),
@@ -152,7 +152,7 @@ fn roll_on_a_slope_by_its_closed_form() {
 #[test]
 fn total_is_undefined_if_the_ball_does_not_come_to_rest() {
     for (name, slope) in [("ground.slope", "-20 deg"), ("ground.side_slope", "18 deg")] {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup
             .set_all([(name, slope), ("ground.rolling", "0.2")])
             .unwrap();
@@ -241,7 +241,7 @@ fn exact_continuity_across_numbers_of_bounces() {
 
 #[test]
 fn differences_confirm_the_derivatives_of_the_run() {
-    let mut curved = Setup::default();
+    let mut curved = Setup::modern_driver();
     curved
         .set_all([
             ("swing.path", "2 deg"),
@@ -249,7 +249,7 @@ fn differences_confirm_the_derivatives_of_the_run() {
             ("ground.side_slope", "3 deg"),
         ])
         .unwrap();
-    let mut damped = Setup::default();
+    let mut damped = Setup::modern_driver();
     damped
         .set_all([
             ("aero.spin_damping", "2e-5"),
@@ -257,7 +257,7 @@ fn differences_confirm_the_derivatives_of_the_run() {
             ("ground.turf", "soft"),
         ])
         .unwrap();
-    for setup in [Setup::default(), curved, damped] {
+    for setup in [Setup::modern_driver(), curved, damped] {
         let names = [
             "club.loft",
             "swing.attack_angle",
@@ -327,7 +327,7 @@ fn penner_2001(velocity: Vector<f64>, backspin: f64, radius: f64) -> f64 {
 /// the ball rolls as it leaves the face, the law is that of Bearman & Harvey, and the air has 1.204
 /// kg/m³.
 fn penner(speed: f64, degrees: f64) -> Setup<f64> {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     let changes = [
         ("aero.law", "bearman-harvey"),
         ("air.density", "1.204 kg/m^3"),
@@ -395,7 +395,7 @@ fn published_runs_of_launch_monitors() {
         .map(|line| line.split(',').collect())
         .collect();
     let run = |turf: &str, conditions: [String; 3]| {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.set("ground.turf", turf).unwrap();
         for (name, text) in ["ball_speed", "launch_angle", "backspin"]
             .iter()

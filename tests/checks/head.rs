@@ -19,7 +19,7 @@ const WEIGHT: [(&str, &str); 4] = [
 /// s sᵀ), with the vector s between them and the reduced mass μ.
 #[test]
 fn exact_head_with_a_weight_is_that_of_two_masses() {
-    let setup = changed(&Setup::default(), &WEIGHT);
+    let setup = changed(&Setup::modern_driver(), &WEIGHT);
     let head = Head::new(&setup.club);
     let (body, weight) = (0.204, 0.014);
     close(head.mass, body + weight, 0.2, 1e-15, "mass");
@@ -55,8 +55,8 @@ fn exact_a_weight_at_the_centre_of_mass_changes_the_mass_alone() {
         ("club.weight_1.depth", "40.8 mm"),
     ];
     let (setup, heavier) = (
-        changed(&Setup::default(), &at),
-        changed(&Setup::default(), &[("club.mass", "214 g")]),
+        changed(&Setup::modern_driver(), &at),
+        changed(&Setup::modern_driver(), &[("club.mass", "214 g")]),
     );
     let (head, other) = (Head::new(&setup.club), Head::new(&heavier.club));
     assert_eq!(
@@ -69,7 +69,7 @@ fn exact_a_weight_at_the_centre_of_mass_changes_the_mass_alone() {
 
 #[test]
 fn exact_two_halves_of_a_weight_are_one() {
-    let one = changed(&Setup::default(), &WEIGHT);
+    let one = changed(&Setup::modern_driver(), &WEIGHT);
     let mut two = one;
     for (name, text) in WEIGHT {
         let text = if name.ends_with("mass") { "7 g" } else { text };
@@ -93,7 +93,8 @@ fn exact_two_halves_of_a_weight_are_one() {
 #[test]
 fn exact_a_centre_of_mass_beside_the_centre_of_a_flat_face() {
     let flat = [("club.bulge_radius", "inf"), ("club.roll_radius", "inf")];
-    let set = |settings: &[(&str, &str)]| changed(&Setup::default(), &[&flat, settings].concat());
+    let set =
+        |settings: &[(&str, &str)]| changed(&Setup::modern_driver(), &[&flat, settings].concat());
     let beside = set(&[
         ("club.cg_high", "-4 mm"),
         ("club.cg_toe", "3 mm"),
@@ -125,7 +126,7 @@ fn differences_certify_derivatives_by_weights_and_centre_of_mass() {
         ("strike.toe", "8 mm"),
         ("strike.high", "-4 mm"),
     ];
-    let setup = changed(&Setup::default(), &[&WEIGHT[..], &other].concat());
+    let setup = changed(&Setup::modern_driver(), &[&WEIGHT[..], &other].concat());
     let of = [
         &[Outcome::Carry, Outcome::Lateral, Outcome::Spin],
         Outcome::OF_HEAD,
@@ -163,7 +164,7 @@ fn exact_minors_of_the_second_moments() {
         ("-3300 g cm^2", false),
     ] {
         let setup = changed(
-            &Setup::default(),
+            &Setup::modern_driver(),
             &[
                 ("club.inertia.xz", xz),
                 ("club.inertia.xy", "300 g cm^2"),
@@ -256,15 +257,19 @@ fn outcomes_of_the_head_are_available_by_name() {
 
 #[test]
 fn a_weight_without_a_mass_is_reported() {
-    let setup = changed(&Setup::default(), &[("club.weight_2.depth", "20 mm")]);
+    let setup = changed(&Setup::modern_driver(), &[("club.weight_2.depth", "20 mm")]);
     let message = setup.warnings()[0].in_units(longdrive::units::System::default());
     assert!(
         message.contains("club.weight_2.depth changes nothing")
             && message.contains("set club.weight_2.mass"),
         "{message}"
     );
-    assert!(changed(&Setup::default(), &WEIGHT).warnings().is_empty());
-    let mut heavy = Setup::default();
+    assert!(
+        changed(&Setup::modern_driver(), &WEIGHT)
+            .warnings()
+            .is_empty()
+    );
+    let mut heavy = Setup::modern_driver();
     assert!(matches!(
         heavy.set("club.weight_1.mass", "600 g"),
         Err(Error::OutOfRange { .. })

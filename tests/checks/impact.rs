@@ -313,7 +313,7 @@ fn exact_cone_of_friction_and_continuity_between_slip_and_stick() {
 
 #[test]
 fn an_impossible_strike_is_an_error_with_its_numbers() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.strike.high = 0.19;
     setup.strike.toe = 0.2;
     setup.club.face_semi_axis = Some(0.1);
@@ -323,14 +323,14 @@ fn an_impossible_strike_is_an_error_with_its_numbers() {
             && error.to_string().contains("strike.high = 190 mm")
     );
 
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     (setup.swing.face_angle, setup.swing.path) = (1.5, -1.5);
     assert!(matches!(strike(&setup), Err(Error::NoStrike { approach }) if approach < 0.0));
 }
 
 #[test]
 fn exact_derivatives_by_mass_and_radius_through_the_default_moment_of_inertia() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let wrt = [setup.variable("ball.radius").unwrap()];
     let of = Outcome::Spin;
     let slope = derivative::gradient(&setup, of, &wrt).unwrap().gradient[0];
@@ -348,7 +348,7 @@ fn exact_derivatives_by_mass_and_radius_through_the_default_moment_of_inertia() 
 fn exact_bend_of_the_shaft_is_a_lean_backwards_that_grows_with_the_head_speed() {
     let power = 1.7;
     for speed in [30.0, 44.704, 60.0] {
-        let (mut bent, mut leaned) = (Setup::default(), Setup::default());
+        let (mut bent, mut leaned) = (Setup::modern_driver(), Setup::modern_driver());
         (bent.swing.speed, leaned.swing.speed) = (speed, speed);
         bent.swing.shaft_bend = Some(0.06);
         bent.swing.shaft_growth = Some(power);
@@ -367,12 +367,12 @@ fn exact_bend_of_the_shaft_is_a_lean_backwards_that_grows_with_the_head_speed() 
     }
     // bend and droop grow with this power of the head speed. Without bend and droop the power has
     // no effect
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.swing.shaft_growth = Some(power);
     let unbent = strike(&setup).unwrap().launch.velocity;
     assert_eq!(
         unbent.to_array(),
-        strike(&Setup::default())
+        strike(&Setup::modern_driver())
             .unwrap()
             .launch
             .velocity
@@ -383,7 +383,7 @@ fn exact_bend_of_the_shaft_is_a_lean_backwards_that_grows_with_the_head_speed() 
 #[test]
 fn exact_droop_of_the_shaft_turns_the_toe_down_and_the_loft_towards_it() {
     let (droop, loft) = (0.05_f64, 0.2_f64);
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     (
         setup.swing.attack_angle,
         setup.club.loft,
@@ -420,7 +420,7 @@ fn published_plate_of_penner_loses_restitution_with_speed() {
     // Penner (2001), for a strike in front of the centre of mass: e = 0.86 − 0.0029 V cos θ and v_n
     // = (1 + e) V cos θ/(1 + m/M), with the head speed V, the loft θ and the masses m of the ball
     // and M of the head
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.club.cg_depth = 0.0;
     setup.swing.attack_angle = 0.0;
     setup.impact.restitution = 0.86 - 0.0029 * 48.768;
@@ -443,7 +443,7 @@ fn published_plate_of_penner_loses_restitution_with_speed() {
 
 #[test]
 fn restitution_that_would_leave_its_range_is_an_error_and_no_drive_of_a_sweep() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.impact.restitution_slope = Some(0.1);
     setup.swing.speed = 60.0;
     let error = strike(&setup).unwrap_err();
@@ -537,7 +537,7 @@ fn same_scaled_gear_effect_in_both_forms_of_the_collision() {
 /// At a scale of 0 the ball has no spin. The derivative by the scale is constant.
 #[test]
 fn exact_gear_effect_of_a_square_strike_is_in_proportion_to_its_scale() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup
         .set_all([
             ("swing.attack_angle", "0 deg"),
@@ -588,7 +588,7 @@ fn differences_certify_the_derivative_by_the_scale_of_the_gear_effect() {
 
 #[test]
 fn exact_normal_of_a_spherical_face_points_from_its_centre() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.club.loft = 0.3;
     (setup.strike.high, setup.strike.toe) = (0.011, -0.02);
     let face = FacePoint::new(&setup.club, &setup.strike).unwrap();
@@ -608,7 +608,7 @@ fn exact_normal_of_a_spherical_face_points_from_its_centre() {
 
 #[test]
 fn exact_flat_face_is_the_limit_of_large_radii() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     (setup.strike.high, setup.strike.toe) = (0.01, 0.02);
     let at = |radius, setup: &mut Setup<f64>| {
         (setup.club.bulge_radius, setup.club.roll_radius) = (radius, radius);

@@ -299,7 +299,7 @@ fn stopped_work_writes_no_fit_lists_no_optimum_and_names_its_file() {
 /// searches were stopped.
 #[test]
 fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<()> {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let search = Search::longest_drive(&setup)?;
     let (stop, ended) = (Arc::new(AtomicBool::new(false)), AtomicUsize::new(0));
     let flag = stop.clone();

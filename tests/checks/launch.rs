@@ -8,7 +8,7 @@ use longdrive::{Drive, Error, Outcome, Setup, derivative};
 
 /// The default setup with a launch of these conditions.
 fn launched(settings: &[(&str, &str)]) -> Setup<f64> {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     for (name, text) in settings {
         setup.set(&format!("launch.{name}"), text).unwrap();
     }
@@ -75,7 +75,7 @@ fn exact_parabola_and_its_derivatives_by_the_launch() {
 
 #[test]
 fn same_flight_of_a_launch_and_of_the_club_that_makes_it() {
-    let mut club = Setup::default();
+    let mut club = Setup::modern_driver();
     for (name, text) in [
         ("swing.path", "3 deg"),
         ("strike.toe", "8 mm"),
@@ -204,7 +204,7 @@ fn a_launch_on_the_command_line_and_in_a_table_is_the_same() {
     let text = "ball_speed [mph],launch_angle [deg],spin [rpm],spin_axis \
                 [deg]\n167,10.9,2686,0\n150,12,3000,-10\n";
     let (_folder, path) = crate::sweep::table("monitor.csv", text);
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let mut points = open_table(&setup, &path).unwrap();
     let batch = Batch::new(
         &setup,

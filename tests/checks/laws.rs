@@ -15,7 +15,7 @@ use num_dual::Dual2_64;
 fn at<D: Number>(law: &str, of: [D; 3]) -> Coefficients<D> {
     let setup = Setup {
         law: Law::named(law).unwrap(),
-        ..Setup::default()
+        ..Setup::modern_driver()
     };
     setup
         .map(|_, value| D::constant(value))

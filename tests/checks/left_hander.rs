@@ -137,7 +137,7 @@ fn exact_zero_lateral_mean_of_a_symmetric_head_and_strikes() {
     for golfer in Golfer::ALL {
         let setup = Setup {
             golfer,
-            ..Setup::default()
+            ..Setup::modern_driver()
         };
         let (lateral, _) = searched(&setup, "mean(lateral)", &["club.loft=9deg..9.1deg"]);
         assert!(lateral.abs() < 1e-10, "{golfer:?}: {lateral}");

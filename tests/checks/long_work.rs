@@ -421,7 +421,7 @@ fn an_unwritable_checkpoint_is_an_error_before_the_search() {
         "{error}"
     );
     // a failing save ends the search with its own error
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let search = longdrive::study::Search::longest_drive(&setup).unwrap();
     let observer = Observer {
         save: Some(Box::new(|_| {

@@ -143,7 +143,7 @@ fn a_text_that_is_no_number_is_refused_as_such() {
             "{args:?}: no '{says}': {text}"
         );
     }
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     let loft = setup.parameter("club.loft").unwrap();
     assert!(matches!(
         setup.set_value(loft, Some(f64::NAN)),

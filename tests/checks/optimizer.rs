@@ -321,7 +321,7 @@ fn a_start_without_a_flight_is_replaced_and_reported() {
 
 #[test]
 fn a_setup_cannot_be_searched_over_nothing_or_twice_over_the_same() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let fixed = Vary::read(&setup, "club.loft=5deg..5deg").unwrap();
     let search = Search {
         vary: vec![fixed],
@@ -344,7 +344,7 @@ fn a_setup_cannot_be_searched_over_nothing_or_twice_over_the_same() {
 
 #[test]
 fn differences_confirm_optimum_and_price_of_the_default_search() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let best = optimum(
         &setup,
         Search::longest_drive(&setup).unwrap(),

@@ -23,7 +23,7 @@ fn written(text: &str) -> (TempDir, String) {
 
 fn of_table(text: &str) -> Law<f64> {
     let (_folder, name) = written(text);
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set_table(Path::new(&name)).unwrap();
     setup.law
 }
@@ -31,7 +31,7 @@ fn of_table(text: &str) -> Law<f64> {
 fn at<D: Number>(law: Law<f64>, [s, reynolds, speed]: [D; 3]) -> Coefficients<D> {
     let law = Setup {
         law,
-        ..Setup::default()
+        ..Setup::modern_driver()
     }
     .map(|_, value| D::constant(value))
     .law;
@@ -233,7 +233,7 @@ fn derivatives_with_a_table_pass_verification() {
     ));
     let setup = Setup {
         law,
-        ..Setup::default()
+        ..Setup::modern_driver()
     };
     let wrt = [
         "club.loft",
@@ -255,7 +255,7 @@ fn derivatives_with_a_table_pass_verification() {
     // the carry with the table equals the carry with the law, within 5 cm
     let carry = |setup: &Setup<f64>| Outcome::Carry.of(&Drive::new(setup).unwrap()).unwrap();
     assert!(
-        (carry(&setup) - carry(&Setup::default())).abs() < 0.05,
+        (carry(&setup) - carry(&Setup::modern_driver())).abs() < 0.05,
         "{}",
         carry(&setup)
     );
@@ -470,7 +470,7 @@ fn a_changed_table_is_another_sweep() {
     let search = || longdrive(&["optimize", "--set", &set, "--checkpoint", &kept]);
     // a saved sweep compares the debug text of its setup with the text of the present setup
     let identity = || {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.set(TABLE, &name).unwrap();
         format!("{setup:?}")
     };
@@ -554,7 +554,7 @@ fn zero_spin_is_a_corner_if_the_drag_of_the_table_has_a_slope_there() {
         let drag = |s: f64| at(law, [s, 1e5, 50.0]).drag;
         let slope = (drag(1e-6) - drag(0.0)) / 1e-6;
         assert_eq!(slope.abs() > 1e-3, is_corner, "{text}: {slope}");
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.set_all(launch).unwrap();
         setup.law = law;
         let corners = Drive::new(&setup).unwrap().corners(&setup);

@@ -250,7 +250,7 @@ fn same_carry_and_total_by_loft_and_attack_angle_and_alone() {
 fn exact_zero_uncertainty_of_the_change_to_an_equal_drive() {
     use longdrive::study::{effects, with_defaults};
     use longdrive::{Outcome, Setup};
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
     let of = |setup: &Setup<f64>| {
         effects(setup, &[Outcome::Carry], &sigmas, &mut |_, _| ())

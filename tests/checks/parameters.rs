@@ -21,7 +21,7 @@ use std::collections::HashSet;
 /// it.
 #[test]
 fn a_duplicate_parameter_is_refused_by_name_for_all_derivatives() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let [loft, speed] = ["club.loft", "swing.speed"].map(|name| setup.variable(name).unwrap());
     let twice = [loft, speed, loft];
     let mut all = setup.variables();
@@ -69,7 +69,7 @@ fn a_duplicate_parameter_is_refused_by_name_for_all_derivatives() {
 /// not 0.
 #[test]
 fn a_coefficient_of_another_law_is_refused_everywhere() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     let stale = setup.variable("aero.cd0").unwrap();
     setup.set_law("robinson").unwrap();
     let own = setup.variable("aero.cd0").unwrap();
@@ -189,7 +189,7 @@ fn a_coefficient_of_another_law_is_refused_everywhere() {
 /// The derivative by a coefficient of the chosen law agrees with differences of the carry.
 #[test]
 fn differences_of_values_agree_with_the_gradient_by_a_coefficient_after_a_change_of_the_law() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set_law("robinson").unwrap();
     let own = setup.variable("aero.cd0").unwrap();
     let (value, h) = (setup.value(own).unwrap(), 1e-5);
@@ -209,7 +209,7 @@ fn differences_of_values_agree_with_the_gradient_by_a_coefficient_after_a_change
 /// different hashes.
 #[test]
 fn parameters_and_outcomes_are_keys_and_have_names() {
-    let rows: Vec<&Parameter> = Setup::default()
+    let rows: Vec<&Parameter> = Setup::modern_driver()
         .parameters()
         .into_iter()
         .chain(Law::all_rows())
@@ -247,7 +247,7 @@ fn parameters_and_outcomes_are_keys_and_have_names() {
 /// parameter.
 #[test]
 fn impossible_ranges_are_refused_by_the_name_of_the_parameter() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let loft = setup.variable("club.loft").unwrap();
     let search = |low: f64, high: f64| Search {
         vary: vec![Vary {
@@ -329,7 +329,7 @@ fn exact_setups_are_equal_after_a_file_and_their_steps_are_written_only_where_st
 #[test]
 fn same_drive_with_an_unset_parameter_and_with_its_documented_value() {
     let with = |settings: &[(&str, &str)]| {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         settings
             .iter()
             .for_each(|(name, text)| setup.set(name, text).unwrap());
@@ -420,7 +420,7 @@ fn same_drive_with_an_unset_parameter_and_with_its_documented_value() {
 
 #[test]
 fn values_that_are_not_as_many_as_their_parameters_are_refused() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let parameters = ["club.loft", "swing.speed"].map(|name| setup.parameter(name).unwrap());
     for values in [&[0.2][..], &[0.2, 45.0, 1.0]] {
         let message = setup

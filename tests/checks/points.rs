@@ -67,7 +67,7 @@ fn loft_and_speed(setup: &Setup<f64>) -> [&'static Parameter; 2] {
 /// Values of other parameters would give wrong drives.
 #[test]
 fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let [loft, speed] = loft_and_speed(&setup);
     let batch = Batch::new(&setup, &[loft, speed], &[Outcome::Carry], &[]).unwrap();
     for (parameters, named) in [
@@ -112,7 +112,7 @@ fn points_of_other_parameters_than_the_batch_are_refused_with_both_lists() {
 /// After a missing value, all later values would belong to wrong parameters.
 #[test]
 fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let of_both = loft_and_speed(&setup);
     let short = CustomPoints {
         appended: 1,
@@ -192,7 +192,7 @@ fn points_with_wrong_numbers_of_values_are_refused_after_the_rows_before() {
 /// A batch whose first row is after the last point delivers no block, and returns this row.
 #[test]
 fn a_batch_that_starts_after_its_last_point_has_no_blocks() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let run = Run {
         first_row: 99_999,
         ..Run::default()
@@ -210,7 +210,7 @@ fn a_batch_that_starts_after_its_last_point_has_no_blocks() {
 /// Wrong lengths are programming errors: they panic, with both lengths.
 #[test]
 fn points_and_blocks_of_wrong_lengths_panic_with_both_lengths() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let [loft, speed] = loft_and_speed(&setup);
     let batch = Batch::new(&setup, &[loft, speed], &[Outcome::Carry], &[loft]).unwrap();
     for points in [vec![0.2], vec![0.2, 45.0, 0.1]] {

@@ -22,7 +22,7 @@ fn value(setup: &Setup<f64>, of: Outcome) -> f64 {
 /// The nominal head of McNally et al. (2016). The ball rolls on the face at the end of the impact.
 fn mcnally() -> Setup<f64> {
     changed(
-        &Setup::default(),
+        &Setup::modern_driver(),
         &[
             ("swing.speed", "50 m/s"),
             ("swing.attack_angle", "0 deg"),
@@ -233,7 +233,7 @@ fn published_golfer_scatters_in_carry_and_direction_as_computed_but_tilts_the_sp
  {
     // the loft at impact is the published 15.55°
     let setup = changed(
-        &Setup::default(),
+        &Setup::modern_driver(),
         &[
             ("swing.attack_angle", "2.73 deg"),
             ("swing.shaft_lean", "-3.02 deg"),
@@ -337,7 +337,10 @@ fn scatter_of_strikes(
     high: (f64, f64),
     with_toe: f64,
 ) -> ([(f64, f64); 2], Vec<[f64; 2]>) {
-    let setup = changed(&Setup::default(), &[("swing.attack_angle", "2.73 deg")]);
+    let setup = changed(
+        &Setup::modern_driver(),
+        &[("swing.attack_angle", "2.73 deg")],
+    );
     // the published face angle and loft are those at the strike: there bulge and roll have rotated
     // the face by this many degrees per mm
     let turn = 1.0 / (305e-3 * DEGREE) * 1e-3;
@@ -465,9 +468,9 @@ fn published_golfer_of_the_documents_scatters_as_published() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("golfer.toml");
     std::fs::write(&path, file).unwrap();
-    let swings = Swings::open(&Setup::default(), &path).unwrap();
+    let swings = Swings::open(&Setup::modern_driver(), &path).unwrap();
     let found = scatter_over(
-        &Setup::default(),
+        &Setup::modern_driver(),
         &swings,
         &[Outcome::Carry, Outcome::LateralTotal],
     );
@@ -495,7 +498,7 @@ fn published_golfer_scatters_as_published_where_the_launch_is_given_as_measured(
         ("launch.spin", "3171 rpm"),
         ("launch.spin_axis", "0 deg"),
     ];
-    let setup = changed(&Setup::default(), &launch);
+    let setup = changed(&Setup::modern_driver(), &launch);
     let shots = [
         "launch.ball_speed=normal(153.82 mph, 6.28 mph)",
         "launch.launch_angle=normal(13.61 deg, 2.92 deg)",

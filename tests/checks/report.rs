@@ -73,7 +73,7 @@ fn rows(csv: &str, kind: &str) -> Vec<Vec<f64>> {
 }
 
 fn figures() -> Vec<Figure> {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let ranges = ["club.loft=4deg..20deg", "swing.attack_angle=-15deg..5deg"]
         .map(|text| Vary::read(&setup, text).unwrap());
     let fineness = Fineness {
@@ -112,7 +112,7 @@ fn figures() -> Vec<Figure> {
 
 #[test]
 fn same_points_in_the_data_of_a_trajectory_and_in_its_flight() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let path = flight::trajectory(&setup, &impact::strike(&setup).unwrap().launch).unwrap();
     let figure = trajectory_figure(
         &[NamedDrive::new("", &setup).unwrap()],
@@ -141,7 +141,7 @@ fn same_points_in_the_data_of_a_trajectory_and_in_its_flight() {
 #[test]
 fn a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
     let ends = |face_angle: &str| {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.set("swing.face_angle", face_angle).unwrap();
         let figure = trajectory_figure(
             &[NamedDrive::new("", &setup).unwrap()],
@@ -531,7 +531,7 @@ fn the_last_row_of_a_tornado_plot_has_no_effect_only_if_no_parameter_has_one() {
 
 #[test]
 fn same_drives_and_gradients_in_maps_and_other_commands() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let [across, up] = ["club.loft=4deg..20deg", "swing.attack_angle=-15deg..5deg"]
         .map(|text| Vary::read(&setup, text).unwrap());
     let found = map(
@@ -725,7 +725,7 @@ fn a_png_has_its_size_and_its_words() {
         )
     );
     // a file with a title is larger; without a font the letters would be missing
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let figure = trajectory_figure(
         &[NamedDrive::new("", &setup).unwrap()],
         View::Side,

@@ -249,7 +249,7 @@ fn bad_models_are_refused_with_the_reason() {
             "{args:?}: {sentence}"
         );
     }
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     let names: Vec<String> = Model::usual(&setup)
         .unwrap()
         .into_iter()
@@ -269,7 +269,7 @@ fn bad_models_are_refused_with_the_reason() {
             .iter()
             .all(|model| !model.name.contains("impact."))
     );
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let alone = robust(
         vec![Model::as_set_up(&setup)],
         search(&setup),
@@ -450,7 +450,7 @@ fn differences_of_the_greatest_loss_are_the_prices_of_its_bounds_and_limits() {
 
 #[test]
 fn a_search_for_several_models_without_a_start_is_refused() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let other = Model::read(&setup, "swing.attack_angle=-4 deg").unwrap();
     let models = vec![Model::as_set_up(&setup), other];
     let error = robust(models, search(&setup), 0, &Observers::default()).unwrap_err();

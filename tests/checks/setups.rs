@@ -7,7 +7,7 @@ use longdrive::{Error, Setup};
 #[test]
 fn every_default_and_every_preset_reads_back_within_its_range() {
     for law in Law::NAMES {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.set_law(law).unwrap();
         for row in setup.parameters() {
             assert!(
@@ -31,7 +31,7 @@ fn every_default_and_every_preset_reads_back_within_its_range() {
 #[test]
 fn names_are_unique_within_a_setup() {
     for law in Law::NAMES {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.set_law(law).unwrap();
         let mut names: Vec<_> = setup.parameters().iter().map(|row| row.name).collect();
         let all = names.len();
@@ -43,13 +43,13 @@ fn names_are_unique_within_a_setup() {
 
 #[test]
 fn a_quantity_with_a_dimension_needs_its_unit() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     let message = setup.set("swing.speed", "100").unwrap_err().to_string();
     assert!(
         message.contains("\"100\" has no unit; a speed takes mph, m/s"),
         "{message}"
     );
-    assert_eq!(setup, Setup::default());
+    assert_eq!(setup, Setup::modern_driver());
     setup.set("impact.restitution", "0.8").unwrap();
     setup.set("club.loft", "0.2 rad").unwrap();
     assert_eq!((setup.impact.restitution, setup.club.loft), (0.8, 0.2));
@@ -57,7 +57,7 @@ fn a_quantity_with_a_dimension_needs_its_unit() {
 
 #[test]
 fn the_law_is_chosen_before_its_coefficients_are_set() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup
         .set_all([("aero.cd", "0.3"), ("aero.law", "linear")])
         .unwrap();
@@ -77,18 +77,18 @@ fn the_law_is_chosen_before_its_coefficients_are_set() {
 
 #[test]
 fn default_is_refused_as_a_word_and_does_not_unset_a_parameter() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     for name in ["impact.gear_scale", "air.density"] {
         let message = setup.set(name, "default").unwrap_err().to_string();
         let reason = format!("{name}: \"default\" does not start with a number");
         assert!(message.starts_with(&reason), "{message}");
     }
-    assert_eq!(setup, Setup::default());
+    assert_eq!(setup, Setup::modern_driver());
 }
 
 #[test]
 fn infinite_and_unset_values_are_allowed_only_where_they_mean_something() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set("club.bulge_radius", "inf").unwrap();
     setup.set("impact.friction", "0.4").unwrap();
     setup.set("impact.friction", "none").unwrap();
@@ -232,7 +232,7 @@ fn every_wrong_value_has_its_line_and_column() {
 
 #[test]
 fn a_value_of_a_wrong_type_gets_an_example_of_its_quantity() {
-    for parameter in Setup::default().parameters() {
+    for parameter in Setup::modern_driver().parameters() {
         let read = |value: &str| SetupFile::read(&format!("{parameter} = {value}"), "f");
         let message = read("true").unwrap_err().to_string();
         let (expected, example) = message.split_once(" like ").unwrap();
@@ -284,18 +284,18 @@ fn a_mistake_of_the_syntax_has_its_line_and_column() {
 #[test]
 fn every_turf_is_recognised_by_its_numbers() {
     assert_eq!(
-        Setup::default().turf().map(|turf| turf.name),
+        Setup::modern_driver().turf().map(|turf| turf.name),
         Some("average")
     );
     for turf in TURFS {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.set("ground.turf", turf.name).unwrap();
         setup.validate().unwrap();
         assert_eq!(setup.turf().map(|found| found.name), Some(turf.name));
         setup.ground.restitution = Some(0.3);
         assert!(setup.turf().is_none());
     }
-    let message = Setup::default()
+    let message = Setup::modern_driver()
         .set("ground.turf", "frim")
         .unwrap_err()
         .to_string();
@@ -308,7 +308,7 @@ fn every_turf_is_recognised_by_its_numbers() {
 
 #[test]
 fn the_turf_is_set_before_its_numbers() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup
         .set_all([("ground.rolling", "0.4"), ("ground.turf", "firm")])
         .unwrap();
@@ -350,14 +350,14 @@ fn a_turf_beside_all_of_its_numbers_is_refused() {
         .map(|name| (&**name, if name.ends_with("e") { "15 deg" } else { "0.5" }));
     let mut settings: Vec<(&str, &str)> = all.chain([("ground.turf", "firm")]).collect();
     assert!(
-        Setup::default()
+        Setup::modern_driver()
             .set_all(settings.clone())
             .unwrap_err()
             .to_string()
             .contains("the turf has no effect")
     );
     settings.remove(0);
-    assert!(Setup::default().set_all(settings).is_ok());
+    assert!(Setup::modern_driver().set_all(settings).is_ok());
 }
 
 #[test]

@@ -157,7 +157,7 @@ fn same_launches_with_a_line_of_units_and_other_cells() {
         );
     }
     let text = "Date,Ball Speed,Launch Angle,Spin Rate\nyyyy,furlongs,deg,rpm\n1,160,12,2500\n";
-    let error = Shots::read(&Setup::default(), "a.csv", text.as_bytes())
+    let error = Shots::read(&Setup::modern_driver(), "a.csv", text.as_bytes())
         .err()
         .unwrap()
         .to_string();
@@ -194,7 +194,7 @@ fn same_launches_in_sections_with_their_own_heads_and_units() {
     let kinds: Vec<&str> = tally.refused.keys().copied().collect();
     assert_eq!(kinds, ["sums up other rows", "title"]);
     // the written file is read again, with equal carries
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     for name in ["two-exports-mph-then-kmh.csv", "sections-with-heads.csv"] {
         let (shots, first, _) = case(name);
         let writer = ShotWriter::csv(&shots, &[Outcome::CarryDistance], System::Us);
@@ -348,7 +348,7 @@ fn same_signs_of_garmin_in_points_and_in_shots() {
         ),
     ] {
         std::fs::write(&path, &text).unwrap();
-        let mut points = open_table(&Setup::default(), &path).unwrap();
+        let mut points = open_table(&Setup::modern_driver(), &path).unwrap();
         let notes: Vec<String> = points.notes().iter().map(ToString::to_string).collect();
         assert!(notes.contains(&says.to_owned()), "{notes:?}");
         let at = points
@@ -516,7 +516,7 @@ fn every_shot_is_explained_by_its_stated_values() {
         ("open-connect-zero-club.jsonl", 1),
     ] {
         let file = format!("{}/data/cases/{name}", env!("CARGO_MANIFEST_DIR"));
-        let setup = Setup::default();
+        let setup = Setup::modern_driver();
         let table =
             ShotTable::open_launches(&setup, std::path::Path::new(&file), RowFilter::default())
                 .unwrap();
@@ -527,7 +527,7 @@ fn every_shot_is_explained_by_its_stated_values() {
         env!("CARGO_MANIFEST_DIR")
     );
     let table = ShotTable::open_launches(
-        &Setup::default(),
+        &Setup::modern_driver(),
         std::path::Path::new(&file),
         RowFilter::default(),
     )
@@ -738,7 +738,8 @@ fn a_line_of_units_that_contradicts_its_head_is_refused() {
              [rpm]\n[{below}],[deg],[rpm]\n70,12,2600\n"
         )
     };
-    let read = |text: String| Shots::read(&Setup::default(), "a.csv", Cursor::new(text)).map(drop);
+    let read =
+        |text: String| Shots::read(&Setup::modern_driver(), "a.csv", Cursor::new(text)).map(drop);
     let error = read(text("mph", "m/s")).err().unwrap().to_string();
     assert!(
         error.contains("the head says [mph], and the line of units [m/s]; correct one of them"),
@@ -763,7 +764,7 @@ fn same_shots_with_a_club_of_zeros_and_without_one() {
         let path = folder.path().join("a.csv");
         std::fs::write(&path, text(club)).unwrap();
         let table =
-            ShotTable::open_launches(&Setup::default(), &path, RowFilter::default()).unwrap();
+            ShotTable::open_launches(&Setup::modern_driver(), &path, RowFilter::default()).unwrap();
         table
             .shots
             .iter()
@@ -799,7 +800,7 @@ fn with_first_cells(heads: &str, cells: &[&str]) -> String {
 /// The numbers of rows that `fly` reads and flies, and the number of shots that `calibrate` reads.
 fn counts(text: &str) -> ([u64; 2], usize) {
     let (_, _, tally) = fly_shots(Cursor::new(text.to_owned()));
-    let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
+    let table = ShotTable::read(&Setup::modern_driver(), "a.csv", text.as_bytes()).unwrap();
     ([tally.rows, tally.flown], table.shots.len())
 }
 
@@ -812,7 +813,7 @@ fn rows_and_heads_that_begin_with_a_number_sign_are_read() {
         assert_eq!(counts(&text), ([3, 3], 3), "{text}");
         let folder = tempfile::tempdir().unwrap();
         let file = file_with(folder.path(), "a.csv", &text);
-        let mut points = open_table(&Setup::default(), file.as_ref()).unwrap();
+        let mut points = open_table(&Setup::modern_driver(), file.as_ref()).unwrap();
         assert_eq!(points.read(9, &mut vec![]).unwrap(), 3, "{text}");
     }
     let semicolons = head.replace(',', ";");
@@ -1020,7 +1021,7 @@ fn remarks(text: &str) -> [String; 2] {
     let joined = |remarks: Vec<String>| remarks.join("\n");
     let (shots, ..) = fly_shots(Cursor::new(text.to_owned()));
     let of_fly = shots.remarks().iter().map(ToString::to_string).collect();
-    let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
+    let table = ShotTable::read(&Setup::modern_driver(), "a.csv", text.as_bytes()).unwrap();
     let of_calibrate = table.remarks.iter().map(ToString::to_string).collect();
     [joined(of_fly), joined(of_calibrate)]
 }
@@ -1100,7 +1101,7 @@ fn the_first_of_two_columns_of_one_quantity_is_read() {
         }
         let (_, found, _) = fly_shots(Cursor::new(text.clone()));
         let shot = &found[0].shots[0];
-        let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
+        let table = ShotTable::read(&Setup::modern_driver(), "a.csv", text.as_bytes()).unwrap();
         assert_eq!(table.shots[0].measured.len(), 1);
         let measured = table.shots[0].measured[0].value;
         assert_eq!(
@@ -1113,7 +1114,7 @@ fn the_first_of_two_columns_of_one_quantity_is_read() {
         assert_eq!(shot.other_parameters(), values);
         let file = file_with(folder.path(), "a.csv", &text);
         let launches =
-            ShotTable::open_launches(&Setup::default(), file.as_ref(), RowFilter::default());
+            ShotTable::open_launches(&Setup::modern_driver(), file.as_ref(), RowFilter::default());
         assert_eq!(launches.unwrap().shots.len(), 1, "{heads}");
     }
 }

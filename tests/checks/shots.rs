@@ -32,7 +32,7 @@ fn path(name: &str) -> PathBuf {
 }
 
 pub fn fly_shots(text: impl Read + Send + 'static) -> (Shots, Vec<Flown>, ShotStatistics) {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let mut shots = Shots::read(&setup, "shots.csv", text).unwrap();
     let flying = Flying::new(&setup, &shots.other_parameters, &OF).unwrap();
     let mut all = vec![];
@@ -57,7 +57,7 @@ fn file(name: &str) -> (Shots, Flown, ShotStatistics) {
 /// The shot of the samples (160 mph, 12°, 2500 rpm) with this launch direction and spin axis,
 /// degrees.
 fn sample(direction: f64, axis: f64) -> Drive<f64> {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     for (name, value) in [
         ("launch.ball_speed", "160 mph".to_owned()),
         ("launch.launch_angle", "12 deg".into()),
@@ -218,7 +218,7 @@ fn same_table_in_every_encoding() {
     }
     // calibrations read these encodings too
     let table = |bytes: Vec<u8>| {
-        longdrive::study::calibrate::ShotTable::read(&Setup::default(), "a.csv", &bytes[..])
+        longdrive::study::calibrate::ShotTable::read(&Setup::modern_driver(), "a.csv", &bytes[..])
     };
     let own = "ball_speed [mph],launch_angle [deg],backspin [rpm],carry [yd]\n160,12,2500,262\n";
     let wide: Vec<u8> = format!("\u{feff}{own}")
@@ -247,7 +247,8 @@ fn same_table_in_windows_1252_whose_first_other_character_is_far_from_the_beginn
     let says = "its text is not in UTF-8, and is read as Windows-1252";
     let remarks = shots.final_remarks();
     assert!(remarks.iter().any(|remark| remark.to_string() == says));
-    let table = longdrive::study::calibrate::ShotTable::read(&Setup::default(), "a", &bytes[..]);
+    let table =
+        longdrive::study::calibrate::ShotTable::read(&Setup::modern_driver(), "a", &bytes[..]);
     let table = table.unwrap();
     assert_eq!(table.shots.len(), 6001);
     assert!(
@@ -467,7 +468,7 @@ fn the_advice_on_a_wrong_unit_of_messages_names_their_units() {
 #[test]
 fn tables_without_a_launch_name_the_nearest_head() {
     let misspelt = "Club,Ball Sped (mph),Launch Angl (deg),Spin (rpm)\nDriver,160,12,2500\n";
-    let error = Shots::read(&Setup::default(), "a.csv", misspelt.as_bytes())
+    let error = Shots::read(&Setup::modern_driver(), "a.csv", misspelt.as_bytes())
         .map(drop)
         .unwrap_err()
         .to_string();
@@ -479,7 +480,7 @@ fn tables_without_a_launch_name_the_nearest_head() {
         assert!(error.contains(says), "no '{says}' in {error}");
     }
     let refused = |text: &'static str| {
-        Shots::read(&Setup::default(), "a.csv", text.as_bytes())
+        Shots::read(&Setup::modern_driver(), "a.csv", text.as_bytes())
             .err()
             .unwrap()
             .to_string()
@@ -532,7 +533,11 @@ fn tables_without_a_launch_name_the_nearest_head() {
     }
     // `calibrate` and `delivery` also refuse misspelt heads
     let read = |text: &str| {
-        longdrive::study::calibrate::ShotTable::read(&Setup::default(), "a.csv", text.as_bytes())
+        longdrive::study::calibrate::ShotTable::read(
+            &Setup::modern_driver(),
+            "a.csv",
+            text.as_bytes(),
+        )
     };
     let error =
         read("Ball Sped (mph),Lanch Angle (deg),Backspin (rpm),Carry (yd)\n150,12,2600,240\n")
@@ -727,7 +732,7 @@ impl Read for Many {
 
 #[test]
 fn same_streamed_rows_for_any_number_of_threads() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     // few steps a flight, so that most of the time is reading and writing
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let rows = 60_000;

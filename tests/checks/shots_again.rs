@@ -768,7 +768,7 @@ fn json_lines_of_fly_have_all_measured_values() {
     assert_eq!(longdrive(&["fly", sample, "-o", &lines]).status, 0);
     let open = |file: &str| {
         ShotTable::open(
-            &Setup::default(),
+            &Setup::modern_driver(),
             Path::new(file),
             RowFilter::default(),
             false,

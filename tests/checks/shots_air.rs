@@ -38,13 +38,13 @@ fn read_both_ways(text: &str) -> [ShotTable; 2] {
     fs::write(&file, text).unwrap();
     [false, true].map(|is_air_given| {
         let filter = RowFilter::default();
-        ShotTable::open(&Setup::default(), &file, filter, is_air_given).unwrap()
+        ShotTable::open(&Setup::modern_driver(), &file, filter, is_air_given).unwrap()
     })
 }
 
 /// The carry of the shot of Garmin's sample at an air density, m.
 fn carry(density: f64) -> f64 {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.air.density = density;
     for (name, value) in [
         ("launch.ball_speed", "160 mph"),

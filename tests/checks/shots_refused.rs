@@ -15,7 +15,7 @@ const HEAD: &str = "Ball Speed [mph],Launch Angle [deg],Launch Direction [deg],T
 const GOOD: &str = "150,12,0,2600,3,245,5\n";
 
 fn read(text: &str) -> ShotTable {
-    ShotTable::read(&Setup::default(), "shots.csv", text.as_bytes()).unwrap()
+    ShotTable::read(&Setup::modern_driver(), "shots.csv", text.as_bytes()).unwrap()
 }
 
 fn remarks(table: &ShotTable) -> String {
@@ -62,15 +62,22 @@ fn calibrate_and_delivery_omit_the_rows_that_fly_refuses() {
     assert_eq!(rows(&table), flies);
     let folder = tempfile::tempdir().unwrap();
     let file = file_with(folder.path(), "shots.csv", &text);
-    let launches =
-        ShotTable::open_launches(&Setup::default(), Path::new(&file), RowFilter::default())
-            .unwrap();
+    let launches = ShotTable::open_launches(
+        &Setup::modern_driver(),
+        Path::new(&file),
+        RowFilter::default(),
+    )
+    .unwrap();
     let with_club = text
         .replace("Side [yd]\n", "Side [yd],Club Speed [mph]\n")
         .replace(",5\n", ",5,103\n");
     let file = file_with(folder.path(), "club.csv", &with_club);
-    let clubs = ShotTable::open_launches(&Setup::default(), Path::new(&file), RowFilter::default())
-        .unwrap();
+    let clubs = ShotTable::open_launches(
+        &Setup::modern_driver(),
+        Path::new(&file),
+        RowFilter::default(),
+    )
+    .unwrap();
     for (table, of) in [
         (&table, "calibrate"),
         (&launches, "delivery"),
@@ -93,7 +100,11 @@ fn delivery_refuses_a_table_without_a_speed_and_names_other_missing_columns() {
     let folder = tempfile::tempdir().unwrap();
     let open = |name: &str, text: &str| {
         let file = file_with(folder.path(), name, text);
-        ShotTable::open_launches(&Setup::default(), Path::new(&file), RowFilter::default())
+        ShotTable::open_launches(
+            &Setup::modern_driver(),
+            Path::new(&file),
+            RowFilter::default(),
+        )
     };
     let refused = open("no_speed.csv", "BallSpd,Launch Angle,Spin\n138,11.2,3100\n");
     let reason = refused.unwrap_err().to_string();
@@ -142,9 +153,12 @@ fn delivery_omits_the_incomplete_launches_that_fly_refuses() {
         .replace(",5\n", ",5,103\n");
     for (name, text) in [("shots.csv", &text), ("club.csv", &with_club)] {
         let file = file_with(folder.path(), name, text);
-        let table =
-            ShotTable::open_launches(&Setup::default(), Path::new(&file), RowFilter::default())
-                .unwrap();
+        let table = ShotTable::open_launches(
+            &Setup::modern_driver(),
+            Path::new(&file),
+            RowFilter::default(),
+        )
+        .unwrap();
         assert_eq!(rows(&table), flies, "{name}");
         let sentence = "rows left out, since they lack a value that every shot needs: row 2 (Ball \
                     Speed), row 4 (Launch Angle), row 6 (Total Spin)";
@@ -160,8 +174,12 @@ fn delivery_omits_the_incomplete_launches_that_fly_refuses() {
         "slow.csv",
         "Ball Speed [mph],Launch Angle [deg],Club Speed [mph]\n150,12,103\n150,,103\n",
     );
-    let table = ShotTable::open_launches(&Setup::default(), Path::new(&file), RowFilter::default())
-        .unwrap();
+    let table = ShotTable::open_launches(
+        &Setup::modern_driver(),
+        Path::new(&file),
+        RowFilter::default(),
+    )
+    .unwrap();
     assert_eq!(rows(&table), [1, 2]);
 }
 
@@ -283,7 +301,7 @@ fn no_spin_and_topspin_are_out_of_range_in_every_format() {
 fn exports_without_units_are_read_as_in_fly() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/data/shots/rapsodo.csv");
     let table = ShotTable::open(
-        &Setup::default(),
+        &Setup::modern_driver(),
         Path::new(file),
         RowFilter::default(),
         false,

@@ -108,7 +108,7 @@ fn contradictory_spins_are_reported_with_the_used_one() {
     let text = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Spin Axis [deg],Backspin \
                 [rpm],Carry [yd]\n\
                 150,12,2500,5,1000,240\n150,12,2500,5,2490,240\n";
-    let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
+    let table = ShotTable::read(&Setup::modern_driver(), "a.csv", text.as_bytes()).unwrap();
     let remarks: Vec<String> = table
         .remarks
         .iter()
@@ -143,7 +143,7 @@ fn the_spin_is_taken_from_the_cells_of_each_row() {
         flown.shots[4].refusal().map(|Refusal { kind, .. }| *kind),
         Some("missing value")
     );
-    let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
+    let table = ShotTable::read(&Setup::modern_driver(), "a.csv", text.as_bytes()).unwrap();
     assert_eq!(
         table.shots.iter().map(|shot| shot.row).collect::<Vec<_>>(),
         [1, 2, 3, 4]
@@ -167,7 +167,7 @@ fn the_spin_is_taken_from_the_cells_of_each_row() {
 
 #[test]
 fn lateral_is_not_fitted_where_the_direction_or_the_tilt_is_not_measured() {
-    let read = |text: &str| ShotTable::read(&Setup::default(), "a.csv", text.as_bytes());
+    let read = |text: &str| ShotTable::read(&Setup::modern_driver(), "a.csv", text.as_bytes());
     let text = "ball_speed [mph],launch_angle [deg],launch_direction [deg],spin [rpm],spin_axis \
                 [deg],carry [yd],lateral [yd]\n\
                 150,12,1,2500,2,240,5\n150,12,,2500,2,240,5\n150,12,1,2500,,240,5\n";
@@ -230,7 +230,7 @@ fn assumed_uncertainties_of_every_section_are_reported() {
         "{launch},Carry [yds]\n150,12,1,2500,3,240\n{launch},Hang Time [s],Offline \
          [yds]\n150,12,1,2500,3,6.1,5\n"
     );
-    let table = ShotTable::read(&Setup::default(), "a.csv", text.as_bytes()).unwrap();
+    let table = ShotTable::read(&Setup::modern_driver(), "a.csv", text.as_bytes()).unwrap();
     let remarks: Vec<String> = table.remarks.iter().map(ToString::to_string).collect();
     let remarks = remarks.join("\n");
     let count = |of: &str| {
@@ -306,7 +306,7 @@ fn every_lateral_value_that_is_not_compared_is_named() {
     let head = "ball_speed [mph],launch_angle [deg],spin [rpm],lateral [yd],lateral_total [yd]";
     let read = |head: &str, row: &str| {
         let text = format!("{head}\n{row}\n");
-        ShotTable::read(&Setup::default(), "a.csv", text.as_bytes())
+        ShotTable::read(&Setup::modern_driver(), "a.csv", text.as_bytes())
     };
     let error = read(head, "150,12,2500,5,6").unwrap_err().to_string();
     assert!(

@@ -33,14 +33,14 @@ pub fn all(points: &mut dyn Points) -> Vec<f64> {
 
 /// Coarse steps: many drives in little time.
 fn quick() -> Setup<f64> {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set("flight.step", "0.5 s").unwrap();
     setup
 }
 
 #[test]
 fn exact_grid_has_its_first_axis_outermost_and_both_ends() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let mut points = grid(
         &setup,
         &[
@@ -69,7 +69,7 @@ fn exact_grid_has_its_first_axis_outermost_and_both_ends() {
 
 #[test]
 fn same_values_and_gradients_in_a_sweep_and_alone() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let of = [
         Outcome::Carry,
         Outcome::Lateral,
@@ -212,7 +212,7 @@ fn bits(blocks: &[Block]) -> String {
 /// In such a batch no row reads the parameter, so its derivative would be 0.
 #[test]
 fn a_derivative_by_a_parameter_that_swept_parameters_replace_is_refused() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let refusal = |swept: &[&str], wrt: &str| {
         let swept: Vec<_> = swept
             .iter()
@@ -310,7 +310,7 @@ fn a_batch_stops_on_request_and_at_an_error_of_the_sink() {
 
 #[test]
 fn same_sequence_from_any_row() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let over = ["club.loft=5..15deg", "swing.speed=80..120mph"]
         .map(|text| Vary::read(&setup, text).unwrap());
     let mut points = Sequence::new(over.to_vec(), 70_000, 0).unwrap();
@@ -339,7 +339,7 @@ fn same_sequence_from_any_row() {
 
 #[test]
 fn bad_axes_are_refused_with_advice() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     for (text, says) in [
         ("club.loft=5deg..15deg", "the number of values is missing"),
         (
@@ -389,7 +389,7 @@ pub fn table(name: &str, text: impl AsRef<[u8]>) -> (tempfile::TempDir, PathBuf)
 
 #[test]
 fn csv_tables_have_units_in_their_heads() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let text = "\u{feff}club.loft [deg], swing.speed [mph],air.density [kg/m^3]\n10.5,110,1.2\n\n \
                 -3 , 9.5e1,\"0\"\n";
     let (_folder, path) = table("points.csv", text);
@@ -414,7 +414,7 @@ fn csv_tables_have_units_in_their_heads() {
 
 #[test]
 fn same_csv_table_in_utf_16_and_utf_8() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let text = "\u{feff}club.loft [deg]\tswing.speed [mph]\r\n10.5\t110\r\n11\t95\r\n";
     let (folder, path) = table("points.csv", text);
     let wide = folder.path().join("wide.csv");
@@ -431,7 +431,7 @@ fn same_csv_table_in_utf_16_and_utf_8() {
 
 #[test]
 fn bad_tables_are_refused_by_row_and_column_before_any_work() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     for (name, text, says) in [
         (
             "a.csv",
@@ -534,7 +534,7 @@ fn rows_out_of_range_are_rows_of_their_own() {
 
 /// A batch of one landed and one failed drive, with derivatives.
 fn small() -> (Batch, Block) {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let loft: &'static Parameter = setup.variable("club.loft").unwrap();
     let batch = Batch::new(
         &setup,
@@ -616,7 +616,7 @@ mod in_parquet {
     #[test]
     fn text_named_as_parquet_is_refused() {
         let (_folder, path) = super::table("a.parquet", "club.loft [rad]\n0.1\n");
-        let message = open_table(&Setup::default(), &path).err().unwrap();
+        let message = open_table(&Setup::modern_driver(), &path).err().unwrap();
         let message = message.to_string();
         assert!(message.contains("it is not a Parquet file"), "{message}");
     }
@@ -776,7 +776,7 @@ mod in_parquet {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("points.parquet");
         write(&path, false);
-        let setup = Setup::default();
+        let setup = Setup::modern_driver();
         let mut points = open_table(&setup, &path).unwrap();
         let expected: Vec<f64> = (0..10)
             .flat_map(|i| [0.1 + 0.01 * f64::from(i), 1.25, 40.0])
@@ -805,7 +805,7 @@ mod in_parquet {
 
 #[test]
 fn histograms_and_rankings_with_values_are_refused() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let speed = setup.variable("swing.speed").unwrap();
     let batch = Batch::new(&setup, &[speed], &[Outcome::Carry], &[]).unwrap();
     let refused = |histogram: &Histogram, ranking: &Ranking| {

@@ -204,7 +204,7 @@ fn exact_zero_lateral_mean_of_symmetric_swings() {
 /// Correlated normal variables have the requested correlation, and their own means and deviations.
 #[test]
 fn exact_correlation_of_normal_swings() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let inputs = [
         "swing.path=normal(1 deg, 2 deg)",
         "swing.face_angle=normal(-1 deg, 3 deg)",
@@ -253,7 +253,7 @@ fn exact_correlation_of_normal_swings() {
 /// `uncertainty`.
 #[test]
 fn independent_moments_of_a_truncated_distribution_by_its_quantiles() {
-    let read = |text: &str| Uncertain::read(&Setup::default(), text);
+    let read = |text: &str| Uncertain::read(&Setup::modern_driver(), text);
     let input = read("swing.speed=truncated(110 mph, 5 mph, 100 mph, 112 mph)").unwrap();
     let Distribution::Truncated { low, high, .. } = input.distribution else {
         panic!("{input:?}")
@@ -717,7 +717,7 @@ fn too_many_recorded_swings_are_refused_with_their_number() {
     let file = folder.path().join("swings.csv");
     let rows = "100\n".repeat(100_001);
     std::fs::write(&file, format!("swing.speed [mph]\n{rows}")).unwrap();
-    let error = Swings::open(&Setup::default(), &file).unwrap_err();
+    let error = Swings::open(&Setup::modern_driver(), &file).unwrap_err();
     let says = "it has 100001 rows, and at most 100000 recorded swings are allowed";
     assert!(
         matches!(error, Error::Table { .. }) && error.to_string().contains(says),
@@ -754,7 +754,7 @@ fn a_search_for_the_mean_swing_that_does_not_converge_gives_no_nominal_design() 
 /// reach these angles, but the points of the sequences do.
 #[test]
 fn the_error_of_a_smooth_goal_is_known_if_only_the_sequences_contain_a_swing_without_flight() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let flies = |attack: f64| {
         let mut swung = setup;
         swung.swing.attack_angle = attack;
@@ -1044,7 +1044,7 @@ fn documents_say_the_best_lofts_of_a_beginner_and_of_a_professional() {
 
 #[test]
 fn scenarios_by_a_rule_that_does_not_fit_the_swings_are_refused() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let distributed = swings(&setup, &["swing.speed=normal(100mph,2mph)"]);
     let three = ["swing.speed", "swing.path", "swing.attack_angle"].map(|name| {
         let (value, unit) = if name == "swing.speed" {
@@ -1111,7 +1111,7 @@ fn a_share_of_swings_beyond_the_table_of_strokes_is_not_rounded_up() {
 
 #[test]
 fn recorded_swings_without_one_value_for_each_parameter_are_refused() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let parameters = ["swing.speed", "swing.path"].map(|name| setup.variable(name).unwrap());
     for row in [vec![45.0], vec![45.0, 0.0, 0.0]] {
         let rows = vec![vec![45.0, 0.0], row];
@@ -1127,7 +1127,7 @@ fn recorded_swings_without_one_value_for_each_parameter_are_refused() {
 /// Two swings with the same strike, beside the face. Only the ball of the first swing lands.
 #[test]
 fn the_share_of_swings_beyond_a_limit_is_a_share_of_those_that_land() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set("strike.toe", "70 mm").unwrap();
     let attack = vec![setup.variable("swing.attack_angle").unwrap()];
     let recorded = Swings::recorded(attack, vec![vec![0.0], vec![-0.7]]).unwrap();
@@ -1152,7 +1152,7 @@ fn the_share_of_swings_beyond_a_limit_is_a_share_of_those_that_land() {
 /// would have the error 0 if the other rule also had one node.
 #[test]
 fn the_error_of_a_goal_over_one_node_is_above_0() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let all = swings(&setup, &["swing.attack_angle=uniform(-6deg, 6deg)"]);
     let best = searched(
         &setup,

@@ -22,7 +22,7 @@ fn file(name: &str) -> PathBuf {
 }
 
 fn open(path: &Path) -> longdrive::Result<Box<dyn Points + Send>> {
-    static SETUP: LazyLock<Setup<f64>> = LazyLock::new(Setup::default);
+    static SETUP: LazyLock<Setup<f64>> = LazyLock::new(Setup::modern_driver);
     open_table(&SETUP, path)
 }
 

@@ -230,7 +230,7 @@ fn within_a_micrometre(
 /// sweep flies these rows again.
 #[test]
 fn same_rows_in_shorter_steps_after_a_retry() {
-    let mut low = Setup::default();
+    let mut low = Setup::modern_driver();
     low.set_all(RIGID).unwrap();
     let mut far = low;
     far.set_all([
@@ -283,7 +283,7 @@ fn same_rows_in_shorter_steps_after_a_retry() {
 /// last step a larger weight; without it, some of 4000 rows had an error of 5 µm.
 #[test]
 fn same_short_and_flat_flights_in_shorter_steps_after_a_retry() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let ranges = [
         range(&setup, "club.loft", 0.07, 0.35),
         range(&setup, "swing.attack_angle", -0.087, 0.087),
@@ -300,7 +300,7 @@ fn same_short_and_flat_flights_in_shorter_steps_after_a_retry() {
 /// an error of the velocity moves the apex up to a hundred times as far as usual.
 #[test]
 fn same_positions_of_flat_apexes_in_shorter_steps_within_a_micrometre() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let ranges = [
         range(&setup, "club.loft", 0.05, 0.35),
         range(&setup, "swing.attack_angle", -0.087, 0.087),
@@ -345,7 +345,7 @@ fn same_row_that_nearly_stops_at_its_apex_in_shorter_steps_after_a_retry() {
 /// A row whose error exceeds the tolerance in every step has no outcomes.
 #[test]
 fn a_row_beyond_the_tolerance_in_every_step_diverges() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let loft = setup.variable("club.loft").unwrap();
     let batch = Batch::new(&setup, &[loft], &[Outcome::Carry], &[]).unwrap();
     for (defect, status) in [
@@ -366,7 +366,9 @@ fn a_row_beyond_the_tolerance_in_every_step_diverges() {
 
 #[test]
 fn a_drive_beyond_the_tolerance_in_every_step_is_an_error_of_its_integration() {
-    let mut found = StepChoice::default().for_setup(&Setup::default()).unwrap();
+    let mut found = StepChoice::default()
+        .for_setup(&Setup::modern_driver())
+        .unwrap();
     found.largest_defect = f64::MIN_POSITIVE;
     let error = found.drive().unwrap_err();
     let message = error.to_string();
@@ -387,7 +389,7 @@ fn a_drive_beyond_the_tolerance_in_every_step_is_an_error_of_its_integration() {
 /// defect of 0 or less would refuse every row.
 #[test]
 fn an_impossible_largest_defect_is_refused() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let batch = Batch::new(
         &setup,
         &[setup.variable("club.loft").unwrap()],
@@ -439,7 +441,7 @@ fn one_drive_alone_is_checked_once() {
 /// drive.
 #[test]
 fn a_tolerance_out_of_reach_names_the_drive() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let error = accuracy(
         &setup,
         &[range(&setup, "club.loft", 0.1, 0.2)],
@@ -471,7 +473,7 @@ fn same_derivatives_in_shorter_steps_within_the_documented_error() {
         .flat_map(|law| drives.map(|drive| (*law, drive)))
         .collect::<Vec<_>>();
     in_parallel(&requested, |&(law, [loft, attack_angle, speed])| {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.set_law(law).unwrap();
         (setup.club.loft, setup.swing.attack_angle, setup.swing.speed) =
             (loft, attack_angle, speed);

@@ -281,7 +281,7 @@ fn exact_share_of_a_single_uncertain_parameter_is_one() {
             assert_eq!((share.value, share.low, share.high), (1.0, 1.0, 1.0));
         }
     }
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     let inputs = [Uncertain::read(&setup, "club.loft=uniform(1deg,17deg)").unwrap()];
     let found = uncertainty(
@@ -385,7 +385,7 @@ fn missing_values_are_counted_and_not_replaced() {
 }
 
 fn drive() -> (Setup<f64>, Vec<Uncertain>) {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     // gradients and samples use the same integration step, so that they belong to the same drives
     setup.set_all(crate::common::LARGE_STEPS).unwrap();
     setup.set_all(crate::common::RIGID).unwrap();
@@ -492,7 +492,7 @@ fn sampled_drives_agree_with_gradients_where_nearly_linear() {
 
 #[test]
 fn drives_that_do_not_fly_are_counted() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup
         .set_all([("club.loft", "1 deg"), ("swing.attack_angle", "0 deg")])
         .unwrap();
@@ -528,7 +528,7 @@ fn drives_that_do_not_fly_are_counted() {
 
 #[test]
 fn exact_effects_are_gradients_times_uncertainties_ranked_by_size() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let given = [
         Sigma::read(&setup, "swing.speed=2 mph").unwrap(),
         Sigma::read(&setup, "ball.mass=1%").unwrap(),
@@ -594,7 +594,7 @@ fn exact_effects_are_gradients_times_uncertainties_ranked_by_size() {
 
 #[test]
 fn mistakes_in_uncertainties_are_named() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     for text in [
         "swing.speed",
         "swing.speed=fast",
@@ -671,7 +671,7 @@ fn mistakes_in_uncertainties_are_named() {
 /// would improve it.
 #[test]
 fn an_outcome_without_uncertain_parameters_says_so() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let density = Uncertain::normal(&setup, &Sigma::read(&setup, "air.density=1%").unwrap());
     let plan = SamplePlan {
         samples: 300,
@@ -760,7 +760,7 @@ fn a_constant_with_rounding_is_a_constant() {
 /// another.
 #[test]
 fn independent_remaining_deviation_where_one_parameter_dominates() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set_all(LARGE_STEPS).unwrap();
     let input = |text: &str| Uncertain::normal(&setup, &Sigma::read(&setup, text).unwrap());
     let others = ["swing.speed=2mph", "club.loft=1deg"].map(input);
@@ -797,7 +797,7 @@ fn independent_remaining_deviation_where_one_parameter_dominates() {
 /// An uncertainty whose square overflows gives no NaN and no infinity.
 #[test]
 fn huge_uncertainties_give_no_infinity() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let sigma = Sigma::read(&setup, "wind.downrange=1e200 m/s").unwrap();
     let input = [Uncertain::normal(&setup, &sigma)];
     let plan = SamplePlan {
@@ -843,7 +843,7 @@ fn huge_uncertainties_give_no_infinity() {
 #[test]
 fn exact_gusts_in_the_uncertainty_of_the_wind() {
     let sigma = |settings: &[(&str, &str)], name: &str| {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.set_all(settings.iter().copied()).unwrap();
         let all =
             longdrive::study::with_defaults(&setup, &[], &[longdrive::Outcome::Carry]).unwrap();
@@ -884,7 +884,7 @@ fn the_uncertainty_of_a_strike_has_the_source_of_its_size() {
         all.find(|sigma| sigma.parameter.name == "strike.high")
             .unwrap()
     };
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set("club.cg_high", "none").unwrap();
     let spot = sigma(&setup);
     setup.set("club.cg_high", "0 mm").unwrap();
@@ -913,7 +913,7 @@ fn the_uncertainty_of_a_strike_has_the_source_of_its_size() {
 #[test]
 fn an_unset_wind_is_refused_with_advice() {
     for name in ["wind.speed", "wind.from"] {
-        let error = longdrive::Setup::default()
+        let error = longdrive::Setup::modern_driver()
             .variable(name)
             .unwrap_err()
             .to_string();
@@ -927,7 +927,7 @@ fn an_unset_wind_is_refused_with_advice() {
 /// any drive is flown.
 #[test]
 fn impossible_distributions_are_refused() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let speed = setup.variable("swing.speed").unwrap();
     let plan = SamplePlan {
         samples: 8,
@@ -1093,7 +1093,7 @@ fn impossible_distributions_are_refused() {
 /// the distribution function rounds to 1.
 #[test]
 fn independent_both_tails_of_a_truncated_normal_distribution_are_those_of_40_digits() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let mean = 9.108_456_288_012;
     let moments = [
         0.011_448_805_821_64,
@@ -1230,7 +1230,7 @@ fn exact_uniform_distribution_of_a_wide_normal_one_between_near_ends() {
 /// mean and the variance of the normal distribution.
 #[test]
 fn exact_rule_of_a_truncated_normal_distribution_with_far_ends() {
-    let speed = Setup::default().variable("swing.speed").unwrap();
+    let speed = Setup::modern_driver().variable("swing.speed").unwrap();
     let input = Uncertain {
         parameter: speed,
         distribution: Distribution::Truncated {
@@ -1492,7 +1492,7 @@ fn exact_points_in_a_flat_ellipse_and_in_a_point() {
 #[test]
 fn exact_percentages_are_relative_to_the_value() {
     use longdrive::study::{Change, Sigma};
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set("swing.attack_angle", "-2 deg").unwrap();
     setup.set("air.temperature", "10 degC").unwrap();
     setup.set("air.humidity", "50%").unwrap();

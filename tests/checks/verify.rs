@@ -118,7 +118,7 @@ fn differences_certify_every_derivative_of_every_preset_and_catch_every_planted_
 
 #[test]
 fn differences_certify_a_launch_without_a_club() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     let launch = [
         ("launch.ball_speed", "167 mph"),
         ("launch.launch_angle", "10.9 deg"),
@@ -195,7 +195,7 @@ fn any_request() -> impl Strategy<Value = (Setup<f64>, usize)> {
     );
     question.prop_map(
         move |(law, swing, loft, strike, air, end, parameter, (friction, step, method))| {
-            let mut s = Setup::default();
+            let mut s = Setup::modern_driver();
             s.set_law(Law::NAMES[law]).unwrap();
             (s.swing.speed, s.swing.attack_angle, s.club.loft) =
                 (swing.0, swing.1 * deg, loft * deg);
@@ -334,7 +334,7 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
         ("wind.downrange", "2.631895586731229 m/s"),
     ];
     for (settings, by) in [(first, "aero.spin_decay"), (second, "wind.right")] {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.set("flight.step", "5 ms").unwrap();
         setup.set_all(settings).unwrap();
         let certificate = certificate(&setup, &of, &[setup.variable(by).unwrap()]);
@@ -343,7 +343,7 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
     }
     // the descent angle of a parabola does not depend on gravity, so its difference quotient is
     // only the rounding error of the longest flight
-    let mut vacuum = Setup::default();
+    let mut vacuum = Setup::modern_driver();
     vacuum
         .set_all([
             ("air.density", "0 kg/m^3"),
@@ -359,7 +359,7 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
     assert!(certificate.passed(), "{:?}", failures(&certificate));
     // the spin decay is at the end of its range, and the flight is so high that it amplifies
     // rounding errors of its beginning
-    let mut high = Setup::default();
+    let mut high = Setup::modern_driver();
     let settings = [
         ("aero.law", "linear"),
         ("swing.speed", "54.26623663300731 m/s"),
@@ -382,7 +382,7 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
     );
     assert!(certificate.passed(), "{:?}", failures(&certificate));
     for law in Law::NAMES {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup
             .set_all([("aero.law", *law), ("aero.spin_decay", "0 1/s")])
             .unwrap();
@@ -402,7 +402,7 @@ fn correct_derivatives_that_an_earlier_version_rejected_pass() {
 #[test]
 fn order_of_remainders_of_two_cancelling_parts_in_any_time_step() {
     for step in ["5 ms", "10 ms", "15 ms", "20 ms", "30 ms", "50 ms"] {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.set("flight.step", step).unwrap();
         let wrt = [setup.variable("strike.toe").unwrap()];
         let certificate = certificate(&setup, &[Outcome::Lateral, Outcome::LateralTotal], &wrt);
@@ -432,7 +432,7 @@ fn order_of_remainders_of_two_cancelling_parts_in_any_time_step() {
 /// The flight has order 4, and so have its derivatives: a test for order 5 fails.
 #[test]
 fn order_of_the_flight_is_not_one_more() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup
         .set_all([
             ("strike.toe", "8 mm"),
@@ -514,7 +514,7 @@ fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
         assert!(shown >= 4, "{preset} by {by}: {shown}");
     }
     for law in Law::NAMES {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup
             .set_all([("aero.law", *law), ("air.altitude", "300 m")])
             .unwrap();
@@ -532,7 +532,7 @@ fn order_across_joins_of_a_law_is_that_of_its_continuous_derivatives() {
 /// where the error of the jerk dominates; the error of the jerk does not depend on h.
 #[test]
 fn order_of_landing_in_a_logarithmic_wind() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup
         .set_all([
             ("wind.downrange", "15 m/s"),
@@ -622,7 +622,7 @@ fn disagreement_with_num_dual_fails_and_prints_both_numbers() {
 /// In still air the answer has no such error.
 #[test]
 fn differences_with_the_time_step_are_reported_in_a_logarithmic_wind() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     let wrt = ["club.loft", "club.inertia.xx"].map(|name| setup.variable(name).unwrap());
     let of = [Outcome::Carry, Outcome::LandingSpeed];
     let still = certificate(&setup, &of, &wrt);
@@ -761,7 +761,7 @@ fn independent_one_sided_slopes_at_the_corner_at_zero_spin() {
 
 #[test]
 fn the_limit_between_sticking_and_slipping_is_a_corner() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set("impact.friction", "1").unwrap();
     let Grip::Sticks(used) = strike(&setup).unwrap().grip else {
         panic!("slips")
@@ -848,7 +848,7 @@ fn derivatives_of_a_users_function_pass_and_errors_are_found() {
 
 #[test]
 fn differences_to_one_side_certify_at_the_end_of_a_range() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set("impact.restitution", "1").unwrap();
     let restitution = [setup.variable("impact.restitution").unwrap()];
     let certificate = certificate(&setup, &[Outcome::BallSpeed], &restitution);

@@ -44,7 +44,7 @@ fn faults(certificate: &Certificate) -> String {
 
 /// A setup with `parameter` at the end `end` of its range; `None` if the ball does not land.
 fn at_the_end(law: &str, parameter: &'static Parameter, end: f64) -> Option<Setup<f64>> {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set_law(law).unwrap();
     // large steps take less time; derivatives belong to the drive in its own steps
     setup.set("flight.step", "50 ms").unwrap();
@@ -74,13 +74,15 @@ fn at_the_end(law: &str, parameter: &'static Parameter, end: f64) -> Option<Setu
 #[test]
 fn differences_certify_derivatives_at_both_ends_of_every_range() {
     let all = Law::NAMES.iter().flat_map(|law| {
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         setup.set_law(law).unwrap();
         // the coefficients of a law are checked with this law, all other parameters with the
         // default law
         let is_asked = |row: &&&Parameter| {
             row.law
-                .map_or(*law == Setup::default().law.name(), |owner| owner == *law)
+                .map_or(*law == Setup::modern_driver().law.name(), |owner| {
+                    owner == *law
+                })
         };
         let rows: Vec<&'static Parameter> = setup
             .parameters()
@@ -137,7 +139,7 @@ fn differences_certify_derivatives_at_both_ends_of_every_range() {
 /// the mean of both one-sided slopes, so it is not compared with the one-sided slope here.
 #[test]
 fn differences_confirm_the_one_sided_slope_of_a_corner_at_the_end_of_a_range() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set("impact.friction", "0").unwrap();
     let carry = certificate(&setup, &[Outcome::Carry], "impact.friction");
     assert!(
@@ -161,7 +163,7 @@ fn differences_confirm_the_one_sided_slope_of_a_corner_at_the_end_of_a_range() {
 /// differences are as accurate as central ones.
 #[test]
 fn differences_to_one_side_show_a_small_derivative() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     let settings = [
         ("aero.law", "robinson"),
         ("club.loft", "24.6407 deg"),
@@ -189,7 +191,7 @@ fn differences_to_one_side_show_a_small_derivative() {
 /// At zero spin the total spin has a kink, even if the law has none.
 #[test]
 fn a_corner_of_the_spin_itself_is_no_failure() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup
         .set_all([("aero.law", "linear"), ("impact.friction", "0")])
         .unwrap();
@@ -212,7 +214,7 @@ fn a_corner_of_the_spin_itself_is_no_failure() {
 /// Without friction the spin is only the rounding error of numbers that cancel.
 #[test]
 fn a_spin_that_cancels_has_a_correct_derivative() {
-    let mut square = Setup::default();
+    let mut square = Setup::modern_driver();
     square.set("impact.friction", "0").unwrap();
     let mut oblique = square;
     let settings = [
@@ -260,7 +262,7 @@ fn differences_at_the_landing_agree_at_coarse_steps() {
 /// If the spin decays away within each step, the order of convergence cannot be measured.
 #[test]
 fn no_order_is_required_where_the_spin_decays_within_a_step() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     for (damping, is_measured) in [("2e-5", true), ("1", false)] {
         setup.set("aero.spin_damping", damping).unwrap();
         let found = certificate(&setup, &[Outcome::Carry], "swing.speed");
@@ -279,7 +281,7 @@ fn no_order_is_required_where_the_spin_decays_within_a_step() {
 
 #[test]
 fn a_drive_without_a_requested_outcome_gives_the_reason() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set("club.loft", "-1.73663 deg").unwrap();
     let wind = [setup.variable("wind.downrange").unwrap()];
     let certified = |of: &[Outcome]| certify(&setup, of, &wind, &|_, _| true);
@@ -298,7 +300,7 @@ fn a_drive_without_a_requested_outcome_gives_the_reason() {
 
 #[test]
 fn a_stopped_certificate_has_its_finished_rows_and_does_not_pass() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let wrt = setup.variables();
     let found = certify(&setup, &[Outcome::Carry], &wrt, &|done, _| done < 3).unwrap();
     let [done, all] = found.stopped.unwrap();

@@ -207,7 +207,7 @@ fn presets_and_their_longest_drives_have_no_warning() {
 #[test]
 fn share_of_the_flight_outside_the_fitted_range_of_the_law() {
     let (ahead, up, at_edge) = (50.0_f64, 30.0_f64, 53.0_f64);
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup
         .set_all([
             ("aero.law", "ferguson"),
@@ -358,7 +358,7 @@ fn a_strike_beside_the_face_has_a_warning_on_standard_error_and_in_json() {
 #[test]
 fn same_count_of_a_sweep_for_any_threads() {
     let folder = tempfile::tempdir().unwrap();
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let edge = setup.ball.radius * 2500.0 * std::f64::consts::TAU / 60.0 / 0.06;
     let points: Vec<f64> = (0..5000).map(|k| 60.0 + 0.01 * f64::from(k)).collect();
     let outside = points.iter().filter(|speed| **speed > edge).count();
@@ -402,7 +402,7 @@ fn same_count_of_a_sweep_for_any_threads() {
 /// with values from its launch: in wind, with and without gradients.
 #[test]
 fn exact_validity_limits_of_a_batch_by_their_definitions() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup
         .set_all([
             ("wind.downrange", "5 m/s"),
@@ -829,7 +829,7 @@ fn pictures_of_a_total_warn_of_a_flat_landing_and_others_do_not() {
 /// The drive before the search lands on a slope that falls half as steeply as the ball.
 #[test]
 fn a_flat_landing_of_the_compared_drive_is_on_its_own_ground() {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let search = Search::longest_drive(&setup).unwrap();
     let best = optimum(&setup, search, Observer::default()).unwrap();
     let mut downhill = setup;

@@ -15,7 +15,7 @@ use longdrive::{Drive, Error, Outcome, Setup};
 use std::fs;
 
 fn state(settings: &[(&str, &str)]) -> AirState<f64> {
-    AirState::of(&changed(&Setup::default(), settings).air)
+    AirState::of(&changed(&Setup::modern_driver(), settings).air)
 }
 
 const DENVER: [(&str, &str); 3] = [
@@ -75,7 +75,7 @@ fn independent_molar_form_of_cipm_2007_in_all_its_terms() {
                     + (pressure / kelvin).powi(2) * (1.83e-11 - 0.765e-8 * x.powi(2));
                 let density =
                     pressure * dry_air / (z * gas * kelvin) * (1.0 - x * (1.0 - water / dry_air));
-                let mut setup = Setup::default();
+                let mut setup = Setup::modern_driver();
                 (setup.air.temperature, setup.air.pressure) = (Some(kelvin), Some(pressure));
                 setup.air.humidity = Some(humidity);
                 // the paper rounds M_a/R to 3.483740e-3 and 1 − M_v/M_a to 0.3780
@@ -123,7 +123,7 @@ fn published_pressures_of_the_standard_atmosphere_and_viscosities() {
             "the integral",
         );
         let by = |name: &str, value: f64| {
-            let mut setup = Setup::default();
+            let mut setup = Setup::modern_driver();
             setup
                 .set_value(setup.parameter(name).unwrap(), Some(value))
                 .unwrap();
@@ -168,7 +168,7 @@ fn published_pressures_of_the_standard_atmosphere_and_viscosities() {
 
 #[test]
 fn same_drive_by_weather_and_by_its_density_and_by_wind_components() {
-    let mut setup = changed(&Setup::default(), &DENVER);
+    let mut setup = changed(&Setup::modern_driver(), &DENVER);
     setup
         .set_all([
             ("wind.speed", "5 m/s"),
@@ -176,7 +176,7 @@ fn same_drive_by_weather_and_by_its_density_and_by_wind_components() {
             ("strike.toe", "8 mm"),
         ])
         .unwrap();
-    let mut given = Setup::default();
+    let mut given = Setup::modern_driver();
     given.set("strike.toe", "8 mm").unwrap();
     AirState {
         density: given.air.density,
@@ -196,7 +196,7 @@ fn same_drive_by_weather_and_by_its_density_and_by_wind_components() {
     // it to the left
     let carry = |settings: &[(&str, &str)]| {
         let high = changed(
-            &Setup::default(),
+            &Setup::modern_driver(),
             &[&[("club.loft", "14 deg")], settings].concat(),
         );
         Outcome::Carry.of(&Drive::new(&high).unwrap()).unwrap()
@@ -205,7 +205,7 @@ fn same_drive_by_weather_and_by_its_density_and_by_wind_components() {
     let wind = |from: &'static str| [("wind.speed", "5 m/s"), ("wind.from", from)];
     assert!(carry(&wind("0 deg")) < carry(&[]) - 5.0 && carry(&wind("180 deg")) > carry(&[]) + 5.0);
     let lateral = Outcome::Lateral
-        .of(&Drive::new(&changed(&Setup::default(), &wind("90 deg"))).unwrap())
+        .of(&Drive::new(&changed(&Setup::modern_driver(), &wind("90 deg"))).unwrap())
         .unwrap();
     assert!(lateral < -5.0, "{lateral}");
 }
@@ -236,7 +236,7 @@ fn differences_certify_every_derivative_by_weather_and_wind() {
     ];
     let winds = [("wind.speed", "6 m/s"), ("wind.from", "-35 deg")];
     for weather in [DENVER, stations] {
-        let setup = changed(&Setup::default(), &[&weather[..], &winds].concat());
+        let setup = changed(&Setup::modern_driver(), &[&weather[..], &winds].concat());
         let names = weather.iter().chain(&winds).map(|(name, _)| *name);
         let wrt: Vec<&'static Parameter> =
             names.map(|name| setup.variable(name).unwrap()).collect();
@@ -287,7 +287,7 @@ fn differences_certify_every_derivative_by_weather_and_wind() {
 #[test]
 fn same_drives_in_a_sweep_over_the_weather_and_alone() {
     let setup = changed(
-        &Setup::default(),
+        &Setup::modern_driver(),
         &[
             ("air.humidity", "50 %"),
             ("wind.speed", "4 m/s"),
@@ -339,7 +339,7 @@ fn same_drives_in_a_sweep_over_the_weather_and_alone() {
 
 #[test]
 fn uncertainties_of_a_temperature_are_differences() {
-    let setup = changed(&Setup::default(), &[("air.temperature", "77 degF")]);
+    let setup = changed(&Setup::modern_driver(), &[("air.temperature", "77 degF")]);
     assert!((setup.air.temperature.unwrap() - 298.15).abs() < 1e-12);
     for (text, kelvin) in [("2degC", 2.0), ("3.6 degF", 2.0), ("2 K", 2.0)] {
         let sigma = Sigma::read(&setup, &format!("air.temperature={text}")).unwrap();
@@ -394,7 +394,7 @@ fn the_effective_density_is_shown_and_setups_read_back() {
         .find(|row| row["parameter"] == "air.density")
         .unwrap();
     assert_eq!(number(&row["value"]), density);
-    let setup = changed(&Setup::default(), &DENVER);
+    let setup = changed(&Setup::modern_driver(), &DENVER);
     let base = SetupFile::of_preset("modern-driver").unwrap();
     let text = setup_toml(&setup, &base, &[], &[]).unwrap();
     assert!(
@@ -753,7 +753,7 @@ fn contradictory_weather_settings_are_refused() {
         let output = longdrive(args);
         assert_eq!(output.status, 0, "{args:?}: {}", output.err);
     }
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     setup.set("air.temperature", "20 degC").unwrap();
     assert!(matches!(
         setup.set("air.density", "1.1 kg/m^3"),
@@ -764,7 +764,7 @@ fn contradictory_weather_settings_are_refused() {
 #[test]
 fn weather_beyond_the_equation_of_the_density_has_a_warning() {
     let message = |settings: &[(&str, &str)]| {
-        changed(&Setup::default(), settings)
+        changed(&Setup::modern_driver(), settings)
             .warnings()
             .iter()
             .map(ToString::to_string)
@@ -831,7 +831,7 @@ fn a_varied_temperature_replaces_the_density_of_the_setup() {
 
 #[test]
 fn exact_wind_at_the_reference_height_and_logarithmic_profile_far_above() {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     (setup.wind.downrange, setup.wind.roughness) = (5.0, Some(0.03));
     let field = WindField::new(&setup.wind, &setup.ground);
     assert!((field.at(10.0).z - 5.0).abs() < 1e-14);

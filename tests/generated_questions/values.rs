@@ -55,7 +55,7 @@ pub fn parameter(choices: &mut Choices) -> &'static Parameter {
 
 /// The default setup with a launch in place of the club.
 fn launched() -> Setup<f64> {
-    let mut setup = Setup::default();
+    let mut setup = Setup::modern_driver();
     let launch = [
         ("ball_speed", "167 mph"),
         ("launch_angle", "10.9 deg"),
@@ -76,7 +76,7 @@ pub fn variable(choices: &mut Choices) -> &'static Parameter {
         }
         return choices.of(&all);
     }
-    let mut all = Setup::default().variables();
+    let mut all = Setup::modern_driver().variables();
     if choices.is_over_swings {
         // only parameters of the club, because the swings state the others
         all.retain(|row| row.name.starts_with("club."));
@@ -97,7 +97,7 @@ pub fn variable(choices: &mut Choices) -> &'static Parameter {
         "air.density",
     ];
     if choices.is(0.6) {
-        Setup::default().variable(choices.of(&usual)).unwrap()
+        Setup::modern_driver().variable(choices.of(&usual)).unwrap()
     } else {
         usual_or_mistaken(&all, choices)
     }

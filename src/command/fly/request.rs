@@ -55,7 +55,7 @@ fn ordinary_shot(
     setup: &Setup<f64>,
     other_parameters: &[&'static Parameter],
 ) -> Result<Setup<f64>> {
-    let usual = Setup::default();
+    let usual = Setup::modern_driver();
     let mut ordinary = Vary::initialized(setup, &Flying::usual(setup)?)?;
     let gives = |group| {
         let mut names = other_parameters.iter().map(|parameter| parameter.name);

@@ -713,7 +713,7 @@ impl OwnLaw {
                  its factors: `set aero.table=mine.csv`",
             )
         };
-        let mut setup = Setup::default();
+        let mut setup = Setup::modern_driver();
         let pairs = settings
             .iter()
             .map(|setting| (setting.parameter.as_str(), setting.value.as_str()));
@@ -725,7 +725,7 @@ impl OwnLaw {
         let is_alone = setup
             == Setup {
                 law: setup.law,
-                ..Setup::default()
+                ..Setup::modern_driver()
             };
         let law = setup.law.table().filter(|_| is_alone).map(|_| setup.law);
         law.map(Some).ok_or_else(refused)

@@ -23,7 +23,7 @@ impl CommandSetting {
     /// # Errors
     /// [`Error::Unknown`] if `name` is no launch condition.
     pub fn of_launch(argument: &'static str, name: &str, value: &str) -> Result<Self> {
-        let setup = Setup::default();
+        let setup = Setup::modern_driver();
         let condition = setup.launch_condition(name).ok_or_else(|| {
             let names = setup.launch_conditions();
             let advice = format!("a launch has {}", names.join(", "));

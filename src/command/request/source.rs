@@ -71,7 +71,7 @@ impl Source {
         let is_written_like_a_file =
             argument.contains(['/', '\\', '=']) || path.extension().is_some();
         let rows = || {
-            Setup::default()
+            Setup::modern_driver()
                 .parameters()
                 .into_iter()
                 .chain(Law::all_rows())

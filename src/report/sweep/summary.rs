@@ -80,7 +80,7 @@ fn column_head(column: &str, system: System) -> String {
 fn derivative_unit(column: &str, system: System) -> Option<DerivativeUnit> {
     let (of, by) = column.strip_prefix("d_")?.split_once("/d_")?;
     let of = Outcome::named(of).ok()?;
-    let own = Setup::default().parameters();
+    let own = Setup::modern_driver().parameters();
     let mut all = own.into_iter().chain(Law::all_rows());
     let by = all.find(|row| row.name == by)?;
     Some(DerivativeUnit::new(
@@ -112,7 +112,7 @@ fn histogram(histogram: &Histogram, system: System) -> DocumentTable {
 
 /// The best rows by a column, with the swept parameters of each row.
 fn ranking(ranking: &Ranking, system: System) -> DocumentTable {
-    let setup = Setup::default();
+    let setup = Setup::modern_driver();
     let coordinate = |name: &str, value: JsonNumber| {
         let Some(value) = value.0 else {
             return format!("{name} {}", shown::NONE);

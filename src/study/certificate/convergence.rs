@@ -333,7 +333,7 @@ mod tests {
 
     #[test]
     fn reason_without_convergence_tells_a_failed_reference_from_too_long_steps() {
-        let setup = Setup::default();
+        let setup = Setup::modern_driver();
         let drive = Drive::new(&setup).unwrap();
         let reason = |fly: &dyn Fn(usize, u32) -> Option<SteppedDrive>| {
             StepComparison::new(&setup, &drive, vec![], fly).err()

@@ -65,7 +65,7 @@ impl Comparison {
     ///
     /// ```
     /// use longdrive::{Outcome, Setup, study::Comparison};
-    /// let (a, mut b) = (Setup::default(), Setup::default());
+    /// let (a, mut b) = (Setup::modern_driver(), Setup::modern_driver());
     /// b.set("swing.speed", "112 mph").unwrap();
     /// let carry = Comparison::new(&a, &b).unwrap().of(Outcome::Carry).unwrap();
     /// // the whole difference is due to the speed
@@ -127,7 +127,7 @@ impl Comparison {
     ///
     /// ```
     /// use longdrive::{Outcome, Setup, study::Comparison};
-    /// let (a, mut b) = (Setup::default(), Setup::default());
+    /// let (a, mut b) = (Setup::modern_driver(), Setup::modern_driver());
     /// b.set("swing.speed", "112 mph").unwrap();
     /// let both = Comparison::new(&a, &b).unwrap();
     /// let found = both.of_each(&[Outcome::Carry, Outcome::BallSpeed]);

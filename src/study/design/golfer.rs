@@ -88,7 +88,7 @@ mod tests {
 
     #[test]
     fn the_golfer_scatters_as_measured() {
-        let Swings::Distributed { inputs, .. } = golfer(&Setup::default()).unwrap() else {
+        let Swings::Distributed { inputs, .. } = golfer(&Setup::modern_driver()).unwrap() else {
             unreachable!()
         };
         for (input, (name, deviation)) in inputs.iter().zip(SCATTER) {

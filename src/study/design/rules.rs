@@ -101,7 +101,7 @@ impl GolfRule {
         match self.of {
             LimitedQuantity::Outcome(of) => of.quantity(),
             LimitedQuantity::Relation(_, quantity) => quantity,
-            LimitedQuantity::Parameter(name) => Setup::<f64>::default()
+            LimitedQuantity::Parameter(name) => Setup::<f64>::modern_driver()
                 .parameter(name)
                 .map_or(Quantity::NUMBER, |parameter| parameter.quantity),
         }

@@ -216,7 +216,7 @@ mod tests {
 
     #[test]
     fn files_of_swings_are_read_and_wrong_ones_refused() {
-        let setup = Setup::default();
+        let setup = Setup::modern_driver();
         let good = "[distributions]\nswing.speed = 'normal(110 mph, 3 mph)'\n'swing.path' = \
                     'uniform(-2 deg, 2 deg)'\n\
                     [[correlations]]\nbetween = ['swing.speed', 'swing.path']\ncoefficient = \

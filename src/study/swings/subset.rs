@@ -106,7 +106,7 @@ mod tests {
     use crate::study::uncertainty::Uncertain;
 
     fn scenarios(count: usize) -> Scenarios {
-        let setup = Setup::default();
+        let setup = Setup::modern_driver();
         let texts = [
             "swing.speed=normal(107mph,3mph)",
             "swing.path=uniform(-2deg,4deg)",

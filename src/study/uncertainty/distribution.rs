@@ -357,7 +357,7 @@ impl Uncertain {
     ///
     /// ```
     /// use longdrive::{Setup, study::uncertainty::{Distribution, Uncertain}};
-    /// let setup = Setup::default();
+    /// let setup = Setup::modern_driver();
     /// let speed = Uncertain::read(&setup, "swing.speed=uniform(45 m/s, 50 m/s)").unwrap();
     /// assert_eq!(speed.distribution, Distribution::Uniform { low: 45.0, high: 50.0 });
     /// assert!(Uncertain::read(&setup, "swing.speed=uniform(50 m/s, 45 m/s)").is_err());

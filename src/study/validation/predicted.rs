@@ -22,7 +22,7 @@ pub(super) fn predicted(
 ) -> Result<HashMap<Compared, f64>> {
     let mut setup = match set.preset.or(case.preset.as_deref()) {
         Some(preset) => Setup::preset(preset)?,
-        None => Setup::default(),
+        None => Setup::modern_driver(),
     };
     // the preset may have other coefficients than the published ones
     setup.law = law;
@@ -99,7 +99,7 @@ pub const SCATTER: [(&str, f64); 6] = [
 /// second order, this is half the sum of second derivative × variance. `None` if the derivatives do
 /// not exist.
 pub(super) fn mean_carry_change_by_scatter(case: &Case, law: Law<f64>) -> Option<f64> {
-    let mut setup = launched(in_air_of(case, Setup::default(), None), case);
+    let mut setup = launched(in_air_of(case, Setup::modern_driver(), None), case);
     setup.law = law;
     setup.launch.spin_axis = Some(0.0);
     let wrt: Option<Vec<_>> = SCATTER

@@ -69,7 +69,7 @@ impl SetupRequest {
     pub fn read(&self, units: Units) -> Result<CheckedSetup<'_>, Refusal> {
         let system = units.into();
         let mut checked = CheckedSetup {
-            setup: Setup::default(),
+            setup: Setup::modern_driver(),
             system,
             text: self,
         };
