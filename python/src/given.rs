@@ -42,7 +42,7 @@ impl AngleUnit {
     }
 }
 
-/// Parameter and value (rad) of an angle that was given as a number.
+/// Parameter and value (rad) of an angle that Python gave without a unit.
 pub type BareAngle = (String, f64);
 
 /// A parameter with its value from Python.

@@ -20,8 +20,8 @@ type Plan<'py> = (
     Vec<String>,
 );
 
-/// The points as a dict of arrays, the range of each parameter, for which the step is chosen, and
-/// notes on the table, such as the columns that are not read.
+/// Returns the points as a dict of arrays, the range of each parameter, and notes on the table,
+/// such as the columns that are not read. The time step is chosen for these ranges.
 ///
 /// Parameters
 /// ----------

@@ -94,7 +94,7 @@ pub fn is_long(setup: &Setup<f64>, drives: usize) -> bool {
 }
 
 /// Runs the work of one drive: long work on another thread, as [`run`] does, and short work on this
-/// thread. Other threads of Python run meanwhile.
+/// thread. The GIL is released, so other threads of Python run meanwhile.
 pub fn run_drive<R: Send + 'static>(
     py: Python<'_>,
     is_long: bool,

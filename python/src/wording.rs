@@ -59,8 +59,7 @@ fn replacing(value: Option<&str>) -> String {
     }
 }
 
-/// A value in Python's syntax: a placeholder such as FILE and a number stay, and a text gets
-/// quotes.
+/// A value in Python's syntax. A text is quoted; numbers and placeholders such as FILE are not.
 fn literal(value: &str) -> String {
     let is_placeholder = value.chars().all(|c| c.is_ascii_uppercase() || c == '_');
     if is_placeholder || value.starts_with('"') || value.parse::<f64>().is_ok() {

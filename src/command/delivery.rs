@@ -39,7 +39,7 @@ pub struct Args {
     #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     pub launch_direction: Option<String>,
 
-    /// The measured total spin, e.g. 2686rpm; with --spin-axis.
+    /// The measured total spin, e.g. 2686rpm; --spin-axis may be added.
     #[arg(long, value_name = "SPIN", allow_hyphen_values = true)]
     pub spin: Option<String>,
 
@@ -48,7 +48,7 @@ pub struct Args {
     #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     pub spin_axis: Option<String>,
 
-    /// The measured backspin, in place of --spin; with --sidespin.
+    /// The measured backspin, in place of --spin; --sidespin may be added.
     #[arg(long, value_name = "SPIN", allow_hyphen_values = true)]
     pub backspin: Option<String>,
 
@@ -73,13 +73,13 @@ pub struct Args {
     pub vary: Vec<String>,
 
     /// The prior standard uncertainty of a parameter about its value in the setup, e.g.
-    /// swing.attack_angle=1deg. Repeatable [default: that of a launch monitor for a club value that
-    /// an option or a row states, and that of golfers for a value of the setup file].
+    /// swing.attack_angle=1deg. Repeatable [default: the error of a launch monitor for a club value
+    /// from an option or a row; the spread among golfers for other values].
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 
-    /// Write the setup with the delivery into this file; for several shots, with the mean of the
-    /// deliveries that explain their launches. Without such a delivery, no file is written.
+    /// Write the setup with the delivery into this file; for several shots, with the mean of all
+    /// deliveries that were found. If none was found, no file is written.
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
 

@@ -26,8 +26,8 @@ const GOAL: &str = "mean(carry) - 0.5*rms(lateral)";
     mut_arg("vary", |arg| arg.help(
         "A parameter of the head to vary, with its range, e.g. club.bulge_radius=200mm..600mm or \
          club.weight_1.toe=-50mm..50mm. \
-         Repeatable [default: bulge and roll 150 to 1000 mm, loft 6 to 16 deg, except a parameter \
-         that the request states]"
+         Repeatable [default: bulge and roll 150 to 1000 mm, loft 6 to 16 deg; a parameter \
+         that you set stays fixed]"
     )),
     mut_arg("subject_to", |arg| arg.help(
         "A limit of a goal or of the head, e.g. \"std(lateral) <= 20yd\" or \"head_mass <= 205 \

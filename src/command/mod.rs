@@ -194,21 +194,23 @@ commands! {
     Design(design): Designed<'_>;
     /// Fit parameters to measured shots.
     ///
-    /// With their uncertainties, and the combinations of parameters that the data do not determine.
+    /// Also finds their uncertainties, and the combinations of parameters that the data do not
+    /// determine.
     Calibrate(calibrate): CalibrationReport<'_>;
     /// Find the swing and strike behind a measured launch.
     ///
-    /// With the combinations of parameters that the launch does not determine.
+    /// Also finds the combinations of parameters that the launch does not determine.
     Delivery(delivery): DeliveryReport<'_>;
     /// The optimum along a parameter, such as club speed.
     Chart(chart): ChartReport<'_>;
     /// The best compromises between two goals.
     ///
-    /// For example carry and dispersion, with the rate of exchange between them.
+    /// For example between carry and dispersion. Also computes their rate of exchange.
     Pareto(pareto): ParetoReport<'_>;
     /// The design that loses least, whichever model is true.
     ///
-    /// Several models of impact and flight are compared.
+    /// Several models of impact and flight are compared. A design loses, under a model, its
+    /// difference from the best design for this model.
     Robust(robust): RobustReport<'_>;
     /// Open the drive as a page with sliders.
     ///
@@ -231,7 +233,7 @@ commands! {
         #[cfg(feature = "parquet")] sweep::parts::CheckedParts;
     /// Fly the shots of a launch monitor.
     ///
-    /// From a CSV export or GSPro Open Connect: predicted flights, compared with the measured
+    /// Reads a CSV export or messages of GSPro Open Connect, and compares predicted with measured
     /// flights.
     Fly(fly): ShotsReport, fly::listen::MessageCounts;
     /// Reproduce a published study, number by number.

@@ -38,8 +38,8 @@ pub struct GoalArgs {
     pub minimize: Vec<String>,
 
     /// A parameter to vary, with its range, e.g. club.loft=4deg..20deg. Repeatable [default: loft 4
-    /// to 20 deg; for one drive also attack angle -5 to 5 deg, except a parameter that the request
-    /// states].
+    /// to 20 deg; for one drive also attack angle -5 to 5 deg; a parameter that you set, e.g. with
+    /// --loft, stays fixed].
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub vary: Vec<String>,
 
@@ -48,8 +48,8 @@ pub struct GoalArgs {
     #[arg(long, value_name = "CONSTRAINT", allow_hyphen_values = true)]
     pub subject_to: Vec<String>,
 
-    /// The number of points, spread evenly from the optimum of one goal to the optimum of the
-    /// other.
+    /// The number of points, spread evenly along the front, with its ends. Points at the knee, and
+    /// where a bound or constraint becomes active or inactive, are added.
     #[arg(
         long,
         value_name = "N",
@@ -80,12 +80,13 @@ pub struct Args {
     #[command(flatten)]
     pub goals: GoalArgs,
 
-    /// Write the points into this file: .csv for all of them (each column head names its unit),
-    /// .toml for the setup at one of them, which --at chooses.
+    /// Write all points into a .csv file (each column head names its unit), or the setup of one
+    /// point, which --at chooses, into a .toml file.
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
-    /// The point whose setup is written: "knee", or its number in the table [default: knee].
+    /// The point whose setup is written: its number in the table, or "knee", the point farthest
+    /// from the straight line between the ends [default: knee].
     #[arg(
         long,
         value_name = "POINT",

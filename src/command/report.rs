@@ -56,7 +56,7 @@ pub struct Args {
 
     /// The parameter along which optima are computed, with its range [default:
     /// swing.speed=80mph..130mph; with --launch, launch.ball_speed=120mph..190mph; around the
-    /// drive's own speed if this is outside of the range].
+    /// drive's own speed if that is outside of these ranges].
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub along: Option<String>,
 }

@@ -45,7 +45,8 @@ pub struct Args {
     #[arg(long, value_name = "NAME=VALUE,…", allow_hyphen_values = true)]
     pub model: Vec<String>,
 
-    /// The allowed loss of each model against its own best design [default: 1 yd for a distance].
+    /// Report whether the robust design is within this amount of the best design of every model
+    /// [default: 1 yd for a distance].
     #[arg(long, value_name = "AMOUNT", allow_hyphen_values = true)]
     pub within: Option<String>,
 

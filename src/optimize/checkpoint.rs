@@ -78,7 +78,7 @@ impl Checkpoint {
             },
         };
         if content.problem != problem {
-            let reason = "it belongs to another question (setup, search or options differ); name \
+            let reason = "its setup, search or options differ from those of this search; name \
                           another file, or remove this one to start again";
             return Err(refuse(reason.into()));
         }

@@ -22,7 +22,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct LocalMinimum {
     /// Result of the search.
     pub solution: Solution,
-    /// Numbers of the starts whose searches ended here. All searches that were interrupted before
+    /// Indices of the starts whose searches ended here. All searches that were interrupted before
     /// they found a point with defined functions form one group.
     pub starts: Vec<usize>,
 }

@@ -234,7 +234,7 @@ fn add_shares(
             .map(|setup| cell(only.cause, setup, system).replace('\n', ", "));
         let cause = only.cause.name();
         document.list([Line::flush(format!(
-            "{title}: all of it {cause}, {a} → {b}"
+            "{title}: all of it from {cause}, {a} → {b}"
         ))]);
         return;
     }

@@ -187,8 +187,8 @@ fn uncertainties(effects: &Effects, bars: &[SigmaEffect], system: System) -> Doc
         ""
     };
     table.remark(format!(
-        "together ±{} to first order, for independent parameters; the second-order terms add up to \
-         {}{flown}",
+        "together ±{} to first order, for independent parameters; the sizes of the second-order \
+         terms add up to {}{flown}",
         shown::difference(of, effects.standard_uncertainty(), system),
         shown::difference(of, effects.linearity(), system),
     ));

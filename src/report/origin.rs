@@ -1,4 +1,4 @@
-//! The setup that an answer is about.
+//! The first line of an answer: its preset or setup file, with the changed parameters.
 
 use super::document::{Document, Line};
 use super::shown;

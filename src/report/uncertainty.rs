@@ -282,7 +282,11 @@ fn shares_lines(outcome: &OutcomeUncertainty, system: System) -> Vec<Line> {
         .collect();
     let shares = (!shares.is_empty()).then(|| {
         let of = outcome.of.name();
-        format!("shares of the variance of {of}: {}", shares.join(", "))
+        format!(
+            "shares of the variance of {of} (with interactions, so they may add up to more than \
+             100 %): {}",
+            shares.join(", ")
+        )
     });
     let first = outcome.measure_first.map(|first| {
         format!(

@@ -45,7 +45,7 @@ impl DeliveryCarry {
         }
     }
 
-    /// The delivery with this loft and attack angle, rad, and the carry that the model computes.
+    /// Computes the carry of the delivery with this loft and attack angle, rad.
     pub(super) fn flown(setup: &Setup<f64>, loft: f64, attack_angle: f64) -> Result<Self> {
         Ok(Self {
             loft,

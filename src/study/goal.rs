@@ -50,7 +50,7 @@ impl schemars::JsonSchema for Goal {
 pub struct Constraint {
     /// The text from which the constraint was parsed.
     pub expression: String,
-    /// The limited goal.
+    /// The constrained quantity.
     pub goal: Goal,
     /// Lower limit, SI, or −∞.
     pub low: f64,

@@ -105,9 +105,9 @@ impl NonShotRows {
     }
 }
 
-/// The columns of an export whose cells say which shot a row is. The name of a statistic in one of
-/// them, such as `Average`, marks a row that sums up others. In other columns, such as a rating of
-/// the strike, the word is a value.
+/// Label columns: number of the shot, date, time, player, club. A label that names a statistic,
+/// such as `Average`, marks a row that summarizes others. In other columns, such as a rating of the
+/// strike, `Average` is a value.
 #[derive(Clone, Debug)]
 pub(crate) struct ShotLabels(Vec<Option<Label>>);
 

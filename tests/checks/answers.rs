@@ -286,7 +286,7 @@ fn a_gain_from_a_drive_that_violates_a_constraint_says_so() {
     let text = search("descent_angle >= 43 deg");
     for says in [
         "the drive as set up violates descent angle ≥ 43°, so it is no alternative to the best",
-        "from a drive that violates a limit; the swing too:",
+        "from a drive that violates a limit; varying the swing too:",
         "39.8° (broken) 43.0°",
     ] {
         assert!(text.contains(says), "no {says:?} in {text}");

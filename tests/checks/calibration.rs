@@ -1361,7 +1361,7 @@ fn outliers_alone_are_no_misfit_with_hubers_loss() {
         longdrive::units::significant(scale, 3)
     );
     assert!(scale > 3.0 && small.contains(&says), "{scale}: {small}");
-    // every residual exceeds the limit of the loss: there is no scale
+    // every residual is beyond Huber's threshold, where it has no influence on the scale
     let (none, found) = warnings(&[230.0, 260.0, 280.0, 310.0], 0.01);
     let says = "miss the fit by more than 1.345 of their standard uncertainties, without exception";
     assert!(

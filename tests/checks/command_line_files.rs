@@ -388,7 +388,7 @@ fn of_two_searches_at_once_with_one_checkpoint_one_is_refused() {
         let printed = String::from_utf8_lossy(&refused[0].stderr);
         assert!(
             printed.contains("another search has just created this file")
-                || printed.contains("belongs to another question"),
+                || printed.contains("its setup, search or options differ"),
             "{printed}"
         );
     }

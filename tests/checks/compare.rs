@@ -702,7 +702,7 @@ fn air_and_wind_given_by_different_parameters_are_one_cause_each() {
             }
         }
         let output = longdrive(&[&["compare"], &args[..]].concat());
-        let (row, line) = (format!("  {cause} "), format!("all of it {cause}, "));
+        let (row, line) = (format!("  {cause} "), format!("all of it from {cause}, "));
         let names = |text: &str| text.starts_with(&row) || text.contains(&line);
         assert!(
             output.status == 0 && output.out.lines().any(names),

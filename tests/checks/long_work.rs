@@ -306,9 +306,9 @@ fn same_optima_when_some_searches_are_resumed() {
             (&fresh.solution, &fresh.starts)
         );
     }
-    let other = Checkpoint::open(&path, "another question").unwrap_err();
+    let other = Checkpoint::open(&path, "another search").unwrap_err();
     assert!(
-        matches!(&other, Error::Checkpoint { reason, .. } if reason.contains("another question")),
+        matches!(&other, Error::Checkpoint { reason, .. } if reason.contains("options differ")),
         "{other}"
     );
     std::fs::write(&path, "{").unwrap();

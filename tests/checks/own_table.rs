@@ -468,7 +468,7 @@ fn a_changed_table_is_another_sweep() {
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let (set, kept) = (format!("{TABLE}={name}"), file("kept.json"));
     let search = || longdrive(&["optimize", "--set", &set, "--checkpoint", &kept]);
-    // a saved sweep compares the debug text of its setup with the text of the present setup
+    // sweeps and checkpoints are resumed only if the debug text of the setup is the same
     let identity = || {
         let mut setup = Setup::modern_driver();
         setup.set(TABLE, &name).unwrap();
@@ -483,7 +483,7 @@ fn a_changed_table_is_another_sweep() {
     );
     let output = search();
     assert!(
-        output.status == 2 && output.err.contains("it belongs to another question"),
+        output.status == 2 && output.err.contains("its setup, search or options differ"),
         "{}",
         output.err
     );

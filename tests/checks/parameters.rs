@@ -281,8 +281,8 @@ fn impossible_ranges_are_refused_by_the_name_of_the_parameter() {
     );
 }
 
-/// A setup equals the setup that is read from its file. The file has the step only if the setup
-/// states the step; otherwise functions of the library may choose one.
+/// A setup equals the setup that is read from its file. The file has the time step only if the
+/// setup states one.
 #[test]
 fn exact_setups_are_equal_after_a_file_and_their_steps_are_written_only_where_stated() {
     let written = |setup: &Setup<f64>, preset: &str| {

@@ -152,7 +152,8 @@ fn published_table_of_bulge_and_gear_effect() {
     }
 }
 
-/// Bliss & Langdown (2026), one golfer, TrackMan 4, 58 drives: means and standard deviations.
+/// Bliss & Langdown (2026), one golfer, TrackMan 4, 58 drives: standard deviations;
+/// angles in deg, `CARRY` and `LATERAL` in yd.
 const PATH: f64 = 2.28;
 const FACE: f64 = 4.17;
 const FACE_TO_PATH: f64 = 4.07;

@@ -296,7 +296,7 @@ fn sensitivities_of_the_parametric_study_predict_the_new_optimum() {
 fn published_third_study_ends_before_its_optimum() {
     let average = &FOUND.average;
     assert_eq!(average.printed.to_degrees().round(), 16.0);
-    // carry increases up to 18°, the last loft of the report
+    // carry increases up to 18°, the largest loft of the MAE 494 report
     assert!(
         average
             .rows

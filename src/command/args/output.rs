@@ -17,7 +17,7 @@ pub struct OutputOptions {
     #[arg(long, short, global = true)]
     pub quiet: bool,
 
-    /// Print the whole answer, also tables and rows for which a screen has no room.
+    /// Print all tables and rows, also those that are left out to fit a screen.
     #[arg(long, global = true)]
     pub all: bool,
 

@@ -16,13 +16,14 @@ pub struct SearchArgs {
     pub minimize: Option<String>,
 
     /// A parameter to vary, with its range, e.g. club.loft=4deg..20deg. Repeatable [default: loft 4
-    /// to 20 deg and attack angle -5 to 5 deg, except a parameter that the request states].
+    /// to 20 deg and attack angle -5 to 5 deg; a parameter that you set, e.g. with --loft, stays
+    /// fixed].
     #[arg(long, value_name = "NAME=LOW..HIGH", allow_hyphen_values = true)]
     pub vary: Vec<String>,
 
     /// A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
     /// or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
-    /// linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
+    /// named linear relation of parameters, e.g. "budget: club.weight_1.mass +
     /// club.weight_2.mass <= 20 g". Repeatable.
     #[arg(long, value_name = "CONSTRAINT", allow_hyphen_values = true)]
     pub subject_to: Vec<String>,
@@ -59,7 +60,7 @@ pub struct SwingsArgs {
     pub correlation: Vec<String>,
 
     /// Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
-    /// for up to 3 parameters if no goal has an edge, else 512 swings].
+    /// for up to 3 distributions, else 512 swings; also 512 for lowest, highest and within].
     #[arg(
         long,
         value_name = "N",
@@ -77,9 +78,9 @@ pub struct SwingsArgs {
     )]
     pub seed: Option<u32>,
 
-    /// A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
-    /// "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive,
-    /// from where it lands (no run).
+    /// A CSV table with the columns "distance [yd]" (to the hole) and "strokes" (expected number to
+    /// hole out). The goal "strokes(400yd)" is the expected number of strokes after the drive, on a
+    /// hole of 400 yd, from the landing point (without run).
     #[arg(long, value_name = "FILE")]
     pub strokes: Option<PathBuf>,
 }

@@ -54,7 +54,7 @@ pub struct DriveArgs {
     )]
     pub temperature: Option<String>,
 
-    /// Set the wind (wind.speed); with --set wind.from=0deg a head wind.
+    /// Set the wind speed (wind.speed). --set wind.from=0deg makes it a head wind.
     #[arg(
         long,
         value_name = "SPEED",
@@ -107,11 +107,10 @@ pub struct SetupArgs {
     #[command(flatten)]
     pub drive: DriveArgs,
 
-    /// Choose the cheapest method and time step with which every requested length is within this
-    /// length of its exact value (1um if no length is given). The choice is made once, before the
-    /// first drive. Commands that fly many drives (sweep, optimize, chart, calibrate, uncertainty,
-    /// report, maps) do this by default, for 1um, unless the setup or --set gives flight.method or
-    /// flight.step.
+    /// Choose the cheapest integration method and time step whose error is at most LENGTH (1um if
+    /// none is given) in every requested outcome that is a length. The choice is made once, before
+    /// the first drive. Commands that compute many drives, such as sweep, optimize and report,
+    /// choose for 1um by default, unless the setup or --set gives flight.method or flight.step.
     #[arg(
         long,
         value_name = "LENGTH",

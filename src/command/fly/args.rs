@@ -76,8 +76,8 @@ pub struct Args {
     )]
     pub listen: Option<u16>,
 
-    /// The address to listen on. Any address other than the default accepts connections from other
-    /// machines.
+    /// The address to listen on. An address that is not a loopback address accepts connections from
+    /// other machines.
     #[arg(
         long,
         value_name = "ADDRESS",
@@ -94,10 +94,10 @@ pub enum FlyFormat {
     Csv,
     /// The columns of a launch monitor, for any kind of input, then columns of predictions.
     LaunchMonitor,
-    /// One JSON object per row and line, in SI.
+    /// A line with a JSON object for each row, in SI.
     #[value(alias = "ndjson")]
     Jsonl,
-    /// One message of GSPro Open Connect per row and line.
+    /// A line with a message of GSPro Open Connect for each row.
     OpenConnect,
     /// Apache Parquet, in SI: the stated values, the predictions and the original row.
     #[cfg(feature = "parquet")]

@@ -116,7 +116,7 @@ fn refuse_preset(file: &Path) -> Result<()> {
     Err(Error::unreadable(file.display().to_string(), source))
 }
 
-/// Opens the shots. Refuses settings of parameters that each row states.
+/// Opens the shots. Refuses a setting of a parameter that the rows give.
 fn read_shots(
     file: &Path,
     filter: RowFilter,
@@ -254,8 +254,8 @@ fn stopped(tally: &ShotStatistics, destination: &Destination) -> String {
     }
 }
 
-/// The message that no row flies, with the reason of the first row, and the assumed units of
-/// columns without units. `None` if a row flies.
+/// The message that no row was flown, with the error of the first row and the assumed units.
+/// `None` if a row was flown.
 fn nothing(tally: &ShotStatistics, remarks: &[Message]) -> Option<String> {
     (tally.flown == 0 && tally.rows > 0).then(|| {
         let first = tally.refused.values().min_by_key(|refused| refused.line);

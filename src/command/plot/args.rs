@@ -45,8 +45,8 @@ pub enum PlotKind {
     /// The landings of the drive and of the optimum from above, at true scale, with the ellipses of
     /// half and of 95 % of the landings.
     Fairway(PlotFairway),
-    /// The club face from the front: the strike, the sweet spot, rings of carry lost, and the side
-    /// to which the spin axis tilts.
+    /// The club face from the front: the strike, the sweet spot, contours of lost carry, and the
+    /// side to which the spin axis tilts.
     Face {
         #[command(flatten)]
         setup_args: SetupArgs,

@@ -32,9 +32,9 @@ pub struct Request {
     pub source: Source,
     /// The settings of the command line, in the order of the options. A parameter occurs only once.
     pub settings: Vec<CommandSetting>,
-    /// The setup of the source, with the settings applied. It may be incomplete: the columns of a
-    /// table or the points of a sweep may give missing launch conditions, and parameters without a
-    /// default.
+    /// The setup of the source, with the settings applied. It may lack launch conditions, and
+    /// parameters without a default. The columns of a table or the points of a sweep then supply
+    /// them.
     pub partial_setup: Setup<f64>,
     /// The choice of method and step.
     step: StepChoice,

@@ -19,8 +19,8 @@ pub struct Args {
     #[arg(long, value_name = "NAME=LOW..HIGH:COUNT", allow_hyphen_values = true)]
     pub over: Vec<String>,
 
-    /// Take this many points of a quasi-random (Sobol') sequence in the ranges of --over, which
-    /// then have no counts.
+    /// Take this many points of a quasi-random (Sobol') sequence in the ranges of --over, written
+    /// without counts: NAME=LOW..HIGH.
     #[arg(
         long,
         value_name = "N",

@@ -32,8 +32,8 @@ fn slope(ladder: &Ladder, polynomial: impl Fn(f64) -> f64) -> Option<f64> {
             (remainder > ABOVE_ROUNDING * rounding.max(rounding_of(value)).max(of_the_change))
                 .then(|| ((rung.step / size).log10(), remainder.log10()))
         };
-        // consecutive steps, from the smallest step at which the remainder exceeds rounding; a zero
-        // of the remainder ends the sequence
+        // consecutive steps, upwards from the smallest one whose remainder exceeds rounding; a
+        // later remainder below rounding, near a zero, ends the sequence
         let left = ladder
             .rungs
             .iter()

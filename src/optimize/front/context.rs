@@ -15,10 +15,10 @@ use std::cell::Cell;
 /// Tolerance within which two values of a function count as equal, relative to the size of the
 /// function or to its change over the front.
 pub(super) const SAME: f64 = 1e-9;
-/// Allowed increase of a function above its minimum, as a fraction of its change over the front. A
-/// point within this increase counts as a minimum; the minimum at which the other function is
-/// smallest is selected.
-const UNIQUE_WITHIN: f64 = 1e-7;
+/// Tolerance of the lexicographic minimum. If the minimum of a function f is not isolated, the
+/// other function is minimized subject to f ≤ min f + this fraction of the difference of f between
+/// the ends of the front.
+const LEXICOGRAPHIC_TOLERANCE: f64 = 1e-7;
 /// A minimum is isolated if the ratio of the smallest to the largest curvature is above this limit.
 const FLAT: f64 = 1e-9;
 /// Message for an interrupted front.
@@ -219,7 +219,7 @@ impl FrontContext<'_> {
         {
             return Ok(end);
         }
-        let most = values[k][k] + UNIQUE_WITHIN * span_of(values, k);
+        let most = values[k][k] + LEXICOGRAPHIC_TOLERANCE * span_of(values, k);
         let mut domain = self.domain.clone();
         // variables on active bounds stay there
         for (i, _) in ActiveSet::new(&end, &self.domain)

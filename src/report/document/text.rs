@@ -25,7 +25,7 @@ impl Default for TextOptions {
 }
 
 /// Replaces the blocks of [`Detail::WithAll`] in a text without the option `all`.
-const REST: &str = "the rest: `all`";
+const REST: &str = "the rest of the answer: `all`";
 
 impl Document {
     /// The document as plain text, its blocks separated by blank lines.

@@ -81,7 +81,7 @@ impl<'a> EndNames<'a> {
         let [_, top, right, bottom] = area.frame;
         let placed = self.names.iter();
         let placed = placed.filter_map(|name| Some((name, name.end(area, figure)?)));
-        // a line that leaves the plot at the top ends before the right side
+        // true for a line that leaves the plot through its top edge
         let leaves = |at: [f64; 2]| at[1] < top + END_TOLERANCE && at[0] < right - END_TOLERANCE;
         let (mut leaving, mut placed): (Vec<_>, Vec<_>) = placed.partition(|(_, at)| leaves(*at));
         // the connectors of these lines are above the plot; the line that leaves at the smallest x

@@ -10,7 +10,7 @@ use crate::statistics::largest_magnitude;
 use serde::Serialize;
 
 /// Step sizes for a smooth law. The error of the apex depends on its position within a time step.
-/// Neighbouring step sizes average over this position.
+/// Each level has several neighbouring step sizes, so that a fit averages over this position.
 const LEVELS: Levels = Levels {
     coarsest: 16,
     count: 6,

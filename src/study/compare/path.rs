@@ -232,9 +232,9 @@ impl SetupPath {
             .collect()
     }
 
-    /// Shares of the discrete changes, at the middle of the path. The changes are applied one after
-    /// another, first in their order and then in the reverse order. A share is the mean of both
-    /// results. So the shares only change their sign if the ends of the path are exchanged.
+    /// Shares of the discrete changes, at the middle of the path: for each change, the mean of its
+    /// effects when all changes are applied in order and in the reverse order. Exchanging the ends
+    /// of the path then reverses the signs of the shares and changes nothing else.
     pub fn halfway(&self, of: Outcome) -> Result<Vec<Share>> {
         let count = self.discrete.len();
         let mut shares: Vec<Share> = self

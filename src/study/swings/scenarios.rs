@@ -173,10 +173,11 @@ impl Scenarios {
     /// The scenarios of some swings.
     ///
     /// # Errors
-    /// The errors of [`Uncertain::check`]; [`Error::Unreadable`] for [`Rule::Recorded`] with
-    /// distributions, for another rule with recorded swings, for a rule without scenarios or with
-    /// more than 100,000, and for a value outside the parameter's allowed range. To avoid such
-    /// values, give a `truncated` distribution with bounds inside this range.
+    /// The errors of [`Uncertain::check`], and [`Error::Unreadable`]
+    /// - for [`Rule::Recorded`] with distributions, or another rule with recorded swings;
+    /// - for a rule without scenarios, or with more than 100,000;
+    /// - for a value outside the parameter's allowed range. A `truncated` distribution with bounds
+    ///   inside this range has no such values.
     pub fn new(swings: &Swings, rule: Rule) -> Result<Self> {
         if let Swings::Distributed { inputs, .. } = swings {
             inputs.iter().try_for_each(Uncertain::check)?;
