@@ -92,7 +92,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         Ok(DefaultRanges::new(usual_vary(&found.setup)?, &request))
     })?;
     let origin = request
-        .origin()
+        .origin_of_search(&design.search.vary)
         .with_held(&kept, &found.setup)
         .with_stated(&swings_args.end_of_title());
     let designed = Designed::new(found.report(), &design, &found.setup, &improvements, &notes);

@@ -119,10 +119,15 @@ impl Outcome {
         self.computed_from() == ComputedFrom::Rest
     }
 
+    /// True if the outcome is positive to the right of the target line and negative to the left.
+    pub(crate) fn is_to_the_right(self) -> bool {
+        self.sign() == Sign::Right
+    }
+
     /// True for a distance to the right of the target line, which depends on launch direction and
     /// spin axis.
     pub(crate) fn is_lateral(self) -> bool {
-        self.sign() == Sign::Right && self.group() == OutcomeGroup::Flight
+        self.is_to_the_right() && self.group() == OutcomeGroup::Flight
     }
 
     /// Reason why a value of this outcome is not finite, for a message.
@@ -223,7 +228,7 @@ impl Outcome {
     /// ```
     pub fn unwrap_angle(self, value: f64, reference: f64) -> f64 {
         let turns = ((reference - value) / std::f64::consts::TAU).round();
-        let is_direction = self.sign() == Sign::Right && self.quantity() == Quantity::ANGLE;
+        let is_direction = self.is_to_the_right() && self.quantity() == Quantity::ANGLE;
         if is_direction && turns.is_finite() {
             value + turns * std::f64::consts::TAU
         } else {

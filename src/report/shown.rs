@@ -1,7 +1,7 @@
 //! Numbers formatted for people: in the units of a system, with the digits of a launch monitor, and
 //! with R or L in place of a sign.
 
-use crate::drive::{Outcome, Sign};
+use crate::drive::Outcome;
 use crate::parameters::{Parameter, Setup, UNSET, Vary};
 use crate::study::{Active, Constraint, Effect, Effects, Goal, Search, Sigma, SigmaEffect};
 use crate::units::{
@@ -72,7 +72,7 @@ pub(super) fn spoken(sentence: &str) -> String {
 /// The value of an outcome: "162.0 mph", "3.2 yd R".
 pub fn outcome(of: Outcome, value: f64, system: System) -> String {
     let unit = system.unit(of.unit());
-    if of.sign() == Sign::Right {
+    if of.is_to_the_right() {
         side(of.quantity(), unit, value)
     } else {
         of.quantity().read_off(value, unit)

@@ -205,10 +205,7 @@ pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Li
     let strikes = best.search.scenarios.parameters.iter();
     let mut strikes = strikes.filter(|parameter| parameter.name.starts_with("strike."));
     if strikes.next().is_some() || best.setup.strike.toe != 0.0 {
-        notes.push(format!(
-            "{}; the sideways scatter is as uncertain",
-            shown::GEAR_EFFECT
-        ));
+        notes.push("the gear effect, and so the sideways scatter, is known to about 30 %".into());
     }
     notes.extend(designs(best, nominal(over.analysis.as_ref())));
     notes.extend(smoothed_limits(best, system));

@@ -131,11 +131,13 @@ impl Chart {
             intervals(points.map(|(at, limits)| (*at, is_exceeded(limits))))
         });
         let parts = parts.iter().filter(|parts| !parts.is_empty());
-        warnings
+        let of_drives = warnings
             .into_iter()
             .zip(parts)
-            .map(|(warning, parts)| with_intervals(warning, parts, &self.along))
-            .collect()
+            .map(|(warning, parts)| with_intervals(warning, parts, &self.along));
+        let search = &first.best.search;
+        let of_side = search.sense.side_warning(&search.of);
+        of_side.into_iter().chain(of_drives).collect()
     }
 
     /// The loss of the followed optimum, compared with `own`, another optimum of the same search at

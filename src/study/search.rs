@@ -8,6 +8,7 @@ use crate::error::{Error, Result};
 use crate::optimize::{Domain, Options};
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::repeated::first_repeated;
+use crate::units::Message;
 
 /// Direction of a search: the largest or the smallest value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -47,6 +48,26 @@ impl Sense {
     /// The optimum of a goal in words: "largest carry".
     pub fn best_of(self, goal: &Goal) -> String {
         format!("{} {}", self.adjective(), goal.expression)
+    }
+
+    /// Warning that the best value of a goal with a side, such as `lateral`, is the value farthest
+    /// to one side.
+    pub(super) fn side_warning(self, goal: &Goal) -> Option<Message> {
+        let (weight, of) = goal.mean_outcome()?;
+        if !of.is_to_the_right() {
+            return None;
+        }
+        // the sign is negative for the largest value
+        let is_right = self.sign() * weight < 0.0;
+        let side = if is_right { "right" } else { "left" };
+        let text = format!(
+            "the {} is the value farthest to the {side}, not the one nearest to 0; for that give a \
+             constraint, for example `subject_to \"{} == 0 {}\"`",
+            self.best_of(goal),
+            of.name(),
+            of.unit()
+        );
+        Some(text.into())
     }
 }
 

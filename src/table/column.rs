@@ -5,7 +5,7 @@ use super::heads::{AIR, Meaning};
 use super::launch_monitor;
 use super::numbers;
 use super::numbers::{CellSide, cell_number, unwrapped};
-use crate::drive::{Outcome, Sign};
+use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::units::{Quantity, Unit, UnitError};
@@ -353,7 +353,7 @@ impl Column {
         };
         match side {
             CellSide::OfTarget { .. } => {
-                of_parameter(&[PATH, FACE]) || of_outcome(|of| of.sign() == Sign::Right)
+                of_parameter(&[PATH, FACE]) || of_outcome(Outcome::is_to_the_right)
             }
             CellSide::UpDown { .. } => {
                 of_parameter(&["swing.attack_angle"]) || of_outcome(|of| of == Outcome::LaunchAngle)

@@ -182,6 +182,48 @@ fn the_answer_for_an_average_names_the_command_for_an_own_loft() {
     }
 }
 
+/// The bend of a shaft adds to the loft, so the best loft for a rigid shaft is some degrees too
+/// high for others.
+#[test]
+fn the_best_loft_of_a_rigid_shaft_names_the_bend() {
+    for (words, has_advice) in [
+        (&["optimize", "modern-driver"][..], true),
+        (&["design", "--vary", "club.loft=8deg..14deg"], true),
+        (
+            &[
+                "optimize",
+                "modern-driver",
+                "--set",
+                "swing.shaft_bend=0deg",
+            ],
+            false,
+        ),
+        (&["optimize"], false),
+    ] {
+        let text = on_one_line(&longdrive(words).out);
+        let is_told = text.contains("the loft is for a rigid shaft");
+        assert_eq!(is_told, has_advice, "{words:?}: {text}");
+    }
+}
+
+/// The smallest lateral is farthest to the left, which hardly anybody asks for.
+#[test]
+fn a_search_for_the_best_side_says_how_to_search_for_the_target_line() {
+    let vary = ["--vary", "swing.face_angle=-2deg..2deg"];
+    for (goal, side) in [
+        (["--minimize", "lateral"], Some("left")),
+        (["--maximize", "sidespin"], Some("right")),
+        (["--maximize", "carry"], None),
+    ] {
+        let output = longdrive(&[&["optimize"], &goal[..], &vary].concat());
+        let says = on_one_line(&output.err);
+        let of_side = ["left", "right"]
+            .into_iter()
+            .find(|side| says.contains(&format!("the value farthest to the {side}")));
+        assert_eq!(of_side, side, "{says}");
+    }
+}
+
 fn carry_at(found: &Value, name: &str, value: f64) -> f64 {
     let mut setup = Setup::preset("tour-average").unwrap();
     for (varied, best) in found["optimum"].as_object().unwrap() {

@@ -324,7 +324,7 @@ fn the_error_of_side_spin_is_printed_once() {
         longdrive(&["design"])
             .out
             .replace('\n', " ")
-            .matches("gear effect of strikes off the centre is known")
+            .matches("the gear effect, and so the sideways scatter, is known")
             .count(),
         1
     );

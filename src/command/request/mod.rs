@@ -346,30 +346,42 @@ impl Request {
         ))
     }
 
-    /// The description of the setup for the first lines of a search's answer. It has advice if the
-    /// search varies the loft, and shaft and strike are averages of many golfers: the best loft of
-    /// a single golfer differs by some degrees.
+    /// The description of the setup for the first lines of a search's answer, with the advice of
+    /// [`Self::best_loft_advice`] if the search varies the loft.
     pub fn origin_of_search(&self, vary: &[Vary]) -> SetupOrigin {
         let varies_loft = vary.iter().any(|vary| vary.parameter.name == LOFT);
         if !varies_loft {
             return self.origin();
         }
+        SetupOrigin {
+            advice: self.best_loft_advice().unwrap_or_default(),
+            ..self.origin()
+        }
+    }
+
+    /// Advice if a best loft is for shaft and strike of an average golfer, or for a rigid shaft: the
+    /// best loft of a single golfer differs by some degrees.
+    fn best_loft_advice(&self) -> Option<String> {
         let is_of_shaft_or_strike =
             |name: &str| name.starts_with("swing.shaft") || name.starts_with("strike.");
-        let advice = if self.has_average(is_of_shaft_or_strike) {
-            format!(
+        if self.has_average(is_of_shaft_or_strike) {
+            return Some(format!(
                 "the loft is for the shaft and strike of {}: for the same launch other golfers \
                  need a loft some degrees higher or lower; `delivery()` starts from your own \
                  launch, `presets()` lists other golfers",
                 self.source.content.preset.name
-            )
-        } else {
-            String::new()
-        };
-        SetupOrigin {
-            advice,
-            ..self.origin()
+            ));
         }
+        let setup = &self.partial_setup;
+        let has_rigid_shaft = setup.swing.shaft_bend.is_none() && !setup.launch.is_given();
+        if !has_rigid_shaft || self.gives(is_of_shaft_or_strike) {
+            return None;
+        }
+        Some(
+            "the loft is for a rigid shaft; the bend of a driver's shaft, 2 to 5 deg, adds to it: \
+             `set swing.shaft_bend=2.5deg`"
+                .into(),
+        )
     }
 
     /// The arguments that give this setup to another command: the source and its settings, except

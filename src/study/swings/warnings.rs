@@ -66,7 +66,7 @@ impl Optimum {
         if self.compares_totals() {
             of.push(Outcome::Total);
         }
-        match (&self.drive, self.solution.value) {
+        let of_drives = match (&self.drive, self.solution.value) {
             (Some(drive), _) => {
                 let mut warnings = drive.warnings_about(&self.setup, &of);
                 let start = self
@@ -80,7 +80,9 @@ impl Optimum {
             }
             (None, Some(_)) => warnings(&self.setup, &self.search.scenarios, &of, stop),
             (None, None) => self.setup.warnings(),
-        }
+        };
+        let of_side = self.search.sense.side_warning(&self.search.of);
+        of_side.into_iter().chain(of_drives).collect()
     }
 }
 
@@ -90,7 +92,8 @@ impl Robust {
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let of = self.search.outcomes();
         let design: Vec<_> = self.search.parameters().collect();
-        let mut all: Vec<Message> = vec![];
+        let of_side = self.search.sense.side_warning(&self.search.of);
+        let mut all: Vec<Message> = of_side.into_iter().collect();
         for (model, _) in &self.models {
             let Ok(setup) = model.setup.with_values(&design, &self.design) else {
                 continue;
@@ -138,6 +141,11 @@ impl Pareto {
                 "points of the front, for at least 1 % of their swings",
             ],
         };
-        count.warnings(&first.setup.law, what, CheckScope::Flight)
+        let of_drives = count.warnings(&first.setup.law, what, CheckScope::Flight);
+        let goals = self.search.goals.iter();
+        goals
+            .filter_map(|(goal, sense)| sense.side_warning(goal))
+            .chain(of_drives)
+            .collect()
     }
 }
