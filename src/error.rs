@@ -527,7 +527,9 @@ fn similarity(given: &str, known: &str) -> f64 {
         (None, Some((_, last))) => {
             strsim::jaro_winkler(given, known).max(0.99 * strsim::jaro_winkler(given, last))
         }
-        _ => strsim::jaro_winkler(given, known),
+        (None, None) => strsim::jaro_winkler(given, known),
+        // a common group at the beginning does not make two names similar
+        _ => 0.9 * strsim::jaro_winkler(given, known),
     }
 }
 

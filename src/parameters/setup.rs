@@ -38,8 +38,8 @@ impl Parameter {
     /// dimension needs its unit. `none` unsets an optional parameter.
     ///
     /// # Errors
-    /// [`Error::Unreadable`] for a wrong or missing unit; [`Error::OutOfRange`] for a value outside
-    /// the range.
+    /// [`Error::Unreadable`] for a wrong or missing unit, and for a value with `+` of a parameter
+    /// that is never negative; [`Error::OutOfRange`] for a value outside the range.
     pub fn read(&self, text: &str, bare: bool) -> Result<Option<f64>> {
         let text = text.trim();
         if is_unset(text) {
@@ -48,6 +48,17 @@ impl Parameter {
             } else {
                 Err(self.needs_a_value())
             };
+        }
+        // a sign is usual for a temperature; elsewhere `+5 mm` may be meant as a change
+        let is_like_a_change = text.starts_with('+')
+            && self.range.low >= 0.0
+            && self.quantity != Quantity::TEMPERATURE;
+        if is_like_a_change {
+            let source = format!(
+                "\"{text}\" reads like a change, and this is the value itself: write it without a \
+                 sign"
+            );
+            return Err(Error::unreadable(self.name, source));
         }
         let value = if bare {
             self.quantity.read_bare(text)

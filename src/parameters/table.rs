@@ -81,7 +81,8 @@ parameter_groups! {
         /// Mass of the head.
         mass: T = "club.mass", "M", MASS in "g", Range::from_to(0.05, 2.0),
             "204 g", "Caldwell & McPhee (2024), a driver of the 2020s";
-        /// Loft at the sweet spot.
+        /// Loft at the sweet spot, or at the centre of the face where club.cg_high, club.cg_toe or a
+        /// movable weight is set.
         loft: T = "club.loft", "λ", ANGLE in "deg", Range::within_degrees(90.0),
             "9.8 deg", "McNally (2016), measured driver";
         /// Moment of inertia about the vertical axis through the centre of mass, the MOI of golf:
@@ -103,7 +104,8 @@ parameter_groups! {
         /// Inertia tensor, matrix entry yz (minus the product of inertia).
         inertia_yz: T = "club.inertia.yz", "I_yz", INERTIA in "g cm^2", Range::from_to(-1.0, 1.0),
             "0 g cm^2", "head symmetric about the X-Z plane";
-        /// Distance from the centre of mass to the face, along the face normal at the sweet spot.
+        /// Distance from the centre of mass to the face, along the face normal at the point to which
+        /// club.loft refers.
         cg_depth: T = "club.cg_depth", "d", LENGTH in "mm", Range::from_to(0.0, 0.5),
             "40.8 mm", "measured driver, docs/sources.md";
         /// Bulge: the face's radius of curvature from heel to toe; inf for a flat face.

@@ -172,7 +172,7 @@ fn nearest_name_is_suggested() {
         message.ends_with("it is a group: swing.speed; list"),
         "{message}"
     );
-    for strange in ["xyzzy", "sw"] {
+    for strange in ["xyzzy", "sw", "swing.club_path"] {
         let message = Error::unknown("parameter", strange, names, "list").to_string();
         assert!(!message.contains("did you mean"), "{message}");
     }
