@@ -41,7 +41,7 @@ pub struct Args {
 
     /// A model in addition to the setup itself: changes of the setup, e.g. "aero.law=ferguson" or
     /// "impact.friction=0.3,impact.gear_scale=0.5". Repeatable [default: the laws launch-monitor
-    /// and ferguson, a friction of 0.3 and half the gear effect, each as its own model].
+    /// and ferguson, and gear effects of 0.5 and 1, each as its own model].
     #[arg(long, value_name = "NAME=VALUE,…", allow_hyphen_values = true)]
     pub model: Vec<String>,
 

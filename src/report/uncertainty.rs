@@ -235,13 +235,13 @@ fn moments(outcome: &OutcomeUncertainty, found: &Uncertainty, system: System) ->
             value(mean.value),
             spread(deviation.value),
         ]);
-        let drives = match of.group() {
-            OutcomeGroup::Flight if found.part_without_landing() > 0.0 => "drives that land",
-            _ => "drives",
+        let condition = match of.group() {
+            OutcomeGroup::Flight if found.part_without_landing() > 0.0 => ", if the ball lands",
+            _ => "",
         };
         remarks.extend(sampled.quantiles.map(|quantiles| {
             let [low, middle, high] = quantiles.map(value);
-            format!("95 % of the {drives} lie between {low} and {high}; the median is {middle}")
+            format!("95 % probability: {low} to {high}{condition}; median {middle}")
         }));
         let intervals = mean.interval().zip(deviation.interval());
         remarks.extend(intervals.map(|(mean, deviation)| {
@@ -283,8 +283,7 @@ fn shares_lines(outcome: &OutcomeUncertainty, system: System) -> Vec<Line> {
     let shares = (!shares.is_empty()).then(|| {
         let of = outcome.of.name();
         format!(
-            "shares of the variance of {of} (with interactions, so they may add up to more than \
-             100 %): {}",
+            "shares of the variance of {of}, interactions included: {}",
             shares.join(", ")
         )
     });

@@ -18,7 +18,7 @@ pub struct Landing {
     /// Rest position, m: right of the target line and downrange; `None` if the ball does not come
     /// to rest.
     pub rest: Option<[f64; 2]>,
-    /// Parameters that vary from drive to drive, with their standard deviations.
+    /// Uncertain parameters, with their standard deviations.
     pub sigmas: Vec<Sigma>,
     /// Landing ellipses for each of [`SHARES`], from [`Landing::SAMPLED`] drives with normally
     /// distributed parameters; empty if nothing varies, or the scatter is too large.

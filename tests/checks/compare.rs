@@ -729,7 +729,7 @@ fn air_and_wind_given_by_different_parameters_are_one_cause_each() {
     }
     let output = longdrive(&[&["compare", "--units", "us"], &components[..], &wind].concat());
     let text = on_one_line(&output.out);
-    let line = "all of it wind, right 6.7108 mph, downrange 0 mph → speed 10 mph, from 45°";
+    let line = "all of it from wind, right 6.7108 mph, downrange 0 mph → speed 10 mph, from 45°";
     assert!(text.contains(line), "{text}");
 }
 

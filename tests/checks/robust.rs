@@ -181,7 +181,9 @@ fn the_answer_judges_whether_one_design_suits_all_models() {
         .map(|model| model["model"].as_str().unwrap())
         .collect();
     assert!(
-        names.contains(&"impact.gear_scale=0.5") && names[0] == "as set up",
+        names.contains(&"impact.gear_scale=0.5")
+            && names.contains(&"impact.gear_scale=1")
+            && names[0] == "as set up",
         "{names:?}"
     );
 }
@@ -255,7 +257,7 @@ fn bad_models_are_refused_with_the_reason() {
         .into_iter()
         .map(|model| model.name)
         .collect();
-    assert!(names.contains(&"impact.friction=0.3".into()), "{names:?}");
+    assert!(names.contains(&"impact.gear_scale=1".into()), "{names:?}");
     setup
         .set_all([
             ("launch.ball_speed", "70 m/s"),

@@ -544,7 +544,7 @@ fn drives_without_a_landing_have_a_warning_if_the_flight_is_requested() {
             printed.err
         );
         assert_eq!(
-            printed.out.contains("of the drives that land lie between"),
+            printed.out.contains(", if the ball lands; median"),
             is_told,
             "{of}: {}",
             printed.out

@@ -34,12 +34,12 @@ const USUAL: [([(&str, &str); 1], &str); 4] = [
         "fitted to radar flights of a ball of 2021, independently of the default law",
     ),
     (
-        [("impact.friction", "0.3")],
-        "the smallest of the published frictions of a driver's face, 0.3 to 0.5",
+        [("impact.gear_scale", "0.5")],
+        "the smallest measured gear effect",
     ),
     (
-        [("impact.gear_scale", "0.5")],
-        "measured gear effects differ by a factor of two",
+        [("impact.gear_scale", "1")],
+        "the gear effect of rigid bodies, the largest measured one",
     ),
 ];
 
