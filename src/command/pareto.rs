@@ -140,7 +140,10 @@ pub fn draw(setup_args: &SetupArgs, args: &GoalArgs, drawing: &PictureArgs) -> R
             message,
         });
     }
-    target.write(request.is_json, &pareto_figure(&found, system()), warnings)
+    // without the chosen time step, which is no value of the drive as set up
+    let (setup, preset) = (&request.partial_setup, request.source.content.preset);
+    let figure = pareto_figure(&found, setup, preset, system());
+    target.write(request.is_json, &figure, warnings)
 }
 
 /// Follows the front, until `stop` is true.

@@ -1204,6 +1204,7 @@ fn a_subtitle_names_stated_values_that_are_not_on_an_axis() {
     let attack = ["--vary", "swing.attack_angle=-5deg..5deg"];
     let along = ["--along", "swing.speed=85mph..100mph"];
     let limit = ["--subject-to", "descent_angle >= 38 deg"];
+    let goals = ["--maximize", "carry", "--minimize", "spin"];
     for (kind, more, subtitle) in [
         (
             "contour",
@@ -1239,6 +1240,11 @@ fn a_subtitle_names_stated_values_that_are_not_on_an_axis() {
             "chart",
             [&LOFT_ALONE[..], &along, &limit].concat(),
             " at attack angle −3°, all else as set up, with descent angle ≥ 38° ",
+        ),
+        (
+            "pareto",
+            [&SPEED[..], &LOFT_ALONE, &goals, &limit].concat(),
+            " at club speed 92 mph, attack angle −3°, all else as set up, with descent angle ≥ 38° ",
         ),
     ] {
         let (picture, _) = stated_plot(kind, &more);

@@ -1,3 +1,5 @@
+use super::constants::{constants, subtitle};
+use crate::parameters::{Preset, Setup};
 use crate::report::pareto::role;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shown::{self, capital};
@@ -11,8 +13,13 @@ const HALF_WIDTH: f64 = 0.2;
 
 /// The Pareto front of two goals: the first goal on the vertical axis, the second on the horizontal
 /// axis. The plot shows the ends of the front, the knee, the slope at the knee, and the design
-/// before the search. Texts are in the units of `system`.
-pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
+/// before the search, which starts from `setup` and its preset. Texts are in the units of `system`.
+pub fn pareto_figure(
+    found: &Pareto,
+    setup: &Setup<f64>,
+    preset: &Preset,
+    system: System,
+) -> Figure {
     let [y, x] = found
         .search
         .goals
@@ -23,6 +30,7 @@ pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
         });
     let title = format!("{} against {}", capital(&y.label), x.label);
     let mut figure = Figure::new("pareto", title, Axis::linear(x), Axis::linear(y));
+    figure.subtitle = constant_parameters(found, setup, preset, system);
     figure.layers.extend(tangent(found, system));
     // the line is interrupted where the front is disconnected
     let gap = |point: &ParetoPoint| point.is_after_gap.then_some([f64::NAN; 2]);
@@ -60,6 +68,25 @@ pub fn pareto_figure(found: &Pareto, system: System) -> Figure {
         });
     }
     figure.noted(note(found, system))
+}
+
+/// The subtitle: the constant parameters as set up, and the constraints.
+fn constant_parameters(
+    found: &Pareto,
+    setup: &Setup<f64>,
+    preset: &Preset,
+    system: System,
+) -> String {
+    let search = &found.search;
+    let varies = |name: &str| {
+        let of_design = search.vary.iter().map(|vary| vary.parameter);
+        let of_swings = search.scenarios.parameters.iter().copied();
+        of_design
+            .chain(of_swings)
+            .any(|parameter| parameter.name == name)
+    };
+    let constants = constants(setup, preset, varies, system);
+    subtitle(&constants) + &shown::with_constraints(&search.subject_to, system)
 }
 
 /// The coordinates of a point: the second goal, then the first.
