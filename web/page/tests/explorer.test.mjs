@@ -26,7 +26,7 @@ function lane() {
 function explorer(numbers = lane(), commands = lane()) {
   const loft = { parameter: 'club.loft', unit: 'rad', shown_in: 'deg', law: null, range: { low: 0, high: 1 } };
   const others = ['swing.attack_angle', 'swing.speed'].map(parameter => ({ ...loft, parameter }));
-  const presets = [{ name: 'tour-average', setup: { 'club.loft': 0.2, 'swing.attack_angle': 0, 'swing.speed': 0.5 } }];
+  const presets = [{ name: 'tour-average', setup: { 'club.loft': 0.2, 'swing.attack_angle': 0, 'swing.speed': 0.5 }, sources: {} }];
   const catalog = new page.Catalog([loft, ...others], presets, []);
   return new page.Explorer(catalog, numbers, commands, page.START);
 }

@@ -1,7 +1,7 @@
 // One parameter: slider, number field, price, band, meaning.
 import { useState } from 'preact/hooks';
 import { bandOf, LOSS, priceOf } from '../drive/price';
-import { NONE, WHEN_UNSET } from '../setup/design';
+import { NONE, unstatedOf, WHEN_UNSET } from '../setup/design';
 import { labelInGroup, labelOf } from '../setup/parameters';
 import { decimalsOf } from '../setup/slider';
 import { digits, fromSI, parts, symbolOf, toSI, unitIn, withUnit } from '../setup/units';
@@ -82,11 +82,11 @@ function rowOf(explorer: Explorer, name: string) {
 /** The meaning of a parameter, and the source of its value. */
 function About({ name, label }: { name: string; label: string }) {
   const { explorer } = usePage();
-  const preset = explorer.catalog.preset(explorer.design.value.preset);
+  const { owner, source } = unstatedOf(name, explorer.design.value, explorer.catalog);
   return (
     <div class="about">
       <p>{explorer.parameter(name).doc} (<code>{name}</code>)</p>
-      <p>Value of the preset: {preset?.sources[name] ?? 'no source'}.</p>
+      <p>Value of the {owner}: {source ?? 'no source'}.</p>
       <VarySwitch name={name} label={label} />
     </div>
   );

@@ -1,7 +1,7 @@
 // A design: a preset, and the parameters that differ from it.
 import type { Catalog, Value } from './parameters';
 import { CLUB_FIRST, LAUNCH_FIRST } from './parameters';
-import { valueOf } from './units';
+import { siOf, valueOf } from './units';
 
 /** The text that unsets a parameter. */
 export const NONE = 'none';
@@ -41,17 +41,28 @@ export const firstOf = (design: Design) => (hasLaunch(design) ? LAUNCH_FIRST : C
 export const lawOf = (design: Design, catalog: Catalog): Value =>
   design.set['aero.law'] ?? catalog.preset(design.preset)?.setup['aero.law'] ?? null;
 
+/**
+ * Value (SI) and source of a parameter that the design does not state. The value is that of the
+ * preset. If the design has another law than its preset, a coefficient has the value of the law.
+ */
+export function unstatedOf(name: string, design: Design, catalog: Catalog) {
+  const law = lawOf(design, catalog);
+  const preset = catalog.preset(design.preset);
+  const row = catalog.parameter(name, law);
+  const isOfLaw = row !== undefined && row.law !== null && row.law === law;
+  if (isOfLaw && law !== preset?.setup['aero.law']) {
+    return { owner: 'law', value: siOf(row.default), source: row.source };
+  }
+  return { owner: 'preset', value: siOf(preset?.setup[name] ?? null), source: preset?.sources[name] };
+}
+
 /** The SI value of a parameter: null if it is unset, NaN if only the core can read it. */
 export function numberOf(name: string, design: Design, catalog: Catalog): number | null {
   const text = design.set[name];
   if (text === NONE) return null;
-  if (text !== undefined) {
-    const unit = catalog.parameter(name, lawOf(design, catalog))?.unit ?? '';
-    return valueOf(text, unit) ?? NaN;
-  }
-  const preset = catalog.preset(design.preset)?.setup[name];
-  if (typeof preset === 'number') return preset;
-  return preset === 'inf' ? Infinity : null;
+  if (text === undefined) return unstatedOf(name, design, catalog).value;
+  const unit = catalog.parameter(name, lawOf(design, catalog))?.unit ?? '';
+  return valueOf(text, unit) ?? NaN;
 }
 
 /** The design with these values. The value `undefined` restores the value of the preset. */

@@ -1,9 +1,9 @@
 // Setup files of the program: download and upload.
 import type { Design } from './design';
-import { NONE } from './design';
+import { NONE, unstatedOf } from './design';
 import type { Catalog, Choice, Parameter } from './parameters';
 import type { System } from './units';
-import { textOf, unitIn } from './units';
+import { siOf, textOf, unitIn } from './units';
 
 /** The text of a setup file. Dotted names are keys of TOML. */
 export function writeSetup(design: Design): string {
@@ -52,13 +52,15 @@ export function designOf(values: FileValues, catalog: Catalog, system: System): 
   const candidates = presets.map((preset): Design => {
     const set: Record<string, string> = {};
     if (preset.setup['aero.law'] !== values.law) set['aero.law'] = values.law;
+    const law = { preset: preset.name, set: { ...set } };
     const isOfPreset = (name: string) => preset.states_step || !OF_STEP.includes(name);
     for (const { choice, value } of choices) {
       const isKept = isOfPreset(choice) && preset.setup[choice] === value;
       if (value !== null && !isKept) set[choice] = value;
     }
     for (const { parameter, value, shown_in } of rows) {
-      if (isOfPreset(parameter) && same(preset.setup[parameter] ?? null, value)) continue;
+      const { value: unstated } = unstatedOf(parameter, law, catalog);
+      if (isOfPreset(parameter) && same(unstated, siOf(value))) continue;
       set[parameter] = typeof value === 'number' ? textOf(value, unitIn(system, shown_in), 10) : value ?? NONE;
     }
     return { preset: preset.name, set };
@@ -67,7 +69,7 @@ export function designOf(values: FileValues, catalog: Catalog, system: System): 
   return candidates.reduce((best, next) => (count(next) < count(best) ? next : best));
 }
 
-function same(one: number | string | null, other: number | string | null): boolean {
-  if (typeof one !== 'number' || typeof other !== 'number') return one === other;
+function same(one: number | null, other: number | null): boolean {
+  if (one === null || other === null || one === other) return one === other;
   return Math.abs(one - other) <= 1e-12 * Math.max(Math.abs(one), Math.abs(other));
 }

@@ -9,6 +9,11 @@ export interface Parameter {
   unit: string;
   shown_in: string;
   kind: 'required' | 'optional' | 'setting';
+  /** The value without a preset, SI. */
+  default: Value;
+  /** The source of `default`. */
+  source: string;
+  /** The law that has this parameter as a coefficient; null for other parameters. */
   law: string | null;
   doc: string;
   range: { low: number | string; high: number | string } | null;

@@ -90,6 +90,12 @@ export function signed(number: number, decimals: number): string {
   return number > 0 && Number(text) !== 0 ? `+${text}` : text;
 }
 
+/** A number in JSON of the program, which writes the text `inf` for infinity; null for others. */
+export function siOf(value: number | string | null): number | null {
+  if (typeof value === 'number') return value;
+  return value === 'inf' ? Infinity : null;
+}
+
 const QUANTITY = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(.*?)\s*$/i;
 
 /** Number and unit of a text such as "10.5 deg"; null for other texts. */

@@ -5,7 +5,7 @@ import type { Call, Reply } from '../core/messages';
 import type { Drive, Refusal, Slope } from '../drive/drive';
 import { isRefused, readDrive, readMissing, readSlopes, refusalOf } from '../drive/drive';
 import type { Design } from '../setup/design';
-import { WHEN_UNSET, firstOf, hasLaunch, lawOf, numberOf, setupOf, together, withValues } from '../setup/design';
+import { WHEN_UNSET, firstOf, hasLaunch, lawOf, numberOf, setupOf, together, unstatedOf, withValues } from '../setup/design';
 import type { Catalog, Parameter } from '../setup/parameters';
 import { AIR_FIRST, groupOf } from '../setup/parameters';
 import type { SliderRange } from '../setup/slider';
@@ -149,8 +149,9 @@ export class Explorer {
     return numberOf(name, this.design.value, this.catalog);
   }
 
+  /** The value that a parameter has if the design does not state it. */
   presetValue(name: string): number | null {
-    return numberOf(name, { preset: this.design.value.preset, set: {} }, this.catalog);
+    return unstatedOf(name, this.design.value, this.catalog).value;
   }
 
   sliderRange(name: string): SliderRange {
