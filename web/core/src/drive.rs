@@ -48,6 +48,7 @@ struct Head<'a> {
     diagonal: bool,
     path: usize,
     run: usize,
+    stated: Vec<&'a str>,
     missing: Vec<Missing>,
     warnings: Vec<String>,
 }
@@ -88,6 +89,7 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         diagonal: request.diagonal,
         path: 0,
         run: 0,
+        stated: vec![],
         missing: vec![],
         warnings: vec![],
     };
@@ -102,6 +104,12 @@ pub fn answer(request: &Request) -> Result<Vec<u8>, Refusal> {
         let path = path.map_err(|error| checked.refused(&error))?;
         (head.path, head.run) = (path.points.len(), path.run.len());
         append(&path, &mut numbers);
+    }
+    if request.outcomes {
+        for (name, value) in checked.stated() {
+            head.stated.push(name);
+            numbers.push(value);
+        }
     }
     Ok(message::with_numbers(&head, &numbers))
 }

@@ -149,6 +149,15 @@ impl CheckedSetup<'_> {
         Refusal::of(error, self.system, &self.setup, stated)
     }
 
+    /// The parameters that `set` states by a text, such as `10 km/h`, with their values in SI.
+    pub fn stated(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.text.set.iter().filter_map(|(name, value)| {
+            let parameter = self.setup.parameter(name).ok()?;
+            let value = parameter.read(value.as_str()?, false).ok()??;
+            Some((name.as_str(), value))
+        })
+    }
+
     /// A message in the units of the request.
     pub fn text(&self, message: &Message) -> String {
         in_page_words(&message.in_units(self.system))

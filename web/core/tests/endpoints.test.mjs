@@ -26,8 +26,9 @@ function drive(request) {
     ({ of, gradient: take(n), hessian: head.order === 2 ? take(head.diagonal ? n : n * n) : null }));
   const path = Array.from({ length: head.path ?? 0 }, () => take(4));
   const run = Array.from({ length: head.run ?? 0 }, () => take(3));
+  const stated = Object.fromEntries(head.stated?.map(name => [name, take(1)[0]]) ?? []);
   assert.equal(at, block.length);
-  return { head, outcomes, derivatives, path, run };
+  return { head, outcomes, derivatives, path, run, stated };
 }
 
 test('same outcomes and derivatives of a drive as the program', () => {
@@ -83,6 +84,14 @@ test('same derivatives with the diagonals of Hessians as with Hessians', () => {
       });
     });
   }
+});
+
+test('the values of all texts of a setup, in SI', () => {
+  const set = { 'air.temperature': '20 °C', 'swing.speed': '160 KMH', 'club.bulge_radius': 'inf', 'air.humidity': '50 %',
+    'air.altitude': 'none', golfer: 'left', 'club.loft': 0.2 };
+  const { stated } = drive({ setup: { set }, path: true });
+  close(stated['swing.speed'], 160 / 3.6, 1e-12, 'speed');
+  assert.deepEqual({ ...stated, 'swing.speed': 0 }, { 'air.temperature': 293.15, 'swing.speed': 0, 'club.bulge_radius': Infinity, 'air.humidity': 0.5 });
 });
 
 test('exact ends of a path', () => {

@@ -4,6 +4,7 @@ export * from '../src/setup/design';
 export * from '../src/setup/file';
 export * from '../src/setup/parameters';
 export * from '../src/setup/slider';
+export * from '../src/setup/units';
 export * from '../src/setup/words';
 export * from '../src/state/best';
 export * from '../src/state/explorer';

@@ -139,6 +139,32 @@ test('a text in a unit of another quantity stays as it was typed', async () => {
   });
 });
 
+test('each unit of the program moves the slider and has a price', async () => {
+  await stay(async ({ page }) => {
+    for (const [name, text, number, spoken] of [
+      ['air.temperature', '20 °C', '68', '68.0 °F'],
+      ['swing.speed', '100 KNOTS', '115.078', '115.1 mph'],
+      ['club.loft', '150mrad', '8.594', '8.6°'],
+      ['air.altitude', '1 km', '3280.8', '3281 ft'],
+    ]) {
+      await type(page, name, text);
+      await settle(page);
+      assert.ok(Math.abs(Number(await field(page, name).inputValue()) - Number(number)) < 0.06, name);
+      assert.equal(await slider(page, name).getAttribute('aria-valuetext'), spoken);
+      assert.ok(Math.abs(Number(await slider(page, name).inputValue()) - Number(number)) < 10, name);
+      assert.equal(await page.locator(`#price-${name.replace('.', '-')} b`).count(), 1, name);
+    }
+    assert.equal(await page.locator('.map .on-map').count(), 1);
+    assert.match(await page.locator('.answer tr', { hasText: 'loft' }).last().textContent(), /^loft8\.59°/);
+    const { page: other, context, said } = await open(browser, file + await fragment(page));
+    await settle(other);
+    assert.equal(await slider(other, 'air.temperature').getAttribute('aria-valuetext'), '68.0 °F');
+    assert.equal(await other.locator('#price-air-temperature b').count(), 1);
+    assert.deepEqual(said, []);
+    await context.close();
+  });
+});
+
 test('a link with two designs has the fine map with its best drive', async () => {
   await visit(`${file}#1&tour-average&club.loft=9deg&b:club.loft=12deg`, {}, async ({ page }) => {
     await page.locator('.map figcaption').filter({ hasText: /at loft/ }).waitFor({ timeout: 10_000 });

@@ -38,6 +38,7 @@ interface DriveHead {
   diagonal: boolean;
   path?: number;
   run?: number;
+  stated?: string[];
   warnings?: string[];
 }
 
@@ -64,6 +65,13 @@ export function readDrive({ head, block }: Numbers): Drive {
     roll,
     warnings: read.warnings ?? [],
   };
+}
+
+/** The values, SI, of the texts of the setup, by the name of the parameter. */
+export function readStated({ head, block }: Numbers): Map<string, number> {
+  const { stated = [] } = head as unknown as DriveHead;
+  const begin = block.length - stated.length;
+  return new Map(stated.map((name, k) => [name, block[begin + k] ?? NaN]));
 }
 
 /** First and second derivative of an outcome by one parameter, SI. */

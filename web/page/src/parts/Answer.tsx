@@ -2,7 +2,7 @@
 import { useComputed } from '@preact/signals';
 import { priceOf } from '../drive/price';
 import { labelOf } from '../setup/parameters';
-import { digits, fromSI, withUnit } from '../setup/units';
+import { digits, fromSI, toSI, withUnit } from '../setup/units';
 import type { Best } from '../state/best';
 import { varyOf } from '../state/state';
 import { usePage } from './context';
@@ -63,26 +63,23 @@ const Values = ({ best }: { best: Best }) => (
 
 function ValueRow({ name, theirs }: { name: string; theirs: number }) {
   const { explorer } = usePage();
-  const { mine, unit, decimals } = useSteady(() => explorer.rowKey(name),
-    () => ({ mine: explorer.value(name), ...explorer.field(name) }));
-  const shown = (value: number | null) => (value === null || !Number.isFinite(value) ? 'not stated'
-    : withUnit(digits(fromSI(value, unit), Math.min(6, decimals + 1)), unit));
-  const difference = mine === null ? '–' : shown(theirs - mine + zero(unit));
+  const { mine, typed, unit, decimals } = useSteady(() => explorer.rowKey(name), () => ({
+    mine: explorer.value(name), typed: explorer.design.value.set[name], ...explorer.field(name),
+  }));
+  const isKnown = mine !== null && Number.isFinite(mine);
+  const shown = (value: number) =>
+    withUnit(digits(fromSI(value, unit), Math.min(6, decimals + 1)), unit);
+  // the conversion of 0 cancels the offset of a temperature unit
+  const difference = isKnown ? shown(theirs - mine + toSI(0, unit)) : '–';
   return (
     <tr>
       <th scope="row">{labelOf(name)}</th>
-      <td>{shown(mine)}</td>
+      <td>{isKnown ? shown(mine) : mine === null ? 'not stated' : typed ?? 'inf'}</td>
       <td>{shown(theirs)}</td>
-      <td>{/^[\u2212\u2013]/.test(difference) || mine === null ? difference : `+${difference}`}</td>
+      <td>{/^[\u2212\u2013]/.test(difference) ? difference : `+${difference}`}</td>
     </tr>
   );
 }
-
-/**
- * The SI value of 0 in this unit. Added to a difference in SI, it cancels the offset that the
- * conversion to a temperature unit subtracts.
- */
-const zero = (unit: string) => (unit === 'degC' ? 273.15 : unit === 'degF' ? 255.372222 : 0);
 
 /**
  * What one more unit of a parameter gains: at your drive, and beyond the bound for the parameters

@@ -147,11 +147,10 @@ function axisNames(explorer: Explorer): string[] {
 /** The lists from which the two parameters of the map are chosen. */
 function Axes() {
   const { explorer } = usePage();
-  const { state, design } = explorer;
-  const key = () => JSON.stringify(
-    [design.value.preset, Object.keys(design.value.set), mapOf(state.value)]);
+  const { state } = explorer;
+  const content = () => ({ axes: mapOf(state.value), names: axisNames(explorer) });
   // use the lists again until their options change: they are long
-  const { axes, names } = useSteady(key, () => ({ axes: mapOf(state.value), names: axisNames(explorer) }));
+  const { axes, names } = useSteady(() => JSON.stringify(content()), content);
   const select = (axis: 0 | 1, label: string) => (
     <label>
       {label}

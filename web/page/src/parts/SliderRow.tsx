@@ -4,7 +4,7 @@ import { bandOf, LOSS, priceOf } from '../drive/price';
 import { NONE, unstatedOf, WHEN_UNSET } from '../setup/design';
 import { labelInGroup, labelOf } from '../setup/parameters';
 import { decimalsOf } from '../setup/slider';
-import { digits, fromSI, parts, symbolOf, toSI, unitIn, withUnit } from '../setup/units';
+import { digits, fromSI, parts, symbolOf, toSI, withUnit } from '../setup/units';
 import { varyOf } from '../state/state';
 import type { Explorer } from '../state/explorer';
 import { usePage } from './context';
@@ -26,7 +26,8 @@ export function SliderRow({ name, isInGroup = false }: Props) {
   const { sliderRange, unit, value, at, decimals, isSet, units, message } = row;
   const slide = (event: Event, isFinal: boolean) =>
     explorer.slide(name, toSI(Number((event.target as HTMLInputElement).value), unit), isFinal);
-  const spoken = value === null ? 'not stated' : withUnit(digits(fromSI(at, unit), decimals), unit);
+  const spoken = value === null ? 'not stated'
+    : Number.isFinite(value) ? withUnit(digits(fromSI(at, unit), decimals), unit) : row.shown;
   return (
     <div class={`slider${isSet ? ' changed' : ''}`}>
       <div class="row">
@@ -59,16 +60,16 @@ function rowOf(explorer: Explorer, name: string) {
   const sliderRange = explorer.sliderRange(name);
   const unit = explorer.unit(name);
   const value = explorer.value(name);
-  const isNumber = value !== null && Number.isFinite(value);
   const preset = explorer.presetValue(name);
   const isSet = name in explorer.design.value.set;
-  const usual = preset ?? WHEN_UNSET[name] ?? (sliderRange.low + sliderRange.high) / 2;
+  const middle = (sliderRange.low + sliderRange.high) / 2;
+  const isNumber = (place: number | null | undefined) => Number.isFinite(place);
   const refusal = explorer.refusal.value;
   return {
     sliderRange,
     unit,
     value,
-    at: isNumber ? value : usual,
+    at: [value, preset, WHEN_UNSET[name]].find(isNumber) ?? middle,
     decimals: decimalsOf(sliderRange, unit),
     units: explorer.units.value,
     shown: shownOf(explorer, name),
@@ -146,21 +147,17 @@ interface FieldProps {
 
 /**
  * The text of a field. A number typed in the unit of the field is shown as it was typed, a number
- * in another unit is converted. A text that only the core can read is shown as it was typed. The
+ * in another unit is converted. A text that the core has not read is shown as it was typed. The
  * field of an unset parameter is empty.
  */
 function shownOf(explorer: Explorer, name: string): string {
   const text = explorer.design.value.set[name];
-  const { unit, decimals, parameter } = explorer.field(name);
+  const { unit, decimals } = explorer.field(name);
   const value = explorer.value(name);
   if (text === NONE || value === null) return '';
-  if (text !== undefined) {
-    const read = parts(text);
-    if (read && unitIn(explorer.state.value.units, read.unit) === read.unit && read.unit === unit) {
-      return String(read.number);
-    }
-    if (Number.isNaN(value) || !read || (read.unit === '' && parameter.unit !== '')) return text;
-  }
+  if (!Number.isFinite(value)) return text ?? 'inf';
+  const read = parts(text ?? '');
+  if (read?.unit === unit) return String(read.number);
   return String(Number(fromSI(value, unit).toFixed(decimals + 1)));
 }
 

@@ -56,13 +56,25 @@ export function unstatedOf(name: string, design: Design, catalog: Catalog) {
   return { owner: 'preset', value: siOf(preset?.setup[name] ?? null), source: preset?.sources[name] };
 }
 
-/** The SI value of a parameter: null if it is unset, NaN if only the core can read it. */
+/** The SI value of a parameter: null if it is unset, NaN if the core has not read its text. */
 export function numberOf(name: string, design: Design, catalog: Catalog): number | null {
   const text = design.set[name];
   if (text === NONE) return null;
   if (text === undefined) return unstatedOf(name, design, catalog).value;
   const unit = catalog.parameter(name, lawOf(design, catalog))?.unit ?? '';
-  return valueOf(text, unit) ?? NaN;
+  return valueOf(text, unit) ?? catalog.valueOf(text, unit) ?? NaN;
+}
+
+/** Keeps the values, SI, that the core has read from the texts of a design. */
+export function keepValues(
+  values: ReadonlyMap<string, number>, design: Design, catalog: Catalog,
+) {
+  for (const [name, value] of values) {
+    const text = design.set[name];
+    const isNew = text !== undefined && Number.isNaN(numberOf(name, design, catalog));
+    const unit = catalog.parameter(name, lawOf(design, catalog))?.unit ?? '';
+    if (isNew) catalog.keepValue(text, unit, value);
+  }
 }
 
 /** The design with these values. The value `undefined` restores the value of the preset. */

@@ -1,4 +1,5 @@
 // Parameters and presets, as the program lists them.
+import { signal } from '@preact/signals';
 import type { Integration } from './integration';
 import type { System } from './units';
 import { unitIn } from './units';
@@ -50,6 +51,8 @@ export class Catalog {
    */
   readonly choices: readonly Choice[];
   readonly #byName = new Map<string, Parameter[]>();
+  /** Values, SI, of texts that only the core can read, by unit (SI) and text. */
+  readonly #values = signal<ReadonlyMap<string, number>>(new Map());
 
   constructor(
     parameters: readonly Parameter[], presets: readonly Preset[], choices: readonly Choice[],
@@ -77,6 +80,15 @@ export class Catalog {
   parameter(name: string, law?: Value): Parameter | undefined {
     const all = this.#byName.get(name);
     return all?.find((parameter) => parameter.law === law) ?? all?.[0];
+  }
+
+  /** The value of a text that the core has read. */
+  valueOf(text: string, unit: string): number | undefined {
+    return this.#values.value.get(`${unit} ${text}`);
+  }
+
+  keepValue(text: string, unit: string, value: number) {
+    this.#values.value = new Map([...this.#values.peek(), [`${unit} ${text}`, value]]);
   }
 
   /** The parameters of a design's law, without settings of the integration. */

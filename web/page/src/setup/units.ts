@@ -15,32 +15,26 @@ interface Unit {
 const DEGREE = Math.PI / 180;
 const RPM = Math.PI / 30;
 
-const UNITS: Readonly<Record<string, Unit>> = {
+/**
+ * The units in which the page shows and writes numbers. The core reads texts in all units of the
+ * program; the tests compare its values with this table.
+ */
+export const UNITS: Readonly<Record<string, Unit>> = {
   '': { si: '', factor: 1 },
   'm/s': { si: 'm/s', factor: 1 },
   mph: { si: 'm/s', factor: 0.44704 },
-  'km/h': { si: 'm/s', factor: 1 / 3.6 },
-  kph: { si: 'm/s', factor: 1 / 3.6 },
-  'ft/s': { si: 'm/s', factor: 0.3048 },
   m: { si: 'm', factor: 1 },
   mm: { si: 'm', factor: 1e-3 },
-  cm: { si: 'm', factor: 1e-2 },
-  in: { si: 'm', factor: 0.0254 },
   ft: { si: 'm', factor: 0.3048 },
   yd: { si: 'm', factor: 0.9144 },
-  rad: { si: 'rad', factor: 1 },
   deg: { si: 'rad', factor: DEGREE, symbol: '°' },
   'rad/s': { si: 'rad/s', factor: 1 },
   rpm: { si: 'rad/s', factor: RPM },
-  kg: { si: 'kg', factor: 1 },
   g: { si: 'kg', factor: 1e-3 },
-  'kg m^2': { si: 'kg m^2', factor: 1, symbol: 'kg m²' },
   'g cm^2': { si: 'kg m^2', factor: 1e-7, symbol: 'g cm²' },
   'kg/m^3': { si: 'kg/m^3', factor: 1, symbol: 'kg/m³' },
   'Pa s': { si: 'Pa s', factor: 1 },
-  Pa: { si: 'Pa', factor: 1 },
   hPa: { si: 'Pa', factor: 100 },
-  K: { si: 'K', factor: 1 },
   degC: { si: 'K', factor: 1, offset: 273.15, symbol: '°C' },
   degF: { si: 'K', factor: 5 / 9, offset: 459.67, symbol: '°F' },
   s: { si: 's', factor: 1 },
@@ -104,13 +98,11 @@ export function parts(text: string): { number: number; unit: string } | null {
   return match ? { number: Number(match[1]), unit: match[2] ?? '' } : null;
 }
 
-/** The SI value of a text such as "100 mph"; null for a text that only the core can read. */
+/** The SI value of a text in a unit of `UNITS`; null for a text that only the core can read. */
 export function valueOf(text: string, unitSI: string): number | null {
   const read = parts(text);
-  if (!read) return null;
-  if (read.unit === '') return read.number;
-  const unit = read.unit === '°' ? 'deg' : read.unit;
-  return known(unit).si === unitSI ? toSI(read.number, unit) : null;
+  if (!read || UNITS[read.unit]?.si !== unitSI) return null;
+  return toSI(read.number, read.unit);
 }
 
 /** A quantity without the space before its unit: "10.5deg". */

@@ -3,9 +3,9 @@ import { batch, computed, signal } from '@preact/signals';
 import type { Lane, Progress } from '../core/lane';
 import type { Call, Reply } from '../core/messages';
 import type { Drive, Refusal, Slope } from '../drive/drive';
-import { isRefused, readDrive, readMissing, readSlopes, refusalOf } from '../drive/drive';
+import { isRefused, readDrive, readMissing, readSlopes, readStated, refusalOf } from '../drive/drive';
 import type { Design } from '../setup/design';
-import { WHEN_UNSET, firstOf, hasLaunch, lawOf, numberOf, setupOf, together, unstatedOf, withValues } from '../setup/design';
+import { WHEN_UNSET, firstOf, hasLaunch, keepValues, lawOf, numberOf, setupOf, together, unstatedOf, withValues } from '../setup/design';
 import type { Catalog, Parameter } from '../setup/parameters';
 import { AIR_FIRST, groupOf } from '../setup/parameters';
 import type { SliderRange } from '../setup/slider';
@@ -180,7 +180,8 @@ export class Explorer {
     const { preset, set } = this.design.value;
     const { refusal } = this;
     const message = refusal.value?.parameters[0] === name ? refusal.value.message : '';
-    return JSON.stringify([preset, set[name], set['aero.law'], this.state.value.units, message]);
+    return JSON.stringify(
+      [preset, set[name], this.value(name), set['aero.law'], this.state.value.units, message]);
   }
 
   // requests to the core
@@ -220,15 +221,13 @@ export class Explorer {
     const more = open === null ? [] : this.catalog.of(this.law.value)
       .map(({ parameter }) => parameter)
       .filter((name) => groupOf(name) === open);
-    const isFree = (name: string) => {
-      const value = this.value(name);
-      return value !== null && Number.isFinite(value);
-    };
-    return [...new Set([...firstOf(design), ...AIR_FIRST, ...more])].filter(isFree);
+    return [...new Set([...firstOf(design), ...AIR_FIRST, ...more])]
+      .filter((name) => this.value(name) !== null);
   }
 
   async #fly() {
     const { goal, units } = this.state.value;
+    const design = this.design.value;
     const setup = this.setup();
     const wrt = this.#priced();
     const calls: Call[] = [
@@ -245,6 +244,7 @@ export class Explorer {
         this.refusal.value = refusalOf(first);
         return;
       }
+      keepValues(readStated(first), design, this.catalog);
       const drive = readDrive(first);
       this.drive.value = drive;
       this.refusal.value = drive.status === 'landed' ? null
@@ -309,8 +309,11 @@ export class Explorer {
       ({ endpoint: 'drive', request: { setup: this.setup(design), units, path: true, order: 0 } }));
     const answer = await this.interactive.calls('others', calls);
     if (!answer) return;
-    this.others.value = answer.numbers.map((numbers) =>
-      (isRefused(numbers) ? refusalOf(numbers) : readDrive(numbers)));
+    this.others.value = answer.numbers.map((numbers, at) => {
+      if (isRefused(numbers)) return refusalOf(numbers);
+      keepValues(readStated(numbers), designs[at]!, this.catalog);
+      return readDrive(numbers);
+    });
   }
 
   /** The axes of the map. A drag does not change their ranges, so the map stays. */
