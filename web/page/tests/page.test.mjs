@@ -273,11 +273,22 @@ test('bad input gets a message beside its field; the last drive stays, greyed', 
   });
 });
 
-test('a drive that does not fly says why', async () => {
+test('a drive that does not fly says why, in the answer and below both pictures', async () => {
   await stay(async ({ page }) => {
+    const height = () => page.evaluate(() => ['.side svg', '.top svg']
+      .map(name => document.querySelector(name).getBoundingClientRect().height));
+    const before = await height();
+    await page.locator('.aim summary').click();
     await type(page, 'swing.attack_angle', '-30');
     await page.locator('.answer .message').first().waitFor();
-    assert.match(await page.locator('.answer .message').first().textContent(), /\w+ \w+/);
+    const why = await page.locator('.answer .message').first().textContent();
+    assert.match(why, /\w+ \w+/);
+    for (const view of ['.side', '.top']) {
+      assert.equal(await page.locator(`${view} figcaption`).textContent(), why);
+    }
+    assert.deepEqual(await height(), before);
+    assert.ok(await page.locator('.aim').getByLabel('carry').isDisabled());
+    await page.locator('.aim summary').click();
   });
 });
 

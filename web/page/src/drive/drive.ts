@@ -17,6 +17,9 @@ export interface Drive {
   warnings: readonly string[];
 }
 
+/** The drive if its ball lands; null otherwise. */
+export const landedOf = (drive: Drive | null) => (drive?.status === 'landed' ? drive : null);
+
 /** The answer of the core if there are no numbers: its message, and the parameters at fault. */
 export interface Refusal {
   message: string;

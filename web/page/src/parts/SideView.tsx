@@ -1,6 +1,7 @@
 // The flight from the side, at true scale.
 import { useMemo } from 'preact/hooks';
 import type { Drive } from '../drive/drive';
+import { landedOf } from '../drive/drive';
 import { fromSI, toSI } from '../setup/units';
 import { usePage } from './context';
 import { Figure } from './Figure';
@@ -15,7 +16,8 @@ export function SideView() {
   const { explorer } = usePage();
   const units = explorer.units.value;
   const { ref, width } = useWidth();
-  const drive = explorer.drive.value;
+  const flown = explorer.drive.value;
+  const drive = landedOf(flown);
   const ghost = explorer.ghost.value;
   const all = [drive, ghost];
   const distance = farthest(all);
@@ -34,7 +36,7 @@ export function SideView() {
   const sentence = drive
     ? `The ball rises to ${length(apex_height, units)} and lands after ${(flight_time ?? NaN).toFixed(1)} s `
       + `at ${length(carry, units)}, at ${fromSI(descent_angle ?? NaN, 'deg').toFixed(1)}° to the ground.`
-    : 'No drive yet.';
+    : flown?.message ?? 'No drive yet.';
   // compute the scales only when they change: most moves of a slider do not change them
   const scales = useMemo(() => (
     <>

@@ -1,5 +1,6 @@
 // The flight from above, at true scale, with a landing point to drag.
 import { useMemo, useRef, useState } from 'preact/hooks';
+import { landedOf } from '../drive/drive';
 import { CLUB_FIRST, LAUNCH_FIRST, labelOf } from '../setup/parameters';
 import { toSI } from '../setup/units';
 import { usePage } from './context';
@@ -26,7 +27,8 @@ export function TopView() {
   const [chosen, setChosen] = useState<Pair>(usual);
   const first = isLaunch ? LAUNCH_FIRST : CLUB_FIRST;
   const pair = chosen.every((name) => first.includes(name)) ? chosen : usual;
-  const drive = explorer.drive.value;
+  const flown = explorer.drive.value;
+  const drive = landedOf(flown);
   const ghost = explorer.ghost.value;
   const distance = farthest([drive, ghost]);
   const scale = (width - MARGIN.left - MARGIN.right) / distance;
@@ -40,7 +42,8 @@ export function TopView() {
   const height = 2 * half * scale + MARGIN.top + MARGIN.bottom;
   const { carry = NaN, lateral = NaN } = drive?.outcomes ?? {};
   const sentence = drive
-    ? `The ball lands at ${length(carry, units)}, ${sideways(lateral, units)}.` : 'No drive yet.';
+    ? `The ball lands at ${length(carry, units)}, ${sideways(lateral, units)}.`
+    : flown?.message ?? 'No drive yet.';
   const unit = lengthUnit(units);
   const aim = (downrange: number, right: number) => explorer.aim(pair, downrange, right);
   // compute the scales only when they change: most moves of a slider do not change them
@@ -67,7 +70,7 @@ export function TopView() {
         {scales}
         {ghost && <Curve drive={ghost} name="ghost" axis="right" x={x} y={y} scale={plan} />}
         {drive && <Curve drive={drive} name="yours" axis="right" x={x} y={y} scale={plan} />}
-        {Number.isFinite(carry) && (
+        {drive && (
           <Handle x={x(carry)} y={y(lateral)}
             onMove={(from, dx, dy) => aim(from.carry + dx / scale, from.lateral + dy / scale)}
             landing={{ carry, lateral }} />
@@ -151,7 +154,8 @@ function AimSliders({ pair, onPair, carry, lateral, onAim }: AimProps) {
     <label>
       {label}
       <input type="range" min={inLength(low, units)} max={inLength(high, units)} step={0.5}
-        value={inLength(value, units)} aria-valuetext={length(value, units)}
+        disabled={Number.isNaN(value)}
+        value={inLength(value || 0, units)} aria-valuetext={length(value, units)}
         onInput={(event) => { last.current = to(toSI(Number(event.currentTarget.value), unit)); }}
         onChange={() => void last.current.then(() => explorer.release())} />
     </label>
