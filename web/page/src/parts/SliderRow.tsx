@@ -1,7 +1,7 @@
 // One parameter: slider, number field, price, band, meaning.
 import { useState } from 'preact/hooks';
 import { bandOf, LOSS, priceOf } from '../drive/price';
-import { NONE, unstatedOf, WHEN_UNSET } from '../setup/design';
+import { firstOf, NONE, unstatedOf, WHEN_UNSET } from '../setup/design';
 import { labelInGroup, labelOf } from '../setup/parameters';
 import { decimalsOf } from '../setup/slider';
 import { digits, fromSI, parts, symbolOf, toSI, withUnit } from '../setup/units';
@@ -62,6 +62,7 @@ function rowOf(explorer: Explorer, name: string) {
   const value = explorer.value(name);
   const preset = explorer.presetValue(name);
   const isSet = name in explorer.design.value.set;
+  const isOfLaunch = name.startsWith('launch.') && firstOf(explorer.design.value).includes(name);
   const middle = (sliderRange.low + sliderRange.high) / 2;
   const isNumber = (place: number | null | undefined) => Number.isFinite(place);
   const refusal = explorer.refusal.value;
@@ -74,8 +75,8 @@ function rowOf(explorer: Explorer, name: string) {
     units: explorer.units.value,
     shown: shownOf(explorer, name),
     isSet,
-    // a launch value that the preset does not have cannot be reset: the launch would be incomplete
-    hasReset: isSet && (preset !== null || !name.startsWith('launch.')),
+    // a launch without one of its first parameters would be incomplete
+    hasReset: isSet && !(isOfLaunch && preset === null),
     message: refusal?.parameters[0] === name ? refusal.message : null,
   };
 }

@@ -1,7 +1,8 @@
 // The flight from above, at true scale, with a landing point to drag.
 import { useMemo, useRef, useState } from 'preact/hooks';
 import { landedOf } from '../drive/drive';
-import { CLUB_FIRST, LAUNCH_FIRST, labelOf } from '../setup/parameters';
+import { firstOf } from '../setup/design';
+import { labelOf } from '../setup/parameters';
 import { toSI } from '../setup/units';
 import { usePage } from './context';
 import { Figure } from './Figure';
@@ -10,6 +11,7 @@ import { Curve } from './Curve';
 import { farthest, MARGIN } from './scale';
 import { pathTable } from './SideView';
 import { useWidth } from './size';
+import { useSteady } from './steady';
 
 /** Half of the smallest width of ground in the picture, m. */
 const HALF_WIDTH = 22;
@@ -25,7 +27,8 @@ export function TopView() {
   const usual: Pair = isLaunch
     ? ['launch.launch_angle', 'launch.launch_direction'] : ['club.loft', 'swing.face_angle'];
   const [chosen, setChosen] = useState<Pair>(usual);
-  const first = isLaunch ? LAUNCH_FIRST : CLUB_FIRST;
+  const first = useSteady(
+    () => firstOf(explorer.design.value).join(), () => firstOf(explorer.design.value));
   const pair = chosen.every((name) => first.includes(name)) ? chosen : usual;
   const flown = explorer.drive.value;
   const drive = landedOf(flown);
@@ -65,7 +68,7 @@ export function TopView() {
   ), [width, distance, half, units]);
   return (
     <Figure name="top" title="View from above" sentence={sentence} table={() => pathTable(drive, unit)} place={ref}
-      below={<Aim pair={pair} onPair={setChosen} carry={carry} lateral={lateral} onAim={aim} />}>
+      below={<Aim names={first} pair={pair} onPair={setChosen} carry={carry} lateral={lateral} onAim={aim} />}>
       <svg width={width} height={height} role="img" aria-label={`View from above. ${sentence}`}>
         {scales}
         {ghost && <Curve drive={ghost} name="ghost" axis="right" x={x} y={y} scale={plan} />}
@@ -122,6 +125,7 @@ function Handle({ x, y, landing, onMove }: HandleProps) {
 }
 
 interface AimProps {
+  names: readonly string[];
   pair: Pair;
   onPair: (pair: Pair) => void;
   carry: number;
@@ -143,10 +147,9 @@ function Aim(props: AimProps) {
   );
 }
 
-function AimSliders({ pair, onPair, carry, lateral, onAim }: AimProps) {
+function AimSliders({ names, pair, onPair, carry, lateral, onAim }: AimProps) {
   const { explorer } = usePage();
   const units = explorer.units.value;
-  const names = explorer.isLaunch.value ? LAUNCH_FIRST : CLUB_FIRST;
   const last = useRef(Promise.resolve());
   const unit = lengthUnit(units);
   const longest = Math.max(320, carry || 0);

@@ -33,9 +33,20 @@ export const isReplaced = (name: string, isLaunch: boolean) =>
 
 /**
  * The sliders of the first screen for the start of the ball: of the launch if it is given,
- * otherwise of the club.
+ * otherwise of the club. A launch may state its spin with an axis, or as backspin and sidespin.
  */
-export const firstOf = (design: Design) => (hasLaunch(design) ? LAUNCH_FIRST : CLUB_FIRST);
+export function firstOf(design: Design): readonly string[] {
+  if (!hasLaunch(design)) return CLUB_FIRST;
+  return SPIN_AND_AXIS.some((name) => (design.set[name] ?? NONE) !== NONE)
+    ? LAUNCH_FIRST.map((name) => (BY_SPIN[name] ?? name)) : LAUNCH_FIRST;
+}
+
+/** The parameters of a spin with an axis, by those of the same spin as backspin and sidespin. */
+const BY_SPIN: Readonly<Record<string, string>> = {
+  'launch.backspin': 'launch.spin',
+  'launch.sidespin': 'launch.spin_axis',
+};
+const SPIN_AND_AXIS = Object.values(BY_SPIN);
 
 /** The aerodynamic law of a design. */
 export const lawOf = (design: Design, catalog: Catalog): Value =>
