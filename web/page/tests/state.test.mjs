@@ -172,6 +172,13 @@ test('the units of the page have the sizes of the program', { skip }, () => {
   assert.deepEqual([...seen].sort(), Object.keys(page.UNITS).sort());
 });
 
+test('a reset of the wind direction keeps the speed, a reset of the speed resets both', () => {
+  const design = { preset: 'tour-average', set: { 'wind.speed': '20 mph', 'wind.from': '45 deg' } };
+  const after = name => page.withValues(design, page.resetOf(name, design)).set;
+  assert.deepEqual(after('wind.from'), { 'wind.speed': '20 mph', 'wind.from': '0 deg' });
+  assert.deepEqual(after('wind.speed'), {});
+});
+
 test('a launch replaces the axes and the variables of its strike', () => {
   const state = { ...page.START, vary: ['impact.restitution', 'wind.right'], map: ['impact.restitution', 'wind.right'] };
   assert.deepEqual([page.varyOf(state), page.mapOf(state)], [state.vary, state.map]);

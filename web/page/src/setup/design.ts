@@ -108,6 +108,13 @@ export function together(name: string, design: Design): Record<string, string> {
   return {};
 }
 
+/** The changes that reset a parameter. A wind that has a speed keeps a direction. */
+export function resetOf(name: string, design: Design): Record<string, string | undefined> {
+  if (name === 'wind.speed') return { 'wind.speed': undefined, 'wind.from': undefined };
+  if (name !== 'wind.from' || design.set['wind.speed'] === undefined) return { [name]: undefined };
+  return together('wind.speed', withValues(design, { 'wind.from': undefined }));
+}
+
 /** The values that the program documents for unset parameters. */
 export const WHEN_UNSET: Readonly<Record<string, number>> = {
   'wind.speed': 0,

@@ -5,7 +5,7 @@ import type { Call, Reply } from '../core/messages';
 import type { Drive, Refusal, Slope } from '../drive/drive';
 import { isRefused, readDrive, readMissing, readSlopes, readStated, refusalOf } from '../drive/drive';
 import type { Design } from '../setup/design';
-import { WHEN_UNSET, firstOf, hasLaunch, keepValues, lawOf, numberOf, setupOf, together, unstatedOf, withValues } from '../setup/design';
+import { WHEN_UNSET, firstOf, hasLaunch, keepValues, lawOf, numberOf, resetOf, setupOf, together, unstatedOf, withValues } from '../setup/design';
 import type { Catalog, Parameter } from '../setup/parameters';
 import { AIR_FIRST, groupOf } from '../setup/parameters';
 import type { SliderRange } from '../setup/slider';
@@ -126,10 +126,8 @@ export class Explorer {
   }
 
   reset(name: string) {
-    const partner: Record<string, string> = { 'wind.speed': 'wind.from', 'wind.from': 'wind.speed' };
-    const names = [name, ...(partner[name] ? [partner[name]] : [])];
-    this.changeDesign(withValues(
-      this.design.value, Object.fromEntries(names.map((each) => [each, undefined]))));
+    const design = this.design.value;
+    this.changeDesign(withValues(design, resetOf(name, design)));
   }
 
   /** Ends a drag: its last state can be undone. */
