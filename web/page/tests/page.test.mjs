@@ -103,6 +103,16 @@ test('the keyboard moves a slider, goes to the best drive, undoes and redoes', a
   });
 });
 
+test('a warning that only the best drive has is in the answer', async () => {
+  await stay(async ({ page }) => {
+    await page.evaluate(() => { location.hash = '1&tour-average&ground.slope=-8deg&goal=total&vary=club.loft,swing.attack_angle'; });
+    await settle(page);
+    const [warning, ...more] = await page.locator('.answer .warning').allTextContents();
+    assert.match(warning, /^The best drive: the law launch-monitor was fitted to a spin ratio/);
+    assert.deepEqual(more, []);
+  });
+});
+
 test('the best value of a parameter with small numbers is kept, and flies', async () => {
   await stay(async ({ page }) => {
     await page.evaluate(() => { location.hash = '1&tour-average&vary=air.viscosity'; });

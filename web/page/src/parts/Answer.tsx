@@ -46,8 +46,21 @@ export function Answer() {
           go to the best drive
         </button>
       </p>
-      {drive.value?.warnings.map((warning) => <p class="warning" key={warning}>{warning}</p>)}
+      <Warnings />
     </section>
+  );
+}
+
+/** The warnings about your drive, and those that only the best drive has. */
+function Warnings() {
+  const { drive, best } = usePage().explorer;
+  const mine = drive.value?.warnings ?? [];
+  const theirs = (best.value?.warnings ?? []).filter((warning) => !mine.includes(warning));
+  return (
+    <>
+      {mine.map((warning) => <p class="warning" key={warning}>{warning}</p>)}
+      {theirs.map((warning) => <p class="warning" key={`best ${warning}`}>The best drive: {warning}</p>)}
+    </>
   );
 }
 
