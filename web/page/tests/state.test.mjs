@@ -187,6 +187,15 @@ test('a launch replaces the axes and the variables of its strike', () => {
   assert.deepEqual(page.mapOf({ ...state, designs }), ['launch.launch_angle', 'launch.backspin']);
 });
 
+test('what the best drive may change of a launch does not replace that of a club', () => {
+  const club = { ...page.START, vary: ['club.loft', 'swing.attack_angle'] };
+  const designs = [{ preset: 'tour-average', set: { 'launch.ball_speed': '160 mph' } }];
+  const launch = page.withVaried({ ...club, designs }, 'launch.backspin', true);
+  assert.deepEqual(page.varyOf(launch), ['launch.launch_angle', 'launch.backspin']);
+  assert.deepEqual(page.varyOf({ ...launch, designs: club.designs }), club.vary);
+  assert.deepEqual(page.varyOf(page.withVaried(launch, 'launch.backspin', false)), ['launch.launch_angle']);
+});
+
 test('a slope of the carry is the gain beyond either bound of the loft', { skip }, () => {
   const state = { ...page.START, goal: 'carry' };
   const [design] = state.designs;

@@ -1,11 +1,11 @@
 // One parameter: slider, number field, price, band, meaning.
 import { useState } from 'preact/hooks';
 import { bandOf, LOSS, priceOf } from '../drive/price';
-import { firstOf, NONE, unstatedOf, WHEN_UNSET } from '../setup/design';
+import { firstOf, isReplaced, NONE, unstatedOf, WHEN_UNSET } from '../setup/design';
 import { labelInGroup, labelOf } from '../setup/parameters';
 import { decimalsOf } from '../setup/slider';
 import { digits, fromSI, parts, symbolOf, toSI, withUnit } from '../setup/units';
-import { varyOf } from '../state/state';
+import { varyOf, withVaried } from '../state/state';
 import type { Explorer } from '../state/explorer';
 import { usePage } from './context';
 import { useSteady } from './steady';
@@ -100,15 +100,12 @@ function VarySwitch({ name, label }: { name: string; label: string }) {
   const state = explorer.state.value;
   const names = varyOf(state);
   const isFree = names.includes(name);
-  const change = () => {
-    const others = names.filter((each) => each !== name);
-    explorer.change({ ...state, vary: isFree ? others : [...others, name] });
-  };
+  const isIdle = isReplaced(name, explorer.isLaunch.value);
   return (
     <p>
       <label>
-        <input type="checkbox" checked={isFree} disabled={isFree && names.length === 1}
-          onChange={change} />
+        <input type="checkbox" checked={isFree} disabled={isIdle || (isFree && names.length === 1)}
+          onChange={() => explorer.change(withVaried(state, name, !isFree))} />
         {' '}the best drive may change the {label}
       </label>
     </p>

@@ -43,6 +43,17 @@ export function varyOf(state: State): readonly string[] {
   return chosen.length ? chosen : usual;
 }
 
+/**
+ * The state in which the best drive may change a parameter, or not. Parameters that have no effect
+ * now, because a launch is given or not, are kept.
+ */
+export function withVaried(state: State, name: string, isVaried: boolean): State {
+  const isLaunch = hasLaunch(activeOf(state));
+  const idle = (state.vary ?? []).filter((each) => isReplaced(each, isLaunch));
+  const others = varyOf(state).filter((each) => each !== name);
+  return { ...state, vary: [...idle, ...others, ...(isVaried ? [name] : [])] };
+}
+
 export function mapOf(state: State): readonly [string, string] {
   const isLaunch = hasLaunch(activeOf(state));
   const usual: [string, string] = isLaunch
