@@ -467,6 +467,15 @@ test('designs stand beside each other, with the causes of their difference', asy
   });
 });
 
+test('designs of two presets have a row with the presets', async () => {
+  await stay(async ({ page }) => {
+    await page.evaluate(() => { location.hash = '1&tour-average&club.loft=10.46deg&b:preset=amateur-average&b:club.loft=10.54deg'; });
+    await settle(page);
+    const rows = await page.locator('.compare tbody tr').allTextContents();
+    assert.deepEqual(rows.slice(0, 1), ['presettour-averageamateur-average']);
+  });
+});
+
 test('a measured launch replaces swing and club', async () => {
   await stay(async ({ page }) => {
     await page.getByLabel('a measured launch').check();

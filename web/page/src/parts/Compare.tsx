@@ -70,7 +70,9 @@ function Beside() {
   const drives = explorer.others.value;
   const changed = [...new Set(designs.flatMap(({ set }) => Object.keys(set)))].filter((name) =>
     designs.some(({ set }) => set[name] !== designs[0]?.set[name]));
+  const presets = designs.map(({ preset }) => preset);
   const rows = [
+    ...(new Set(presets).size > 1 ? [['preset', ...presets]] : []),
     ...changed.map((name) => [
       explorer.catalog.parameter(name) ? labelOf(name) : name,
       ...designs.map((design) => valueText(explorer, name, design)),
