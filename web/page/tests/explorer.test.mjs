@@ -65,6 +65,12 @@ test('the best point of a map that is out of date is not shown', async () => {
   }
 });
 
+test('different numbers have different texts, equal numbers to rounding the same', () => {
+  assert.deepEqual(page.distinct([10.46, 10.54], 1), ['10.46', '10.54']);
+  assert.deepEqual(page.distinct([8.8, 8.8 + 1e-15, 12], 1), ['8.8', '8.8', '12.0']);
+  assert.deepEqual(page.distinct([0.000018, NaN, 0.000027], 1), ['0.00002', '–', '0.00003']);
+});
+
 test('ticks of a small range have different texts', () => {
   for (const [low, high] of [[-0.02, 0.03], [0, 1e-7], [10, 11], [-20, 20]]) {
     const texts = page.ticks(low, high, 4).map(page.tickText);

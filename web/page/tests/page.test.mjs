@@ -472,7 +472,7 @@ test('designs of two presets have a row with the presets', async () => {
     await page.evaluate(() => { location.hash = '1&tour-average&club.loft=10.46deg&b:preset=amateur-average&b:club.loft=10.54deg'; });
     await settle(page);
     const rows = await page.locator('.compare tbody tr').allTextContents();
-    assert.deepEqual(rows.slice(0, 1), ['presettour-averageamateur-average']);
+    assert.deepEqual(rows.slice(0, 2), ['presettour-averageamateur-average', 'loft10.46°10.54°']);
   });
 });
 
@@ -703,6 +703,17 @@ test('the numbers beside each other can be saved', async () => {
     const { A, B } = JSON.parse(await saved(page, '.compare', 'numbers (JSON)'));
     assert.deepEqual([A.preset, A.set, B.set], ['tour-average', {}, { 'club.loft': '12 deg' }]);
     assert.ok(B.outcomes.carry < A.outcomes.carry && B.outcomes.launch_angle > A.outcomes.launch_angle);
+  });
+});
+
+test('the table of a map has different texts for different values', async () => {
+  await stay(async ({ page }) => {
+    await page.evaluate(() => { location.hash = '1&tour-average&map=impact.restitution,air.viscosity'; });
+    await settle(page);
+    const [head, ...rows] = (await saved(page, '.map', 'table (CSV)')).split('\r\n').map(line => line.split(','));
+    for (const texts of [head, rows.map(([first]) => first)]) {
+      assert.ok(texts.length > 5 && new Set(texts).size === texts.length, texts.join());
+    }
   });
 });
 

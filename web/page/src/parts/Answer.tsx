@@ -80,8 +80,7 @@ function ValueRow({ name, theirs }: { name: string; theirs: number }) {
     mine: explorer.value(name), typed: explorer.design.value.set[name], ...explorer.field(name),
   }));
   const isKnown = mine !== null && Number.isFinite(mine);
-  const shown = (value: number) =>
-    withUnit(digits(fromSI(value, unit), Math.min(6, decimals + 1)), unit);
+  const shown = (value: number) => withUnit(digits(fromSI(value, unit), decimals + 1), unit);
   // the conversion of 0 cancels the offset of a temperature unit
   const difference = isKnown ? shown(theirs - mine + toSI(0, unit)) : '–';
   return (

@@ -54,14 +54,18 @@ export function Compare() {
   );
 }
 
-/** The printed value of a parameter in a design. */
-function valueText(explorer: Explorer, name: string, design: Design): string {
-  const text = design.set[name];
-  if (!explorer.catalog.parameter(name)) return text ?? '–';
-  const value = numberOf(name, design, explorer.catalog);
-  if (value === null) return 'not stated';
-  return Number.isFinite(value)
-    ? withUnit(explorer.shown(name, value, 0), explorer.field(name).unit) : text ?? '–';
+/** The printed values of a parameter in the designs. */
+function valueTexts(explorer: Explorer, name: string, designs: readonly Design[]): string[] {
+  const typed = (design: Design) => design.set[name] ?? '–';
+  if (!explorer.catalog.parameter(name)) return designs.map(typed);
+  const values = designs.map((design) => numberOf(name, design, explorer.catalog));
+  const numbers = explorer.distinct(name, values.map((value) => value ?? NaN));
+  const { unit } = explorer.field(name);
+  return designs.map((design, at) => {
+    const value = values[at];
+    if (value === null) return 'not stated';
+    return Number.isFinite(value) ? withUnit(numbers[at]!, unit) : typed(design);
+  });
 }
 
 function Beside() {
@@ -75,7 +79,7 @@ function Beside() {
     ...(new Set(presets).size > 1 ? [['preset', ...presets]] : []),
     ...changed.map((name) => [
       explorer.catalog.parameter(name) ? labelOf(name) : name,
-      ...designs.map((design) => valueText(explorer, name, design)),
+      ...valueTexts(explorer, name, designs),
     ]),
     ...ROWS.map((row) => [
       row.label,

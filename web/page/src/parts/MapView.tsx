@@ -3,7 +3,7 @@ import { useComputed } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { isReplaced, withValues } from '../setup/design';
 import { labelOf } from '../setup/parameters';
-import { digits, fromSI, symbolOf, textOf, withUnit } from '../setup/units';
+import { digits, textOf, withUnit } from '../setup/units';
 import type { MapData } from '../state/map';
 import { mapOf } from '../state/state';
 import type { Explorer } from '../state/explorer';
@@ -117,16 +117,17 @@ function tableOf(map: MapData, units: 'us' | 'metric', explorer: Explorer) {
   const every = Math.max(1, Math.round(map.columns / 6));
   const take = (count: number) => Array.from({ length: count }, (_, k) => k)
     .filter((k) => k % every === 0 || k === count - 1);
-  const at = (name: string, axis: 0 | 1, k: number, count: number) => {
+  const places = (name: string, axis: 0 | 1, count: number) => {
     const { low, high } = map.ranges[axis];
-    const { unit } = explorer.field(name);
-    return `${digits(fromSI(low + ((high - low) * k) / (count - 1), unit), 1)} ${symbolOf(unit)}`;
+    const values = take(count).map((k) => low + ((high - low) * k) / (count - 1));
+    const unit = explorer.unit(name);
+    return explorer.distinct(name, values).map((number) => withUnit(number, unit));
   };
+  const ups = places(map.up, 1, map.rows);
   return {
-    head: [`${map.goal} [${lengthUnit(units)}]`,
-      ...take(map.columns).map((k) => at(map.across, 0, k, map.columns))],
-    rows: take(map.rows).map((row) => [
-      at(map.up, 1, row, map.rows),
+    head: [`${map.goal} [${lengthUnit(units)}]`, ...places(map.across, 0, map.columns)],
+    rows: take(map.rows).map((row, k) => [
+      ups[k]!,
       ...take(map.columns).map((column) =>
         digits(inLength(map.values[row * map.columns + column] ?? NaN, units), 1)),
     ]),

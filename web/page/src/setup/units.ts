@@ -78,6 +78,20 @@ export function digits(number: number, decimals: number): string {
   return Number(text) === 0 ? text.replace('-', '') : text.replace('-', '−');
 }
 
+/** The most digits after the point of a number whose other digits may be 0, as of a viscosity. */
+const MOST_DECIMALS = 12;
+
+/**
+ * The texts of numbers, with at least `decimals` digits after the point. Numbers that differ by
+ * more than rounding have different texts.
+ */
+export function distinct(numbers: readonly number[], decimals: number): string[] {
+  const texts = numbers.map((number) => digits(number, decimals));
+  const count = new Set(numbers.map((number) => digits(Number(number.toPrecision(9)), MOST_DECIMALS))).size;
+  return new Set(texts).size === count || decimals >= MOST_DECIMALS
+    ? texts : distinct(numbers, decimals + 1);
+}
+
 /** A difference with its sign. */
 export function signed(number: number, decimals: number): string {
   const text = digits(number, decimals);

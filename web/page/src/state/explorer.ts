@@ -10,7 +10,7 @@ import type { Catalog, Parameter } from '../setup/parameters';
 import { AIR_FIRST, groupOf } from '../setup/parameters';
 import type { SliderRange } from '../setup/slider';
 import { decimalsOf, sliderRangeOf } from '../setup/slider';
-import { digits, fromSI, textOf, unitIn } from '../setup/units';
+import { digits, distinct, fromSI, textOf, unitIn } from '../setup/units';
 import { setupWords } from '../setup/words';
 import type { Best } from './best';
 import { bestWords, readBest } from './best';
@@ -170,7 +170,13 @@ export class Explorer {
    */
   shown(name: string, value: number, more = 1): string {
     const { unit, decimals } = this.field(name);
-    return digits(fromSI(value, unit), Math.min(6, decimals + more));
+    return digits(fromSI(value, unit), decimals + more);
+  }
+
+  /** The numbers of values in the unit of their field. Values that differ have different texts. */
+  distinct(name: string, values: readonly number[]): string[] {
+    const { unit, decimals } = this.field(name);
+    return distinct(values.map((value) => fromSI(value, unit)), decimals);
   }
 
   /** A key that changes whenever the row of a parameter must look different. */
