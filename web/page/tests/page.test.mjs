@@ -656,6 +656,16 @@ test('the optimizer of one parameter is a curve, of three has the parameters of 
   });
 });
 
+test('the optimizer has no picture of a range without a drive that lands', async () => {
+  await stay(async ({ page }) => {
+    await page.locator('.optimizer > summary').click();
+    await page.locator('.iterations svg polyline.model').waitFor();
+    await type(page, 'swing.attack_angle', '-30');
+    await page.locator('.iterations').waitFor({ state: 'detached' });
+    await page.locator('.optimizer > summary').click();
+  });
+});
+
 test('a parameter without a price has the reason at its slider', async () => {
   await stay(async ({ page }) => {
     await type(page, 'air.altitude', '5000');

@@ -190,6 +190,7 @@ function CurvePicture({ iterations, at, width, sentence, map }: Props & { map: M
   const { low, high } = map.ranges[0];
   const values = map.values.subarray(0, map.columns);
   const known = values.filter(Number.isFinite);
+  if (known.length === 0) return null;
   const [least, most] = [Math.min(...known), Math.max(...known)];
   const room = ROOM * (most - least || 1);
   const [bottom, top] = [least - room, most + room];
