@@ -105,15 +105,20 @@ class Reader {
   }
 
   #view(name: string, text: string): boolean {
-    const names = text.split(',').filter((each) => this.#catalog.parameter(each));
+    const all = [...new Set(text.split(','))];
+    const names = all.filter((each) => this.#catalog.parameter(each));
     const rest = this.#rest as { -readonly [key in keyof State]?: State[key] };
     const active = PREFIXES.findIndex((prefix) => prefix !== '' && prefix[0] === text);
     if (name === 'active' && active > 0) rest.active = active;
     else if (name === 'goal' && GOALS.some((goal) => goal === text)) rest.goal = text as State['goal'];
     else if (name === 'units' && SYSTEMS.some((units) => units === text)) rest.units = text as State['units'];
     else if (name === 'vary' && names.length > 0) rest.vary = names;
-    else if (name === 'map' && names.length === 2 && names[0] !== names[1]) rest.map = [names[0]!, names[1]!];
+    else if (name === 'map' && names.length === 2) rest.map = [names[0]!, names[1]!];
     else return false;
+    if (name === 'vary' || name === 'map') {
+      const others = all.filter((each) => !names.includes(each));
+      this.#unknown.push(...others.map((each) => `${name}=${each}`));
+    }
     return true;
   }
 
@@ -139,7 +144,9 @@ class Reader {
       const inherited = Object.entries(at > 0 ? first.set : {}).filter(([name]) => !gone.has(name));
       return { preset, set: { ...Object.fromEntries(inherited), ...set } };
     });
-    const active = Math.min(this.#rest.active ?? 0, designs.length - 1);
+    const { active: wanted = 0 } = this.#rest;
+    const active = Math.min(wanted, designs.length - 1);
+    if (active < wanted) this.#unknown.push(`active=${PREFIXES[wanted]?.[0]}`);
     return { ...START, ...this.#rest, designs, active };
   }
 }
