@@ -716,14 +716,25 @@ test('the numbers beside each other can be saved', async () => {
   });
 });
 
+test('a map that cannot be computed says why', async () => {
+  await stay(async ({ page }) => {
+    await page.evaluate(() => { location.hash = '1&tour-average&map=wind.speed,club.loft'; });
+    await page.locator('.map figcaption').filter({ hasText: /^wind\.speed cannot be varied/ }).waitFor();
+    await page.evaluate(() => { location.hash = '1&tour-average'; });
+    await page.locator('.map figcaption').filter({ hasText: /^The longest/ }).waitFor();
+  });
+});
+
 test('the table of a map has different texts for different values', async () => {
   await stay(async ({ page }) => {
     await page.evaluate(() => { location.hash = '1&tour-average&map=impact.restitution,air.viscosity'; });
     await settle(page);
+    await page.locator('.map .data:not([open]) summary').click();
     const [head, ...rows] = (await saved(page, '.map', 'table (CSV)')).split('\r\n').map(line => line.split(','));
     for (const texts of [head, rows.map(([first]) => first)]) {
       assert.ok(texts.length > 5 && new Set(texts).size === texts.length, texts.join());
     }
+    await page.locator('.map .data summary').click();
   });
 });
 

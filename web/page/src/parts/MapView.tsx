@@ -39,7 +39,7 @@ export function MapView() {
   const sentence = map
     ? `The longest ${map.goal} over ${labelOf(across)} and ${labelOf(up)} is `
       + `${length(best?.flight[map.goal] ?? most, units)}${bestText ? `, at ${bestText}` : ''}.`
-    : 'No map yet.';
+    : explorer.mapMessage.value ?? 'No map yet.';
   const over = useLoop(map);
   const said = over ? `${sentence} ${over.sentence}` : sentence;
   return (

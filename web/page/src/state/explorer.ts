@@ -47,6 +47,8 @@ export class Explorer {
   readonly bestMessage = signal<string | null>(null);
   readonly ghost = signal<Drive | null>(null);
   readonly map = signal<MapData | null>(null);
+  /** The reason for a missing map. */
+  readonly mapMessage = signal<string | null>(null);
   readonly mapBest = signal<Best | null>(null);
   readonly others = signal<readonly (Drive | Refusal | null)[]>([]);
   /** True while an answer about the state is missing. */
@@ -343,6 +345,7 @@ export class Explorer {
     const answer = await this.interactive.calls('map', [mapCall(axes, this.setup(), [nodes, nodes])]);
     const first = answer?.numbers[0];
     if (!first) return;
+    this.mapMessage.value = isRefused(first) ? refusalOf(first).message : null;
     if (isRefused(first)) {
       this.map.value = null;
       return;
