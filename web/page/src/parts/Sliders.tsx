@@ -1,5 +1,5 @@
 // All parameters: sliders of the first screen, other sliders in groups, and a search.
-import { useState } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
 import { firstOf, hasLaunch, lawOf, withValues } from '../setup/design';
 import { AIR_FIRST, LAUNCH_FIRST, groupOf, labelOf } from '../setup/parameters';
 import { textOf } from '../setup/units';
@@ -8,6 +8,9 @@ import { usePage } from './context';
 import { useSteady } from './steady';
 import { FaceView } from './FaceView';
 import { SliderRow } from './SliderRow';
+
+/** The most sliders that a search shows. */
+const MOST_FOUND = 12;
 
 export function Sliders() {
   const { explorer } = usePage();
@@ -63,6 +66,7 @@ function StartSwitch({ isLaunch }: { isLaunch: boolean }) {
 function Others() {
   const { explorer } = usePage();
   const [search, setSearch] = useState('');
+  const [openGroup, setOpenGroup] = useState<string | null>(null);
   const all = useSteady(
     () => JSON.stringify([firstOf(explorer.design.value), lawOf(explorer.design.value, explorer.catalog)]),
     () => {
@@ -77,6 +81,12 @@ function Others() {
     const text = `${parameter} ${labelOf(parameter)} ${doc}`.toLowerCase();
     return words.every((word) => text.includes(word));
   });
+  const isSearch = words.length > 0;
+  const inGroup = (group: string | null) => all.map(({ parameter }) => parameter)
+    .filter((name) => groupOf(name) === group);
+  const shown = isSearch
+    ? found.slice(0, MOST_FOUND).map(({ parameter }) => parameter) : inGroup(openGroup);
+  useEffect(() => explorer.show(shown), [shown.join()]);
   const groups = [...new Set(all.map(({ parameter }) => groupOf(parameter)))];
   return (
     <div class="others">
@@ -85,33 +95,40 @@ function Others() {
         <input type="search" value={search} placeholder="search, such as restitution"
           onInput={(event) => setSearch((event.target as HTMLInputElement).value)} />
       </label>
-      {words.length > 0
-        ? <Found names={found.map(({ parameter }) => parameter)} />
+      {isSearch
+        ? <Found names={shown} count={found.length} />
         : groups.map((group) => (
-          <Group key={group} group={group} names={all.map(({ parameter }) => parameter)
-            .filter((name) => groupOf(name) === group)} />
+          <Group key={group} group={group} names={inGroup(group)} isOpen={group === openGroup}
+            onToggle={() => setOpenGroup(group === openGroup ? null : group)} />
         ))}
     </div>
   );
 }
 
-function Found({ names }: { names: string[] }) {
-  if (names.length === 0) return <p>No parameter has these words.</p>;
-  return <>{names.slice(0, 12).map((name) => <SliderRow name={name} key={name} />)}</>;
+function Found({ names, count }: { names: string[]; count: number }) {
+  if (count === 0) return <p>No parameter has these words.</p>;
+  return (
+    <>
+      {names.map((name) => <SliderRow name={name} key={name} />)}
+      {count > names.length && <p>{names.length} of {count} parameters with these words.</p>}
+    </>
+  );
 }
 
-function Group({ group, names }: { group: string; names: string[] }) {
+interface GroupProps {
+  group: string;
+  names: string[];
+  isOpen: boolean;
+  onToggle: () => void;
+}
+
+function Group({ group, names, isOpen, onToggle }: GroupProps) {
   const { explorer } = usePage();
-  const isOpen = explorer.openGroup.value === group;
   const count = () => names.filter((name) => name in explorer.design.value.set).length;
   const changed = useSteady(() => `${names.join()} ${count()}`, count);
-  const toggle = () => {
-    explorer.openGroup.value = isOpen ? null : group;
-    explorer.refresh();
-  };
   return (
     <div class="group">
-      <button type="button" aria-expanded={isOpen} onClick={toggle}>
+      <button type="button" aria-expanded={isOpen} onClick={onToggle}>
         {isOpen ? '▾' : '▸'} {group} ({names.length}{changed > 0 ? `, ${changed} changed` : ''})
       </button>
       {isOpen && names.map((name) => <SliderRow name={name} key={name} isInGroup />)}

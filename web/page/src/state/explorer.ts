@@ -64,8 +64,8 @@ export class Explorer {
    * The time step of the loop that is drawn over the map and a slider, s; null if none is drawn.
    */
   readonly loopStep = signal<number | null>(null);
-  /** The group that is open below the sliders of the first screen. */
-  readonly openGroup = signal<string | null>(null);
+  /** The parameters that are shown below the sliders of the first screen. */
+  #shown: readonly string[] = [];
   readonly design = computed(() => activeOf(this.state.value));
   // Parts of the state that seldom change. A component that reads only these is not rendered at
   // each move of a slider.
@@ -130,6 +130,13 @@ export class Explorer {
   reset(name: string) {
     const design = this.design.value;
     this.changeDesign(withValues(design, resetOf(name, design)));
+  }
+
+  /** Shows these parameters below the sliders of the first screen. Requests their prices. */
+  show(names: readonly string[]) {
+    const isMore = names.some((name) => !this.#shown.includes(name));
+    this.#shown = names;
+    if (isMore) this.refresh();
   }
 
   /** Ends a drag: its last state can be undone. */
@@ -222,13 +229,10 @@ export class Explorer {
 
   /** The parameters whose prices are computed. */
   #priced(): string[] {
-    const design = this.design.value;
-    const open = this.openGroup.value;
-    const more = open === null ? [] : this.catalog.of(this.law.value)
-      .map(({ parameter }) => parameter)
-      .filter((name) => groupOf(name) === open);
-    return [...new Set([...firstOf(design), ...AIR_FIRST, ...more])]
-      .filter((name) => this.value(name) !== null);
+    const shown = [...firstOf(this.design.value), ...AIR_FIRST, ...this.#shown];
+    // the law may have changed since the parameters were shown
+    return this.catalog.of(this.law.value).map(({ parameter }) => parameter)
+      .filter((name) => shown.includes(name) && this.value(name) !== null);
   }
 
   async #fly() {
