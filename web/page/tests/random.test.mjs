@@ -122,7 +122,7 @@ function setupFile(chance) {
   return text(chance.mutated(chance.pick(FILES), { separator: '\n', known }));
 }
 
-/** True if two values are equal to rounding: the page writes ten digits after the point. */
+/** True if two values are equal to rounding: the page writes twelve significant digits. */
 const isSame = (one, other) => (typeof one === 'number' && typeof other === 'number'
   ? Math.abs(one - other) <= Math.max(1e-10, 1e-9 * Math.max(Math.abs(one), Math.abs(other))) : one === other);
 

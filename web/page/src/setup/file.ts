@@ -3,7 +3,7 @@ import type { Design } from './design';
 import { NONE, unstatedOf } from './design';
 import type { Catalog, Choice, Parameter } from './parameters';
 import type { System } from './units';
-import { siOf, textOf, unitIn } from './units';
+import { exactText, siOf, unitIn } from './units';
 
 /** The text of a setup file. Dotted names are keys of TOML. */
 export function writeSetup(design: Design): string {
@@ -61,7 +61,7 @@ export function designOf(values: FileValues, catalog: Catalog, system: System): 
     for (const { parameter, value, shown_in } of rows) {
       const { value: unstated } = unstatedOf(parameter, law, catalog);
       if (isOfPreset(parameter) && same(unstated, siOf(value))) continue;
-      set[parameter] = typeof value === 'number' ? textOf(value, unitIn(system, shown_in), 10) : value ?? NONE;
+      set[parameter] = typeof value === 'number' ? exactText(value, unitIn(system, shown_in)) : value ?? NONE;
     }
     return { preset: preset.name, set };
   });

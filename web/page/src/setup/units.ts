@@ -122,6 +122,12 @@ export function valueOf(text: string, unitSI: string): number | null {
 /** A quantity without the space before its unit: "10.5deg". */
 export const compact = (text: string) => text.replace(/^([-+.\de]+) /i, '$1');
 
+/** A text for the core with the significant digits of a number. */
+export function exactText(si: number, unit: string): string {
+  const number = String(Number(fromSI(si, unit).toPrecision(12)));
+  return unit === '' ? number : `${number} ${unit}`;
+}
+
 /**
  * A text for the core. It has as many digits after the point as the number needs, at most
  * `decimals`.
