@@ -288,7 +288,7 @@ test('a drive that does not fly says why, in the answer and below both pictures'
     const height = () => page.evaluate(() => ['.side svg', '.top svg']
       .map(name => document.querySelector(name).getBoundingClientRect().height));
     const before = await height();
-    await page.locator('.aim summary').click();
+    if (await page.locator('.aim[open]').count() === 0) await page.locator('.aim summary').click();
     await type(page, 'swing.attack_angle', '-30');
     await page.locator('.answer .message').first().waitFor();
     const why = await page.locator('.answer .message').first().textContent();
@@ -506,7 +506,7 @@ test('a launch by spin and axis has these two sliders', async () => {
     await slider(page, 'launch.spin_axis').press('ArrowRight');
     await settle(page);
     assert.match(await fragment(page), /launch\.spin=2610rpm&launch\.spin_axis=5\.1deg/);
-    assert.deepEqual(await page.locator('.message').allTextContents(), []);
+    assert.deepEqual(await page.locator('.answer .message, .sliders .message').allTextContents(), []);
   });
 });
 
@@ -730,6 +730,19 @@ test('a map that cannot be computed says why', async () => {
     await page.locator('.map figcaption').filter({ hasText: /^wind\.speed cannot be varied/ }).waitFor();
     await page.evaluate(() => { location.hash = '1&tour-average'; });
     await page.locator('.map figcaption').filter({ hasText: /^The longest/ }).waitFor();
+  });
+});
+
+test('a map says that the drive is outside of its ranges', async () => {
+  await stay(async ({ page }) => {
+    await type(page, 'club.loft', '25');
+    await settle(page);
+    assert.match(await page.locator('.map figcaption').textContent(), /Your drive is outside of the map: loft 25\.00°\./);
+    assert.equal(await page.locator('.map .on-map').count(), 0);
+    await type(page, 'club.loft', '20');
+    await settle(page);
+    assert.doesNotMatch(await page.locator('.map figcaption').textContent(), /outside/);
+    assert.equal(await page.locator('.map .on-map').count(), 1);
   });
 });
 

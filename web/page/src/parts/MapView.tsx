@@ -40,14 +40,28 @@ export function MapView() {
     ? `The longest ${map.goal} over ${labelOf(across)} and ${labelOf(up)} is `
       + `${length(best?.flight[map.goal] ?? most, units)}${bestText ? `, at ${bestText}` : ''}.`
     : explorer.mapMessage.value ?? 'No map yet.';
+  const outside = useComputed(() => outsideOf(explorer)).value;
   const over = useLoop(map);
-  const said = over ? `${sentence} ${over.sentence}` : sentence;
+  const said = [sentence, outside, over?.sentence].filter((text) => text).join(' ');
   return (
     <Figure name="map" title="Map" sentence={said} place={ref} below={<Axes />}
       table={() => (map ? tableOf(map, units, explorer) : { head: [], rows: [] })}>
       {map && <Picture map={map} width={width} sentence={said} loop={over?.loop ?? null} />}
     </Figure>
   );
+}
+
+/** A sentence if your drive is outside of the map; null otherwise. */
+function outsideOf(explorer: Explorer): string | null {
+  const map = explorer.map.value;
+  if (!map) return null;
+  const places = [map.across, map.up].flatMap((name, axis) => {
+    const value = explorer.value(name) ?? NaN;
+    const { low, high } = map.ranges[axis]!;
+    return value < low || value > high
+      ? [`${labelOf(name)} ${withUnit(explorer.shown(name, value), explorer.unit(name))}`] : [];
+  });
+  return places.length > 0 ? `Your drive is outside of the map: ${places.join(', ')}.` : null;
 }
 
 interface PictureProps {
@@ -102,10 +116,10 @@ function Picture({ map, width, sentence, loop }: PictureProps) {
  */
 function Yours({ map, plan }: { map: MapData; plan: Plan }) {
   const { explorer } = usePage();
-  const x = plan.x(explorer.value(map.across) ?? NaN);
-  const y = plan.y(explorer.value(map.up) ?? NaN);
-  return Number.isFinite(x) && Number.isFinite(y)
-    ? <circle class="on-map" cx={x} cy={y} r={6} /> : null;
+  const [across, up] = [map.across, map.up].map((name) => explorer.value(name) ?? NaN);
+  const isInside = [across, up].every((value, axis) =>
+    value! >= map.ranges[axis]!.low && value! <= map.ranges[axis]!.high);
+  return isInside ? <circle class="on-map" cx={plan.x(across!)} cy={plan.y(up!)} r={6} /> : null;
 }
 
 const Star = ({ x, y }: { x: number; y: number }) => (
