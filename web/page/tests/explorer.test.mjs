@@ -46,6 +46,69 @@ test('a long command that waits is shown once the running one has ended', async 
   assert.equal(state.working.value, null);
 });
 
+/** A worker that has the core, and that answers when the test says so. */
+class Thread {
+  static all = [];
+  work = [];
+  isEnded = false;
+  constructor() {
+    Thread.all.push(this);
+  }
+  addEventListener(kind, receive) {
+    if (kind === 'message') this.receive = receive;
+  }
+  postMessage(message) {
+    if (message.kind === 'start') queueMicrotask(() => this.say({ kind: 'started', module: {} }));
+    else this.work.push(message);
+  }
+  say(data) {
+    this.receive({ data });
+  }
+  answer() {
+    const { number, command } = this.work.at(-1);
+    this.say({ kind: 'reply', number, reply: { exit: 0, answer: command.words[0] } });
+  }
+  terminate() {
+    this.isEnded = true;
+  }
+}
+
+async function background() {
+  globalThis.Worker = Thread;
+  Thread.all = [];
+  const commands = new page.Lane();
+  await commands.start({});
+  return commands;
+}
+
+test('the end of a long command that waits leaves the running search alone', async () => {
+  const commands = await background();
+  const state = explorer(lane(), commands);
+  const best = commands.command('best', ['optimize']);
+  const report = state.run('the report', ['report']);
+  state.end();
+  assert.equal(await report, null);
+  const [thread] = Thread.all;
+  assert.equal(thread.isEnded, false);
+  thread.answer();
+  assert.equal((await best).answer, 'optimize');
+});
+
+test('a long command that runs is ended with its thread, and no command replaces another', async () => {
+  const commands = await background();
+  const state = explorer(lane(), commands);
+  const ended = ['report', 'simulate', 'optimize'].map(word => state.run(word, [word]));
+  state.end();
+  assert.equal(await ended[0], null);
+  assert.deepEqual(Thread.all.map(({ isEnded }) => isEnded), [true, false]);
+  for (const word of ['simulate', 'optimize']) {
+    await settled();
+    assert.equal(state.working.value, word);
+    Thread.all[1].answer();
+  }
+  assert.deepEqual((await Promise.all(ended)).map(reply => reply?.answer), [undefined, 'simulate', 'optimize']);
+});
+
 test('the best point of a map that is out of date is not shown', async () => {
   for (const [name, isShown] of [['swing.speed', false], ['club.loft', true]]) {
     const commands = lane();

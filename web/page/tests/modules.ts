@@ -1,4 +1,5 @@
 // The modules of the page that read external input, for tests under Node.
+export * from '../src/core/lane';
 export * from '../src/parts/lengths';
 export * from '../src/setup/design';
 export * from '../src/setup/file';

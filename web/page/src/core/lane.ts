@@ -68,11 +68,17 @@ export class Lane {
   }
 
   /**
-   * Ends the thread, and so the current work. The work cannot see a stop flag, because the thread
-   * shares no memory with the page. Starts a new thread.
+   * Ends the job of a topic. A job that runs is ended with its thread, and a new thread starts: the
+   * job cannot see a stop flag, because the thread shares no memory with the page.
    */
-  end() {
-    this.#restart();
+  end(topic: string) {
+    if (this.#current?.job.topic === topic) {
+      this.#restart();
+      return;
+    }
+    const ended = this.#waiting.filter((job) => job.topic === topic);
+    this.#waiting = this.#waiting.filter((job) => job.topic !== topic);
+    for (const job of ended) job.settle(null);
   }
 
   get isIdle() {

@@ -55,8 +55,8 @@ export class Explorer {
   readonly busy = signal(true);
   readonly trap = signal<string | null>(null);
   readonly progress = signal<(Progress & { what: string }) | null>(null);
-  /** The long command that runs, then the one that waits for it. */
-  readonly #long = signal<readonly { what: string }[]>([]);
+  /** The long command that runs, then those that wait for it. */
+  readonly #long = signal<readonly { what: string; topic: string }[]>([]);
   /** The description of the long command that runs; null without one. */
   readonly working = computed(() => this.#long.value[0]?.what ?? null);
   readonly aimMessage = signal<string | null>(null);
@@ -78,6 +78,7 @@ export class Explorer {
   #aimed: Design | null = null;
   #mapKey = '';
   #traps = 0;
+  #commands = 0;
   readonly #rest = new Debounce(REST);
   /** Called after each change; `isFinal` is false during a drag. */
   onChange: (state: State, isFinal: boolean) => void = () => {};
@@ -398,16 +399,19 @@ export class Explorer {
 
   /** Runs a long command, and shows its progress. The answer is null if the command was ended. */
   async run(what: string, words: string[], files: Record<string, Uint8Array> = {}): Promise<Reply | null> {
-    const command = { what };
+    // a topic of its own: the next command waits for this one, and does not replace it
+    this.#commands += 1;
+    const command = { what, topic: `long ${this.#commands}` };
     this.#long.value = [...this.#long.value, command];
-    const reply = await this.background.command('long', words, files);
+    const reply = await this.background.command(command.topic, words, files);
     this.#long.value = this.#long.value.filter((other) => other !== command);
     return reply;
   }
 
-  /** Ends the long command. */
+  /** Ends the first long command. */
   end() {
-    this.background.end();
+    const [command] = this.#long.value;
+    if (command) this.background.end(command.topic);
   }
 
   #trapped(message: string) {
