@@ -124,7 +124,7 @@ test('the best point of a map that is out of date is not shown', async () => {
     const found = { optimum: {}, flight: {}, multipliers: {}, warnings: [] };
     answer({ exit: 0, answer: JSON.stringify(found) });
     await settled();
-    assert.equal(state.mapBest.value !== null, isShown, name);
+    assert.equal(state.mapBest.current !== null, isShown, name);
   }
 });
 
@@ -132,6 +132,22 @@ test('different numbers have different texts, equal numbers to rounding the same
   assert.deepEqual(page.distinct([10.46, 10.54], 1), ['10.46', '10.54']);
   assert.deepEqual(page.distinct([8.8, 8.8 + 1e-15, 12], 1), ['8.8', '8.8', '12.0']);
   assert.deepEqual(page.distinct([0.000018, NaN, 0.000027], 1), ['0.00002', '–', '0.00003']);
+});
+
+test('the best point of a map is searched again until it is found', async () => {
+  const commands = lane();
+  const map = { head: { status: 'done', columns: 60, rows: 60 }, block: new Float64Array(3600) };
+  const numbers = { ...lane(), calls: async topic => (topic === 'map' ? { numbers: [map] } : null) };
+  const state = explorer(numbers, commands);
+  const searches = () => commands.answers.filter(({ topic }) => topic === 'map best');
+  for (const reply of [null, { exit: 2, answer: '', said: [] }, { exit: 0, answer: '{"optimum":{},"flight":{},"multipliers":{},"warnings":[]}' }]) {
+    const before = searches().length;
+    state.refresh();
+    while (searches().length === before) await settled();
+    searches().at(-1).answer(reply);
+    await settled();
+  }
+  assert.notEqual(state.mapBest.current, null);
 });
 
 test('ticks of a small range have different texts', () => {

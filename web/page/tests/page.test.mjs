@@ -192,6 +192,121 @@ test('a landing that no drive reaches is told beside the picture', async () => {
     await page.locator('.top .message').waitFor();
     await page.locator('#slide-swing-speed').press('ArrowRight');
     await page.locator('.top .message').waitFor({ state: 'detached' });
+    await page.evaluate(() => { location.hash = '1&tour-average'; });
+    await settle(page);
+    await page.locator('.aim summary').click();
+    await page.locator('.aim').getByLabel('lateral').press('End');
+    await page.locator('.top .message').waitFor();
+    await page.keyboard.press('Control+z');
+    await page.locator('.top .message').waitFor({ state: 'detached' });
+    await page.locator('.aim summary').click();
+  });
+});
+
+/** Moves sliders and presses buttons and keys, all before the page can answer any of them. */
+const atOnce = (page, ...acts) => page.evaluate((all) => {
+  for (const { slide, to, click, key } of all) {
+    const place = slide ? document.querySelector(slide) : document.body;
+    if (slide) place.value = to;
+    for (const kind of slide ? ['input', 'change'] : []) place.dispatchEvent(new Event(kind, { bubbles: true }));
+    if (click) [...document.querySelectorAll('button, label')].find(each => each.textContent.includes(click)).click();
+    if (key) place.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
+  }
+}, acts);
+
+test('the best drive of an earlier drive is never set', async () => {
+  await stay(async ({ page }) => {
+    await atOnce(page, { slide: '#slide-swing-speed', to: 100 }, { key: 'b' }, { click: 'go to the best drive' });
+    await settle(page);
+    assert.equal(await fragment(page), '#1&tour-average&swing.speed=100mph');
+    // a move of the loft, which the best drive changes, leaves the best drive as it is
+    await atOnce(page, { slide: '#slide-club-loft', to: 12 }, { key: 'b' });
+    await settle(page);
+    assert.match(await fragment(page), /swing\.speed=100mph&club\.loft=11\.29/);
+    assert.equal(await answer(page, 'carry', 3), 0);
+  });
+});
+
+/** Does steps while a long command keeps the background worker busy, then ends the command. */
+async function whileBusy(page, steps) {
+  await page.getByRole('button', { name: /^report/ }).click();
+  await page.locator('.working').waitFor();
+  await steps();
+  await page.locator('.working').getByRole('button', { name: 'end' }).click();
+  await page.locator('.working').waitFor({ state: 'detached' });
+  await settle(page);
+}
+
+test('answers about an earlier drive are grey until those of this drive come', async () => {
+  await stay(async ({ page }) => {
+    await page.evaluate(() => { location.hash = '1&tour-average&b:club.loft=12deg&c:swing.speed=80mph&active=b'; });
+    const causes = page.locator('.compare [role=status]');
+    await causes.filter({ hasText: /^B beside A: carry −12\.6 yd/ }).waitFor();
+    await page.locator('.optimizer > summary').click();
+    await page.locator('.iterations svg .model').first().waitFor();
+    await settle(page);
+    assert.equal(await page.locator('.stale').count(), 0);
+    const best = await answer(page, 'carry', 2);
+    await whileBusy(page, async () => {
+      await page.locator('.compare').getByLabel('C', { exact: true }).check();
+      await page.locator('.map figcaption.stale').waitFor();
+      await page.locator('header').getByLabel('longest').selectOption('total');
+      await page.locator('.answer tr.goal th', { hasText: 'total' }).waitFor();
+      const stale = ['.answer tr.goal td:nth-child(3).stale', '.panel td:nth-child(3).stale',
+        '.compare p.stale', '.iterations figcaption.stale', '.side g.stale', '.top g.stale', '.best-mark.stale'];
+      for (const part of stale) await page.locator(part).first().waitFor({ state: 'attached' });
+      assert.equal(await answer(page, 'carry', 2), best);
+      assert.equal(await page.locator('.answer tr.goal td').last().textContent(), '–');
+      assert.match(await causes.textContent(), /^B beside A: carry −12\.6 yd/);
+      assert.match(await page.locator('.iterations figcaption').textContent(), /Iteration 0: carry/);
+      assert.equal(JSON.parse(await saved(page, '.panel', 'numbers (JSON)')).best, null);
+    });
+    await causes.filter({ hasText: /^C beside A: total/ }).waitFor();
+    await page.locator('.iterations figcaption').filter({ hasText: /Iteration 0: total/ }).waitFor();
+    await settle(page);
+    assert.equal(await page.locator('.stale').count(), 0);
+    await page.locator('.optimizer > summary').click();
+  });
+});
+
+test('a saved design has the outcomes of its own values', async () => {
+  await stay(async ({ page }) => {
+    await page.evaluate(() => { location.hash = '1&tour-average&b:club.loft=12deg&active=b'; });
+    await settle(page);
+    const waiting = page.waitForEvent('download');
+    await page.evaluate(async () => {
+      const slider = document.querySelector('#slide-swing-speed');
+      slider.value = 80;
+      for (const kind of ['input', 'change']) slider.dispatchEvent(new Event(kind, { bubbles: true }));
+      await new Promise(done => { requestAnimationFrame(() => setTimeout(done, 0)); });
+      [...document.querySelectorAll('.compare button')].find(each => /JSON/.test(each.textContent)).click();
+    });
+    const { B } = JSON.parse(readFileSync(await (await waiting).path(), 'utf8'));
+    assert.deepEqual(Object.keys(B.set), ['club.loft']);
+    assert.ok(Math.abs(B.outcomes.carry / 0.9144 - 273.4) < 0.05);
+    await settle(page);
+    const after = JSON.parse(await saved(page, '.compare', 'numbers (JSON)')).B;
+    assert.equal(after.set['swing.speed'], '80 mph');
+    assert.ok(after.outcomes.carry < B.outcomes.carry);
+  });
+});
+
+test('a map of an earlier drive is grey and keeps its names', async () => {
+  await stay(async ({ page }) => {
+    const caption = page.locator('.map figcaption');
+    await page.evaluate(() => { location.hash = '1&amateur-average&swing.attack_angle=-30deg'; });
+    await settle(page);
+    const now = await caption.textContent();
+    assert.equal(await page.locator('.map .stale').count(), 0);
+    await page.evaluate(() => { location.hash = '1&amateur-average'; });
+    await settle(page);
+    assert.equal(await caption.textContent(), now);
+    await type(page, 'club.loft', '10 parsecs');
+    await page.locator('.map select').first().selectOption('swing.speed');
+    await settle(page);
+    await page.locator('.map svg.stale').waitFor();
+    await page.locator('.map figcaption.stale').waitFor();
+    assert.match(await caption.textContent(), /over loft and attack angle/);
   });
 });
 

@@ -223,7 +223,7 @@ test('a slope of the carry is the gain beyond either bound of the loft', { skip 
     const sliderRange = () => ({ low: low * degrees, high: high * degrees, step: 0.1 * degrees });
     const words = page.bestWords({ parameter: listed, sliderRange }, state, design, ['club.loft']);
     const { head } = core.ask({ words });
-    const best = page.readBest({ ...head, files: {} }, design, { parameter: listed, sliderRange });
+    const best = page.readBest({ ...head, files: {} }, 'carry', { parameter: listed, sliderRange });
     const gain = (carryOf(bound + outwards * 0.01) - carryOf(bound)) / (0.01 * degrees);
     assert.ok(gain > 0 && Math.abs(best.beyond['club.loft'] - gain) < 0.02 * gain, `${bound}: ${best.beyond['club.loft']}, ${gain}`);
   }

@@ -14,17 +14,19 @@ export function Answer() {
   const { drive, best, refusal, state } = explorer;
   const units = explorer.units.value;
   const goal = explorer.goal.value;
-  const yours = drive.value?.outcomes;
-  const theirs = best.value?.flight;
-  const names = useComputed(() => varyOf(state.value).map(labelOf).join(' and ')).value;
+  const yours = drive.last?.outcomes;
+  const theirs = best.last?.flight;
+  const names = useComputed(() => (best.last?.names ?? varyOf(state.value)).map(labelOf).join(' and ')).value;
   const rows = (['carry', 'total'] as const).map((name) => {
     const [mine, most] = [yours?.[name], theirs?.[name]];
     return (
       <tr key={name} class={name === goal ? 'goal' : ''}>
         <th scope="row">{name}</th>
         <td>{length(mine, units)}</td>
-        <td>{length(most, units)}</td>
-        <td>{mine !== undefined && typeof most === 'number' ? lengthChange(most - mine, units) : '–'}</td>
+        <td class={best.mark}>{length(most, units)}</td>
+        <td>
+          {best.isCurrent && mine !== undefined && typeof most === 'number' ? lengthChange(most - mine, units) : '–'}
+        </td>
       </tr>
     );
   });
@@ -35,14 +37,13 @@ export function Answer() {
         <thead>
           <tr><td /><th scope="col">yours</th><th scope="col">best {names}</th><th scope="col">difference</th></tr>
         </thead>
-        <tbody>{rows}{best.value && <Values best={best.value} />}</tbody>
+        <tbody>{rows}{best.last && <Values best={best.last} />}</tbody>
       </table>
       <Worth />
-      {!best.value && explorer.bestMessage.value && !refusal.value
-        && <p class="message">No best drive: {explorer.bestMessage.value}</p>}
+      {explorer.bestMessage.current && !refusal.value
+        && <p class="message">No best drive: {explorer.bestMessage.current}</p>}
       <p class="buttons">
-        <button type="button" disabled={!best.value}
-          onClick={() => best.value && explorer.changeDesign(best.value.design)}>
+        <button type="button" disabled={!best.current} onClick={() => explorer.goToBest()}>
           go to the best drive
         </button>
       </p>
@@ -54,8 +55,8 @@ export function Answer() {
 /** The warnings about your drive, and those that only the best drive has. */
 function Warnings() {
   const { drive, best } = usePage().explorer;
-  const mine = drive.value?.warnings ?? [];
-  const theirs = (best.value?.warnings ?? []).filter((warning) => !mine.includes(warning));
+  const mine = drive.last?.warnings ?? [];
+  const theirs = (best.current?.warnings ?? []).filter((warning) => !mine.includes(warning));
   return (
     <>
       {mine.map((warning) => <p class="warning" key={warning}>{warning}</p>)}
@@ -82,12 +83,12 @@ function ValueRow({ name, theirs }: { name: string; theirs: number }) {
   const isKnown = mine !== null && Number.isFinite(mine);
   const shown = (value: number) => withUnit(digits(fromSI(value, unit), decimals + 1), unit);
   // the conversion of 0 cancels the offset of a temperature unit
-  const difference = isKnown ? shown(theirs - mine + toSI(0, unit)) : '–';
+  const difference = isKnown && explorer.best.isCurrent ? shown(theirs - mine + toSI(0, unit)) : '–';
   return (
     <tr>
       <th scope="row">{labelOf(name)}</th>
       <td>{isKnown ? shown(mine) : mine === null ? 'not stated' : typed ?? 'inf'}</td>
-      <td>{shown(theirs)}</td>
+      <td class={explorer.best.mark}>{shown(theirs)}</td>
       <td>{/^[\u2212\u2013]/.test(difference) ? difference : `+${difference}`}</td>
     </tr>
   );
@@ -108,14 +109,15 @@ function Worth() {
   };
   const names = explorer.isLaunch.value ? ['launch.launch_angle', 'launch.ball_speed'] : ['club.loft', 'swing.attack_angle', 'swing.speed'];
   const prices = names.map(price).filter((text) => text !== null);
-  const bounds = (best.value?.names ?? []).filter((name) => Math.abs(best.value?.beyond[name] ?? 0) > 1e-6);
+  const { names: varied = [], beyond = {} } = best.last ?? {};
+  const bounds = varied.filter((name) => Math.abs(beyond[name] ?? 0) > 1e-6);
   return (
     <p class="worth">
       {prices.length > 0 && <>{goal} here: {prices.join('; ')}.</>}
       {bounds.map((name) => {
-        const first = best.value?.beyond[name] ?? 0;
+        const first = beyond[name] ?? 0;
         const { text } = priceOf(name, { first, second: 0 }, explorer.unit(name), units);
-        return <span key={name}> The best {labelOf(name)} is at the end of its slider: {text} beyond.</span>;
+        return <span class={best.mark} key={name}> The best {labelOf(name)} is at the end of its slider: {text} beyond.</span>;
       })}
     </p>
   );

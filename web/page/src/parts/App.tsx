@@ -84,9 +84,8 @@ function useKeys() {
       const key = event.key.toLowerCase();
       if (isCommand && key === 'z' && !event.shiftKey) address.undo();
       else if (isCommand && (key === 'y' || (key === 'z' && event.shiftKey))) address.redo();
-      else if (!isCommand && !event.altKey && key === 'b' && explorer.best.value) {
-        explorer.changeDesign(explorer.best.value.design);
-      } else return;
+      else if (!isCommand && !event.altKey && key === 'b') explorer.goToBest();
+      else return;
       event.preventDefault();
     };
     addEventListener('keydown', press);

@@ -1,6 +1,5 @@
 // Up to four designs beside each other, and the causes of a difference.
 import { useComputed } from '@preact/signals';
-import type { Drive, Refusal } from '../drive/drive';
 import { labelOf } from '../setup/parameters';
 import type { Design } from '../setup/design';
 import { numberOf } from '../setup/design';
@@ -13,9 +12,6 @@ import { usePage } from './context';
 import { TableFiles, TableView } from './Figure';
 import { lengthChange } from './lengths';
 import { outcomesOf, ROWS, shown } from './outcomes';
-
-const isDrive = (drive: Drive | Refusal | null | undefined): drive is Drive =>
-  drive !== null && drive !== undefined && 'outcomes' in drive;
 
 export function Compare() {
   const { explorer } = usePage();
@@ -70,8 +66,10 @@ function valueTexts(explorer: Explorer, name: string, designs: readonly Design[]
 
 function Beside() {
   const { explorer } = usePage();
-  const { designs, units } = explorer.state.value;
-  const drives = explorer.others.value;
+  const { units } = explorer;
+  const flown = explorer.others.last;
+  if (!flown) return null;
+  const designs = flown.map(({ design }) => design);
   const changed = [...new Set(designs.flatMap(({ set }) => Object.keys(set)))].filter((name) =>
     designs.some(({ set }) => set[name] !== designs[0]?.set[name]));
   const presets = designs.map(({ preset }) => preset);
@@ -83,22 +81,17 @@ function Beside() {
     ]),
     ...ROWS.map((row) => [
       row.label,
-      ...designs.map((_, at) => {
-        const drive = drives[at];
-        return isDrive(drive) ? shown(row, drive, units) : '–';
-      }),
+      ...flown.map(({ drive }) => (drive ? shown(row, drive, units.value) : '–')),
     ]),
   ];
   const table = { head: ['', ...designs.map((_, at) => DESIGN_NAMES[at]!)], rows };
-  const numbers = () => Object.fromEntries(designs.map((design, at) => {
-    const drive = drives[at];
-    return [DESIGN_NAMES[at]!, { ...design, outcomes: isDrive(drive) ? outcomesOf(drive) : null }] as const;
-  }));
+  const numbers = () => Object.fromEntries(flown.map(({ design, drive }, at) =>
+    [DESIGN_NAMES[at]!, { ...design, outcomes: drive && outcomesOf(drive) }]));
   return (
-    <>
+    <div class={explorer.others.mark}>
       <TableView {...table} />
       <TableFiles name="designs" table={() => table} numbers={numbers} />
-    </>
+    </div>
   );
 }
 
@@ -108,6 +101,8 @@ interface Share {
 }
 
 interface Difference {
+  /** Index of the design that is beside the first one. */
+  other: number;
   of: string;
   difference: number;
   by_parameter: { shares: Share[] } | null;
@@ -122,19 +117,19 @@ function Causes({ other }: { other: number }) {
   const key = JSON.stringify([first, second, goal]);
   const words = ['compare', first.preset, second.preset, ...settingsOf(first, '--set-a'),
     ...settingsOf(second, '--set-b'), '--of', goal, '--json'];
-  const difference = useAnswer(key, 300, async () => {
+  const { answer, mark } = useAnswer(key, 300, async () => {
     const reply = await explorer.background.command('compare', words);
     if (!reply) return undefined;
     const found = reply.exit === 0 ? (JSON.parse(reply.answer) as { outcomes: Difference[] }).outcomes[0] : null;
-    return found ?? null;
+    return found ? { ...found, other } : null;
   });
-  if (!difference) return null;
+  if (!answer) return null;
   const list = (shares: Share[] | undefined) => (shares ?? [])
     .map(({ cause, share }) => `${labelOf(cause)} ${lengthChange(share, units)}`).join(', ') || 'none';
   return (
-    <p role="status">
-      {DESIGN_NAMES[other]} beside A: {difference.of} {lengthChange(difference.difference, units)}. By parameter:{' '}
-      {list(difference.by_parameter?.shares)}. By launch: {list(difference.by_launch?.shares)}.
+    <p role="status" class={mark}>
+      {DESIGN_NAMES[answer.other]} beside A: {answer.of} {lengthChange(answer.difference, units)}. By parameter:{' '}
+      {list(answer.by_parameter?.shares)}. By launch: {list(answer.by_launch?.shares)}.
     </p>
   );
 }

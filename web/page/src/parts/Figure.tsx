@@ -1,5 +1,6 @@
 // A picture with a name, a sentence and a table of the same content; a table without a picture; and
 // the buttons that download pictures and tables.
+import type { ReadonlySignal } from '@preact/signals';
 import type { ComponentChildren, Ref } from 'preact';
 import { useState } from 'preact/hooks';
 import { download, pictureOf } from './download';
@@ -19,6 +20,8 @@ interface Props {
   place?: Ref<HTMLDivElement>;
   children: ComponentChildren;
   below?: ComponentChildren;
+  /** The class of sentence and table: 'stale' if they are about an earlier drive. */
+  mark?: string | ReadonlySignal<string>;
   /** True if screen readers announce a change of the sentence. */
   isLive?: boolean;
   /** True if the table is open at first. */
@@ -42,7 +45,7 @@ export function Figure({ name, title, sentence, table, place, children, below, .
     <figure class={`picture ${name}`} aria-label={title}>
       <h2>{title}</h2>
       <div ref={place ?? null}>{children}</div>
-      <figcaption aria-live={more.isLive ? 'polite' : undefined}>{sentence}</figcaption>
+      <figcaption class={more.mark} aria-live={more.isLive ? 'polite' : undefined}>{sentence}</figcaption>
       {below}
       <details class="data" open={isOpen} onToggle={(event) => setOpen(event.currentTarget.open)}>
         <summary>table and files of the {title.toLowerCase()}</summary>
@@ -50,7 +53,7 @@ export function Figure({ name, title, sentence, table, place, children, below, .
           <button type="button" onClick={save}>picture (SVG)</button>
           <TableButton name={name} table={table} />
         </p>
-        {isOpen && <TableView {...table()} at={more.at} />}
+        {isOpen && <div class={more.mark}><TableView {...table()} at={more.at} /></div>}
       </details>
     </figure>
   );
@@ -82,14 +85,22 @@ const TableButton = ({ name, table }: Pick<SavedProps, 'name' | 'table'>) => (
   </button>
 );
 
-export function TableView({ head, rows, at }: Table & { at?: number | undefined }) {
+interface TableProps extends Table {
+  at?: number | undefined;
+  /** Indices of the columns with answers about an earlier drive. */
+  stale?: readonly number[];
+}
+
+export function TableView({ head, rows, at, stale = [] }: TableProps) {
   return (
     <div class="scroll" tabIndex={0} role="region" aria-label="table">
       <table>
         <thead><tr>{head.map((text) => <th scope="col" key={text}>{text}</th>)}</tr></thead>
         <tbody>
           {rows.map((row, k) => (
-            <tr key={k} aria-current={k === at ? 'step' : undefined}>{row.map((text, column) => <td key={column}>{text}</td>)}</tr>
+            <tr key={k} aria-current={k === at ? 'step' : undefined}>
+              {row.map((text, column) => <td key={column} class={stale.includes(column) ? 'stale' : undefined}>{text}</td>)}
+            </tr>
           ))}
         </tbody>
       </table>

@@ -27,6 +27,8 @@ interface Props {
   at: number;
   width: number;
   sentence: string;
+  /** The class of the picture: 'stale' if the iterations are about an earlier drive. */
+  mark: string;
 }
 
 export function IterationsPicture(props: Props) {
@@ -35,7 +37,7 @@ export function IterationsPicture(props: Props) {
   const axes = axesOf(props.iterations, explorer);
   const isCurve = names.length === 1;
   const design = explorer.design.value;
-  const map = useAnswer(`${mapKey(design, axes)} ${JSON.stringify([names, design.set[axes.up]])}`, 0, async () => {
+  const { answer: map, mark } = useAnswer(`${mapKey(design, axes)} ${JSON.stringify([names, design.set[axes.up]])}`, 0, async () => {
     const nodes = isCurve ? [CURVE, 2] as const : [NODES, NODES] as const;
     const first = (await explorer.background.calls('iterations map', [mapCall(axes, explorer.setup(), nodes)]))?.numbers[0];
     if (!first) return undefined;
@@ -44,15 +46,18 @@ export function IterationsPicture(props: Props) {
   // after a change of the parameters, `map` is still the map of the earlier ones: wait for the new
   // map
   if (!map || map.across !== axes.across || (!isCurve && map.up !== axes.up)) return null;
-  return isCurve ? <CurvePicture {...props} map={map} /> : <PlanePicture {...props} map={map} />;
+  return (
+    <div class={mark || props.mark}>
+      {isCurve ? <CurvePicture {...props} map={map} /> : <PlanePicture {...props} map={map} />}
+    </div>
+  );
 }
 
 /**
  * The axes of the picture: the parameters that the search varies if they are one or two, else the
  * parameters of the map.
  */
-function axesOf({ names, ranges }: Iterations, explorer: Explorer): MapAxes {
-  const { goal } = explorer.state.value;
+function axesOf({ goal, names, ranges }: Iterations, explorer: Explorer): MapAxes {
   const ofMap = mapOf(explorer.state.value);
   if (names.length === 1) {
     // draw a curve as a map whose second axis has a single value: the axis of a parameter that

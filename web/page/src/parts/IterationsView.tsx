@@ -33,19 +33,20 @@ async function search(explorer: Explorer): Promise<Iterations | { refused: strin
   const call = iterationsCall(explorer.setup(), goal, units, names, ranges);
   const first = (await explorer.background.calls('iterations', [call]))?.numbers[0];
   if (!first) return undefined;
-  return isRefused(first) ? { refused: refusalOf(first).message } : readIterations(first, ranges);
+  return isRefused(first) ? { refused: refusalOf(first).message } : readIterations(first, goal, ranges);
 }
 
 function Lecture() {
   const { explorer } = usePage();
   const { goal, units } = explorer.state.value;
   const key = JSON.stringify([explorer.design.value, goal, units, varyOf(explorer.state.value)]);
-  const found = useAnswer(key, 150, () => search(explorer));
-  if (!found) return <p>The optimizer has no steps yet.</p>;
-  return 'refused' in found ? <p class="message">{found.refused}</p> : <Stepper iterations={found} />;
+  const { answer, mark } = useAnswer(key, 150, () => search(explorer));
+  if (!answer) return <p>The optimizer has no steps yet.</p>;
+  return 'refused' in answer ? <p class="message">{answer.refused}</p>
+    : <Stepper iterations={answer} mark={mark} />;
 }
 
-function Stepper({ iterations }: { iterations: Iterations }) {
+function Stepper({ iterations, mark }: { iterations: Iterations; mark: string }) {
   const { explorer } = usePage();
   const { ref, width } = useWidth();
   const [wanted, setWanted] = useState(0);
@@ -65,7 +66,7 @@ function Stepper({ iterations }: { iterations: Iterations }) {
   const sentence = sentenceOf(iteration, iterations, explorer, at === last);
   const place = `step ${at + 1} of ${last + 1}`;
   return (
-    <Figure name="iterations" title="Optimizer" sentence={sentence} isLive isOpen place={ref}
+    <Figure name="iterations" title="Optimizer" sentence={sentence} mark={mark} isLive isOpen place={ref}
       table={() => tableOf(iterations, explorer)} at={at}
       below={(
         <div class="stepper" role="group" aria-label="steps of the optimizer" onKeyDown={press}>
@@ -76,7 +77,7 @@ function Stepper({ iterations }: { iterations: Iterations }) {
           <span>{place}</span>
         </div>
       )}>
-      <IterationsPicture iterations={iterations} at={at} width={width} sentence={sentence} />
+      <IterationsPicture iterations={iterations} at={at} width={width} sentence={sentence} mark={mark} />
     </Figure>
   );
 }
@@ -96,11 +97,11 @@ const gainOf = (metres: number, explorer: Explorer) => {
 };
 
 function sentenceOf(iteration: Iteration, iterations: Iterations, explorer: Explorer, isLast: boolean): string {
-  const { goal, units } = explorer.state.value;
+  const units = explorer.units.value;
   const begins = iteration.number === 0
     ? (iteration.search === 0 ? 'The search begins at your drive. ' : 'A sample of the ranges has a better drive, from which another search begins. ')
     : '';
-  const here = `${begins}Iteration ${iteration.number}: ${goal} ${length(iteration.value, units)} at ${placeOf(iteration.x, iterations, explorer, iteration.bounds)}, `
+  const here = `${begins}Iteration ${iteration.number}: ${iterations.goal} ${length(iteration.value, units)} at ${placeOf(iteration.x, iterations, explorer, iteration.bounds)}, `
     + `KKT residual ${iteration.residual.toExponential(1)}.`;
   const { trial } = iteration;
   if (!trial) return `${here} ${isLast ? `The search ends: ${iterations.message}.` : 'This search ends here.'}`;
@@ -112,7 +113,7 @@ function sentenceOf(iteration: Iteration, iterations: Iterations, explorer: Expl
 }
 
 function tableOf(iterations: Iterations, explorer: Explorer) {
-  const { goal, units } = explorer.state.value;
+  const units = explorer.units.value;
   const unit = lengthUnit(units);
   const value = (name: string, x: number | undefined) => explorer.shown(name, x ?? NaN, 2);
   const parameters = iterations.names.map((name) => {
@@ -122,7 +123,7 @@ function tableOf(iterations: Iterations, explorer: Explorer) {
   const gain = (metres = NaN) => (Number.isFinite(metres) ? inLength(metres, units).toExponential(3) : '–');
   const hasTwo = iterations.list.some(({ search: number }) => number > 0);
   return {
-    head: ['iteration', ...parameters, `${goal} [${unit}]`, 'at bounds', 'KKT residual',
+    head: ['iteration', ...parameters, `${iterations.goal} [${unit}]`, 'at bounds', 'KKT residual',
       `trust region of ${parameters[0]}`, `predicted [${unit}]`, `actual [${unit}]`, 'step'],
     rows: iterations.list.map((iteration) => {
       const { trial } = iteration;

@@ -14,8 +14,8 @@ export function Live() {
     let next = '';
     const stop = effect(() => {
       const { units, goal } = explorer.state.value;
-      const outcomes = explorer.drive.value?.outcomes;
-      const best = explorer.best.value?.flight[goal];
+      const outcomes = explorer.drive.last?.outcomes;
+      const best = explorer.best.current?.flight[goal];
       next = explorer.refusal.value?.message ?? (outcomes
         ? `carry ${length(outcomes.carry, units)}, total ${length(outcomes.total, units)}, `
           + `${sideways(outcomes.lateral ?? 0, units)}`

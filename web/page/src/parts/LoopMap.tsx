@@ -17,19 +17,18 @@ const COARSE = 16;
 const FINE = 48;
 
 interface LoopMap extends Grid {
-  key: string;
   /** The largest distance between the carry of the loop and the exact carry, m. */
   worst: number;
 }
 
-async function fly(explorer: Explorer, map: MapData, nodes: number, step: number, key: string): Promise<LoopMap | null | undefined> {
+async function fly(explorer: Explorer, map: MapData, nodes: number, step: number): Promise<LoopMap | null | undefined> {
   const calls = loopMapCalls(map, explorer.setup(), nodes, step);
   const answer = await explorer.background.calls(`loop map ${nodes}`, calls);
   if (!answer) return undefined;
   if (answer.numbers.some(isRefused)) return null;
   const rows = answer.numbers.map(readLoop);
   const values = rows.flatMap(({ loop }) => [...loop]);
-  return { key, columns: nodes, rows: nodes, values, worst: Math.max(...rows.map(worstOf)) };
+  return { columns: nodes, rows: nodes, values, worst: Math.max(...rows.map(worstOf)) };
 }
 
 /** Contours of the loop, and a sentence about them; null if the loop is not drawn over the map. */
@@ -38,9 +37,9 @@ export function useLoop(map: MapData | null) {
   const step = explorer.loopStep.value;
   const isOver = map !== null && step !== null && map.goal === 'carry';
   const key = isOver ? `${step} ${mapKey(explorer.design.value, map)}` : '';
-  const ask = (nodes: number) => async () => (isOver ? fly(explorer, map, nodes, step, key) : null);
+  const ask = (nodes: number) => async () => (isOver ? fly(explorer, map, nodes, step) : null);
   const [coarse, fine] = [useAnswer(key, 150, ask(COARSE)), useAnswer(key, 150, ask(FINE))];
-  const loop = [fine, coarse].find((each) => each?.key === key);
+  const loop = [fine, coarse].find(({ isCurrent, answer }) => isCurrent && answer)?.answer;
   if (!isOver || !loop) return null;
   const units = explorer.units.value;
   const sentence = `Dashed: the loop of ${digits(step * 1000, 0)} ms, at the same levels, up to `

@@ -30,13 +30,14 @@ function ErrorCurve({ name, step }: { name: string; step: number }) {
   // leave out the parameter's own value: the loop along the parameter does not depend on it
   const others = Object.entries(set).filter(([each]) => each !== name);
   const key = JSON.stringify([name, low, high, step, preset, others]);
-  const loop = useAnswer(key, 150, async () => {
+  const { answer: loop, mark } = useAnswer(key, 150, async () => {
     const call = loopCall(explorer.setup(), { name, low, high }, NODES, step, difference);
     const first = (await explorer.background.calls('loop slider', [call]))?.numbers[0];
     if (!first) return undefined;
     return isRefused(first) ? null : readLoop(first);
   });
-  return loop && loop.name === name ? <Picture loop={loop} step={step} /> : null;
+  if (!loop || loop.name !== name) return null;
+  return <div class={mark}><Picture loop={loop} step={step} /></div>;
 }
 
 function Picture({ loop, step }: { loop: Loop; step: number }) {

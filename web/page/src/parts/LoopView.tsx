@@ -52,7 +52,7 @@ function Lecture({ explorer }: { explorer: Explorer }) {
   const [power, setPower] = useState(-2);
   const difference = 10 ** power * sizeOf(unit);
   const key = JSON.stringify([explorer.design.value, name, step, power]);
-  const found = useAnswer(key, 100, () => flyLoop(explorer, name, step, difference));
+  const { answer, mark } = useAnswer(key, 100, () => flyLoop(explorer, name, step, difference));
   const slide = (label: string, value: number, low: number, high: number, by: number, text: string, set: (value: number) => void) => (
     <label class="lecture-slider">
       {label} {text}
@@ -65,7 +65,8 @@ function Lecture({ explorer }: { explorer: Explorer }) {
       {slide('time step', step * 1000, 1, 50, 1, `${digits(step * 1000, 0)} ms`, (value) => setStep(value / 1000))}
       <Overlay step={step} name={name} />
       {slide('difference over', power, -6, 0, 0.5, `${(10 ** power).toPrecision(2)} ${symbolOf(unit)}`, setPower)}
-      {found && ('refused' in found ? <p class="message">{found.refused}</p> : <Pictures explorer={explorer} loop={found} />)}
+      {answer && ('refused' in answer ? <p class="message">{answer.refused}</p>
+        : <div class={mark}><Pictures explorer={explorer} loop={answer} /></div>)}
     </>
   );
 }

@@ -4,6 +4,7 @@ import { useMemo } from 'preact/hooks';
 import { isReplaced, withValues } from '../setup/design';
 import { labelOf } from '../setup/parameters';
 import { digits, textOf, withUnit } from '../setup/units';
+import type { Best } from '../state/best';
 import type { MapData } from '../state/map';
 import { mapOf } from '../state/state';
 import type { Explorer } from '../state/explorer';
@@ -22,29 +23,27 @@ export function MapView() {
   const { explorer } = usePage();
   const units = explorer.units.value;
   const { ref, width } = useWidth();
-  const map = explorer.map.value;
-  const best = explorer.mapBest.value;
-  const [across, up] = useSteady(
-    () => mapOf(explorer.state.value).join(), () => mapOf(explorer.state.value));
+  const map = explorer.map.last;
+  const best = bestOf(map, explorer);
+  const mark = useComputed(() =>
+    explorer.map.mark.value || (bestOf(explorer.map.last, explorer) && explorer.mapBest.mark.value) || '');
   const most = useMemo(() => (map ? Math.max(...map.values.filter(Number.isFinite)) : NaN), [map]);
-  const isOfMap = best && map && best.names.every((name) => [map.across, map.up].includes(name));
   const valuesOfBest = useComputed(() => {
-    const { names = [], values = {} } = explorer.mapBest.value ?? {};
+    const { names = [], values = {} } = explorer.mapBest.last ?? {};
     return names.map((name) => {
       const value = withUnit(explorer.shown(name, values[name] ?? NaN), explorer.unit(name));
       return `${labelOf(name)} ${value}`;
     }).join(', ');
   }).value;
-  const bestText = isOfMap ? valuesOfBest : null;
   const sentence = map
-    ? `The longest ${map.goal} over ${labelOf(across)} and ${labelOf(up)} is `
-      + `${length(best?.flight[map.goal] ?? most, units)}${bestText ? `, at ${bestText}` : ''}.`
-    : explorer.mapMessage.value ?? 'No map yet.';
+    ? `The longest ${map.goal} over ${labelOf(map.across)} and ${labelOf(map.up)} is `
+      + `${length(best?.flight[map.goal] ?? most, units)}${best ? `, at ${valuesOfBest}` : ''}.`
+    : explorer.mapMessage.current ?? 'No map yet.';
   const outside = useComputed(() => outsideOf(explorer)).value;
   const over = useLoop(map);
   const said = [sentence, outside, over?.sentence].filter((text) => text).join(' ');
   return (
-    <Figure name="map" title="Map" sentence={said} place={ref} below={<Axes />}
+    <Figure name="map" title="Map" sentence={said} mark={mark} place={ref} below={<Axes />}
       table={() => (map ? tableOf(map, units, explorer) : { head: [], rows: [] })}>
       {map && <Picture map={map} width={width} sentence={said} loop={over?.loop ?? null} />}
     </Figure>
@@ -53,7 +52,7 @@ export function MapView() {
 
 /** A sentence if your drive is outside of the map; null otherwise. */
 function outsideOf(explorer: Explorer): string | null {
-  const map = explorer.map.value;
+  const map = explorer.map.last;
   if (!map) return null;
   const places = [map.across, map.up].flatMap((name, axis) => {
     const value = explorer.value(name) ?? NaN;
@@ -62,6 +61,14 @@ function outsideOf(explorer: Explorer): string | null {
       ? [`${labelOf(name)} ${withUnit(explorer.shown(name, value), explorer.unit(name))}`] : [];
   });
   return places.length > 0 ? `Your drive is outside of the map: ${places.join(', ')}.` : null;
+}
+
+/** The best point over the parameters of the map; null if it is of other parameters. */
+function bestOf(map: MapData | null, explorer: Explorer): Best | null {
+  const best = explorer.mapBest.last;
+  const isOfMap = best && map && best.goal === map.goal
+    && best.names.every((name) => [map.across, map.up].includes(name));
+  return isOfMap ? best : null;
 }
 
 interface PictureProps {
@@ -74,7 +81,7 @@ interface PictureProps {
 function Picture({ map, width, sentence, loop }: PictureProps) {
   const { explorer } = usePage();
   const plan = planOf(map, width);
-  const best = explorer.mapBest.value;
+  const best = bestOf(map, explorer);
   const theirs = [
     plan.x(best?.values[map.across] ?? NaN), plan.y(best?.values[map.up] ?? NaN)] as const;
   const move = (event: PointerEvent) => {
@@ -99,12 +106,15 @@ function Picture({ map, width, sentence, loop }: PictureProps) {
     move(event);
   };
   return (
-    <svg width={width} height={HEIGHT} role="img" aria-label={`Map. ${sentence}`}
+    <svg class={explorer.map.mark} width={width} height={HEIGHT}
+      role="img" aria-label={`Map. ${sentence}`}
       onPointerDown={take} onPointerMove={move} onPointerUp={() => explorer.release()}>
       <Areas map={map} width={width} />
       {loop && <LoopLines loop={loop} map={map} width={width} />}
       <MapScales map={map} plan={plan} />
-      {theirs.every(Number.isFinite) && <Star x={theirs[0]} y={theirs[1]} />}
+      {theirs.every(Number.isFinite) && (
+        <g class={explorer.mapBest.mark}><Star x={theirs[0]} y={theirs[1]} /></g>
+      )}
       <Yours map={map} plan={plan} />
     </svg>
   );

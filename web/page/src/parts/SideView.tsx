@@ -16,9 +16,10 @@ export function SideView() {
   const { explorer } = usePage();
   const units = explorer.units.value;
   const { ref, width } = useWidth();
-  const flown = explorer.drive.value;
+  const flown = explorer.drive.last;
   const drive = landedOf(flown);
-  const ghost = explorer.ghost.value;
+  const ghost = explorer.ghost.last;
+  const mark = explorer.isRefused.value ? 'stale' : '';
   const all = [drive, ghost];
   const distance = farthest(all);
   const scale = (width - MARGIN.left - MARGIN.right) / distance;
@@ -56,13 +57,15 @@ export function SideView() {
     </>
   ), [width, distance, top, bottom, units]);
   return (
-    <Figure name="side" title="Side view" sentence={sentence} table={() => pathTable(drive, unit)} place={ref}>
-      <svg width={width} height={height} role="img" aria-label={`Side view. ${sentence}`}>
+    <Figure name="side" title="Side view" sentence={sentence} mark={mark} table={() => pathTable(drive, unit)} place={ref}>
+      <svg class={mark} width={width} height={height} role="img" aria-label={`Side view. ${sentence}`}>
         {scales}
         <line class="ground" x1={x(0)} x2={x(distance)} y1={y(ground)} y2={y(ground)} />
-        {ghost && <Curve drive={ghost} name="ghost" axis="height" x={x} y={y} scale={plan} />}
+        <g class={explorer.ghost.mark}>
+          {ghost && <Curve drive={ghost} name="ghost" axis="height" x={x} y={y} scale={plan} />}
+          <Landed drive={ghost} x={x} y={y} name="ghost" />
+        </g>
         {drive && <Curve drive={drive} name="yours" axis="height" x={x} y={y} scale={plan} />}
-        <Landed drive={ghost} x={x} y={y} name="ghost" />
         <Landed drive={drive} x={x} y={y} name="yours" />
       </svg>
     </Figure>

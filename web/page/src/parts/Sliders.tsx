@@ -36,7 +36,7 @@ export function Sliders() {
 function StartSwitch({ isLaunch }: { isLaunch: boolean }) {
   const { explorer } = usePage();
   const toLaunch = () => {
-    const outcomes = explorer.drive.value?.outcomes ?? {};
+    const outcomes = explorer.drive.last?.outcomes ?? {};
     const values = LAUNCH_FIRST.map((name) => {
       const { parameter, decimals } = explorer.field(name);
       const value = outcomes[name.slice('launch.'.length)] ?? 0;

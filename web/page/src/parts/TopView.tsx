@@ -30,9 +30,10 @@ export function TopView() {
   const first = useSteady(
     () => firstOf(explorer.design.value).join(), () => firstOf(explorer.design.value));
   const pair = chosen.every((name) => first.includes(name)) ? chosen : usual;
-  const flown = explorer.drive.value;
+  const flown = explorer.drive.last;
   const drive = landedOf(flown);
-  const ghost = explorer.ghost.value;
+  const ghost = explorer.ghost.last;
+  const mark = explorer.isRefused.value ? 'stale' : '';
   const distance = farthest([drive, ghost]);
   const scale = (width - MARGIN.left - MARGIN.right) / distance;
   const aside = [drive, ghost].flatMap((each) =>
@@ -67,11 +68,13 @@ export function TopView() {
     </>
   ), [width, distance, half, units]);
   return (
-    <Figure name="top" title="View from above" sentence={sentence} table={() => pathTable(drive, unit)} place={ref}
+    <Figure name="top" title="View from above" sentence={sentence} mark={mark} table={() => pathTable(drive, unit)} place={ref}
       below={<Aim names={first} pair={pair} onPair={setChosen} carry={carry} lateral={lateral} onAim={aim} />}>
-      <svg width={width} height={height} role="img" aria-label={`View from above. ${sentence}`}>
+      <svg class={mark} width={width} height={height} role="img" aria-label={`View from above. ${sentence}`}>
         {scales}
-        {ghost && <Curve drive={ghost} name="ghost" axis="right" x={x} y={y} scale={plan} />}
+        <g class={explorer.ghost.mark}>
+          {ghost && <Curve drive={ghost} name="ghost" axis="right" x={x} y={y} scale={plan} />}
+        </g>
         {drive && <Curve drive={drive} name="yours" axis="right" x={x} y={y} scale={plan} />}
         {drive && (
           <Handle x={x(carry)} y={y(lateral)}
@@ -138,7 +141,7 @@ function Aim(props: AimProps) {
   const [isOpen, setOpen] = useState(false);
   return (
     <>
-      {explorer.aimMessage.value && <p class="message" role="status">{explorer.aimMessage.value}</p>}
+      {explorer.aimMessage.current && <p class="message" role="status">{explorer.aimMessage.current}</p>}
       <details class="aim" onToggle={(event) => setOpen(event.currentTarget.open)}>
         <summary>aim: move the landing point</summary>
         {isOpen && <AimSliders {...props} />}

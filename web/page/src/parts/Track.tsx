@@ -21,19 +21,21 @@ interface Props {
 export function Track({ name, sliderRange: { low, high }, value, units, children }: Props) {
   const { explorer } = usePage();
   const slope = explorer.slopes.value.get(name);
-  const best = explorer.best.value?.values[name];
+  const best = explorer.best.last?.values[name];
+  const markClass = `best-mark ${explorer.best.mark.value}`;
+  const bandClass = explorer.isRefused.value ? 'band stale' : 'band';
   const part = (x: number) => Math.min(1, Math.max(0, (x - low) / (high - low)));
   let band = null;
   if (slope && value !== null && Number.isFinite(value)) {
     const ends = bandOf(value, slope, LOSS[units]);
     const [from, to] = [part(ends.low), part(ends.high)];
-    band = <span class="band" style={{ left: place(from), width: `calc(${to - from} * (100% - ${2 * KNOB}px))` }} />;
+    band = <span class={bandClass} style={{ left: place(from), width: `calc(${to - from} * (100% - ${2 * KNOB}px))` }} />;
   }
   return (
     <div class="track">
       {band}
       {children}
-      {best !== undefined && <span class="best-mark" title="best" style={{ left: place(part(best)) }} />}
+      {best !== undefined && <span class={markClass} title="best" style={{ left: place(part(best)) }} />}
     </div>
   );
 }

@@ -2,19 +2,25 @@
 import { useEffect, useState } from 'preact/hooks';
 
 /** The result of a request: null if it has no answer, undefined if a newer request replaced it. */
-type Answered<T> = Promise<T | null | undefined>;
+type Result<T> = Promise<T | null | undefined>;
 
-/**
- * The last answer of `ask`; null before the first answer. `milliseconds` after the last change of
- * `key`, `ask` is called again.
- */
-export function useAnswer<T>(key: string, milliseconds: number, ask: () => Answered<T>): T | null {
-  const [found, setFound] = useState<T | null>(null);
+export interface Answered<T> {
+  /** The last answer; null if there is none. */
+  answer: T | null;
+  /** True if the answer belongs to the present key, false if it belongs to an earlier one. */
+  isCurrent: boolean;
+  /** The CSS class of an element that shows the answer. */
+  mark: '' | 'stale';
+}
+
+/** The last answer of `ask`, which is called `milliseconds` after the last change of `key`. */
+export function useAnswer<T>(key: string, milliseconds: number, ask: () => Result<T>): Answered<T> {
+  const [found, setFound] = useState<{ key: string; answer: T | null } | null>(null);
   useEffect(() => {
     let isCurrent = true;
     const timer = setTimeout(() => {
       void ask().then((answer) => {
-        if (isCurrent && answer !== undefined) setFound(answer);
+        if (isCurrent && answer !== undefined) setFound({ key, answer });
       });
     }, milliseconds);
     return () => {
@@ -22,5 +28,6 @@ export function useAnswer<T>(key: string, milliseconds: number, ask: () => Answe
       clearTimeout(timer);
     };
   }, [key]);
-  return found;
+  const isCurrent = found?.key === key;
+  return { answer: found?.answer ?? null, isCurrent, mark: isCurrent ? '' : 'stale' };
 }

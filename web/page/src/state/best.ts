@@ -7,13 +7,14 @@ import type { SliderRange } from '../setup/slider';
 import { decimalsOf } from '../setup/slider';
 import { textOf } from '../setup/units';
 import { rangeWords, setupWords } from '../setup/words';
-import type { State } from './state';
+import type { Goal, State } from './state';
 
 export interface Best {
+  goal: Goal;
   names: readonly string[];
   values: Readonly<Record<string, number>>;
-  /** The design with these values. */
-  design: Design;
+  /** The values as texts of a design. */
+  texts: Readonly<Record<string, string>>;
   flight: Readonly<Record<string, number | null>>;
   /**
    * Gain of the goal per unit (SI) by which the bound of a parameter is moved outwards; 0 for a
@@ -45,7 +46,16 @@ export function bestWords(
   return ['optimize', ...setupWords(design), '--maximize', goal, ...vary, '--units', units, '--json'];
 }
 
-export function readBest({ exit, answer }: Reply, design: Design, fields: Fields): Best | null {
+/**
+ * A key that changes whenever another best drive is needed. It does not depend on the values that
+ * the design has for the parameters of the search.
+ */
+export function bestKey(fields: Fields, state: State, design: Design, names: readonly string[]): string {
+  const others = withValues(design, Object.fromEntries(names.map((name) => [name, undefined])));
+  return JSON.stringify(bestWords(fields, state, others, names));
+}
+
+export function readBest({ exit, answer }: Reply, goal: Goal, fields: Fields): Best | null {
   if (exit !== 0) return null;
   const { optimum, flight, multipliers, warnings } = JSON.parse(answer) as OptimizeAnswer;
   const names = Object.keys(optimum);
@@ -59,9 +69,10 @@ export function readBest({ exit, answer }: Reply, design: Design, fields: Fields
     return [name, lower + upper] as const;
   });
   return {
+    goal,
     names,
     values: optimum,
-    design: withValues(design, Object.fromEntries(texts)),
+    texts: Object.fromEntries(texts),
     flight,
     beyond: Object.fromEntries(beyond),
     warnings,

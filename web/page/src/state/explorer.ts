@@ -13,8 +13,9 @@ import { decimalsOf, sliderRangeOf } from '../setup/slider';
 import { digits, distinct, fromSI, textOf, unitIn } from '../setup/units';
 import { setupWords } from '../setup/words';
 import type { Best } from './best';
-import { bestWords, readBest } from './best';
+import { bestKey, bestWords, readBest } from './best';
 import { Debounce } from './debounce';
+import { Latest } from './latest';
 import type { MapAxes, MapData } from './map';
 import { mapCall, mapKey, readMap } from './map';
 import type { State } from './state';
@@ -27,6 +28,12 @@ const FINE = 60;
 /** Milliseconds after the last change until the slower answers are computed. */
 const REST = 150;
 
+/** A design with its drive; without a drive if the core refused the design. */
+export interface Flown {
+  design: Design;
+  drive: Drive | null;
+}
+
 export class Explorer {
   readonly catalog: Catalog;
   /** The worker for answers that follow a slider. */
@@ -35,7 +42,8 @@ export class Explorer {
   readonly background: Lane;
 
   readonly state;
-  readonly drive = signal<Drive | null>(null);
+  /** The last drive that the core did not refuse. */
+  readonly drive = new Latest<Drive>(() => this.#driveKey.value);
   readonly refusal = signal<Refusal | null>(null);
   readonly slopes = signal<ReadonlyMap<string, Slope>>(new Map());
   /**
@@ -43,14 +51,20 @@ export class Explorer {
    * parameter replaces it.
    */
   readonly noSlope = signal<ReadonlyMap<string, string>>(new Map());
-  readonly best = signal<Best | null>(null);
-  readonly bestMessage = signal<string | null>(null);
-  readonly ghost = signal<Drive | null>(null);
-  readonly map = signal<MapData | null>(null);
+  /** True if the core refuses the design: `drive` is then an earlier one. */
+  readonly isRefused = computed(() => this.refusal.value !== null && !this.drive.isCurrent);
+  /** The best drive; null if the search found none, for the reason `bestMessage`. */
+  readonly best = new Latest<Best | null>(() => this.#bestKey.value);
+  /** It depends on the values with which the search begins. */
+  readonly bestMessage = new Latest<string | null>(() => this.#driveKey.value);
+  /** The drive with the best values. */
+  readonly ghost = new Latest<Drive | null>(() => this.#bestKey.value);
+  readonly map = new Latest<MapData>(() => this.#mapKey.value);
   /** The reason for a missing map. */
-  readonly mapMessage = signal<string | null>(null);
-  readonly mapBest = signal<Best | null>(null);
-  readonly others = signal<readonly (Drive | Refusal | null)[]>([]);
+  readonly mapMessage = new Latest<string>(() => this.#mapKey.value);
+  readonly mapBest = new Latest<Best | null>(() => this.#mapKey.value);
+  /** All designs with their drives; without answers if there is only one design. */
+  readonly others = new Latest<readonly Flown[]>(() => JSON.stringify(this.state.value.designs));
   /** True while an answer about the state is missing. */
   readonly busy = signal(true);
   readonly trap = signal<string | null>(null);
@@ -59,7 +73,7 @@ export class Explorer {
   readonly #long = signal<readonly { what: string; topic: string }[]>([]);
   /** The description of the long command that runs; null without one. */
   readonly working = computed(() => this.#long.value[0]?.what ?? null);
-  readonly aimMessage = signal<string | null>(null);
+  readonly aimMessage = new Latest<string | null>(() => this.#driveKey.value);
   /**
    * The time step of the loop that is drawn over the map and a slider, s; null if none is drawn.
    */
@@ -74,9 +88,15 @@ export class Explorer {
   readonly law = computed(() => lawOf(this.design.value, this.catalog));
   readonly isLaunch = computed(() => hasLaunch(this.design.value));
 
+  readonly #driveKey = computed(() => {
+    const { goal, units } = this.state.value;
+    return JSON.stringify([this.design.value, goal, units]);
+  });
+  readonly #bestKey = computed(() =>
+    bestKey(this, this.state.value, this.design.value, varyOf(this.state.value)));
+  readonly #mapKey = computed(() => mapKey(this.design.value, this.#mapAxes()));
   /** The design of the last aim. */
   #aimed: Design | null = null;
-  #mapKey = '';
   #traps = 0;
   #commands = 0;
   readonly #rest = new Debounce(REST);
@@ -106,9 +126,7 @@ export class Explorer {
     const isOther = state !== this.state.value;
     this.state.value = state;
     this.onChange(state, isFinal);
-    if (!isOther) return;
-    this.aimMessage.value = null;
-    this.refresh();
+    if (isOther) this.refresh();
   }
 
   changeDesign(design: Design, isFinal = true) {
@@ -138,6 +156,12 @@ export class Explorer {
     const isMore = names.some((name) => !this.#shown.includes(name));
     this.#shown = names;
     if (isMore) this.refresh();
+  }
+
+  /** Sets the parameters of the search to their best values, if the best drive is known. */
+  goToBest() {
+    const best = this.best.current;
+    if (best) this.changeDesign(withValues(this.design.value, best.texts));
   }
 
   /** Ends a drag: its last state can be undone. */
@@ -224,7 +248,8 @@ export class Explorer {
       await flown;
       void this.#findBest();
       void this.#flyOthers();
-      void this.#flyMap(FINE);
+      await this.#flyMap(FINE);
+      void this.#findMapBest();
     });
   }
 
@@ -239,6 +264,7 @@ export class Explorer {
   async #fly() {
     const { goal, units } = this.state.value;
     const design = this.design.value;
+    const question = this.drive.question();
     const setup = this.setup();
     const wrt = this.#priced();
     const calls: Call[] = [
@@ -257,14 +283,15 @@ export class Explorer {
       }
       keepValues(readStated(first), design, this.catalog);
       const drive = readDrive(first);
-      this.drive.value = drive;
+      this.drive.give(question, drive);
       this.refusal.value = drive.status === 'landed' ? null
         : { message: drive.message ?? drive.status, parameters: [] };
       const known = answer.numbers.filter((numbers) => !isRefused(numbers));
       this.slopes.value = new Map(known.flatMap((numbers) => [...readSlopes(numbers)]));
       this.noSlope.value = new Map(known.flatMap((numbers) => [...readMissing(numbers)]));
     });
-    this.#mapIfOther();
+    // a coarse map at once: it does not depend on the values on its axes, so it seldom changes
+    if (!this.map.isCurrent) void this.#flyMap(COARSE);
   }
 
   /**
@@ -294,37 +321,39 @@ export class Explorer {
   async #findBest() {
     const state = this.state.value;
     const design = this.design.value;
-    const names = varyOf(state);
-    const reply = await this.background.command('best', bestWords(this, state, design, names));
-    if (!reply || design !== this.design.value) return;
-    const best = readBest(reply, design, this);
-    this.bestMessage.value = best ? null : messageOf(reply);
-    this.best.value = best;
-    if (!best) {
-      this.ghost.value = null;
-      return;
-    }
-    const call: Call = { endpoint: 'drive', request: { setup: this.setup(best.design), path: true, order: 0 } };
-    const answer = await this.interactive.calls('ghost', [call]);
+    const question = this.best.question();
+    const messageQuestion = this.bestMessage.question();
+    const words = bestWords(this, state, design, varyOf(state));
+    const reply = await this.background.command('best', words);
+    if (!reply) return;
+    const best = readBest(reply, state.goal, this);
+    batch(() => {
+      this.bestMessage.give(messageQuestion, best ? null : messageOf(reply));
+      this.best.give(question, best);
+      if (!best) this.ghost.give(question, null);
+    });
+    if (!best) return;
+    const setup = this.setup(withValues(design, best.texts));
+    const request = { setup, path: true, order: 0 };
+    const answer = await this.interactive.calls('ghost', [{ endpoint: 'drive', request }]);
     const first = answer?.numbers[0];
-    if (first && !isRefused(first)) this.ghost.value = readDrive(first);
+    if (first && !isRefused(first)) this.ghost.give(question, readDrive(first));
   }
 
   async #flyOthers() {
     const { designs, units } = this.state.value;
-    if (designs.length < 2) {
-      if (this.others.value.length) this.others.value = [];
-      return;
-    }
+    if (designs.length < 2) return;
+    const question = this.others.question();
     const calls = designs.map((design): Call =>
       ({ endpoint: 'drive', request: { setup: this.setup(design), units, path: true, order: 0 } }));
     const answer = await this.interactive.calls('others', calls);
     if (!answer) return;
-    this.others.value = answer.numbers.map((numbers, at) => {
-      if (isRefused(numbers)) return refusalOf(numbers);
-      keepValues(readStated(numbers), designs[at]!, this.catalog);
-      return readDrive(numbers);
-    });
+    this.others.give(question, designs.map((design, at) => {
+      const numbers = answer.numbers[at];
+      if (!numbers || isRefused(numbers)) return { design, drive: null };
+      keepValues(readStated(numbers), design, this.catalog);
+      return { design, drive: readDrive(numbers) };
+    }));
   }
 
   /** The axes of the map. A drag does not change their ranges, so the map stays. */
@@ -334,40 +363,28 @@ export class Explorer {
     return { across, up, ranges: [range(across), range(up)], goal: this.state.value.goal };
   }
 
-  /**
-   * Computes a coarse map at once if the map is out of date. It does not depend on the values that
-   * the design has for the parameters of its axes.
-   */
-  #mapIfOther() {
-    if (mapKey(this.design.value, this.#mapAxes()) !== this.#mapKey) void this.#flyMap(COARSE);
-  }
-
   async #flyMap(nodes: number) {
+    if ((this.map.current?.columns ?? 0) >= nodes) return;
     const axes = this.#mapAxes();
-    const key = mapKey(this.design.value, axes);
-    const isKnown = key === this.#mapKey && (this.map.value?.columns ?? 0) >= nodes;
-    if (isKnown || this.refusal.value) return;
+    const question = this.map.question();
     const answer = await this.interactive.calls('map', [mapCall(axes, this.setup(), [nodes, nodes])]);
     const first = answer?.numbers[0];
     if (!first) return;
-    this.mapMessage.value = isRefused(first) ? refusalOf(first).message : null;
     if (isRefused(first)) {
-      this.map.value = null;
+      this.mapMessage.give(question, refusalOf(first).message);
       return;
     }
-    this.#mapKey = key;
-    this.map.value = readMap(first, axes);
-    if (nodes === FINE) await this.#findMapBest();
+    this.map.give(question, readMap(first, axes));
   }
 
+  /** Finds the best point of the map, unless it is known. */
   async #findMapBest() {
-    const design = this.design.value;
-    const key = mapKey(design, this.#mapAxes());
-    const words = bestWords(this, this.state.value, design, mapOf(this.state.value));
+    if (this.mapBest.current || !this.map.isCurrent) return;
+    const state = this.state.value;
+    const question = this.mapBest.question();
+    const words = bestWords(this, state, this.design.value, mapOf(state));
     const reply = await this.background.command('map best', words);
-    // a change of the axes' own parameters changes neither the map nor its best point
-    const isCurrent = key === mapKey(this.design.value, this.#mapAxes());
-    if (reply && isCurrent) this.mapBest.value = readBest(reply, design, this);
+    if (reply) this.mapBest.give(question, readBest(reply, state.goal, this));
   }
 
   /**
@@ -385,16 +402,13 @@ export class Explorer {
     // a change by the person replaces this aim; an answer to an earlier aim of the drag does not
     const isCurrent = [design, this.#aimed].includes(this.design.value);
     if (!isCurrent) return;
-    const message = first.head.message ?? null;
-    if (first.head.status !== 'reached' && first.head.status !== 'nearest') {
-      this.aimMessage.value = message;
-      return;
+    if (first.head.status === 'reached' || first.head.status === 'nearest') {
+      const values = Object.fromEntries(names.map((name, k) =>
+        [name, textOf(first.block[k] ?? NaN, this.field(name).unit, 4)]));
+      this.#aimed = withValues(this.design.value, values);
+      this.changeDesign(this.#aimed, false);
     }
-    const values = Object.fromEntries(names.map((name, k) =>
-      [name, textOf(first.block[k] ?? NaN, this.field(name).unit, 4)]));
-    this.#aimed = withValues(this.design.value, values);
-    this.changeDesign(this.#aimed, false);
-    this.aimMessage.value = message;
+    this.aimMessage.give(this.aimMessage.question(), first.head.message ?? null);
   }
 
   /** Runs a long command, and shows its progress. The answer is null if the command was ended. */

@@ -1,6 +1,7 @@
 // The iterations of the search for the best drive, each with its quadratic model.
 import type { Call, Numbers } from '../core/messages';
 import type { SliderRange } from '../setup/slider';
+import type { Goal } from './state';
 
 /** One iteration, SI. Arrays have a number for each parameter that the search varies. */
 export interface Iteration {
@@ -36,6 +37,7 @@ export interface Trial {
 }
 
 export interface Iterations {
+  goal: Goal;
   names: readonly string[];
   ranges: readonly SliderRange[];
   /** How the search ended. */
@@ -50,7 +52,7 @@ export function iterationsCall(
   return { endpoint: 'iterations', request: { setup, units, of, vary } };
 }
 
-export function readIterations({ head, block }: Numbers, ranges: readonly SliderRange[]): Iterations {
+export function readIterations({ head, block }: Numbers, goal: Goal, ranges: readonly SliderRange[]): Iterations {
   const names = head.parameters ?? [];
   const n = names.length;
   let at = 0;
@@ -79,7 +81,7 @@ export function readIterations({ head, block }: Numbers, ranges: readonly Slider
       high,
     };
   });
-  return { names, ranges, message: head.message ?? '', list };
+  return { goal, names, ranges, message: head.message ?? '', list };
 }
 
 /** The quadratic model of an iteration at another point. */
