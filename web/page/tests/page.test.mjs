@@ -227,6 +227,21 @@ test('the best drive of an earlier drive is never set', async () => {
   });
 });
 
+test('a measured launch right after a change is the launch of the changed drive', async () => {
+  await stay(async ({ page }) => {
+    await atOnce(page, { slide: '#slide-club-loft', to: 14 }, { click: 'a measured launch' });
+    await settle(page);
+    assert.match(await fragment(page), /launch\.launch_angle=14\.9deg&launch\.backspin=3806rpm/);
+    // a drive that the core refuses has no launch
+    await page.evaluate(() => { location.hash = '1&tour-average&club.loft=10parsecs'; });
+    await settle(page);
+    await atOnce(page, { click: 'a measured launch' });
+    await settle(page);
+    assert.equal(await fragment(page), '#1&tour-average&club.loft=10parsecs');
+    assert.ok(await page.getByLabel('swing and club').isChecked());
+  });
+});
+
 /** Does steps while a long command keeps the background worker busy, then ends the command. */
 async function whileBusy(page, steps) {
   await page.getByRole('button', { name: /^report/ }).click();

@@ -1,8 +1,7 @@
 // All parameters: sliders of the first screen, other sliders in groups, and a search.
 import { useEffect, useState } from 'preact/hooks';
 import { firstOf, hasLaunch, lawOf, withValues } from '../setup/design';
-import { AIR_FIRST, LAUNCH_FIRST, groupOf, labelOf } from '../setup/parameters';
-import { textOf } from '../setup/units';
+import { AIR_FIRST, groupOf, labelOf } from '../setup/parameters';
 import { Choices } from './Choices';
 import { usePage } from './context';
 import { useSteady } from './steady';
@@ -35,15 +34,9 @@ export function Sliders() {
  */
 function StartSwitch({ isLaunch }: { isLaunch: boolean }) {
   const { explorer } = usePage();
-  const toLaunch = () => {
-    const outcomes = explorer.drive.last?.outcomes ?? {};
-    const values = LAUNCH_FIRST.map((name) => {
-      const { parameter, decimals } = explorer.field(name);
-      const value = outcomes[name.slice('launch.'.length)] ?? 0;
-      return [name, textOf(value, parameter.shown_in, decimals)] as const;
-    });
-    explorer.changeDesign(withValues(explorer.design.value, Object.fromEntries(values)));
-  };
+  // render again: the browser has checked the other button, whether the drive has a launch or not
+  const [, setTries] = useState(0);
+  const toLaunch = () => void explorer.startWithLaunch().then(() => setTries((tries) => tries + 1));
   const toClub = () => {
     const { set } = explorer.design.value;
     const launch = Object.keys(set).filter((name) => name.startsWith('launch.'));

@@ -7,7 +7,7 @@ import { isRefused, readDrive, readMissing, readSlopes, readStated, refusalOf } 
 import type { Design } from '../setup/design';
 import { WHEN_UNSET, firstOf, hasLaunch, keepValues, lawOf, numberOf, resetOf, setupOf, together, unstatedOf, withValues } from '../setup/design';
 import type { Catalog, Parameter } from '../setup/parameters';
-import { AIR_FIRST, groupOf } from '../setup/parameters';
+import { AIR_FIRST, LAUNCH_FIRST, groupOf } from '../setup/parameters';
 import type { SliderRange } from '../setup/slider';
 import { decimalsOf, sliderRangeOf } from '../setup/slider';
 import { digits, distinct, fromSI, textOf, unitIn } from '../setup/units';
@@ -95,6 +95,8 @@ export class Explorer {
   readonly #bestKey = computed(() =>
     bestKey(this, this.state.value, this.design.value, varyOf(this.state.value)));
   readonly #mapKey = computed(() => mapKey(this.design.value, this.#mapAxes()));
+  /** Ends when the core has answered about the last drive that was requested. */
+  #flown = Promise.resolve();
   /** The design of the last aim. */
   #aimed: Design | null = null;
   #traps = 0;
@@ -162,6 +164,22 @@ export class Explorer {
   goToBest() {
     const best = this.best.current;
     if (best) this.changeDesign(withValues(this.design.value, best.texts));
+  }
+
+  /**
+   * Replaces swing and club by the launch of their drive. If the drive is still computed, waits for
+   * it; a change by the person meanwhile replaces this one.
+   */
+  async startWithLaunch() {
+    const design = this.design.value;
+    await this.#flown;
+    const outcomes = this.drive.current?.outcomes;
+    if (!outcomes || design !== this.design.value) return;
+    const values = LAUNCH_FIRST.map((name) => {
+      const { parameter, decimals } = this.field(name);
+      return [name, textOf(outcomes[name.slice('launch.'.length)] ?? 0, parameter.shown_in, decimals)] as const;
+    });
+    this.changeDesign(withValues(design, Object.fromEntries(values)));
   }
 
   /** Ends a drag: its last state can be undone. */
@@ -242,6 +260,7 @@ export class Explorer {
   refresh() {
     this.busy.value = true;
     const flown = this.#fly();
+    this.#flown = flown;
     this.#rest.call(async () => {
       // wait for the drive, which may request a coarse map: if that came later, it would replace
       // the waiting request for the fine map
