@@ -284,6 +284,17 @@ test('answers about an earlier drive are grey until those of this drive come', a
   });
 });
 
+test('a setup file does not replace a drive that was changed while it was read', async () => {
+  await stay(async ({ page }) => {
+    await whileBusy(page, async () => {
+      await page.locator('.files input[type=file]').setInputFiles({ name: 'mine.toml', mimeType: 'text/plain', buffer: Buffer.from('preset = "tour-average"\nclub.loft = "12 deg"\n') });
+      await type(page, 'swing.speed', '100');
+    });
+    await page.locator('.files .message', { hasText: 'mine.toml was not opened' }).waitFor();
+    assert.equal(await fragment(page), '#1&tour-average&swing.speed=100mph');
+  });
+});
+
 test('a saved design has the outcomes of its own values', async () => {
   await stay(async ({ page }) => {
     await page.evaluate(() => { location.hash = '1&tour-average&b:club.loft=12deg&active=b'; });

@@ -25,12 +25,17 @@ export function Files() {
   const [message, setMessage] = useState<string | null>(null);
   const open = async (file: File) => {
     setMessage(null);
+    const design = explorer.design.value;
     const bytes = await bytesOf(file);
     const files = { 'setup.toml': bytes };
     const reply = await explorer.run(`reading ${file.name}`, ['parameters', 'setup.toml', '--json'], files);
     if (!reply) return;
     if (reply.exit !== 0) {
       setMessage(messageOf(reply).replace(/setup\.toml/g, file.name));
+      return;
+    }
+    if (design !== explorer.design.value) {
+      setMessage(`${file.name} was not opened: the drive was changed while it was read`);
       return;
     }
     const values = JSON.parse(reply.answer) as FileValues;
