@@ -242,6 +242,22 @@ test('a measured launch right after a change is the launch of the changed drive'
   });
 });
 
+test('undo during a drag undoes the drag, and the address follows', async () => {
+  await stay(async ({ page }) => {
+    await type(page, 'club.loft', '12');
+    await page.evaluate(() => {
+      const slider = document.querySelector('#slide-swing-speed');
+      slider.value = 80;
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
+    });
+    await page.keyboard.press('Control+z');
+    // longer than the pause between two changes of the address
+    await page.waitForTimeout(300);
+    assert.equal(await fragment(page), '#1&tour-average&club.loft=12deg');
+    assert.equal(await field(page, 'swing.speed').inputValue(), '115');
+  });
+});
+
 /** Does steps while a long command keeps the background worker busy, then ends the command. */
 async function whileBusy(page, steps) {
   await page.getByRole('button', { name: /^report/ }).click();

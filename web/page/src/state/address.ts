@@ -27,11 +27,11 @@ export class Address {
   }
 
   undo() {
-    this.#go(this.#history.undo());
+    this.#go(() => this.#history.undo());
   }
 
   redo() {
-    this.#go(this.#history.redo());
+    this.#go(() => this.#history.redo());
   }
 
   #changed(state: State, isFinal: boolean) {
@@ -47,7 +47,10 @@ export class Address {
     this.#tell();
   }
 
-  #go(fragment: string | undefined) {
+  #go(move: () => string | undefined) {
+    // a drag that goes on is a change of its own
+    this.#changed(this.#explorer.state.value, true);
+    const fragment = move();
     if (fragment === undefined) return;
     history.replaceState(null, '', `#${fragment}`);
     this.#apply(fragment);
@@ -64,6 +67,8 @@ export class Address {
   }
 
   #apply(fragment: string) {
+    // the address of a drag must not replace this one
+    clearTimeout(this.#timer);
     const { state, unknown } = read(fragment, this.#explorer.catalog);
     this.unknown.value = unknown;
     this.#explorer.state.value = state;
