@@ -610,6 +610,18 @@ test('shots of a launch monitor are flown, whatever the club and the golfer', as
     assert.match(await page.locator('.shots [role=status]').textContent(), /12 of 12 shots of shots\.csv/);
     await page.locator('.shots input[type=file]').setInputFiles({ name: 'bad.csv', mimeType: 'text/csv', buffer: Buffer.from('a,b\n1,2\n') });
     await page.locator('.shots .message').waitFor();
+    await page.locator('.shots input[type=file]').setInputFiles(shots);
+    await page.locator('.shots [role=status]').waitFor();
+    await type(page, 'club.loft', '11');
+    await settle(page);
+    assert.equal(await page.locator('.shots .stale').count(), 0);
+    await type(page, 'air.altitude', '5000');
+    await page.locator('.shots .warning', { hasText: 'flown with an earlier setup' }).waitFor();
+    assert.equal(await page.locator('.shots .stale').count(), 1);
+    await page.locator('.shots input[type=file]').setInputFiles(shots);
+    await page.locator('.shots .stale').waitFor({ state: 'detached' });
+    await page.locator('.shots input[type=file]').setInputFiles({ name: 'bad.csv', mimeType: 'text/csv', buffer: Buffer.from('a,b\n1,2\n') });
+    await page.locator('.shots .message').waitFor();
     assert.match(await page.locator('.shots .message').textContent(), /bad\.csv/);
   });
 });

@@ -1,4 +1,5 @@
 // Shots of a launch monitor: the page flies a CSV file and shows measured beside computed numbers.
+import { useComputed } from '@preact/signals';
 import { useState } from 'preact/hooks';
 import { fromSI, digits, signed, symbolOf } from '../setup/units';
 import type { Design } from '../setup/design';
@@ -27,6 +28,8 @@ interface Flown {
 
 interface Result {
   name: string;
+  /** The arguments of the setup of the flights, one a line. */
+  setup: string;
   flown: Flown;
   csv: Uint8Array;
 }
@@ -50,8 +53,9 @@ export function Shots() {
   const [message, setMessage] = useState<string | null>(null);
   const fly = async (file: File) => {
     setMessage(null);
+    const setup = flightWords(explorer.design.value);
     const files = { 'shots.csv': await bytesOf(file) };
-    const words = ['fly', 'shots.csv', ...flightWords(explorer.design.value), '--json', '-o', OUTPUT, '--units', explorer.state.value.units];
+    const words = ['fly', 'shots.csv', ...setup, '--json', '-o', OUTPUT, '--units', explorer.state.value.units];
     const reply = await explorer.run(`flying the shots of ${file.name}`, words, files);
     if (!reply) return;
     const csv = reply.files[OUTPUT];
@@ -60,7 +64,7 @@ export function Shots() {
       setMessage(messageOf(reply).replace(/shots\.csv/g, file.name));
       return;
     }
-    setResult({ name: file.name, flown: JSON.parse(reply.answer) as Flown, csv });
+    setResult({ name: file.name, setup: setup.join('\n'), flown: JSON.parse(reply.answer) as Flown, csv });
   };
   const begin = (file: File | undefined) => {
     if (file) fly(file).catch((error: Error) => setMessage(error.message));
@@ -91,8 +95,9 @@ export function Shots() {
   );
 }
 
-function Compared({ name, flown, csv }: Result) {
+function Compared({ name, setup, flown, csv }: Result) {
   const { explorer } = usePage();
+  const isStale = useComputed(() => flightWords(explorer.design.value).join('\n')).value !== setup;
   const units = explorer.units.value;
   const rows = flown.residuals.filter(({ rows: count }) => count > 0).map(({ of, rows: count, bias, mean_absolute: mean }) => {
     const known = ROWS.find((row) => row.name === of.replace('_distance', ''));
@@ -111,8 +116,16 @@ function Compared({ name, flown, csv }: Result) {
         {flown.flown} of {flown.rows} shots of {name} were flown.
         {flown.flown < flown.rows && ' For each shot that was not flown, the CSV below has the reason.'}
       </p>
+      {isStale && (
+        <p class="warning">
+          They were flown with an earlier setup of ball, air, wind and ground. Open the file again to fly
+          them with the setup of this drive.
+        </p>
+      )}
       {rows.length > 0 && (
-        <TableView head={['outcome', 'shots', 'computed − measured, mean', 'mean absolute']} rows={rows} />
+        <div class={isStale ? 'stale' : undefined}>
+          <TableView head={['outcome', 'shots', 'computed − measured, mean', 'mean absolute']} rows={rows} />
+        </div>
       )}
       <p class="buttons">
         <button type="button" onClick={() => download('flown.csv', new Uint8Array(csv), 'text/csv')}>
