@@ -242,6 +242,17 @@ test('a measured launch right after a change is the launch of the changed drive'
   });
 });
 
+test('an aim does not reach the copy of its design', async () => {
+  await stay(async ({ page }) => {
+    await page.locator('.aim summary').click();
+    await page.locator('.aim').getByLabel('lateral').waitFor();
+    await atOnce(page, { slide: '.aim label:last-of-type input', to: 10 }, { click: 'keep this design' });
+    await settle(page);
+    assert.equal(await fragment(page), '#1&tour-average&b:preset=tour-average&active=b');
+    await page.locator('.aim summary').click();
+  });
+});
+
 test('undo during a drag undoes the drag, and the address follows', async () => {
   await stay(async ({ page }) => {
     await type(page, 'club.loft', '12');

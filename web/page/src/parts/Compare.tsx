@@ -20,7 +20,7 @@ export function Compare() {
   const names = DESIGN_NAMES.slice(0, count);
   const change = (designs: readonly Design[], next: number) =>
     explorer.change({ ...explorer.state.value, designs, active: next });
-  const add = () => change([...explorer.state.value.designs, explorer.design.value], count);
+  const add = () => change([...explorer.state.value.designs, { ...explorer.design.value }], count);
   const remove = () => change(
     explorer.state.value.designs.filter((_, at) => at !== active), Math.max(0, active - 1));
   return (
