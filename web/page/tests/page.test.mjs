@@ -269,6 +269,26 @@ test('undo during a drag undoes the drag, and the address follows', async () => 
   });
 });
 
+test('a drag that the browser cancels can be undone', async () => {
+  await stay(async ({ page }) => {
+    await page.evaluate(() => {
+      const push = history.pushState;
+      history.pushState = (...given) => { window.pushed = push.apply(history, given) ?? true; };
+    });
+    for (const part of ['.map svg', '.face', '.handle .reach']) {
+      await page.evaluate(() => { window.pushed = false; });
+      const { x, y, width, height } = await page.locator(part).boundingBox();
+      await page.mouse.move(x + width / 2, y + height / 2);
+      await page.mouse.down();
+      await page.mouse.move(x + width / 2 - 20, y + height / 2 + 10);
+      await page.locator(part).dispatchEvent('pointercancel', { bubbles: true });
+      await settle(page);
+      assert.ok(await page.evaluate(() => window.pushed), part);
+      await page.mouse.up();
+    }
+  });
+});
+
 /** Does steps while a long command keeps the background worker busy, then ends the command. */
 async function whileBusy(page, steps) {
   await page.getByRole('button', { name: /^report/ }).click();

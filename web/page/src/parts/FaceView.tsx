@@ -57,7 +57,7 @@ export function FaceView() {
     <Figure name="face-view" title="Face" sentence={sentence} table={table}>
       <svg class="face" viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={`Strike point on the face. ${sentence}`}
         onPointerDown={take} onPointerMove={(event) => move(event, false)}
-        onPointerUp={() => explorer.release()}>
+        onPointerUp={() => explorer.release()} onPointerCancel={() => explorer.release()}>
         <rect class="head" x={10} y={10} width={WIDTH - 20} height={HEIGHT - 20} rx={48} />
         <line class="grid" x1={WIDTH / 2} x2={WIDTH / 2} y1={12} y2={HEIGHT - 12} />
         <line class="grid" x1={12} x2={WIDTH - 12} y1={HEIGHT / 2} y2={HEIGHT / 2} />

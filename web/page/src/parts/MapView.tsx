@@ -108,7 +108,7 @@ function Picture({ map, width, sentence, loop }: PictureProps) {
   return (
     <svg class={explorer.map.mark} width={width} height={HEIGHT}
       role="img" aria-label={`Map. ${sentence}`}
-      onPointerDown={take} onPointerMove={move} onPointerUp={() => explorer.release()}>
+      onPointerDown={take} onPointerMove={move} onPointerUp={() => explorer.release()} onPointerCancel={() => explorer.release()}>
       <Areas map={map} width={width} />
       {loop && <LoopLines loop={loop} map={map} width={width} />}
       <MapScales map={map} plan={plan} />

@@ -120,7 +120,7 @@ function Handle({ x, y, landing, onMove }: HandleProps) {
   };
   const release = () => void last.current.then(() => explorer.release());
   return (
-    <g class="handle" onPointerDown={take} onPointerMove={move} onPointerUp={release}>
+    <g class="handle" onPointerDown={take} onPointerMove={move} onPointerUp={release} onPointerCancel={release}>
       <circle class="reach" cx={x} cy={y} r={20} />
       <circle class="yours" cx={x} cy={y} r={7} />
     </g>
