@@ -345,15 +345,22 @@ fn sampling(best: &Optimum, analysis: Option<&SwingsAnalysis>, system: System) -
     }
 }
 
-/// Notes on the designs and gains that resamples of the recorded swings give, with 95 % intervals.
+/// Notes on the designs and gains that resamples of the recorded swings give, with intervals of
+/// about 95 %.
 fn resampled(best: &Optimum, found: &BootstrapOptimum, system: System) -> Vec<String> {
     let goal = &best.search.of;
-    let design = found.design.iter();
+    let design = best.search.vary.iter().zip(&found.design);
     let mut notes: Vec<String> = design
-        .map(|(parameter, design)| {
+        .map(|(vary, (parameter, design))| {
             let show = |value: f64| shown::parameter(parameter, value, system);
+            let clipped = match [design.low <= vary.low, design.high >= vary.high] {
+                [false, false] => "",
+                [true, true] => ": anywhere in its range",
+                _ => ": up to an end of its range",
+            };
             format!(
-                "from these swings the best {} lies between {} and {} (95 %, {} resamples)",
+                "from these swings the best {} lies between {} and {} (about 95 %, {} \
+                 resamples){clipped}",
                 parameter.name,
                 show(design.low),
                 show(design.high),
@@ -366,23 +373,22 @@ fn resampled(best: &Optimum, found: &BootstrapOptimum, system: System) -> Vec<St
     };
     let show = |value: f64| shown::goal_difference(goal, value, system);
     let better = format!(
-        "the best design is better by {} (95 %: {} to {}) than the design as set up",
+        "the best design is better by {} (about 95 %: {} to {}) than the design as set up",
         show(gain.value),
         show(gain.low),
         show(gain.high)
     );
     let recorded = best.search.scenarios.points.len() as u64;
     notes.push(match found.swings_needed {
-        Some(needed) if needed <= recorded => format!(
-            "{better}: these swings suffice to show the \
-                                                       difference"
-        ),
-        Some(needed) => format!(
+        Some(needed) if needed > recorded => format!(
             "{better}: about {needed} swings are needed to show the difference, {} more than \
              recorded",
             needed - recorded
         ),
-        None => better,
+        Some(_) if gain.low > 0.0 => {
+            format!("{better}: these swings suffice to show the difference")
+        }
+        _ => better,
     });
     notes
 }

@@ -73,6 +73,15 @@ pub struct ConstraintAtEnd<'a> {
 }
 
 impl Goal {
+    /// The smallest and the largest possible value of the goal, ±∞ if it has none.
+    pub(super) fn range(&self) -> [f64; 2] {
+        match self.terms.as_slice() {
+            [(1.0, Measure::Within(..))] => [0.0, 1.0],
+            [(1.0, Measure::Deviation(_) | Measure::RootMeanSquare(_))] => [0.0, f64::INFINITY],
+            _ => [f64::NEG_INFINITY, f64::INFINITY],
+        }
+    }
+
     /// The mean of an outcome over the swings.
     pub fn mean(of: Outcome) -> Self {
         Self {

@@ -1,5 +1,4 @@
 use super::golfer::Swings;
-use super::measure::Measure;
 use super::scenarios::{Rule, Scenarios};
 use crate::error::{Error, Result};
 use crate::optimize::{Observer, Status, minimize_observed};
@@ -201,9 +200,10 @@ fn interval(goal: &Goal, value: f64, others: &[f64]) -> Interval {
         [moments.mean, moments.deviation()].map(|number| number.unwrap_or(f64::NAN));
     let quantile = StudentsT::new(0.0, 1.0, n - 1.0).map_or(f64::NAN, |t| t.inverse_cdf(QUANTILE));
     let reach = quantile * deviation / n.sqrt();
-    let (mut low, mut high) = (value.min(mean - reach), value.max(mean + reach));
-    if let [(1.0, Measure::Within(..))] = goal.terms.as_slice() {
-        (low, high) = (low.max(0.0), high.min(1.0));
-    }
-    Interval { value, low, high }
+    let interval = Interval {
+        value,
+        low: value.min(mean - reach),
+        high: value.max(mean + reach),
+    };
+    interval.clipped(goal.range())
 }

@@ -6,7 +6,7 @@ use crate::statistics::Moments;
 use crate::study::Optimum;
 use crate::study::problem::SearchProblem;
 use crate::study::uncertainty::Interval;
-use crate::study::uncertainty::bootstrap::{bootstrap_interval, resampled_rows};
+use crate::study::uncertainty::bootstrap::{resampled_rows, small_sample_interval};
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
 use rayon::prelude::*;
@@ -19,17 +19,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[cfg_attr(test, schemars(rename = "ResampledReport"))]
 pub struct BootstrapOptimum {
-    /// The 95 % interval of each varied parameter.
+    /// The interval of about 95 % of each varied parameter, within its range.
     #[serde(rename = "optimum", serialize_with = "by_name")]
     #[cfg_attr(test, schemars(with = "std::collections::BTreeMap<String, Interval>"))]
     pub design: Vec<(&'static Parameter, Interval)>,
-    /// The 95 % interval of the objective.
+    /// The interval of about 95 % of the objective.
     #[serde(rename = "value")]
     pub goal: Interval,
     /// The number of resamples whose search converged.
     pub rounds: usize,
-    /// The 95 % interval of the gain over the design before the search; `null` if the ball does not
-    /// fly in one of the swings.
+    /// The interval of about 95 % of the gain over the design before the search; `null` if the ball
+    /// does not fly in one of the swings.
     #[serde(rename = "better_than_set_up")]
     pub gain: Option<Interval>,
     /// The number of swings needed to distinguish the best design from the design before the
@@ -80,12 +80,11 @@ pub fn bootstrap_optimum(
     let varied = best.search.vary.iter().zip(&best.solution.x).enumerate();
     let design = varied.map(|(i, (vary, x))| {
         let resamples = found.iter().map(|round| round.x[i]).collect();
-        (vary.parameter, bootstrap_interval(*x, resamples))
+        let interval = small_sample_interval(*x, resamples, points.len());
+        (vary.parameter, interval.clipped([vary.low, vary.high]))
     });
-    let goal = bootstrap_interval(
-        value,
-        found.iter().filter_map(|round| round.value).collect(),
-    );
+    let values = found.iter().filter_map(|round| round.value).collect();
+    let goal = small_sample_interval(value, values, points.len()).clipped(best.search.of.range());
     let gains: Vec<f64> = found.iter().filter_map(|round| round.gain).collect();
     let own = problem.goals_as_set_up().ok().filter(|_| gains.len() >= 2);
     let mean = own.map(|own| -best.search.sense.sign() * (value - own[0]));
@@ -97,7 +96,7 @@ pub fn bootstrap_optimum(
         goal,
         rounds: found.len(),
         swings_needed: mean.and_then(|mean| swings_needed(mean, &gains, points.len())),
-        gain: mean.map(|mean| bootstrap_interval(mean, gains)),
+        gain: mean.map(|mean| small_sample_interval(mean, gains, points.len())),
     }))
 }
 
