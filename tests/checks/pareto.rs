@@ -73,7 +73,31 @@ impl Functions for Corner {
     }
 }
 
+/// f₁ = x + y and f₂ = −(x³/3 − 3x²/2 + 2x) + y, with a local minimum of f₂ at x = 1 and y = 0.
+struct TurnsBack;
+
+impl Functions for TurnsBack {
+    fn evaluate<T: Number>(&self, x: &[T]) -> Result<Evaluation<T>, String> {
+        let cubic = x[0].powi(3) / 3.0 - x[0].powi(2) * 1.5 + x[0] * 2.0;
+        Ok(Evaluation {
+            objective: x[0] + x[1],
+            constraints: vec![-cubic + x[1]],
+        })
+    }
+}
+
 fn between(functions: impl Functions, low: [f64; 2], high: [f64; 2], count: usize) -> Front {
+    between_from(vec![vec![0.3, 0.9]], functions, low, high, count)
+}
+
+/// The searches for the ends begin at `starts`.
+fn between_from(
+    starts: Vec<Vec<f64>>,
+    functions: impl Functions,
+    low: [f64; 2],
+    high: [f64; 2],
+    count: usize,
+) -> Front {
     let free = (vec![f64::NEG_INFINITY], vec![f64::INFINITY]);
     let domain = Domain::new(low.to_vec(), high.to_vec())
         .unwrap()
@@ -83,12 +107,34 @@ fn between(functions: impl Functions, low: [f64; 2], high: [f64; 2], count: usiz
     front(
         &Exact(functions),
         &domain,
-        |_| Ok(vec![vec![0.3, 0.9]]),
+        |_| Ok(starts.clone()),
         &options,
         count,
         &Observers::default(),
     )
     .unwrap()
+}
+
+/// For x in [0, 3] and y ≥ 0, f₂ falls from x = 0 to 1 and from x = 2 to 3, and f₂(2.5) = f₂(1).
+/// So the front is y = 0 with x in [0, 1] or [2.5, 3], and its slope is 1/f₂′ = −1/((x − 1)(x − 2)).
+/// Between x = 1 and 2 both functions rise along the path from one end to the other.
+#[test]
+fn exact_front_whose_path_turns_back() {
+    for count in 5..24 {
+        let starts = vec![vec![0.3, 0.9], vec![2.9, 0.9]];
+        let found = between_from(starts, TurnsBack, [0.0; 2], [3.0, 1.0], count);
+        assert_eq!(found.ended, None, "{count}");
+        let inner = found.points.len() - 1;
+        for point in &found.points[1..inner] {
+            let x = point.x[0];
+            let is_on_front = x < 1.0 + 1e-6 || x > 2.0;
+            assert!(is_on_front, "{count}: x = {x}, slope {:?}", point.slope);
+            let slope = -((x - 1.0) * (x - 2.0)).recip();
+            if let Some(found) = point.slope.filter(|_| slope.abs() < 1e3) {
+                close(found, slope, slope.abs(), 1e-6, "slope");
+            }
+        }
+    }
 }
 
 /// The front is √f₁ + √f₂ = |q − p|, with the slope −√(f₁/f₂). Its knee is in the middle, and its

@@ -32,6 +32,13 @@ impl Compromise {
     pub fn is_jump(&self) -> bool {
         self.point.event == Some(FrontEvent::Jump)
     }
+
+    /// True for a point between the ends at which both functions rise along the front, or both
+    /// fall: a weight of the Lagrangian (1 + μ) a + (1 − μ) b is negative. A neighbour on the same
+    /// branch dominates this point, so it is no point of the front.
+    pub fn is_turned_back(&self) -> bool {
+        self.at.abs() < 1.0 && self.point.slope.is_some_and(|slope| slope > 0.0)
+    }
 }
 
 /// Plane of the two functions a and b, each scaled to 0 at its own minimum and to 1 at the other

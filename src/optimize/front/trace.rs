@@ -129,11 +129,12 @@ fn trace_from_both_ends(
     path
 }
 
-/// Joins two branches of a front, and keeps the better branch where they overlap.
+/// Joins two branches of a front, and keeps the better branch where they overlap. A branch ends
+/// where it turns back.
 fn join_branches(mut path: Vec<Compromise>, mut back: Vec<Compromise>) -> Vec<Compromise> {
     let (whole_path, whole_back) = (path.clone(), back.clone());
-    path.retain(|point| !is_worse_than_branch(point, &whole_back));
-    back.retain(|point| !is_worse_than_branch(point, &whole_path));
+    path.retain(|point| !point.is_turned_back() && !is_worse_than_branch(point, &whole_back));
+    back.retain(|point| !point.is_turned_back() && !is_worse_than_branch(point, &whole_path));
     let mut all: Vec<(Compromise, bool)> = path
         .into_iter()
         .map(|point| (point, false))
@@ -320,8 +321,8 @@ fn find_knee(plane: &FrontPlane<'_>, path: &[Compromise]) -> Option<Compromise> 
         })
 }
 
-/// Removes duplicates, and points that another point of `points` or `path` dominates. Also returns
-/// the number of dominated points.
+/// Removes duplicates, and points that another point dominates: one of `points` or `path`, or a
+/// neighbour of a point where the path turns back. Also returns the number of dominated points.
 fn nondominated(
     points: Vec<Compromise>,
     path: &[Compromise],
@@ -335,11 +336,8 @@ fn nondominated(
     let mut follows_jump = false;
     for place in &points {
         follows_jump |= place.is_jump();
-        let is_dominated = points
-            .iter()
-            .chain(path)
-            .any(|other| dominates(other, place));
-        if is_dominated {
+        let mut others = points.iter().chain(path);
+        if place.is_turned_back() || others.any(|other| dominates(other, place)) {
             dominated += 1;
             continue;
         }
