@@ -144,7 +144,7 @@ fn unknown(analysis: Option<&SwingsAnalysis>) -> Vec<String> {
     };
     let nominal = analysis.nominal.as_ref().err();
     let nominal =
-        nominal.map(|why| format!("the best design for the mean swing was not found: {why}"));
+        nominal.map(|why| format!("no comparison with the best design for the mean swing: {why}"));
     let error = match analysis.error() {
         Some(GoalError::Unknown(why)) => Some(format!(
             "the uncertainty of the best value is not known: the ball does not fly in one of the \
@@ -201,7 +201,7 @@ pub(super) fn goals(
 
 /// Notes on the designs and on the uncertainty of the answer.
 pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Line> {
-    let mut notes = unknown(over.analysis.as_ref());
+    let mut notes = vec![];
     let strikes = best.search.scenarios.parameters.iter();
     let mut strikes = strikes.filter(|parameter| parameter.name.starts_with("strike."));
     if strikes.next().is_some() || best.setup.strike.toe != 0.0 {
@@ -224,6 +224,7 @@ pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Li
     if let Some(found) = &over.resampled {
         notes.extend(resampled(best, found, system));
     }
+    notes.extend(unknown(over.analysis.as_ref()));
     notes.into_iter().map(Line::flush).collect()
 }
 

@@ -798,9 +798,39 @@ fn a_search_for_the_mean_swing_that_does_not_converge_gives_no_nominal_design() 
     );
     let printed = longdrive(&args);
     assert!(
-        on_one_line(&printed.out).contains("the best design for the mean swing was not found: "),
+        on_one_line(&printed.out).contains(
+            "no comparison with the best design for the mean swing: no design meets the limits"
+        ),
         "{}",
         printed.out
+    );
+}
+
+/// For one swing rms(lateral) is |lateral|, and its minimum 0 is a corner.
+#[test]
+fn a_search_for_the_mean_swing_that_stops_at_a_corner_has_one_sentence_after_the_result() {
+    let args = [
+        "optimize",
+        "modern-driver",
+        "--set",
+        "club.loft=12deg",
+        "--distribution",
+        "strike.toe=truncated(3mm,8mm,-20mm,20mm)",
+        "--maximize",
+        "mean(carry) - 0.5*rms(lateral)",
+        "--vary",
+        "club.cg_high=-10mm..10mm",
+        "--vary",
+        "club.cg_toe=-10mm..10mm",
+    ];
+    let printed = longdrive(&args);
+    let text = on_one_line(&printed.out);
+    let sentence = "no comparison with the best design for the mean swing: of one swing \
+                    rms(lateral) has a corner at lateral = 0, where the search stopped";
+    assert!(text.contains(sentence), "{text}");
+    assert!(
+        text.find("by Gauss's rules") < text.find(sentence),
+        "{text}"
     );
 }
 

@@ -1,12 +1,12 @@
 use super::golfer::Swings;
+use super::measure::Measure;
 use super::scenarios::{Rule, Scenarios};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::optimize::{Observer, Status, minimize_observed};
 use crate::parameters::Setup;
 use crate::statistics::Moments;
 use crate::study::problem::SearchProblem;
 use crate::study::uncertainty::Interval;
-use crate::study::verdict::solver_message;
 use crate::study::{Goal, Optimum, Search};
 use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, StudentsT};
@@ -17,7 +17,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// swings.
 #[derive(Clone, Debug)]
 pub struct SwingsAnalysis {
-    /// The best design for the mean swing, or the reason why it was not found.
+    /// The best design for the mean swing, or in plain words the reason why it is not known.
     pub nominal: std::result::Result<Nominal, String>,
     /// The error of each goal at the best design for all swings: first the objective, then the
     /// limited goals. The errors are estimated from other scenarios of the same distributions.
@@ -118,23 +118,46 @@ fn analysed(
         observer,
     )?;
     let nominal = match found.status {
-        Status::Converged => mean_swing.values(&found.x).map(|for_mean_swing| Nominal {
-            for_mean_swing,
-            over_swings: all_swings.values(&found.x).ok(),
-            design: found.x,
-        }),
-        _ => Err(Error::NotConverged {
-            status: found.status.name(),
-            message: solver_message(&found, (&search.of, search.sense), &search.vary),
-        }),
+        Status::Converged => mean_swing
+            .values(&found.x)
+            .map_err(|error| error.to_string())
+            .map(|for_mean_swing| Nominal {
+                for_mean_swing,
+                over_swings: all_swings.values(&found.x).ok(),
+                design: found.x,
+            }),
+        status => Err(why_no_design(status, &search.of)),
     };
     Ok(SwingsAnalysis {
-        nominal: nominal.map_err(|error| error.to_string()),
+        nominal,
         errors: match best.goals.as_deref() {
             Some(goals) => goal_errors(&all_swings, swings, &best.solution.x, goals),
             None => vec![],
         },
     })
+}
+
+/// Why a search for the mean swing that ended with `status` found no best design.
+fn why_no_design(status: Status, goal: &Goal) -> String {
+    let root_mean_square = goal.terms.iter().find_map(|(_, measure)| match measure {
+        Measure::RootMeanSquare(of) => Some(of.name()),
+        _ => None,
+    });
+    match (status, root_mean_square) {
+        // of one swing the root mean square of an outcome is its absolute value
+        (Status::StalledAtKink, Some(of)) => {
+            format!("of one swing rms({of}) has a corner at {of} = 0, where the search stopped")
+        }
+        (Status::StalledAtKink, None) => {
+            format!(
+                "{} has a corner there, where the search stopped",
+                goal.expression
+            )
+        }
+        (Status::Infeasible, _) => "no design meets the limits with this swing".into(),
+        (Status::Undefined, _) => "the ball of this swing does not fly".into(),
+        (status, _) => format!("its search ended before an optimum ({})", status.name()),
+    }
 }
 
 /// The error of each goal at the best design `x`, where the goals have the values `goals`. With
