@@ -35,10 +35,11 @@ export function MapView() {
       return `${labelOf(name)} ${value}`;
     }).join(', ');
   }).value;
-  const sentence = map
+  const longest = map
     ? `The longest ${map.goal} over ${labelOf(map.across)} and ${labelOf(map.up)} is `
       + `${length(best?.flight[map.goal] ?? most, units)}${best ? `, at ${valuesOfBest}` : ''}.`
-    : explorer.mapMessage.current ?? 'No map yet.';
+    : 'No map yet.';
+  const sentence = explorer.mapMessage.current ?? longest;
   const outside = useComputed(() => outsideOf(explorer)).value;
   const over = useLoop(map);
   const said = [sentence, outside, over?.sentence].filter((text) => text).join(' ');
