@@ -173,12 +173,12 @@ def optimize(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg, except a parameter that the request states].
+        and attack angle -5 to 5 deg; a parameter that you set, e.g. with loft, stays fixed].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
-        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
-        club.weight_2.mass <= 20 g".
+        named linear relation of parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass
+        <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     starts : int
@@ -203,13 +203,13 @@ def optimize(
         The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
     scenarios : int
         Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
-        for up to 3 parameters if no goal has an edge, else 512 swings].
+        for up to 3 distributions, else 512 swings; also 512 for lowest, highest and within].
     seed : int
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike
-        A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
-        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive,
-        from where it lands (no run).
+        A CSV table with the columns "distance [yd]" (to the hole) and "strokes" (expected number to
+        hole out). The goal "strokes(400yd)" is the expected number of strokes after the drive, on a
+        hole of 400 yd, from the landing point (without run).
     angles : {"rad", "deg"}
         The unit of angles without a unit.
     progress : bool or callable
@@ -285,12 +285,12 @@ def optimum_sensitivity(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg, except a parameter that the request states].
+        and attack angle -5 to 5 deg; a parameter that you set, e.g. with loft, stays fixed].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
-        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
-        club.weight_2.mass <= 20 g".
+        named linear relation of parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass
+        <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     starts : int
@@ -404,13 +404,13 @@ def design(
         The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
     scenarios : int
         Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
-        for up to 3 parameters if no goal has an edge, else 512 swings].
+        for up to 3 distributions, else 512 swings; also 512 for lowest, highest and within].
     seed : int
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike
-        A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
-        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive,
-        from where it lands (no run).
+        A CSV table with the columns "distance [yd]" (to the hole) and "strokes" (expected number to
+        hole out). The goal "strokes(400yd)" is the expected number of strokes after the drive, on a
+        hole of 400 yd, from the landing point (without run).
     rules : Literal["golf", "none"]
         The rules for the design: golf (moment of inertia, volume, spring effect, ball) or none
         [default: golf].
@@ -421,8 +421,8 @@ def design(
         The goal to minimize, e.g. "rms(lateral)".
     vary : Given
         A parameter of the head to vary, with its range, e.g. club.bulge_radius=200mm..600mm or
-        club.weight_1.toe=-50mm..50mm. [default: bulge and roll 150 to 1000 mm, loft 6 to 16 deg,
-        except a parameter that the request states].
+        club.weight_1.toe=-50mm..50mm. [default: bulge and roll 150 to 1000 mm, loft 6 to 16 deg; a
+        parameter that you set stays fixed].
     subject_to : Names
         A limit of a goal or of the head, e.g. "std(lateral) <= 20yd" or "head_mass <= 205 g"; or a
         relation with a name, linear in parameters, e.g. "volume: 120 cm^3 + 80 cm^2*club.cg_depth
@@ -488,7 +488,8 @@ def calibrate(
 ) -> CalibrateReply:
     """Fit parameters to measured shots.
 
-    With their uncertainties, and the combinations of parameters that the data do not determine.
+    Also finds their uncertainties, and the combinations of parameters that the data do not
+    determine.
 
     Parameters
     ----------
@@ -593,7 +594,7 @@ def delivery(
 ) -> DeliveryReply:
     """Find the swing and strike behind a measured launch.
 
-    With the combinations of parameters that the launch does not determine.
+    Also finds the combinations of parameters that the launch does not determine.
 
     Parameters
     ----------
@@ -611,12 +612,12 @@ def delivery(
     launch_direction : Amount
         The measured direction of the launch, + right of the target line [default: not measured].
     spin : Amount
-        The measured total spin, e.g. 2686rpm; with spin_axis.
+        The measured total spin, e.g. 2686rpm; spin_axis may be added.
     spin_axis : Amount
         The measured tilt of the spin axis, + for a ball that curves to the right [default: not
         measured].
     backspin : Amount
-        The measured backspin, in place of spin; with sidespin.
+        The measured backspin, in place of spin; sidespin may be added.
     sidespin : Amount
         The measured sidespin, + for a ball that curves to the right [default: not measured].
     shots : TableLike
@@ -630,11 +631,11 @@ def delivery(
         angle, shaft lean, path and face angle of the swing, and the impact point on the face].
     sigma : Given
         The prior standard uncertainty of a parameter about its value in the setup, e.g.
-        swing.attack_angle=1deg. [default: that of a launch monitor for a club value that an option
-        or a row states, and that of golfers for a value of the setup file].
+        swing.attack_angle=1deg. [default: the error of a launch monitor for a club value from an
+        option or a row; the spread among golfers for other values].
     output : PathLike
-        Write the setup with the delivery into this file; for several shots, with the mean of the
-        deliveries that explain their launches. Without such a delivery, no file is written.
+        Write the setup with the delivery into this file; for several shots, with the mean of all
+        deliveries that were found. If none was found, no file is written.
     swings : PathLike
         Write the swings that explain the shots into this file, for "longdrive optimize swings": a
         table with a row for each shot (.csv), or distributions with correlations, without the
@@ -709,12 +710,12 @@ def chart(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg, except a parameter that the request states].
+        and attack angle -5 to 5 deg; a parameter that you set, e.g. with loft, stays fixed].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
-        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
-        club.weight_2.mass <= 20 g".
+        named linear relation of parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass
+        <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     along : Given
@@ -781,7 +782,7 @@ def pareto(
 ) -> ParetoReply:
     """The best compromises between two goals.
 
-    For example carry and dispersion, with the rate of exchange between them.
+    For example between carry and dispersion. Also computes their rate of exchange.
 
     Parameters
     ----------
@@ -804,13 +805,14 @@ def pareto(
         A goal to minimize, e.g. "std(lateral)".
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg;
-        for one drive also attack angle -5 to 5 deg, except a parameter that the request states].
+        for one drive also attack angle -5 to 5 deg; a parameter that you set, e.g. with loft, stays
+        fixed].
     subject_to : Names
         A constraint on a goal, e.g. "apex_height <= 35 yd", or over many swings "mean(carry) >= 240
         yd". Every limit needs its unit.
     points : int
-        The number of points, spread evenly from the optimum of one goal to the optimum of the other
-        [default: 15].
+        The number of points, spread evenly along the front, with its ends. Points at the knee, and
+        where a bound or constraint becomes active or inactive, are added [default: 15].
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     swings : TableLike
@@ -826,18 +828,19 @@ def pareto(
         The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
     scenarios : int
         Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
-        for up to 3 parameters if no goal has an edge, else 512 swings].
+        for up to 3 distributions, else 512 swings; also 512 for lowest, highest and within].
     seed : int
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike
-        A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
-        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive,
-        from where it lands (no run).
+        A CSV table with the columns "distance [yd]" (to the hole) and "strokes" (expected number to
+        hole out). The goal "strokes(400yd)" is the expected number of strokes after the drive, on a
+        hole of 400 yd, from the landing point (without run).
     output : PathLike
-        Write the points into this file: .csv for all of them (each column head names its unit),
-        .toml for the setup at one of them, which at chooses.
+        Write all points into a .csv file (each column head names its unit), or the setup of one
+        point, which at chooses, into a .toml file.
     at : Amount
-        The point whose setup is written: "knee", or its number in the table [default: knee].
+        The point whose setup is written: its number in the table, or "knee", the point farthest
+        from the straight line between the ends [default: knee].
     overwrite : bool
         Replace the file if it exists.
     angles : {"rad", "deg"}
@@ -899,7 +902,8 @@ def robust(
 ) -> Optimum:
     """The design that loses least, whichever model is true.
 
-    Several models of impact and flight are compared.
+    Several models of impact and flight are compared. A design loses, under a model, its difference
+    from the best design for this model.
 
     Parameters
     ----------
@@ -921,12 +925,12 @@ def robust(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg, except a parameter that the request states].
+        and attack angle -5 to 5 deg; a parameter that you set, e.g. with loft, stays fixed].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
-        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
-        club.weight_2.mass <= 20 g".
+        named linear relation of parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass
+        <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     swings : TableLike
@@ -942,22 +946,23 @@ def robust(
         The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
     scenarios : int
         Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
-        for up to 3 parameters if no goal has an edge, else 512 swings].
+        for up to 3 distributions, else 512 swings; also 512 for lowest, highest and within].
     seed : int
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike
-        A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
-        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive,
-        from where it lands (no run).
+        A CSV table with the columns "distance [yd]" (to the hole) and "strokes" (expected number to
+        hole out). The goal "strokes(400yd)" is the expected number of strokes after the drive, on a
+        hole of 400 yd, from the landing point (without run).
     starts : int
         Make each search from this many starts, spread evenly over the ranges (the first is the
         setup's own) [default: 1].
     model : Given
         A model in addition to the setup itself: changes of the setup, e.g. "aero.law=ferguson" or
         "impact.friction=0.3,impact.gear_scale=0.5". [default: the laws launch-monitor and ferguson,
-        a friction of 0.3 and half the gear effect, each as its own model].
+        and gear effects of 0.5 and 1, each as its own model].
     within : Amount
-        The allowed loss of each model against its own best design [default: 1 yd for a distance].
+        Report whether the robust design is within this amount of the best design of every model
+        [default: 1 yd for a distance].
     output : PathLike
         Write the setup with the robust design into this setup file.
     overwrite : bool
@@ -1036,12 +1041,12 @@ def report(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg, except a parameter that the request states].
+        and attack angle -5 to 5 deg; a parameter that you set, e.g. with loft, stays fixed].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
-        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
-        club.weight_2.mass <= 20 g".
+        named linear relation of parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass
+        <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     output : PathLike
@@ -1056,7 +1061,7 @@ def report(
     along : Given
         The parameter along which optima are computed, with its range [default:
         swing.speed=80mph..130mph; with launch, launch.ball_speed=120mph..190mph; around the drive's
-        own speed if this is outside of the range].
+        own speed if that is outside of these ranges].
     angles : {"rad", "deg"}
         The unit of angles without a unit.
     progress : bool or callable
@@ -1106,7 +1111,8 @@ def fly(
 ) -> FlyReply:
     """Fly the shots of a launch monitor.
 
-    From a CSV export or GSPro Open Connect: predicted flights, compared with the measured flights.
+    Reads a CSV export or messages of GSPro Open Connect, and compares predicted with measured
+    flights.
 
     Parameters
     ----------
@@ -1384,12 +1390,12 @@ def sensitivity(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg, except a parameter that the request states].
+        and attack angle -5 to 5 deg; a parameter that you set, e.g. with loft, stays fixed].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
-        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
-        club.weight_2.mass <= 20 g".
+        named linear relation of parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass
+        <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     angles : {"rad", "deg"}

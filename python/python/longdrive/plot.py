@@ -145,12 +145,12 @@ def contour(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg, except a parameter that the request states].
+        and attack angle -5 to 5 deg; a parameter that you set, e.g. with loft, stays fixed].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
-        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
-        club.weight_2.mass <= 20 g".
+        named linear relation of parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass
+        <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     output : PathLike
@@ -237,12 +237,12 @@ def chart(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg, except a parameter that the request states].
+        and attack angle -5 to 5 deg; a parameter that you set, e.g. with loft, stays fixed].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
-        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
-        club.weight_2.mass <= 20 g".
+        named linear relation of parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass
+        <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     output : PathLike
@@ -341,13 +341,14 @@ def pareto(
         A goal to minimize, e.g. "std(lateral)".
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg;
-        for one drive also attack angle -5 to 5 deg, except a parameter that the request states].
+        for one drive also attack angle -5 to 5 deg; a parameter that you set, e.g. with loft, stays
+        fixed].
     subject_to : Names
         A constraint on a goal, e.g. "apex_height <= 35 yd", or over many swings "mean(carry) >= 240
         yd". Every limit needs its unit.
     points : int
-        The number of points, spread evenly from the optimum of one goal to the optimum of the other
-        [default: 15].
+        The number of points, spread evenly along the front, with its ends. Points at the knee, and
+        where a bound or constraint becomes active or inactive, are added [default: 15].
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     swings : TableLike
@@ -363,13 +364,13 @@ def pareto(
         The correlation of two parameters with distributions, e.g. swing.path,swing.face_angle=0.6.
     scenarios : int
         Take this many swings of the distributions, by a quasi-random sequence [default: quadrature
-        for up to 3 parameters if no goal has an edge, else 512 swings].
+        for up to 3 distributions, else 512 swings; also 512 for lowest, highest and within].
     seed : int
         The seed of the swings; the same seed gives the same swings [default: 0].
     strokes : TableLike
-        A CSV table of the expected strokes from a distance, with the columns "distance [yd]" and
-        "strokes", for the goal "strokes(400yd)": the expected strokes to hole out after this drive,
-        from where it lands (no run).
+        A CSV table with the columns "distance [yd]" (to the hole) and "strokes" (expected number to
+        hole out). The goal "strokes(400yd)" is the expected number of strokes after the drive, on a
+        hole of 400 yd, from the landing point (without run).
     output : PathLike
         The file to write: .svg or .png for a picture, .csv for its data (each column head names its
         unit).
@@ -779,12 +780,12 @@ def fairway(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg, except a parameter that the request states].
+        and attack angle -5 to 5 deg; a parameter that you set, e.g. with loft, stays fixed].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
-        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
-        club.weight_2.mass <= 20 g".
+        named linear relation of parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass
+        <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     output : PathLike
@@ -846,8 +847,8 @@ def face(
     ax: Any = None,
     progress: Progress = False,
 ) -> Picture:
-    """The club face from the front: the strike, the sweet spot, rings of carry lost, and the side
-    to which the spin axis tilts.
+    """The club face from the front: the strike, the sweet spot, contours of lost carry, and the
+    side to which the spin axis tilts.
 
     Parameters
     ----------
@@ -947,12 +948,12 @@ def strike(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg, except a parameter that the request states].
+        and attack angle -5 to 5 deg; a parameter that you set, e.g. with loft, stays fixed].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
-        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
-        club.weight_2.mass <= 20 g".
+        named linear relation of parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass
+        <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     after : SetupLike
@@ -1041,12 +1042,12 @@ def launch(
         The outcome to minimize.
     vary : Given
         A parameter to vary, with its range, e.g. club.loft=4deg..20deg. [default: loft 4 to 20 deg
-        and attack angle -5 to 5 deg, except a parameter that the request states].
+        and attack angle -5 to 5 deg; a parameter that you set, e.g. with loft, stays fixed].
     subject_to : Names
         A constraint on an outcome, e.g. "descent_angle >= 38 deg", "20 yd <= apex_height <= 35 yd"
         or "lateral == 0 m". Every limit needs its unit. A search over many swings also takes a
-        linear relation of parameters with a name, e.g. "budget: club.weight_1.mass +
-        club.weight_2.mass <= 20 g".
+        named linear relation of parameters, e.g. "budget: club.weight_1.mass + club.weight_2.mass
+        <= 20 g".
     max_iterations : int
         The largest number of iterations of a search [default: 500].
     output : PathLike
