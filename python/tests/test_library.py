@@ -170,7 +170,7 @@ def test_a_plot_is_drawn_into_axes(kind: str) -> None:
     picture = getattr(longdrive.plot, kind)("mae494", ax=ax, **arguments.get(kind, {}))
     lines = [picture.title, picture.subtitle] if picture.subtitle else [picture.title]
     assert picture.form == ".csv" and ax.get_title().split("\n") == lines
-    assert (kind in ("contour", "launch")) == (len(lines) == 2)
+    assert (kind in ("contour", "launch", "pareto")) == (len(lines) == 2)
     labels = [text.get_text() for text in ax.texts]
     assert (kind in ("contour", "launch")) == bool(labels)
     assert all(label.endswith(" m") for label in labels), labels
