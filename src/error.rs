@@ -514,7 +514,8 @@ pub(crate) fn nearest<'a>(
 /// last dot of a name separates its group from its last part: "club.weight_1" and "toe". If both
 /// names have the same number of dots, the similarity of the groups is multiplied by the similarity
 /// of the last parts, so that a long group does not outweigh the last part. A name without a group
-/// ("loft") is also compared with the last part of `known`.
+/// ("loft") is also compared with the last part of `known`. Names with different numbers of dots
+/// have 0.9 of the similarity of the whole names, because a common group raises it.
 fn similarity(given: &str, known: &str) -> f64 {
     if given.eq_ignore_ascii_case(known) {
         return 1.0;
@@ -528,7 +529,6 @@ fn similarity(given: &str, known: &str) -> f64 {
             strsim::jaro_winkler(given, known).max(0.99 * strsim::jaro_winkler(given, last))
         }
         (None, None) => strsim::jaro_winkler(given, known),
-        // a common group at the beginning does not make two names similar
         _ => 0.9 * strsim::jaro_winkler(given, known),
     }
 }

@@ -78,8 +78,8 @@ pub struct Args {
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 
-    /// Write the setup with the delivery into this file; for several shots, with the mean of all
-    /// deliveries that were found. If none was found, no file is written.
+    /// Write the setup with the delivery into this file; for several shots, with the mean of the
+    /// deliveries that explain their launches. If there is none, no file is written.
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
@@ -338,7 +338,7 @@ fn write_setup(
     setup: &Setup<f64>,
 ) -> Result<Option<String>> {
     let why_not = match (found.explained(), found.left_out) {
-        (0, _) => Some("no delivery was found"),
+        (0, _) => Some("no delivery explains its launch"),
         (_, 0) => None,
         _ => Some("the work was interrupted"),
     };

@@ -209,8 +209,8 @@ commands! {
     Pareto(pareto): ParetoReport<'_>;
     /// The design that loses least, whichever model is true.
     ///
-    /// Several models of impact and flight are compared. A design loses, under a model, its
-    /// difference from the best design for this model.
+    /// Several models of impact and flight are compared. The loss of a design under a model
+    /// is its difference from the best design for this model.
     Robust(robust): RobustReport<'_>;
     /// Open the drive as a page with sliders.
     ///

@@ -140,7 +140,7 @@ pub fn draw(setup_args: &SetupArgs, args: &GoalArgs, drawing: &PictureArgs) -> R
             message,
         });
     }
-    // without the chosen time step, which is no value of the drive as set up
+    // the subtitle has the stated values, not the time step that is chosen for the tolerance
     let (setup, preset) = (&request.partial_setup, request.source.content.preset);
     let figure = pareto_figure(&found, setup, preset, system());
     target.write(request.is_json, &figure, warnings)

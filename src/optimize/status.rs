@@ -286,8 +286,8 @@ pub(super) fn radius_test(radius: f64, residual: f64) -> Option<SearchVerdict> {
     (radius <= LEAST).then(|| {
         let message = format!(
             "the trust region has shrunk to {radius:.1e} <= {LEAST:.0e} with a KKT residual of \
-             {residual:.1e}: no step gains what the derivatives predict, because a function has a \
-             jump or a corner, or because its derivatives are wrong"
+             {residual:.1e}: no step gains what the derivatives predict. Probable causes: a jump or \
+             a corner of a function, rounding, or wrong derivatives"
         );
         SearchVerdict {
             status: Status::Stalled,

@@ -3,6 +3,7 @@
 use super::declare::Parameter;
 use super::table::Club;
 use crate::error::{Error, Result};
+use crate::units::Quantity;
 use nalgebra::Matrix3;
 
 impl Parameter {
@@ -51,12 +52,14 @@ impl Club<f64> {
     /// Warning about a violated triangle inequality: for a rigid body, the sum of two principal
     /// moments is at least the third.
     pub(super) fn triangle_warning(&self) -> Option<String> {
-        let [a, b, c] = self.principal_moments();
+        let moments = self.principal_moments();
+        let [a, b, c] = moments;
         (a + b < c * (1.0 - 1e-12)).then(|| {
+            let [a, b, c] = moments.map(|moment| Quantity::INERTIA.number_in(moment, "g cm^2"));
             format!(
-                "club.inertia: no rigid body has the principal moments {a:.4e}, {b:.4e} and \
-                 {c:.4e} kg m^2 (the sum of the two smaller must be at least the largest); the \
-                 drive is computed with them anyway"
+                "club.inertia: no rigid body has the principal moments {a:.1}, {b:.1} and {c:.1} \
+                 g cm^2 (the sum of the two smaller must be at least the largest); the drive is \
+                 computed with them anyway"
             )
         })
     }

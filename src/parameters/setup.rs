@@ -54,10 +54,8 @@ impl Parameter {
             && self.range.low >= 0.0
             && self.quantity != Quantity::TEMPERATURE;
         if is_like_a_change {
-            let source = format!(
-                "\"{text}\" reads like a change, and this is the value itself: write it without a \
-                 sign"
-            );
+            let source =
+                format!("\"{text}\" may be meant as a change; give the new value, without +");
             return Err(Error::unreadable(self.name, source));
         }
         let value = if bare {

@@ -260,9 +260,14 @@ fn losses(found: &Robust, system: System) -> DocumentTable {
     let mut table = DocumentTable::new(head, rows).right(1..found.models.len() + 3);
     table.caption = format!(
         "losses of {} against each model's own best design, by design; {} if the design violates a \
-         limit, or if the ball does not fly in one of the swings",
+         limit, or if the ball does not fly{}",
         goal.expression,
-        shown::NONE
+        shown::NONE,
+        if found.search.scenarios.is_one_drive() {
+            ""
+        } else {
+            " in one of the swings"
+        }
     );
     table
 }

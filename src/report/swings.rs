@@ -205,7 +205,7 @@ pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Li
     let strikes = best.search.scenarios.parameters.iter();
     let mut strikes = strikes.filter(|parameter| parameter.name.starts_with("strike."));
     if strikes.next().is_some() || best.setup.strike.toe != 0.0 {
-        notes.push("the gear effect, and so the sideways scatter, is known to about 30 %".into());
+        notes.push("the gear effect, and the scatter from it, is known to about 30 %".into());
     }
     notes.extend(designs(best, nominal(over.analysis.as_ref())));
     notes.extend(smoothed_limits(best, system));
@@ -356,8 +356,8 @@ fn resampled(best: &Optimum, found: &BootstrapOptimum, system: System) -> Vec<St
             let show = |value: f64| shown::parameter(parameter, value, system);
             let clipped = match [design.low <= vary.low, design.high >= vary.high] {
                 [false, false] => "",
-                [true, true] => ": anywhere in its range",
-                _ => ": up to an end of its range",
+                [true, true] => "; these swings do not determine it",
+                _ => "; the interval is cut at an end of the range",
             };
             format!(
                 "from these swings the best {} lies between {} and {} (about 95 %, {} \

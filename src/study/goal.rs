@@ -73,7 +73,7 @@ pub struct ConstraintAtEnd<'a> {
 }
 
 impl Goal {
-    /// The smallest and the largest possible value of the goal, ±∞ if it has none.
+    /// The smallest and the largest possible value of the goal, −∞ or ∞ where it is unlimited.
     pub(super) fn range(&self) -> [f64; 2] {
         match self.terms.as_slice() {
             [(1.0, Measure::Within(..))] => [0.0, 1.0],

@@ -61,10 +61,10 @@ impl Sense {
         let is_right = self.sign() * weight < 0.0;
         let side = if is_right { "right" } else { "left" };
         let text = format!(
-            "the {} is the value farthest to the {side}, not the one nearest to 0; for that give a \
-             constraint, for example `subject_to \"{} == 0 {}\"`",
+            "the {} is farthest to the {side}, not nearest to 0; to end at 0, choose another goal, \
+             such as carry, and add `subject_to \"{} == 0 {}\"`",
             self.best_of(goal),
-            of.name(),
+            goal.expression,
             of.unit()
         );
         Some(text.into())

@@ -238,8 +238,8 @@ impl Optimum {
             Status::Undefined => {
                 let start = self.solution.undefined_at_start.as_deref();
                 format!(
-                    "no design was found with which every swing flies: truncate the distributions, \
-                     or raise the lowest loft; at the start: {}",
+                    "no design was found with which every swing flies; truncate the distributions \
+                     or leave such swings out, or change the ranges; at the start: {}",
                     start.unwrap_or("no drive flies")
                 )
                 .into()

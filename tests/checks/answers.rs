@@ -219,7 +219,7 @@ fn a_search_for_the_best_side_says_how_to_search_for_the_target_line() {
         let says = on_one_line(&output.err);
         let of_side = ["left", "right"]
             .into_iter()
-            .find(|side| says.contains(&format!("the value farthest to the {side}")));
+            .find(|side| says.contains(&format!("is farthest to the {side}")));
         assert_eq!(of_side, side, "{says}");
     }
 }

@@ -503,7 +503,7 @@ fn assumptions_of_a_design_are_printed() {
         "Bliss & Langdown 2026",
         "default goal: the largest mean(carry) - 0.5*rms(lateral)",
         "varied by default: club.bulge_radius, club.roll_radius, club.loft",
-        "the gear effect, and so the sideways scatter, is known to about 30 %",
+        "the gear effect, and the scatter from it, is known to about 30 %",
         "moment of inertia",
         "not checked, because its value is unknown; it can be stated as a named limit",
         "under the Rules of Golf",

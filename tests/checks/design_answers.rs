@@ -324,7 +324,7 @@ fn the_error_of_side_spin_is_printed_once() {
         longdrive(&["design"])
             .out
             .replace('\n', " ")
-            .matches("the gear effect, and so the sideways scatter, is known")
+            .matches("the gear effect, and the scatter from it, is known")
             .count(),
         1
     );

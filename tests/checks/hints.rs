@@ -2,7 +2,7 @@
 
 use crate::command_line::{longdrive, on_one_line};
 use crate::program;
-use longdrive::Error;
+use longdrive::{Error, Setup};
 use std::fs;
 use std::process::Stdio;
 
@@ -176,4 +176,33 @@ fn nearest_name_is_suggested() {
         let message = Error::unknown("parameter", strange, names, "list").to_string();
         assert!(!message.contains("did you mean"), "{message}");
     }
+}
+
+/// A value with `+` may be meant as a change, as `--change club.cg_depth=+5mm` is. Angles of a swing
+/// and temperatures usually have signs.
+#[test]
+fn a_value_that_may_be_meant_as_a_change_is_refused() {
+    let mut setup = Setup::modern_driver();
+    for (name, value) in [
+        ("club.cg_depth", "+5 mm"),
+        ("swing.speed", "+5 mph"),
+        ("club.mass", " +5g"),
+    ] {
+        let message = setup.set(name, value).unwrap_err().to_string();
+        assert!(message.contains("may be meant as a change"), "{message}");
+    }
+    for (name, value) in [
+        ("swing.attack_angle", "+3 deg"),
+        ("strike.toe", "+5 mm"),
+        ("air.temperature", "+10 degC"),
+    ] {
+        setup.set(name, value).unwrap();
+    }
+    assert_eq!(setup, {
+        let mut same = Setup::modern_driver();
+        same.set("swing.attack_angle", "3 deg").unwrap();
+        same.set("strike.toe", "5 mm").unwrap();
+        same.set("air.temperature", "10 degC").unwrap();
+        same
+    });
 }

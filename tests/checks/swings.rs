@@ -1067,7 +1067,7 @@ fn parameters_without_swings_are_reported() {
     ];
     let output = on_one_line(&longdrive(&beside).out);
     assert!(
-        output.contains("the gear effect, and so the sideways scatter, is known to about 30 %"),
+        output.contains("the gear effect, and the scatter from it, is known to about 30 %"),
         "{output}"
     );
     // a setup file names its goal

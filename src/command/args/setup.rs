@@ -54,7 +54,8 @@ pub struct DriveArgs {
     )]
     pub temperature: Option<String>,
 
-    /// Set the wind speed (wind.speed). --set wind.from=0deg makes it a head wind.
+    /// Set the wind speed (wind.speed). The direction is needed too: --set wind.from=0deg for a head
+    /// wind.
     #[arg(
         long,
         value_name = "SPEED",

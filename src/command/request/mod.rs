@@ -360,7 +360,8 @@ impl Request {
     }
 
     /// Advice if a best loft is for shaft and strike of an average golfer, or for a rigid shaft: the
-    /// best loft of a single golfer differs by some degrees.
+    /// best loft of a single golfer differs by some degrees. `None` if a parameter of shaft or strike
+    /// is given.
     fn best_loft_advice(&self) -> Option<String> {
         let is_of_shaft_or_strike =
             |name: &str| name.starts_with("swing.shaft") || name.starts_with("strike.");
@@ -378,8 +379,8 @@ impl Request {
             return None;
         }
         Some(
-            "the loft is for a rigid shaft; the bend of a driver's shaft, 2 to 5 deg, adds to it: \
-             `set swing.shaft_bend=2.5deg`"
+            "the loft is for a rigid shaft; a shaft that bends by 2 to 5 deg needs about as much less \
+             loft: `set swing.shaft_bend=2.5deg`"
                 .into(),
         )
     }

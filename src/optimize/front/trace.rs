@@ -129,8 +129,8 @@ fn trace_from_both_ends(
     path
 }
 
-/// Joins two branches of a front, and keeps the better branch where they overlap. A branch ends
-/// where it turns back.
+/// Joins two branches of a front, and keeps the better branch where they overlap. Points at
+/// which a path turns back are removed.
 fn join_branches(mut path: Vec<Compromise>, mut back: Vec<Compromise>) -> Vec<Compromise> {
     let (whole_path, whole_back) = (path.clone(), back.clone());
     path.retain(|point| !point.is_turned_back() && !is_worse_than_branch(point, &whole_back));
@@ -321,8 +321,9 @@ fn find_knee(plane: &FrontPlane<'_>, path: &[Compromise]) -> Option<Compromise> 
         })
 }
 
-/// Removes duplicates, and points that another point dominates: one of `points` or `path`, or a
-/// neighbour of a point where the path turns back. Also returns the number of dominated points.
+/// Removes duplicates, points that a point of `points` or `path` dominates, and points at which the
+/// path turns back, which a neighbour on the path dominates. Also returns the number of dominated
+/// points.
 fn nondominated(
     points: Vec<Compromise>,
     path: &[Compromise],

@@ -277,9 +277,9 @@ fn ellipses_note(landings: &[Landing], system: System) -> Option<String> {
         .map(|sigma| shown::with_sigma(sigma, system))
         .collect();
     Some(format!(
-        "The inner and the outer ellipse hold the landing with a probability of 50 % and 95 % if \
-         these inputs are uncertain by (standard deviations): {}. A default deviation is that of a \
-         measurement, not a golfer's scatter. The shares are counted in {} drives with normally \
+        "The ellipses contain the landing with probabilities of 50 % and 95 %, for these standard \
+         deviations: {}. Default deviations are measured or assumed uncertainties, not a golfer's \
+         scatter. The shares are counted in {} drives with normally \
          distributed inputs; all other inputs are constant.",
         sigmas.join(", "),
         Landing::SAMPLED

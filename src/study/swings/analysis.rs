@@ -146,16 +146,20 @@ fn why_no_design(status: Status, goal: &Goal) -> String {
     match (status, root_mean_square) {
         // of one swing the root mean square of an outcome is its absolute value
         (Status::StalledAtKink, Some(of)) => {
-            format!("of one swing rms({of}) has a corner at {of} = 0, where the search stopped")
-        }
-        (Status::StalledAtKink, None) => {
             format!(
-                "{} has a corner there, where the search stopped",
-                goal.expression
+                "for a single swing rms({of}) is |{of}|, which has a corner at 0; the search stopped \
+                 at a corner"
             )
         }
-        (Status::Infeasible, _) => "no design meets the limits with this swing".into(),
-        (Status::Undefined, _) => "the ball of this swing does not fly".into(),
+        (Status::StalledAtKink, None) => {
+            format!("its search stopped at a corner of {}", goal.expression)
+        }
+        (Status::Infeasible, _) => {
+            "no design was found that meets the limits with this swing".into()
+        }
+        (Status::Undefined, _) => {
+            "the ball of this swing flies with no design that was tried".into()
+        }
         (status, _) => format!("its search ended before an optimum ({})", status.name()),
     }
 }

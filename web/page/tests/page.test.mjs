@@ -124,6 +124,31 @@ test('the best value of a parameter with small numbers is kept, and flies', asyn
   });
 });
 
+test('undo works after a link that the page would write in another way', async () => {
+  await stay(async ({ page }) => {
+    await page.evaluate(() => { location.hash = '1&tour-average&swing.speed=100%20mph'; });
+    await settle(page);
+    await type(page, 'club.loft', '12');
+    await settle(page);
+    for (let k = 0; k < 2; k += 1) {
+      await page.keyboard.press('Control+z');
+      await settle(page);
+    }
+    assert.equal(await fragment(page), '#1&tour-average');
+  });
+});
+
+test('a map that is computed after a refusal has its own caption', async () => {
+  await stay(async ({ page }) => {
+    const caption = page.locator('.map figcaption');
+    await page.evaluate(() => { location.hash = '1&tour-average&swing.speed=101mph&club.loft=10parsecs'; });
+    await caption.filter({ hasText: /parsecs/ }).waitFor();
+    await type(page, 'club.loft', '10');
+    await settle(page);
+    assert.match(await caption.textContent(), /^The longest/);
+  });
+});
+
 test('undo in a number field undoes the drive, and typed text before that', async () => {
   await stay(async ({ page }) => {
     const field = page.getByLabel('loft, deg', { exact: true });
@@ -648,7 +673,7 @@ test('shots of a launch monitor are flown, whatever the club and the golfer', as
     await settle(page);
     assert.equal(await page.locator('.shots .stale').count(), 0);
     await type(page, 'air.altitude', '5000');
-    await page.locator('.shots .warning', { hasText: 'flown with an earlier setup' }).waitFor();
+    await page.locator('.shots .warning', { hasText: 'flown with another setup' }).waitFor();
     assert.equal(await page.locator('.shots .stale').count(), 1);
     await page.locator('.shots input[type=file]').setInputFiles(shots);
     await page.locator('.shots .stale').waitFor({ state: 'detached' });

@@ -11,7 +11,7 @@ import { useSteady } from './steady';
 
 export function Answer() {
   const { explorer } = usePage();
-  const { drive, best, refusal, state } = explorer;
+  const { drive, best, refusal, showsEarlierDrive, state } = explorer;
   const units = explorer.units.value;
   const goal = explorer.goal.value;
   const yours = drive.last?.outcomes;
@@ -31,7 +31,7 @@ export function Answer() {
     );
   });
   return (
-    <section class={`answer${refusal.value ? ' stale' : ''}`} aria-label="answer">
+    <section class={`answer${showsEarlierDrive.value ? ' stale' : ''}`} aria-label="answer">
       {refusal.value && <p class="message" role="alert">{refusal.value.message}</p>}
       <table>
         <thead>
@@ -54,9 +54,9 @@ export function Answer() {
 
 /** The warnings about your drive, and those that only the best drive has. */
 function Warnings() {
-  const { drive, best } = usePage().explorer;
+  const { drive, ghost } = usePage().explorer;
   const mine = drive.last?.warnings ?? [];
-  const theirs = (best.current?.warnings ?? []).filter((warning) => !mine.includes(warning));
+  const theirs = (ghost.current?.warnings ?? []).filter((warning) => !mine.includes(warning));
   return (
     <>
       {mine.map((warning) => <p class="warning" key={warning}>{warning}</p>)}

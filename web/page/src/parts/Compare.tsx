@@ -2,7 +2,7 @@
 import { useComputed } from '@preact/signals';
 import { labelOf } from '../setup/parameters';
 import type { Design } from '../setup/design';
-import { numberOf } from '../setup/design';
+import { lawOf, numberOf } from '../setup/design';
 import { withUnit } from '../setup/units';
 import type { Explorer } from '../state/explorer';
 import { settingsOf } from '../setup/words';
@@ -53,7 +53,10 @@ export function Compare() {
 /** The printed values of a parameter in the designs. */
 function valueTexts(explorer: Explorer, name: string, designs: readonly Design[]): string[] {
   const typed = (design: Design) => design.set[name] ?? '–';
-  if (!explorer.catalog.parameter(name)) return designs.map(typed);
+  const units = designs.map((design) =>
+    explorer.catalog.parameter(name, lawOf(design, explorer.catalog))?.shown_in);
+  // a coefficient has other units in other laws
+  if (units.some((unit) => unit === undefined || unit !== units[0])) return designs.map(typed);
   const values = designs.map((design) => numberOf(name, design, explorer.catalog));
   const numbers = explorer.distinct(name, values.map((value) => value ?? NaN));
   const { unit } = explorer.field(name);

@@ -35,7 +35,7 @@ export function Files() {
       return;
     }
     if (design !== explorer.design.value) {
-      setMessage(`${file.name} was not opened: the drive was changed while it was read`);
+      setMessage(`${file.name} was not opened, because you changed the drive meanwhile. Open it again.`);
       return;
     }
     const values = JSON.parse(reply.answer) as FileValues;

@@ -39,7 +39,8 @@ export function MapView() {
     ? `The longest ${map.goal} over ${labelOf(map.across)} and ${labelOf(map.up)} is `
       + `${length(best?.flight[map.goal] ?? most, units)}${best ? `, at ${valuesOfBest}` : ''}.`
     : 'No map yet.';
-  const sentence = explorer.mapMessage.current ?? longest;
+  const refusal = explorer.map.isCurrent ? null : explorer.mapMessage.current;
+  const sentence = refusal ?? longest;
   const outside = useComputed(() => outsideOf(explorer)).value;
   const over = useLoop(map);
   const said = [sentence, outside, over?.sentence].filter((text) => text).join(' ');
@@ -64,7 +65,7 @@ function outsideOf(explorer: Explorer): string | null {
   return places.length > 0 ? `Your drive is outside of the map: ${places.join(', ')}.` : null;
 }
 
-/** The best point over the parameters of the map; null if it is of other parameters. */
+/** The best point over the map; null if it is of other parameters or of another goal. */
 function bestOf(map: MapData | null, explorer: Explorer): Best | null {
   const best = explorer.mapBest.last;
   const isOfMap = best && map && best.goal === map.goal

@@ -15,7 +15,7 @@ export function Panel() {
       ...drives.map((each) => (each ? shown(row, each, units) : '–')),
     ]),
   });
-  const stale = [...(explorer.isRefused.value ? [1] : []), ...(ghost.mark.value ? [2] : [])];
+  const stale = [...(explorer.showsEarlierDrive.value ? [1] : []), ...(ghost.mark.value ? [2] : [])];
   // a file has no answers of an earlier drive
   const numbers = () => ({
     yours: drive.current && outcomesOf(drive.current),

@@ -118,8 +118,8 @@ function Compared({ name, setup, flown, csv }: Result) {
       </p>
       {isStale && (
         <p class="warning">
-          They were flown with an earlier setup of ball, air, wind and ground. Open the file again to fly
-          them with the setup of this drive.
+          These shots were flown with another setup: another preset, law, ball, air, wind or ground.
+          Open the file again to fly them with this one.
         </p>
       )}
       {rows.length > 0 && (

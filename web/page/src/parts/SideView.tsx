@@ -19,7 +19,7 @@ export function SideView() {
   const flown = explorer.drive.last;
   const drive = landedOf(flown);
   const ghost = explorer.ghost.last;
-  const mark = explorer.isRefused.value ? 'stale' : '';
+  const mark = explorer.showsEarlierDrive.value ? 'stale' : '';
   const all = [drive, ghost];
   const distance = farthest(all);
   const scale = (width - MARGIN.left - MARGIN.right) / distance;

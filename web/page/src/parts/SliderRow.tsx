@@ -1,7 +1,7 @@
 // One parameter: slider, number field, price, band, meaning.
 import { useState } from 'preact/hooks';
 import { bandOf, LOSS, priceOf } from '../drive/price';
-import { firstOf, isReplaced, NONE, unstatedOf, WHEN_UNSET } from '../setup/design';
+import { firstOf, isReplaced, NONE, defaultOf, WHEN_UNSET } from '../setup/design';
 import { labelInGroup, labelOf } from '../setup/parameters';
 import { decimalsOf } from '../setup/slider';
 import { digits, fromSI, parts, symbolOf, toSI, withUnit } from '../setup/units';
@@ -60,7 +60,7 @@ function rowOf(explorer: Explorer, name: string) {
   const sliderRange = explorer.sliderRange(name);
   const unit = explorer.unit(name);
   const value = explorer.value(name);
-  const preset = explorer.presetValue(name);
+  const preset = explorer.defaultValue(name);
   const isSet = name in explorer.design.value.set;
   const isOfLaunch = name.startsWith('launch.') && firstOf(explorer.design.value).includes(name);
   const middle = (sliderRange.low + sliderRange.high) / 2;
@@ -75,7 +75,7 @@ function rowOf(explorer: Explorer, name: string) {
     units: explorer.units.value,
     shown: shownOf(explorer, name),
     isSet,
-    // a launch without one of its first parameters would be incomplete
+    // without ball speed, launch angle or spin a launch is incomplete
     hasReset: isSet && !(isOfLaunch && preset === null),
     message: refusal?.parameters[0] === name ? refusal.message : null,
   };
@@ -84,7 +84,7 @@ function rowOf(explorer: Explorer, name: string) {
 /** The meaning of a parameter, and the source of its value. */
 function About({ name, label }: { name: string; label: string }) {
   const { explorer } = usePage();
-  const { owner, source } = unstatedOf(name, explorer.design.value, explorer.catalog);
+  const { owner, source } = defaultOf(name, explorer.design.value, explorer.catalog);
   return (
     <div class="about">
       <p>{explorer.parameter(name).doc} (<code>{name}</code>)</p>
@@ -117,7 +117,7 @@ function PriceLine({ name, id, row }: { name: string; id: string; row: Row }) {
   const slope = explorer.slopes.value.get(name);
   const { at, units, unit, decimals, sliderRange } = row;
   const isUnset = row.value === null;
-  const isStale = explorer.isRefused.value ? ' stale' : '';
+  const isStale = explorer.showsEarlierDrive.value ? ' stale' : '';
   const why = explorer.noSlope.value.get(name);
   if (!slope) return <p class="price" id={`price-${id}`}>{why ?? (isUnset ? 'not stated' : '\u00a0')}</p>;
   const { low, high } = bandOf(at, slope, LOSS[units]);

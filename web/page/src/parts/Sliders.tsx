@@ -34,7 +34,7 @@ export function Sliders() {
  */
 function StartSwitch({ isLaunch }: { isLaunch: boolean }) {
   const { explorer } = usePage();
-  // render again: the browser has checked the other button, whether the drive has a launch or not
+  // render again, to reset the button if the switch was cancelled
   const [, setTries] = useState(0);
   const toLaunch = () => void explorer.startWithLaunch().then(() => setTries((tries) => tries + 1));
   const toClub = () => {
@@ -79,7 +79,7 @@ function Others() {
     .filter((name) => groupOf(name) === group);
   const shown = isSearch
     ? found.slice(0, MOST_FOUND).map(({ parameter }) => parameter) : inGroup(openGroup);
-  useEffect(() => explorer.show(shown), [shown.join()]);
+  useEffect(() => explorer.setListed(shown), [shown.join()]);
   const groups = [...new Set(all.map(({ parameter }) => groupOf(parameter)))];
   return (
     <div class="others">

@@ -33,7 +33,7 @@ export function TopView() {
   const flown = explorer.drive.last;
   const drive = landedOf(flown);
   const ghost = explorer.ghost.last;
-  const mark = explorer.isRefused.value ? 'stale' : '';
+  const mark = explorer.showsEarlierDrive.value ? 'stale' : '';
   const distance = farthest([drive, ghost]);
   const scale = (width - MARGIN.left - MARGIN.right) / distance;
   const aside = [drive, ghost].flatMap((each) =>

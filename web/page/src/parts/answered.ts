@@ -1,5 +1,7 @@
 // Answers that are requested again when the content of the page changes.
-import { useEffect, useState } from 'preact/hooks';
+import { useSignal } from '@preact/signals';
+import { useEffect, useMemo } from 'preact/hooks';
+import { Latest } from '../state/latest';
 
 /** The result of a request: null if it has no answer, undefined if a newer request replaced it. */
 type Result<T> = Promise<T | null | undefined>;
@@ -15,12 +17,14 @@ export interface Answered<T> {
 
 /** The last answer of `ask`, which is called `milliseconds` after the last change of `key`. */
 export function useAnswer<T>(key: string, milliseconds: number, ask: () => Result<T>): Answered<T> {
-  const [found, setFound] = useState<{ key: string; answer: T | null } | null>(null);
+  const present = useSignal(key);
+  present.value = key;
+  const latest = useMemo(() => new Latest<T | null>(() => present.value), []);
   useEffect(() => {
     let isCurrent = true;
     const timer = setTimeout(() => {
       void ask().then((answer) => {
-        if (isCurrent && answer !== undefined) setFound({ key, answer });
+        if (isCurrent && answer !== undefined) latest.give(key, answer);
       });
     }, milliseconds);
     return () => {
@@ -28,6 +32,5 @@ export function useAnswer<T>(key: string, milliseconds: number, ask: () => Resul
       clearTimeout(timer);
     };
   }, [key]);
-  const isCurrent = found?.key === key;
-  return { answer: found?.answer ?? null, isCurrent, mark: isCurrent ? '' : 'stale' };
+  return { answer: latest.last, isCurrent: latest.isCurrent, mark: latest.mark.value };
 }

@@ -56,7 +56,7 @@ export const lawOf = (design: Design, catalog: Catalog): Value =>
  * Value (SI) and source of a parameter that the design does not state. The value is that of the
  * preset. If the design has another law than its preset, a coefficient has the value of the law.
  */
-export function unstatedOf(name: string, design: Design, catalog: Catalog) {
+export function defaultOf(name: string, design: Design, catalog: Catalog) {
   const law = lawOf(design, catalog);
   const preset = catalog.preset(design.preset);
   const row = catalog.parameter(name, law);
@@ -71,9 +71,9 @@ export function unstatedOf(name: string, design: Design, catalog: Catalog) {
 export function numberOf(name: string, design: Design, catalog: Catalog): number | null {
   const text = design.set[name];
   if (text === NONE) return null;
-  if (text === undefined) return unstatedOf(name, design, catalog).value;
+  if (text === undefined) return defaultOf(name, design, catalog).value;
   const unit = catalog.parameter(name, lawOf(design, catalog))?.unit ?? '';
-  return valueOf(text, unit) ?? catalog.valueOf(text, unit) ?? NaN;
+  return valueOf(text, unit) ?? catalog.readValue(text, unit) ?? NaN;
 }
 
 /** Keeps the values, SI, that the core has read from the texts of a design. */
@@ -108,10 +108,14 @@ export function together(name: string, design: Design): Record<string, string> {
   return {};
 }
 
-/** The changes that reset a parameter. A wind that has a speed keeps a direction. */
+/**
+ * The changes that reset a parameter. If `wind.speed` stays, `wind.from` becomes 0, because a speed
+ * needs a direction.
+ */
 export function resetOf(name: string, design: Design): Record<string, string | undefined> {
   if (name === 'wind.speed') return { 'wind.speed': undefined, 'wind.from': undefined };
-  if (name !== 'wind.from' || design.set['wind.speed'] === undefined) return { [name]: undefined };
+  const hasSpeed = (design.set['wind.speed'] ?? NONE) !== NONE;
+  if (name !== 'wind.from' || !hasSpeed) return { [name]: undefined };
   return together('wind.speed', withValues(design, { 'wind.from': undefined }));
 }
 

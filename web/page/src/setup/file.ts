@@ -1,9 +1,9 @@
 // Setup files of the program: download and upload.
 import type { Design } from './design';
-import { NONE, unstatedOf } from './design';
+import { NONE, defaultOf } from './design';
 import type { Catalog, Choice, Parameter } from './parameters';
 import type { System } from './units';
-import { exactText, siOf, unitIn } from './units';
+import { preciseText, siOf, unitIn } from './units';
 
 /** The text of a setup file. Dotted names are keys of TOML. */
 export function writeSetup(design: Design): string {
@@ -59,9 +59,9 @@ export function designOf(values: FileValues, catalog: Catalog, system: System): 
       if (value !== null && !isKept) set[choice] = value;
     }
     for (const { parameter, value, shown_in } of rows) {
-      const { value: unstated } = unstatedOf(parameter, law, catalog);
-      if (isOfPreset(parameter) && same(unstated, siOf(value))) continue;
-      set[parameter] = typeof value === 'number' ? exactText(value, unitIn(system, shown_in)) : value ?? NONE;
+      const { value: byDefault } = defaultOf(parameter, law, catalog);
+      if (isOfPreset(parameter) && same(byDefault, siOf(value))) continue;
+      set[parameter] = typeof value === 'number' ? preciseText(value, unitIn(system, shown_in)) : value ?? NONE;
     }
     return { preset: preset.name, set };
   });

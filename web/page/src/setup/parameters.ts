@@ -83,7 +83,7 @@ export class Catalog {
   }
 
   /** The value of a text that the core has read. */
-  valueOf(text: string, unit: string): number | undefined {
+  readValue(text: string, unit: string): number | undefined {
     return this.#values.value.get(`${unit} ${text}`);
   }
 

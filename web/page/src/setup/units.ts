@@ -78,7 +78,7 @@ export function digits(number: number, decimals: number): string {
   return Number(text) === 0 ? text.replace('-', '') : text.replace('-', '−');
 }
 
-/** The most digits after the point of a number whose other digits may be 0, as of a viscosity. */
+/** The largest number of decimals: a viscosity is about 1.8e-5 Pa s. */
 const MOST_DECIMALS = 12;
 
 /**
@@ -98,7 +98,7 @@ export function signed(number: number, decimals: number): string {
   return number > 0 && Number(text) !== 0 ? `+${text}` : text;
 }
 
-/** A number in JSON of the program, which writes the text `inf` for infinity; null for others. */
+/** The number of a JSON value of the program (`inf`: infinity); null for other texts. */
 export function siOf(value: number | string | null): number | null {
   if (typeof value === 'number') return value;
   return value === 'inf' ? Infinity : null;
@@ -122,8 +122,8 @@ export function valueOf(text: string, unitSI: string): number | null {
 /** A quantity without the space before its unit: "10.5deg". */
 export const compact = (text: string) => text.replace(/^([-+.\de]+) /i, '$1');
 
-/** A text for the core with the significant digits of a number. */
-export function exactText(si: number, unit: string): string {
+/** A text for the core, with 12 significant digits. */
+export function preciseText(si: number, unit: string): string {
   const number = String(Number(fromSI(si, unit).toPrecision(12)));
   return unit === '' ? number : `${number} ${unit}`;
 }

@@ -12,6 +12,8 @@ export class Address {
   readonly #explorer: Explorer;
   readonly #history: History<string>;
   #timer = 0;
+  /** True during a drag, whose state is not in the history yet. */
+  #isDrag = false;
   readonly canUndo = signal(false);
   readonly canRedo = signal(false);
   /** Parts of the link that this page does not know. */
@@ -36,6 +38,7 @@ export class Address {
 
   #changed(state: State, isFinal: boolean) {
     const fragment = write(state);
+    this.#isDrag = !isFinal;
     if (!isFinal) {
       // during a drag, replace the address instead of adding one to the browser's history
       clearTimeout(this.#timer);
@@ -49,7 +52,7 @@ export class Address {
 
   #go(move: () => string | undefined) {
     // a drag that goes on is a change of its own
-    this.#changed(this.#explorer.state.value, true);
+    if (this.#isDrag) this.#changed(this.#explorer.state.value, true);
     const fragment = move();
     if (fragment === undefined) return;
     history.replaceState(null, '', `#${fragment}`);
@@ -69,6 +72,7 @@ export class Address {
   #apply(fragment: string) {
     // the address of a drag must not replace this one
     clearTimeout(this.#timer);
+    this.#isDrag = false;
     const { state, unknown } = read(fragment, this.#explorer.catalog);
     this.unknown.value = unknown;
     this.#explorer.state.value = state;

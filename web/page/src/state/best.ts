@@ -21,7 +21,6 @@ export interface Best {
    * parameter within its bounds.
    */
   beyond: Readonly<Record<string, number>>;
-  warnings: readonly string[];
 }
 
 /** Finds a parameter, and the range of its slider, by name. */
@@ -34,7 +33,6 @@ interface OptimizeAnswer {
   optimum: Record<string, number>;
   flight: Record<string, number | null>;
   multipliers: Record<string, { lower: number; upper: number }>;
-  warnings: string[];
 }
 
 /** The arguments of the command that finds the best drive of a design. */
@@ -57,7 +55,7 @@ export function bestKey(fields: Fields, state: State, design: Design, names: rea
 
 export function readBest({ exit, answer }: Reply, goal: Goal, fields: Fields): Best | null {
   if (exit !== 0) return null;
-  const { optimum, flight, multipliers, warnings } = JSON.parse(answer) as OptimizeAnswer;
+  const { optimum, flight, multipliers } = JSON.parse(answer) as OptimizeAnswer;
   const names = Object.keys(optimum);
   const texts = names.map((name) => {
     const { shown_in: unit } = fields.parameter(name);
@@ -75,6 +73,5 @@ export function readBest({ exit, answer }: Reply, goal: Goal, fields: Fields): B
     texts: Object.fromEntries(texts),
     flight,
     beyond: Object.fromEntries(beyond),
-    warnings,
   };
 }

@@ -5,7 +5,7 @@ import type { Call, Reply } from '../core/messages';
 import type { Drive, Refusal, Slope } from '../drive/drive';
 import { isRefused, readDrive, readMissing, readSlopes, readStated, refusalOf } from '../drive/drive';
 import type { Design } from '../setup/design';
-import { WHEN_UNSET, firstOf, hasLaunch, keepValues, lawOf, numberOf, resetOf, setupOf, together, unstatedOf, withValues } from '../setup/design';
+import { WHEN_UNSET, firstOf, hasLaunch, keepValues, lawOf, numberOf, resetOf, setupOf, together, defaultOf, withValues } from '../setup/design';
 import type { Catalog, Parameter } from '../setup/parameters';
 import { AIR_FIRST, LAUNCH_FIRST, groupOf } from '../setup/parameters';
 import type { SliderRange } from '../setup/slider';
@@ -51,11 +51,13 @@ export class Explorer {
    * parameter replaces it.
    */
   readonly noSlope = signal<ReadonlyMap<string, string>>(new Map());
-  /** True if the core refuses the design: `drive` is then an earlier one. */
-  readonly isRefused = computed(() => this.refusal.value !== null && !this.drive.isCurrent);
+  /** True if `drive` is an earlier one, because the last answer was a refusal or had no landing. */
+  readonly showsEarlierDrive = computed(() => this.refusal.value !== null && !this.drive.isCurrent);
   /** The best drive; null if the search found none, for the reason `bestMessage`. */
   readonly best = new Latest<Best | null>(() => this.#bestKey.value);
-  /** It depends on the values with which the search begins. */
+  /**
+   * The reason why there is no best drive. Unlike `best`, it depends on the start of the search.
+   */
   readonly bestMessage = new Latest<string | null>(() => this.#driveKey.value);
   /** The drive with the best values. */
   readonly ghost = new Latest<Drive | null>(() => this.#bestKey.value);
@@ -63,7 +65,7 @@ export class Explorer {
   /** The reason for a missing map. */
   readonly mapMessage = new Latest<string>(() => this.#mapKey.value);
   readonly mapBest = new Latest<Best | null>(() => this.#mapKey.value);
-  /** All designs with their drives; without answers if there is only one design. */
+  /** All designs with their drives. They are not computed for a single design. */
   readonly others = new Latest<readonly Flown[]>(() => JSON.stringify(this.state.value.designs));
   /** True while an answer about the state is missing. */
   readonly busy = signal(true);
@@ -79,7 +81,9 @@ export class Explorer {
    */
   readonly loopStep = signal<number | null>(null);
   /** The parameters that are shown below the sliders of the first screen. */
-  #shown: readonly string[] = [];
+  /** The question of the last search for the best point of a map; null if it found none. */
+  #mapBestAsked: string | null = null;
+  #listed: readonly string[] = [];
   readonly design = computed(() => activeOf(this.state.value));
   // Parts of the state that seldom change. A component that reads only these is not rendered at
   // each move of a slider.
@@ -153,10 +157,13 @@ export class Explorer {
     this.changeDesign(withValues(design, resetOf(name, design)));
   }
 
-  /** Shows these parameters below the sliders of the first screen. Requests their prices. */
-  show(names: readonly string[]) {
-    const isMore = names.some((name) => !this.#shown.includes(name));
-    this.#shown = names;
+  /**
+   * Records which parameters are shown below the sliders of the first screen, and requests their
+   * prices.
+   */
+  setListed(names: readonly string[]) {
+    const isMore = names.some((name) => !this.#listed.includes(name));
+    this.#listed = names;
     if (isMore) this.refresh();
   }
 
@@ -168,7 +175,7 @@ export class Explorer {
 
   /**
    * Replaces swing and club by the launch of their drive. If the drive is still computed, waits for
-   * it; a change by the person meanwhile replaces this one.
+   * it; a change meanwhile cancels the switch to the launch.
    */
   async startWithLaunch() {
     const design = this.design.value;
@@ -200,12 +207,12 @@ export class Explorer {
   }
 
   /** The value that a parameter has if the design does not state it. */
-  presetValue(name: string): number | null {
-    return unstatedOf(name, this.design.value, this.catalog).value;
+  defaultValue(name: string): number | null {
+    return defaultOf(name, this.design.value, this.catalog).value;
   }
 
   sliderRange(name: string): SliderRange {
-    return sliderRangeOf(this.parameter(name), this.presetValue(name), this.value(name));
+    return sliderRangeOf(this.parameter(name), this.defaultValue(name), this.value(name));
   }
 
   unit(name: string): string {
@@ -274,7 +281,7 @@ export class Explorer {
 
   /** The parameters whose prices are computed. */
   #priced(): string[] {
-    const shown = [...firstOf(this.design.value), ...AIR_FIRST, ...this.#shown];
+    const shown = [...firstOf(this.design.value), ...AIR_FIRST, ...this.#listed];
     // the law may have changed since the parameters were shown
     return this.catalog.of(this.law.value).map(({ parameter }) => parameter)
       .filter((name) => shown.includes(name) && this.value(name) !== null);
@@ -353,7 +360,7 @@ export class Explorer {
     });
     if (!best) return;
     const setup = this.setup(withValues(design, best.texts));
-    const request = { setup, path: true, order: 0 };
+    const request = { setup, units: state.units, path: true, order: 0 };
     const answer = await this.interactive.calls('ghost', [{ endpoint: 'drive', request }]);
     const first = answer?.numbers[0];
     if (first && !isRefused(first)) this.ghost.give(question, readDrive(first));
@@ -378,7 +385,7 @@ export class Explorer {
   /** The axes of the map. A drag does not change their ranges, so the map stays. */
   #mapAxes(): MapAxes {
     const [across, up] = mapOf(this.state.value);
-    const range = (name: string) => sliderRangeOf(this.parameter(name), this.presetValue(name), null);
+    const range = (name: string) => sliderRangeOf(this.parameter(name), this.defaultValue(name), null);
     return { across, up, ranges: [range(across), range(up)], goal: this.state.value.goal };
   }
 
@@ -396,14 +403,17 @@ export class Explorer {
     this.map.give(question, readMap(first, axes));
   }
 
-  /** Finds the best point of the map, unless it is known. */
+  /** Finds the best point of the map, unless it is known or being searched. */
   async #findMapBest() {
-    if (this.mapBest.current || !this.map.isCurrent) return;
-    const state = this.state.value;
     const question = this.mapBest.question();
+    if (this.#mapBestAsked === question || !this.map.isCurrent) return;
+    this.#mapBestAsked = question;
+    const state = this.state.value;
     const words = bestWords(this, state, this.design.value, mapOf(state));
     const reply = await this.background.command('map best', words);
-    if (reply) this.mapBest.give(question, readBest(reply, state.goal, this));
+    const best = reply && readBest(reply, state.goal, this);
+    if (!best && this.#mapBestAsked === question) this.#mapBestAsked = null;
+    if (reply) this.mapBest.give(question, best);
   }
 
   /**
@@ -418,7 +428,7 @@ export class Explorer {
     const answer = await this.interactive.calls('aim', [{ endpoint: 'aim', request }]);
     const first = answer?.numbers[0];
     if (!first) return;
-    // a change by the person replaces this aim; an answer to an earlier aim of the drag does not
+    // drop the answer if the design was changed since, except by an earlier aim of this drag
     const isCurrent = [design, this.#aimed].includes(this.design.value);
     if (!isCurrent) return;
     if (first.head.status === 'reached' || first.head.status === 'nearest') {
@@ -441,7 +451,7 @@ export class Explorer {
     return reply;
   }
 
-  /** Ends the first long command. */
+  /** Ends the long command that runs. */
   end() {
     const [command] = this.#long.value;
     if (command) this.background.end(command.topic);

@@ -44,8 +44,8 @@ export function varyOf(state: State): readonly string[] {
 }
 
 /**
- * The state in which the best drive may change a parameter, or not. Parameters that have no effect
- * now, because a launch is given or not, are kept.
+ * Adds a parameter to those that the best drive may change, or removes it. Chosen parameters that
+ * have no effect now, because a launch is given or not, stay chosen.
  */
 export function withVaried(state: State, name: string, isVaried: boolean): State {
   const isLaunch = hasLaunch(activeOf(state));
