@@ -799,7 +799,8 @@ fn a_search_for_the_mean_swing_that_does_not_converge_gives_no_nominal_design() 
     let printed = longdrive(&args);
     assert!(
         on_one_line(&printed.out).contains(
-            "no comparison with the best design for the mean swing: no design meets the limits"
+            "no comparison with the best design for the mean swing: no design was found that meets \
+             the limits"
         ),
         "{}",
         printed.out
@@ -825,8 +826,9 @@ fn a_search_for_the_mean_swing_that_stops_at_a_corner_has_one_sentence_after_the
     ];
     let printed = longdrive(&args);
     let text = on_one_line(&printed.out);
-    let sentence = "no comparison with the best design for the mean swing: of one swing \
-                    rms(lateral) has a corner at lateral = 0, where the search stopped";
+    let sentence = "no comparison with the best design for the mean swing: for a single swing \
+                    rms(lateral) is |lateral|, which has a corner at 0; the search stopped at a \
+                    corner";
     assert!(text.contains(sentence), "{text}");
     assert!(
         text.find("by Gauss's rules") < text.find(sentence),

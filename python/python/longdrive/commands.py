@@ -634,8 +634,8 @@ def delivery(
         swing.attack_angle=1deg. [default: the error of a launch monitor for a club value from an
         option or a row; the spread among golfers for other values].
     output : PathLike
-        Write the setup with the delivery into this file; for several shots, with the mean of all
-        deliveries that were found. If none was found, no file is written.
+        Write the setup with the delivery into this file; for several shots, with the mean of the
+        deliveries that explain their launches. If there is none, no file is written.
     swings : PathLike
         Write the swings that explain the shots into this file, for "longdrive optimize swings": a
         table with a row for each shot (.csv), or distributions with correlations, without the
@@ -902,8 +902,8 @@ def robust(
 ) -> Optimum:
     """The design that loses least, whichever model is true.
 
-    Several models of impact and flight are compared. A design loses, under a model, its difference
-    from the best design for this model.
+    Several models of impact and flight are compared. The loss of a design under a model is its
+    difference from the best design for this model.
 
     Parameters
     ----------
