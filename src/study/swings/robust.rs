@@ -35,11 +35,11 @@ const USUAL: [([(&str, &str); 1], &str); 4] = [
     ),
     (
         [("impact.gear_scale", "0.5")],
-        "the smallest measured gear effect",
+        "the smaller of two measured gear effects is 0.52",
     ),
     (
         [("impact.gear_scale", "1")],
-        "the gear effect of rigid bodies, the largest measured one",
+        "the gear effect of rigid bodies; the larger measured one is up to 0.93",
     ),
 ];
 
