@@ -516,12 +516,12 @@ fn a_drive_of_a_yard_allows_a_loss_of_one_percent_and_has_no_ellipses() {
             && page.contains("the loss that is allowed is 1 % of this carry")
     );
     // no ellipses at 1 mph: the assumed uncertainty of the club speed, 0.5 mph, is too large there
-    assert!(page.contains("The inner and the outer ellipse"));
+    assert!(page.contains("The ellipses contain the landing"));
     assert!(page.contains("at the edge of the searched face"));
     let (_, page) = report(&["--set", "swing.speed=1mph"]);
     assert!(
         page.contains("As set up: no ellipses are drawn")
-            && !page.contains("The inner and the outer ellipse")
+            && !page.contains("The ellipses contain the landing")
     );
 }
 
