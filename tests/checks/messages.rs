@@ -56,7 +56,7 @@ fn one_thing_is_in_the_singular() {
         (
             &["verify", "--of", "carry", "--wrt", "club.loft"],
             0,
-            "of the finite differences of its carry by 1 parameter, 0 would pass",
+            "0 of 1 finite difference of its carry would pass",
         ),
         (
             &fast,

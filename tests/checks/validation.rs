@@ -310,7 +310,7 @@ fn mean_error_of_the_descent_in_the_text_is_that_of_the_drives() {
         assert!(worst > 1.5 * mean, "{worst} {mean}");
         stated.push(format!("{:.1}° ({name})", mean.to_degrees()));
     }
-    let sentence = "the mean error of its descent over all clubs is ";
+    let sentence = "the mean absolute error of its descent angle over the other clubs is ";
     let sentence = format!("{sentence}{},", stated.join(" and "));
     assert!(text.contains(&sentence), "{sentence}");
 }
@@ -329,9 +329,9 @@ fn exact_reasons_for_the_default_law_from_the_drives() {
     let best = sets.map(|of| {
         let laws = of.laws.iter().map(|law| law.law);
         let best = laws.min_by(|a, b| mean(of, a, f64::abs).total_cmp(&mean(of, b, f64::abs)));
-        format!("{} ({})", best.unwrap(), of.set.name)
+        format!("{} on {}", best.unwrap(), of.set.name)
     });
-    let says = format!("on averages of drives: {} are.", best.join(", "));
+    let says = format!("have the smallest error of carry: {}.", best.join(", "));
     assert!(text.contains(&says), "{says}");
     let bias = sets.map(|of| mean(of, "launch-monitor", |error| error));
     let [least, most] = [
@@ -382,7 +382,7 @@ fn same_numbers_in_validation_md_and_the_program() {
 fn a_folder_gets_a_page_and_markdown_and_two_formats_are_refused() {
     let output = &VALIDATED.output;
     assert!(
-        output.status == 0 && output.out.contains("MAE [m] of carry"),
+        output.status == 0 && output.out.contains("error of the carry [m]"),
         "{}",
         output.err
     );

@@ -162,7 +162,8 @@ impl Report for CertificateReport<'_> {
         document.list([Line::item(
             "error: the difference from the numerical derivative; num-dual: the difference from the \
              derivative over num_dual::Dual64; both relative to the exact derivative, or absolute \
-             if it is 0",
+             if it is 0; Taylor slopes: the orders of the Taylor remainders of degree 0, 1 and 2 \
+             in the step (expected: at least 1, 2 and 3; – where rounding dominates)",
         )]);
         let lines = lines(self.certificate, self.while_loop, system);
         document.list(lines.into_iter().map(Line::item));

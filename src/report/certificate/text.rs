@@ -9,6 +9,9 @@ use crate::study::certificate::{
 };
 use crate::units::{System, counted, counted_of, fixed, significant};
 
+/// Number of rows with the verdict `pass` in a plain text without the option `all`.
+const FIRST_ROWS: usize = 6;
+
 /// The progress of an interrupted certificate; `None` for a complete certificate.
 pub(super) fn stopped(certificate: &Certificate) -> Option<String> {
     let [done, all] = certificate.stopped?;
@@ -79,7 +82,7 @@ pub(super) fn ending(certificate: &Certificate) -> String {
 /// The text about a parameter value where the number of time steps changes. It states by how much
 /// an outcome, its gradient and its Hessian jump there.
 fn continuity(found: &Continuity, system: System) -> String {
-    let show = |values: [f64; 3]| values.map(|value| format!("{value:.0e}")).join(", ");
+    let show = |values: [f64; 3]| values.map(one_digit).join(", ");
     let unit = system.unit(found.parameter.unit);
     format!(
         "{}: at {} = {}, where the number of steps changes from {} to {}, {}, its gradient and its \
@@ -93,6 +96,14 @@ fn continuity(found: &Continuity, system: System) -> String {
         show(found.jumps),
         show(found.tolerances),
     )
+}
+
+/// An error with one digit: "4e-16", or "0".
+fn one_digit(error: f64) -> String {
+    if error == 0.0 {
+        return "0".into();
+    }
+    format!("{error:.0e}")
 }
 
 /// The number of rows in which a planted error is detected, as text.
@@ -203,6 +214,10 @@ fn agreement(rows: &[DerivativeRow]) -> Option<String> {
 
 /// Table of the derivatives with their verdicts.
 pub(super) fn rows_table(rows: &[DerivativeRow]) -> DocumentTable {
+    let not_passed = rows
+        .iter()
+        .filter(|row| row.verdict() != Verdict::Pass)
+        .count();
     let head = [
         "outcome",
         "by",
@@ -221,11 +236,7 @@ pub(super) fn rows_table(rows: &[DerivativeRow]) -> DocumentTable {
             } else {
                 error / exact.abs()
             };
-            if error == 0.0 {
-                "0".into()
-            } else {
-                format!("{error:.0e}")
-            }
+            one_digit(error)
         };
         let slopes = row
             .slopes
@@ -245,7 +256,10 @@ pub(super) fn rows_table(rows: &[DerivativeRow]) -> DocumentTable {
             slopes.join(" "),
         ]
     });
-    DocumentTable::new(head, rows).right(3..=6)
+    let mut table = DocumentTable::new(head, rows).right(3..=6);
+    table.key_columns = 2;
+    table.first_rows = not_passed + FIRST_ROWS;
+    table
 }
 
 /// The exact derivative of a row for display: 0 if it is a rounding error.
@@ -281,8 +295,8 @@ fn landing(certificate: &Certificate) -> Option<String> {
         corners => format!(", and {corners} have a corner"),
     };
     Some(format!(
-        "{}: {} of {} derivatives at the landing agree with differences at a fixed time, moved \
-         to the ground{corners}; the largest error, of \
+        "{}: {} of {} derivatives at the landing agree with finite differences of the path at \
+         a fixed time, extrapolated to the ground{corners}; the largest error, of \
          d {}/d {}, is {:.0e} (allowed: {:.0e})",
         Verdict::of(count(Verdict::Fail) == 0).name(),
         count(Verdict::Pass),
@@ -315,11 +329,18 @@ fn while_loop(loops: &[LoopRow]) -> Option<String> {
         .count();
     Some(format!(
         "for comparison, the while-loop of the MAE 494 report, which stops at the first step below \
-         the ground: of the finite differences of its carry by {}, {passed} would pass and {} have \
-         the wrong sign; the largest error is that of d carry/d {}: the finite difference at a \
-         step of 1e-8 of the parameter's scale is {}, the exact derivative {} (SI)",
-        counted(loops.len() as u64, "parameter"),
-        loops.iter().filter(|row| row.has_wrong_sign).count(),
+         the ground: {} of its carry would pass; {} the wrong sign. The largest error is that of \
+         d carry/d {}: the finite difference at a step of 1e-8 of the parameter's scale is {}, the \
+         exact derivative {} (SI).",
+        counted_of(
+            passed as u64,
+            loops.len() as u64,
+            ["finite difference", "finite differences"]
+        ),
+        match loops.iter().filter(|row| row.has_wrong_sign).count() {
+            1 => "1 has".into(),
+            wrong => format!("{wrong} have"),
+        },
         worst.parameter.name,
         worst
             .difference
@@ -340,11 +361,11 @@ fn convergence(found: &Convergence) -> String {
         Some(order) => format!("{order:.2}"),
     };
     format!(
-        "{}: {} converges with the step to order {}, its gradient to order {} (expected: {} and \
+        "{}: order of convergence with the step: {} for {}, {} for its gradient (expected: {} and \
          {}{})",
         found.verdict.name(),
-        found.of.name(),
         order(0),
+        found.of.name(),
         order(1),
         found.expected[0],
         found.expected[1],
@@ -376,8 +397,8 @@ fn step_error(errors: &[StepError]) -> Option<String> {
         let (of, by) = (found.of.name(), parameter.name);
         let of_outcome = found.derivative_error_of_outcome;
         text += &format!(
-            ", and d {of}/d {by} by {error:.0e} ({of_outcome:.0e} of {of} for a change of the \
-             parameter by its typical size); all other outcomes and derivatives \
+            ", and d {of}/d {by} by {error:.0e} (a change of {by} by its typical size then has an \
+             error of {of_outcome:.0e} of {of}); all other outcomes and derivatives \
              differ by less, and no verdict depends on these errors"
         );
     }

@@ -15,6 +15,9 @@ pub struct DocumentTable {
     pub remarks: Vec<Line>,
     /// Number of rows in a plain text without the option `all`.
     pub first_rows: usize,
+    /// Number of columns, from the left, that identify a row. A text too narrow for all columns
+    /// repeats them.
+    pub key_columns: usize,
 }
 
 impl DocumentTable {
@@ -32,6 +35,7 @@ impl DocumentTable {
             row_notes: vec![],
             remarks: vec![],
             first_rows: usize::MAX,
+            key_columns: 1,
         }
     }
 

@@ -59,7 +59,7 @@ impl DocumentTable {
 
     /// The heads and cells in lines of at most `most` characters, without ruled lines. If the table
     /// is too wide, a last column of text is wrapped. If that does not suffice, the remaining
-    /// columns follow below, and the first column is repeated.
+    /// columns follow below, and the key columns are repeated.
     fn columns(&self, rows: &[Vec<String>], most: usize) -> String {
         let all: Vec<usize> = (0..self.head.len()).collect();
         let widths: Vec<usize> = all.iter().map(|&column| self.width(rows, column)).collect();
@@ -76,16 +76,22 @@ impl DocumentTable {
         if !self.is_right[last] && of_others + NARROWEST <= most {
             return self.part(rows, &all, Some(most));
         }
+        let keys = self.key_columns;
+        let of_keys = MARGIN
+            + widths[..keys]
+                .iter()
+                .map(|width| width + MARGIN)
+                .sum::<usize>();
         let mut parts = vec![];
-        let mut begun = 1;
+        let mut begun = keys;
         while begun < all.len() {
-            let mut reach = MARGIN + widths[0] + MARGIN + widths[begun];
+            let mut reach = of_keys + widths[begun];
             let mut end = begun + 1;
             while end < all.len() && reach + MARGIN + widths[end] <= most {
                 reach += MARGIN + widths[end];
                 end += 1;
             }
-            let columns: Vec<usize> = std::iter::once(0).chain(begun..end).collect();
+            let columns: Vec<usize> = (0..keys).chain(begun..end).collect();
             parts.push(self.part(rows, &columns, None));
             begun = end;
         }
@@ -183,10 +189,12 @@ mod tests {
         let columns = head.len();
         let row = std::iter::once("first".to_owned()).chain((0..12).map(|i| format!("{i}.25")));
         let rows = [row.collect::<Vec<_>>()];
-        let table = DocumentTable::new(head, rows.clone()).right(1..columns);
+        let mut table = DocumentTable::new(head, rows.clone()).right(1..columns);
+        table.key_columns = 2;
         let text = table.columns(&rows, WIDTH);
         assert!(widest(&text) <= WIDTH, "{text}");
-        assert_eq!(text.matches("first").count(), 2, "{text}");
+        let repeated = ["first", "column-00", " 0.25"].map(|key| text.matches(key).count());
+        assert_eq!(repeated, [2; 3], "{text}");
         assert!(
             (0..12)
                 .all(|i| text.contains(&format!(" {i}.25"))

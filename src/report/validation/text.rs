@@ -29,6 +29,10 @@ pub(super) fn summary(document: &mut Document, found: &[SetScores], system: Syst
                 .and_then(of)
                 .map_or(NONE.into(), |mean| shown(first(set), mean, system))
         };
+        let set_name = match first(set).words() {
+            CARRY => set.set.name.to_owned(),
+            other => format!("{}, {other}", set.set.name),
+        };
         let mut cells = vec![
             set.cases.len().to_string(),
             named(default),
@@ -38,19 +42,20 @@ pub(super) fn summary(document: &mut Document, found: &[SetScores], system: Syst
         cells.extend([
             best.map_or(NONE.into(), |(mean, _)| shown(first(set), mean, system)),
             best.map_or(NONE.into(), |(_, law)| law.to_owned()),
-            match first(set).words() {
-                CARRY => set.set.name.to_owned(),
-                other => format!("{}, {other}", set.set.name),
-            },
+            set_name,
         ]);
         cells
     });
-    let quantity = format!("MAE [{}] of carry", system.unit("yd"));
     let mut head = vec!["drives", default, ALTERNATIVE];
     head.extend(own.map(|_| "your table"));
-    head.extend(["best", "which is", &quantity]);
+    head.extend(["smallest", "of the law", "set"]);
     let numbers = 0..head.len() - 2;
-    document.add(DocumentTable::new(head, rows).right(numbers));
+    let mut table = DocumentTable::new(head, rows).right(numbers);
+    table.caption = format!(
+        "Mean absolute error of the carry [{}], or of the quantity after the name of the set",
+        system.unit("yd")
+    );
+    document.add(table);
     document.paragraph(reasons(found, default, system));
 }
 
@@ -70,20 +75,20 @@ fn reasons(found: &[SetScores], default: &str, system: System) -> String {
     };
     let averages = found.iter().filter(|set| set.set.is_averaged);
     let best: Vec<String> = averages
-        .filter_map(|set| Some(format!("{} ({})", best(set)?.1, set.set.name)))
+        .filter_map(|set| Some(format!("{} on {}", best(set)?.1, set.set.name)))
         .collect();
     format!(
-        "No law is the best on every set, and the default is not the one with the smallest error \
-         of carry on averages of drives: {} are. But averaged drives scatter, and their mean carry \
-         is shorter than the carry of the average launch: by {} with {default} (the bias less the \
-         column \"averaged\" in the tables of these sets). A law that is right for single drives \
-         must predict as much more than the averages; {default} predicts {} more, {ALTERNATIVE} \
-         {}. The default is \
+        "No law has the smallest error on every set. On averages of drives, laws other than the \
+         default have the smallest error of carry: {}. But averaged drives scatter, and their mean \
+         carry is shorter than the carry of the average launch: by {} with {default} (the bias \
+         less the column \"averaged\" in the tables of these sets). A law that is exact for single \
+         drives therefore predicts more than the published averages, by these amounts. \
+         {default} predicts {} more, {ALTERNATIVE} {}. The default is \
          {default} because it was fitted to a launch monitor's predictions of single drives, and \
-         because the mean error of its descent over all clubs is {}, that of {ALTERNATIVE} {}. \
-         {ALTERNATIVE} is the independent alternative, fitted to radar flights of one ball: its \
-         apex is nearer on drivers, its descent is not. The difference of the two is a measure of \
-         the model's error.",
+         because the mean absolute error of its descent angle over the other clubs is {}, that of \
+         {ALTERNATIVE} {}. {ALTERNATIVE} is the independent alternative, fitted to radar flights \
+         of one ball: on drivers its apex has a smaller error, its descent angle a larger one. The \
+         difference of the two laws is a measure of the model's error.",
         best.join(", "),
         over_averages(default, 1),
         over_averages(default, 0),
@@ -124,7 +129,8 @@ pub(super) fn one(document: &mut Document, set: &SetScores, system: System) {
     let compared: Vec<Compared> = set.laws.first().map_or(vec![], |law| {
         law.scores.iter().map(|score| score.of).collect()
     });
-    let mut head: Vec<&str> = compared.iter().flat_map(|of| [of.words(), "MAE"]).collect();
+    let errors = compared.iter().flat_map(|of| [of.words(), "MAE"]);
+    let mut head: Vec<&str> = std::iter::once("law").chain(errors).collect();
     let is_swept = set.laws.iter().any(|law| law.bias_in_other_air.is_some());
     let [cold, warm] =
         OTHER_TEMPERATURES.map(|temperature| format!("{} °C", fixed(temperature - 273.15, 0)));
@@ -135,9 +141,9 @@ pub(super) fn one(document: &mut Document, set: &SetScores, system: System) {
     if is_swept {
         head.extend([cold.as_str(), &warm]);
     }
-    head.push("law");
     let rows = set.laws.iter().map(|law| {
-        let mut cells = errors_of(law, system);
+        let mut cells = vec![law_with_count(set, law)];
+        cells.extend(errors_of(law, system));
         let bias_text = |bias: Option<f64>| {
             bias.map_or(NONE.into(), |bias| difference(first(set), bias, system))
         };
@@ -147,10 +153,9 @@ pub(super) fn one(document: &mut Document, set: &SetScores, system: System) {
         if let Some(other) = &law.bias_in_other_air {
             cells.extend([other.cold, other.warm].map(bias_text));
         }
-        cells.push(law_with_count(set, law));
         cells
     });
-    let numbers = 0..head.len() - 1;
+    let numbers = 1..head.len();
     document.add(DocumentTable::new(head, rows).right(numbers));
 }
 
