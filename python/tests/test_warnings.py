@@ -130,7 +130,7 @@ def test_degrees_in_place_of_radians_have_a_warning() -> None:
 def test_swings_that_leave_the_law_warn() -> None:
     fast = "swing.speed=truncated(150mph,3mph,140mph,160mph)"
     with pytest.warns(
-        LongdriveWarning, match="100 % of the swings: more than 0.3 yd of carry comes from outside"
+        LongdriveWarning, match="100 % of the swings: the flight leaves the ranges"
     ):
         longdrive.optimize(SWUNG, vary="club.loft=4deg..20deg", distribution=fast)
 

@@ -32,7 +32,7 @@ impl<T: Numbers> AerodynamicLaw<T> for LaunchMonitor<T> {
             fitted: Fitted {
                 spin_ratio: Some([0.06, 0.33]),
                 reynolds: Some([7e4, 2.3e5]),
-                to: "what a launch monitor predicts of 400 shots",
+                to: "a launch monitor's predictions for 400 shots",
                 ..Fitted::UNKNOWN
             },
             continuous_derivatives: None,

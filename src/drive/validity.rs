@@ -248,41 +248,45 @@ impl ExceededLimits<Option<String>> {
 fn law_range_warning(subject: &str, law: &Law<f64>, scope: CheckScope) -> Message {
     let fitted = law.properties().fitted;
     let how = fitted.continuation(fitted.exceeded_ends([[f64::NEG_INFINITY, f64::INFINITY]; 4]));
-    let beginning = Message::from(format!("{subject}: "));
-    let (beginning, rest) = match scope {
-        CheckScope::Launch => {
-            let rest = "; the rest of the flight was not checked";
-            (beginning.words("at launch"), rest)
-        }
-        CheckScope::Flight => (beginning.message(share_outside(how)), ""),
+    let outside = match scope {
+        CheckScope::Launch => "the launch is outside of",
+        CheckScope::Flight => "the flight leaves",
     };
-    let beginning = beginning.words(format!(
-        " outside of what the law {} was fitted to (",
+    let beginning = format!(
+        "{subject}: {outside} the ranges that the law {} was fitted to (",
         law.name()
-    ));
-    fitted
-        .in_words(beginning)
-        .words(format!("; {}), where it is {how}{rest}", fitted.to))
+    );
+    let message = fitted
+        .in_words(beginning.into())
+        .words(format!("; {}), where it is {how}", fitted.to));
+    match scope {
+        CheckScope::Launch => message.words("; the rest of the flight was not checked"),
+        CheckScope::Flight => with_thresholds(message, how),
+    }
 }
 
-/// Part of a warning: the thresholds of [`Drive::extrapolated`] in words, such as "at least 1 % of
-/// the flight time is".
-fn share_outside(how: Continuation) -> Message {
-    let time = format!(
+/// Adds the thresholds of [`Drive::extrapolated`] in words to a warning, such as ", for at least 1 %
+/// of the flight time".
+fn with_thresholds(message: Message, how: Continuation) -> Message {
+    let lasts = format!(
         "at least {:.0} % of the flight time",
         100.0 * LEAST_WARNED_SHARE
     );
-    let carry = Message::from("more than ")
-        .quantity(
-            Quantity::LENGTH,
-            "yd",
-            LEAST_WARNED_CHANGE,
-            Digits::Significant(1),
-        )
-        .words(" of carry comes from");
+    let with_change = |message: Message| {
+        message
+            .words(", which changes carry by more than ")
+            .quantity(
+                Quantity::LENGTH,
+                "yd",
+                LEAST_WARNED_CHANGE,
+                Digits::Significant(1),
+            )
+    };
     match how {
-        Continuation::Held => format!("{time} is").into(),
-        Continuation::Extrapolated => carry,
-        Continuation::ExtrapolatedOrHeld => carry.words(format!(", or {time} is,")),
+        Continuation::Held => message.words(format!(", for {lasts}")),
+        Continuation::Extrapolated => with_change(message),
+        Continuation::ExtrapolatedOrHeld => {
+            with_change(message).words(format!(" or lasts {lasts}"))
+        }
     }
 }

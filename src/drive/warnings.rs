@@ -218,9 +218,9 @@ impl Drive<f64> {
             let message = format!("the law {name} was fitted to a {variable} of ").into();
             let message = fitted_range
                 .in_words(message, [low, high])
-                .words(format!(" ({}); in this flight it goes from ", fitted.to));
+                .words(format!(" ({}); in this flight it is ", fitted.to));
             let message = fitted_range.in_words(message, flown.flown).words(format!(
-                ", {percent:.0} % of the time outside, where the law is {how}"
+                ", and outside of that range for {percent:.0} % of the time, where the law is {how}"
             ));
             Some(match change {
                 None => message,
@@ -281,9 +281,9 @@ impl Drive<f64> {
 }
 
 /// A change of the carry by [`Drive::extrapolated_carry`] in words: "with the law held at the end of
-/// its range the carry is 1.3 yd longer".
+/// its range the carry would be 1.3 yd longer".
 pub fn carry_with_law_held(change: f64) -> Message {
-    Message::from("with the law held at the end of its range the carry is ")
+    Message::from("with the law held at the end of its range the carry would be ")
         .quantity(Quantity::LENGTH, "yd", change.abs(), Digits::Significant(2))
         .words(if change < 0.0 { " shorter" } else { " longer" })
 }

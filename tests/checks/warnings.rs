@@ -248,7 +248,7 @@ fn a_range_exceeded_at_both_ends_has_the_carry_from_its_extrapolated_end() {
     assert!(
         of_spin_ratio.is_some_and(|it| it.contains(
             "where the law is extrapolated or held; with the law held at the end of its range the \
-             carry is "
+             carry would be "
         )),
         "{found:?}"
     );
@@ -374,7 +374,8 @@ fn same_count_of_a_sweep_for_any_threads() {
     )
     .unwrap();
     let message = format!(
-        "{outside} of 5000 drives that landed: at launch outside of what the law launch-monitor"
+        "{outside} of 5000 drives that landed: the launch is outside of the ranges that the law \
+         launch-monitor"
     );
     for threads in ["1", "2"] {
         let output = folder.path().join(format!("{threads}.csv"));
@@ -491,8 +492,7 @@ fn charts_and_calibrations_count_drives_beyond_the_law() {
     ]);
     let points = chart["points"].as_array().unwrap().len();
     let message = format!(
-        "{points} of {points} optima: more than 0.3 yd of carry comes from outside of what the law \
-         smits-smith"
+        "{points} of {points} optima: the flight leaves the ranges that the law smits-smith"
     );
     assert!(
         status == 0 && chart["warnings"][0].as_str().unwrap().starts_with(&message),
@@ -582,7 +582,7 @@ fn plots_and_reports_of_optima_warn_once_for_each_kind() {
         "swing.speed=140mph..145mph",
     ];
     let says = [
-        "optima: more than 0.3 yd of carry comes from outside of",
+        "optima: the flight leaves the ranges that the law",
         "; swing.speed = 140 mph to 145 mph",
     ];
     let of_optima = |answer: &serde_json::Value| {
@@ -863,7 +863,7 @@ fn independent_share_of_the_swings_beyond_the_law_at_the_best_design() {
     assert_eq!(status, 0, "{found}");
     let message = warning_of(
         &found,
-        " % of the swings: more than 0.3 yd of carry comes from outside of what the law winfield-tan",
+        " % of the swings: the flight leaves the ranges that the law winfield-tan",
     );
     let share: f64 = message.split(' ').next().unwrap().parse().unwrap();
     let mut setup = Setup::preset("tour-average").unwrap();
@@ -930,7 +930,7 @@ fn warning_of(found: &serde_json::Value, says: &str) -> String {
 #[test]
 fn designs_models_and_fronts_beyond_the_law_have_warnings() {
     let fast = ["--set", "swing.speed=160mph"];
-    let says = "outside of what the law";
+    let says = "the flight leaves the ranges that the law";
     let (_, found) = json(
         &[
             &[
@@ -945,8 +945,7 @@ fn designs_models_and_fronts_beyond_the_law_have_warnings() {
         .concat(),
     );
     assert!(
-        warning_of(&found, says)
-            .contains(" % of the swings: more than 0.3 yd of carry comes from outside"),
+        warning_of(&found, says).contains(" % of the swings: the flight leaves the ranges"),
         "{found}"
     );
     let models = [

@@ -28,7 +28,7 @@ pub struct Model {
 /// Default models: known uncertainties of impact and flight as changes of a setup
 /// (docs/sources.md).
 const USUAL: [([(&str, &str); 1], &str); 4] = [
-    ([(LAW, "launch-monitor")], "what a launch monitor predicts"),
+    ([(LAW, "launch-monitor")], "a launch monitor's predictions"),
     (
         [(LAW, "ferguson")],
         "fitted to radar flights of a ball of 2021, independently of the default law",
