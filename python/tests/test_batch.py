@@ -400,7 +400,8 @@ def test_results_among_the_columns_of_a_frame_are_named() -> None:
     swept = longdrive.sweep("mae494", points=heads)
     assert "since they are results or remarks" in swept.warnings[0]
     assert swept.warnings[0].endswith(": ball_speed")
-    # a frame that was made from a table has its results with their units
+    # a frame made from a Table knows the units of its result columns, so they are ignored without a
+    # warning
     table = longdrive.batch("mae494", {"club.loft": [0.15, 0.18]}, wrt="club.loft")
     for frame in (table.to_pandas(), pytest.importorskip("pyarrow").table(table)):
         assert longdrive.batch("mae494", frame, wrt="club.loft").warnings == []

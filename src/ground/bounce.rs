@@ -149,9 +149,10 @@ mod tests {
         0.5 * ball.velocity.dot(ball.velocity) + 0.2 * RADIUS * RADIUS * ball.spin.dot(ball.spin)
     }
 
-    /// Penner's equations (2002, pp. 933–934), evaluated by hand for a ball that rolls at exit.
+    /// Penner's equations (2002, pp. 933–934) for a ball that rolls at exit, with the factor S of eq.
+    /// 19 of docs/model.md on his tilt.
     #[test]
-    fn published_bounce_of_penner_with_rolling_at_exit() {
+    fn independent_bounce_of_penner_with_rolling_at_exit() {
         let turf = Turf::new(&Setup::modern_driver());
         for (speed, spin) in [(REFERENCE_SPEED, 300.0), (25.0, 200.0), (28.0, 0.0)] {
             // S in eq. 19 at 45.6° to the ground

@@ -64,10 +64,11 @@ const STEP_DIFFERENCE: f64 = 0.035;
 /// a flight almost without air).
 const ROUNDING: f64 = 1e-12;
 
-/// The longest trial step for which all tested lengths have errors below `tolerance`, m. The tested
-/// lengths are those among the outcomes, or carry if there are none. The tested drives are the
-/// setup's own, and drives at the ends of the ranges and inside them. All drives have this one
-/// step, so outcomes stay smooth.
+/// The longest trial step for which the error of each tested length is at most a quarter of
+/// `tolerance`, m. The tested lengths are those among the outcomes, or carry if there are none. The
+/// tested drives are the setup's own, the corners of the first four ranges, and 64 drives inside
+/// the ranges. Other drives in the ranges may have larger errors. All drives have this one step, so
+/// outcomes stay smooth.
 ///
 /// ```
 /// use longdrive::{Outcome, Setup, integration::accuracy};
@@ -77,7 +78,7 @@ const ROUNDING: f64 = 1e-12;
 /// ```
 ///
 /// # Errors
-/// [`Error::Tolerance`] if `tolerance` is ≤ 0, or if no step down to 4 ms reaches it (the message
+/// [`Error::Tolerance`] if `tolerance` is not positive and finite, or if no step down to 4 ms reaches it (the message
 /// names a failing drive); [`Error::NoFlight`] if no drive lands; the errors of [`Batch::new`].
 pub fn accuracy(
     setup: &Setup<f64>,

@@ -177,7 +177,7 @@ fn published_covariance_of_a_mean_with_hubers_loss() {
         assert!((mean.covariance[0][0].unwrap() - exact).abs() < 1e-12);
         assert!(mean.is_scaled && mean.probability.is_none(), "{mean:?}");
     }
-    // every residual exceeds k: the loss has no curvature
+    // the size of every residual exceeds k: the loss has no curvature
     let rows = Rows {
         residuals: vec![-3.0, -2.0, 2.0, 4.0],
         jacobian: vec![vec![1.0]; 4],

@@ -437,7 +437,7 @@ fn exact_minima_of_indefinite_functions_lie_in_corners_of_the_box() {
             2.0
         );
     }
-    // cos 3x has its minimum where its curvature is positive
+    // the search starts where the curvature of cos 3x is negative; the minimum is at π/3
     let wave = |v: &[f64]| {
         let (sin, cos) = (3.0 * v[0]).sin_cos();
         Ok(plain(cos, vec![-3.0 * sin], vec![vec![-9.0 * cos]]))

@@ -271,7 +271,7 @@ fn few_searches_fail_from_other_starts() {
             continue;
         }
         for k in 1..=8 {
-            // spread over ±30 % of the size of each coordinate
+            // spread over ±30 % of max(|x|, 0.3) in each coordinate
             let part = |i: usize| {
                 (f64::from(k) * (0.754_877_666 + 0.569_840_29 * (i + 1) as f64)).fract() - 0.5
             };

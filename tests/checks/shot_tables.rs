@@ -785,7 +785,8 @@ fn summary_rows_are_recognised_in_german_too() {
 
 const LAUNCH: &str = "160.0,12.0,-1.5,2500,3.0,262.0";
 
-/// A table with these heads and first cells, and one shot in each row.
+/// A table with a row for each of `cells`, the values of the columns `heads`; every row has the
+/// launch [`LAUNCH`].
 fn with_first_cells(heads: &str, cells: &[&str]) -> String {
     let rows: String = cells
         .iter()

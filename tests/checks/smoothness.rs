@@ -142,8 +142,8 @@ fn exact_continuity_of_the_apex_across_steps() {
     }
 }
 
-/// The number of lofts at which the step that contains the apex changes. Also the largest relative
-/// jumps there of the outcome and of its first and second derivatives.
+/// The number of lofts at which the apex moves to another step, and the largest relative jumps at
+/// these lofts: of the outcome, of its slope and of its second derivative by loft.
 fn apex_jumps(setup: &Setup<f64>, of: Outcome) -> (usize, [f64; 3]) {
     let wrt = ["club.loft", "swing.attack_angle"].map(|name| setup.variable(name).unwrap());
     let apex_step = |loft: f64| {

@@ -192,8 +192,8 @@ pub fn bound_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
     .collect()
 }
 
-/// A warning for each parameter whose values differ between the rows of the table and that is not
-/// an unknown. Written setups and distributions of swings have its mean.
+/// A warning for each parameter for which the rows state different values and that is not an
+/// unknown: the written setup and the written swings have the mean of these values.
 pub fn difference_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
     let given = Spread::of_given(all).into_iter().filter(Spread::differs);
     given

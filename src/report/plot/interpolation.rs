@@ -140,7 +140,8 @@ fn continued(field: &Field) -> Vec<f64> {
         let before = values.clone();
         for i in (0..values.len()).filter(|i| before[*i].is_none()) {
             let (column, row) = (i % columns, i / columns);
-            // the mean of linear extrapolations from the two nearest nodes on each side
+            // the mean over the sides with a value: a linear extrapolation from the two nearest
+            // nodes, or the nearest value if the second node has none
             let reach = [column, columns - 1 - column, row, rows - 1 - row];
             let node = |side: usize, n: usize| {
                 [

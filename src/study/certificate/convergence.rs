@@ -86,8 +86,8 @@ pub struct Convergence {
     pub orders: [Option<f64>; 2],
     /// The expected orders.
     pub expected: [u32; 2],
-    /// The number of continuous derivatives of drag and lift, if joins of the law limit an expected
-    /// order; otherwise `null`.
+    /// The number of continuous derivatives of drag and lift where the pieces of the law meet, if
+    /// this lowers an expected order; otherwise `null`.
     pub limited_by_law: Option<u32>,
     /// `pass` or `fail`.
     pub verdict: Verdict,

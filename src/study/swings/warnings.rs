@@ -57,10 +57,13 @@ fn warnings(
 }
 
 impl Optimum {
-    /// Warnings about the setup at the optimum and about its drives. If the report compares the
-    /// totals before and after the search, a flat landing of the drive before the search gives a
-    /// warning too. If no drive of the search flies, the warnings are about the setup only. Once
-    /// `stop` is true, a warning says that the swings were not checked.
+    /// Warnings about the setup at the optimum and about its drives:
+    ///
+    /// - one drive: about the drive at the optimum, and about a flat landing of the drive as set up
+    ///   if the report shows both totals
+    /// - swings: each warning with the share of the swings; once `stop` is true, a warning that the
+    ///   swings were not checked
+    /// - no drive flies: about the setup only
     pub fn warnings(&self, stop: &AtomicBool) -> Vec<Message> {
         let mut of = self.search.outcomes();
         if self.compares_totals() {

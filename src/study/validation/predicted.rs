@@ -26,8 +26,8 @@ pub(super) fn predicted(
     };
     // the preset may have other coefficients than the published ones
     setup.law = law;
-    // with this step the error of carry is 1 µm; it is 4 µm for `usga-itr` and 40 µm for `nathan`,
-    // which are laws in pieces
+    // error of carry with this step: 1 µm; for the laws in pieces, 4 µm (`usga-itr`) and 40 µm
+    // (`nathan`)
     (setup.method, setup.flight.step) = (Method::DormandPrince8, 0.1);
     let setup = in_air_of(case, setup, temperature);
     let found = match set.computation {

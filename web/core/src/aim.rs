@@ -246,7 +246,7 @@ impl Aim {
         Ok(to)
     }
 
-    /// The largest change between two points, as a fraction of the ranges.
+    /// The largest change of a parameter between two points, as a fraction of its range.
     fn change(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
         let parts = [0, 1].map(|k| (to[k] - from[k]) / (self.vary[k].high - self.vary[k].low));
         // in a range of one value the quotient is NaN, which `max` ignores

@@ -176,7 +176,7 @@ function Axes() {
   const { explorer } = usePage();
   const { state } = explorer;
   const content = () => ({ axes: mapOf(state.value), names: axisNames(explorer) });
-  // use the lists again until their options change: they are long
+  // the lists are long and rarely change: make them again only if they do
   const { axes, names } = useSteady(() => JSON.stringify(content()), content);
   const select = (axis: 0 | 1, label: string) => (
     <label>
