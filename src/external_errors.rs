@@ -48,7 +48,7 @@ pub(crate) fn toml_error_text(
     text: &str,
     place: impl Fn(usize) -> (usize, usize),
 ) -> String {
-    const OF_VALUES: &str = "a value is a number, or text in quotes, as in loft = \"10.5 deg\"";
+    const OF_VALUES: &str = "a name stands once in its table, and its value is a number, or text in quotes, as in loft = \"10.5 deg\"";
     const OF_TABLES: &str = "a table is a name in brackets, as in [club]";
     let reason = error.message().trim_end().replace('\n', ", ");
     let Some(span) = error.span() else {

@@ -73,8 +73,8 @@ pub struct Args {
     pub vary: Vec<String>,
 
     /// The prior standard uncertainty of a parameter about its value in the setup, e.g.
-    /// swing.attack_angle=1deg. Repeatable [default: the error of a launch monitor for a club value
-    /// from an option or a row; the spread among golfers for other values].
+    /// swing.attack_angle=1deg. Repeatable [default: for a club value that an option or a row
+    /// gives, the error of a launch monitor; for others, the spread among golfers].
     #[arg(long, value_name = "NAME=AMOUNT")]
     pub sigma: Vec<String>,
 
@@ -275,8 +275,8 @@ fn loft_warning(club: &Request, setup: &Setup<f64>, unknowns: &[Unknown]) -> Vec
     let loft = setup.variable(LOFT).ok().map(|parameter| {
         let loft = parameter_text(parameter, setup.club.loft, system());
         format!(
-            "{LOFT} = {loft} is the loft of {}, and a best loft is found relative to it; state the \
-             loft of your club, for example `set {LOFT}=10.5deg`",
+            "{LOFT} = {loft} is the loft of {}: with another loft, the delivery and a best loft found \
+             from it are wrong; state the loft of your club, for example `set {LOFT}=10.5deg`",
             club.source.content.preset.name
         )
     });

@@ -131,7 +131,7 @@ fn notes_on_defaults(args: &Args, requested: &Search) -> Vec<String> {
     let mut notes = vec![];
     if !swings.is_given() {
         notes.push(format!(
-            "the swings scatter like those of {GOLFER}, about the setup's swing; for yours give \
+            "assumed standard deviations about the setup's swing: {GOLFER}; for yours give \
              `swings FILE`"
         ));
     }

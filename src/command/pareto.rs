@@ -255,9 +255,13 @@ impl GoalArgs {
             .collect::<Result<Vec<_>>>()?;
         let goals: [(Goal, Sense); 2] = goals.try_into().map_err(|all: Vec<_>| {
             Error::unreadable("the goals", format!(
-                "{} given, and a front has two goals; give two with `maximize` and `minimize`, for \
+                "{} given, but a front needs two: give them with `maximize` and `minimize`, for \
                  example `maximize carry` `minimize apex_height`",
-                if all.len() == 1 { "one is".into() } else { format!("{} are", all.len()) }
+                match all.len() {
+                    0 => "none is".into(),
+                    1 => "one is".into(),
+                    given => format!("{given} are"),
+                }
             ))
         })?;
         if goals[0].0.terms == goals[1].0.terms {

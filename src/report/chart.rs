@@ -169,12 +169,32 @@ impl Report for ChartReport<'_> {
             cells.truncate(column_count);
             cells
         });
-        document.add(DocumentTable::new(head, rows).right(0..numbers));
+        let mut table = DocumentTable::new(head, rows).right(0..numbers);
+        if let Some(first) = chart.points.first() {
+            table.caption = caption(chart, &first.best.search, system);
+        }
+        document.add(table);
         for why in chart.begun.iter().chain(&chart.ended) {
             document.paragraph(why.in_units(system));
         }
         document
     }
+}
+
+/// What each row of a chart is, such as "largest carry for each swing.speed; varied: club.loft 4° ..
+/// 20°".
+fn caption(chart: &Chart, search: &Search, system: System) -> String {
+    let varied: Vec<_> = search
+        .vary
+        .iter()
+        .map(|vary| format!("{} {}", vary.parameter.name, shown::range(vary, system)))
+        .collect();
+    format!(
+        "{} for each {}; varied: {}",
+        search.sense.best_of(&search.of),
+        chart.along.parameter.name,
+        varied.join(", ")
+    )
 }
 
 /// The outcomes of the launch in each row of a chart.

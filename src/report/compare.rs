@@ -197,7 +197,7 @@ fn outcomes(comparison: &Comparison, system: System) -> DocumentTable {
 
 fn add_causes(document: &mut Document, difference: &Difference, system: System) {
     let of = shown::words(difference.of.name());
-    let title = format!("{of} by parameter");
+    let title = format!("difference of {of} by parameter");
     add_shares(
         document,
         &title,
@@ -206,7 +206,7 @@ fn add_causes(document: &mut Document, difference: &Difference, system: System) 
         system,
     );
     if let Some(by_launch) = &difference.by_launch {
-        let title = format!("{of} by launch and air");
+        let title = format!("difference of {of} by launch and air");
         add_shares(document, &title, difference, by_launch, system);
     }
 }

@@ -178,7 +178,7 @@ impl Designed<'_> {
     /// The rules that apply, then the assumptions.
     fn assumptions(&self) -> Vec<Line> {
         let rules = if self.design.is_under_rules {
-            "under the Rules of Golf (docs/design.md has their sources)"
+            "the rules above are the Rules of Golf (sources: docs/design.md)"
         } else {
             "without the Rules of Golf (`rules none`)"
         };
@@ -207,8 +207,7 @@ impl Designed<'_> {
         let goal = &self.best.search.of;
         let text = match (constraint.enforcement, price, margin) {
             (Enforcement::Unknown, ..) => {
-                "not checked, because its value is unknown; it can be stated as a named limit"
-                    .into()
+                "not checked: no parameter gives it (docs/design.md says how to state it)".into()
             }
             (Enforcement::Value(_), _, Some(_)) => "met; not varied".into(),
             (_, Some(price), _) => {

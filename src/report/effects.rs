@@ -180,15 +180,9 @@ fn uncertainties(effects: &Effects, bars: &[SigmaEffect], system: System) -> Doc
     let rows = bars.iter().map(|bar| bar_cells(bar, of, system));
     let mut table = DocumentTable::new(head, rows).right(1..=5);
     table.first_rows = FIRST_ROWS;
-    let is_flown = bars.iter().all(|bar| bar.flown.iter().all(Option::is_some));
-    let flown = if is_flown {
-        "; the drives at −σ and +σ include these terms"
-    } else {
-        ""
-    };
     table.remark(format!(
-        "together ±{} to first order, for independent parameters; the sizes of the second-order \
-         terms add up to {}{flown}",
+        "together ±{} to first order, for independent parameters; this leaves out the second-order \
+         terms, whose sizes add up to {}",
         shown::difference(of, effects.standard_uncertainty(), system),
         shown::difference(of, effects.linearity(), system),
     ));

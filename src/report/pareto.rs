@@ -218,7 +218,7 @@ fn notes(found: &Pareto, system: System) -> Vec<String> {
     if found.points.len() > 1 {
         let [of, by] = [first, second].map(|goal| system.unit(goal.unit));
         notes.push(format!(
-            "slope: change of {} for each unit of {}, along the front{}",
+            "slope: change of {} for each unit of {}, along the front{}; – where it is not unique",
             first.expression,
             second.expression,
             if of.is_empty() && by.is_empty() {

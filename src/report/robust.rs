@@ -177,8 +177,8 @@ fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
     let goal = &found.search.of;
     let show = |value: f64| shown::goal_difference(goal, value, system);
     let least = format!(
-        "the design loses at most {} of {} with any of the models; no design was found whose \
-         greatest loss is smaller",
+        "The design loses at most {} of {} with any of the models; no design was found whose \
+         greatest loss is smaller.",
         show(found.greatest()),
         goal.expression
     );
@@ -189,12 +189,12 @@ fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
         + &match within {
             Some(within) if found.greatest() <= within => {
                 format!(
-                    "one design is within {} of the best for every model: {least}",
+                    "One design is within {} of the best for every model. {least}",
                     show(within)
                 )
             }
             Some(within) => format!(
-                "no design was found within {} of the best for every model: {least}",
+                "No design was found within {} of the best for every model. {least}",
                 show(within)
             ),
             None => least,

@@ -291,10 +291,10 @@ fn add_sensitivities(
         .map(|(parameter, found)| sensitivity_row(best, parameter, found, system))
         .collect();
     if !rows.is_empty() {
-        let value = format!("best {}", best.search.outcome().name());
+        let value = format!("change of best {}", best.search.outcome().name());
         let vary = best.search.vary.iter();
         let free = vary.filter(|vary| vary.low < vary.high);
-        let optimum = free.map(|vary| format!("best {}", vary.parameter.name));
+        let optimum = free.map(|vary| format!("of best {}", vary.parameter.name));
         let head: Vec<String> = ["per unit of".into(), value]
             .into_iter()
             .chain(optimum)
@@ -380,14 +380,14 @@ fn ellipse_line(best: &Optimum, ellipse: &Ellipse, loss: &str, system: System) -
     )
 }
 
-/// A direction in words, such as "together club.loft +1.20 deg, swing.attack_angle -0.90 deg, or
-/// the opposite: …".
+/// A direction in words, such as "a change of club.loft by +1.20°, swing.attack_angle by -0.90°, or
+/// by the opposite, loses …".
 fn direction_line(best: &Optimum, direction: &Direction, loss: &str, system: System) -> String {
     let moves = direction.along.iter().filter(|(_, along)| *along != 0.0);
     let moves: Vec<_> = moves
         .map(|(parameter, along)| {
             let step = shown::component(parameter, along * direction.reach, system);
-            format!("{} {step}", parameter.name)
+            format!("{} by {step}", parameter.name)
         })
         .collect();
     let of = best.search.outcome();
@@ -398,13 +398,13 @@ fn direction_line(best: &Optimum, direction: &Direction, loss: &str, system: Sys
         .map(|lost| shown::difference(of, *lost, system))
         .collect();
     let flown = if flown.is_empty() {
-        "both ends lie out of range".into()
+        "; both ends lie out of range".into()
     } else {
-        format!("drives there lose {}", flown.join(" and "))
+        format!(", and {} when flown", flown.join(" and "))
     };
     format!(
-        "together {}, or the opposite: a loss of {loss} by the quadratic model; {flown}",
-        moves.join(", ")
+        "a change of {}, or by the opposite, loses {loss} by the quadratic model{flown}",
+        moves.join(" with ")
     )
 }
 

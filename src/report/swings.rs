@@ -331,8 +331,8 @@ fn sampling(best: &Optimum, analysis: Option<&SwingsAnalysis>, system: System) -
             interval,
             sequences,
         })) => format!(
-            "{swings} {taken}; over all swings {} is {} to {} (99 %, by {sequences} other \
-             quasi-random sequences){}",
+            "{swings} {taken}; over infinitely many swings {} is {} to {} (99 % interval, from \
+             {sequences} other sequences){}",
             goal.expression,
             shown::goal(goal, interval.low, system),
             shown::goal(goal, interval.high, system),

@@ -385,7 +385,12 @@ fn depends(outcome: &OutcomeUncertainty, found: &Uncertainty) -> bool {
 
 fn ellipses(found: &Uncertainty, system: System) -> DocumentTable {
     use crate::drive::Outcome::Carry;
-    let head = ["landing ellipse", "half-axes", "long axis turned", "inside"];
+    let head = [
+        "landing ellipse",
+        "half-axes",
+        "long axis, from the target line",
+        "inside",
+    ];
     let rows = found.ellipses.iter().map(|sampled| {
         let [long, short] = sampled.ellipse.half_axes;
         let lengths =

@@ -71,14 +71,17 @@ impl ChartEvent {
         }
     }
 
-    /// The event in words, such as "club.loft begins"; `name` formats each bound and constraint.
+    /// The event in words, such as "club.loft at its upper bound from here on"; `name` formats
+    /// each bound and constraint.
     pub fn words(&self, name: impl Fn(&Active) -> String) -> String {
         match self {
             Self::Changed { begins, ends } => {
                 let begins = begins
                     .iter()
-                    .map(|active| format!("{} begins", name(active)));
-                let ends = ends.iter().map(|active| format!("{} ends", name(active)));
+                    .map(|active| format!("{} from here on", name(active)));
+                let ends = ends
+                    .iter()
+                    .map(|active| format!("{} no longer", name(active)));
                 begins.chain(ends).collect::<Vec<_>>().join(", ")
             }
             Self::Jump => "the optimum jumps: the local optimum followed so far ends here".into(),

@@ -111,7 +111,8 @@ pub fn effects(
 ) -> Result<Vec<Effects>> {
     sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
     let mut parameters = setup.variables();
-    // omit parameters of the roll-out, unless an outcome needs them or their uncertainty is stated
+    // omit parameters that affect only the run, unless an outcome needs them or their uncertainty
+    // is stated
     let runs = of.iter().any(|of| of.needs_run());
     let has_sigma = |parameter| sigmas.iter().any(|sigma| sigma.parameter == parameter);
     parameters.retain(|parameter| runs || !parameter.affects_only_run() || has_sigma(*parameter));

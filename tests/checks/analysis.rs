@@ -501,7 +501,7 @@ fn same_optima_on_the_chart_and_in_single_searches() {
             .as_ref()
             .unwrap()
             .to_string()
-            .contains("apex_height <= 35 yd begins"),
+            .contains("apex_height <= 35 yd from here on"),
         "{:?}",
         event.event
     );

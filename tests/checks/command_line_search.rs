@@ -434,7 +434,7 @@ fn chart_as_json_csv_and_table() {
     assert_eq!(csv.out.lines().count(), points.len() + 1);
     let text = longdrive(&args).out;
     assert!(
-        text.contains("<- apex height ≤ 35 yd begins") && text.contains("launch_angle"),
+        text.contains("<- apex height ≤ 35 yd from here on") && text.contains("launch_angle"),
         "{text}"
     );
     // the launch of a point of the chart is the launch of the drive with the optimum's values

@@ -492,22 +492,22 @@ fn broken_files_have_plain_messages() {
         (
             "a.toml",
             b"[club]\nloft = 10 deg\n",
-            "a value is a number, or text in quotes, as in loft = \"10.5 deg\"",
+            "its value is a number, or text in quotes, as in loft = \"10.5 deg\"",
         ),
         (
             "a.toml",
             b"[club]\nloft = 10deg\n",
-            "a value is a number, or text in quotes, as in loft = \"10.5 deg\"",
+            "its value is a number, or text in quotes, as in loft = \"10.5 deg\"",
         ),
         (
             "a.toml",
             b"[club]\nloft =\n",
-            "a value is a number, or text in quotes, as in loft = \"10.5 deg\"",
+            "its value is a number, or text in quotes, as in loft = \"10.5 deg\"",
         ),
         (
             "a.toml",
             b"[club]\nloft = True\n",
-            "a value is a number, or text in quotes, as in loft = \"10.5 deg\"",
+            "its value is a number, or text in quotes, as in loft = \"10.5 deg\"",
         ),
         (
             "a.toml",

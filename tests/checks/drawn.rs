@@ -457,8 +457,8 @@ fn events_of_a_chart_are_in_words_with_the_chosen_units() {
     let along = Vary::read(&setup, "swing.speed=80mph..130mph").unwrap();
     let found = chart(&setup, &search, along, &[], &ChartObserver::default()).unwrap();
     for (system, limit) in [
-        (System::Us, "apex height ≤ 35 yd begins"),
-        (System::Metric, "apex height ≤ 32.004 m begins"),
+        (System::Us, "apex height ≤ 35 yd from here on"),
+        (System::Metric, "apex height ≤ 32.004 m from here on"),
     ] {
         let note = &chart_figures(&found, &on_chart(&setup, None), system).drawn[0].note;
         assert!(

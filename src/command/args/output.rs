@@ -37,6 +37,11 @@ impl ValueEnum for System {
             Self::Metric => "Metres and metres per second",
             Self::Us => "Yards and miles per hour",
         };
-        Some(PossibleValue::new(self.name()).help(help))
+        let value = PossibleValue::new(self.name()).help(help);
+        Some(match self {
+            Self::Metric => value,
+            // else clap proposes `metric` for this word
+            Self::Us => value.alias("imperial"),
+        })
     }
 }

@@ -110,8 +110,8 @@ pub struct SetupArgs {
 
     /// Choose the cheapest integration method and time step whose error is at most LENGTH (1um if
     /// none is given) in every requested outcome that is a length. The choice is made once, before
-    /// the first drive. Commands that compute many drives, such as sweep, optimize and report,
-    /// choose for 1um by default, unless the setup or --set gives flight.method or flight.step.
+    /// the first drive. Commands that compute many drives, such as sweep, optimize and report, do
+    /// this with 1um by default, unless the setup or --set gives flight.method or flight.step.
     #[arg(
         long,
         value_name = "LENGTH",

@@ -367,9 +367,8 @@ impl Request {
             |name: &str| name.starts_with("swing.shaft") || name.starts_with("strike.");
         if self.has_average(is_of_shaft_or_strike) {
             return Some(format!(
-                "the loft is for the shaft and strike of {}: for the same launch other golfers \
-                 need a loft some degrees higher or lower; `delivery()` starts from your own \
-                 launch, `presets()` lists other golfers",
+                "the loft is for the shaft and strike of {}, and yours may differ by some degrees: \
+                 `delivery()` starts from your own launch, `presets()` lists other golfers",
                 self.source.content.preset.name
             ));
         }

@@ -28,8 +28,7 @@ pub(super) fn of_one(delivered: &Delivered, system: System) -> Document {
     if !delivered.unidentified.is_empty() {
         let title = Line::flush(
             "Each of these changes, of one parameter or of several together, hardly changes the \
-             launch. How far the delivery goes along them follows from ± before, not from the \
-             launch:",
+             launch, so the launch does not determine their sizes: these follow from ± before.",
         );
         let changes = delivered
             .unidentified
@@ -65,7 +64,7 @@ fn differences(delivered: &Delivered, system: System) -> DocumentTable {
             fixed(posterior.residual(), 2),
         ]
     });
-    let head = ["given", "value", "±", "of the delivery", "difference in ±"];
+    let head = ["given", "value", "±", "computed", "difference / ±"];
     DocumentTable::new(head, of_launch.chain(of_club)).right([1, 2, 3, 4])
 }
 

@@ -24,22 +24,15 @@ impl Default for TextOptions {
     }
 }
 
-/// Replaces the blocks of [`Detail::WithAll`] in a text without the option `all`.
+/// The last line of a text that leaves out blocks of [`Detail::WithAll`].
 const REST: &str = "the rest of the answer: `all`";
 
 impl Document {
     /// The document as plain text, its blocks separated by blank lines.
     pub fn text(&self, options: &TextOptions) -> String {
         let title = (!self.title.is_empty()).then(|| underlined(&self.title, "="));
-        let last_left_out = self
-            .parts
-            .iter()
-            .rposition(|part| part.detail == Detail::WithAll && !options.all);
         let width = options.width;
         let blocks = self.parts.iter().enumerate().filter_map(|(at, part)| {
-            if Some(at) == last_left_out {
-                return Some(Indent::Flush.lines(REST, width));
-            }
             let is_left_out = match part.detail {
                 Detail::Always => false,
                 Detail::WithAll => !options.all,
@@ -62,9 +55,13 @@ impl Document {
                 DocumentBlock::Figure(_) => return None,
             })
         });
+        let leaves_out_blocks =
+            !options.all && self.parts.iter().any(|part| part.detail == Detail::WithAll);
+        let rest = leaves_out_blocks.then(|| Indent::Flush.lines(REST, width));
         title
             .into_iter()
             .chain(blocks)
+            .chain(rest)
             .collect::<Vec<_>>()
             .join("\n")
     }

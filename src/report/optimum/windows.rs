@@ -64,8 +64,8 @@ pub(in crate::report) fn window_end(
     }
 }
 
-/// The gain of the club in words, such as "the club alone, with the swing as set up: +2.60 yd
-/// (club.loft 10.40°); varying the swing too: +11.90 yd more".
+/// The gain of the club in words, such as "gain by the club alone: +2.60 yd (club.loft 10.40°); by
+/// varying the swing too: a further +11.90 yd".
 fn club_text(optimum: &Optimum, club: &ClubAlone, system: System) -> String {
     let goal = &optimum.search.of;
     let gain = |amount: f64| signed(amount, shown::goal_difference(goal, amount, system));
@@ -80,8 +80,7 @@ fn club_text(optimum: &Optimum, club: &ClubAlone, system: System) -> String {
         false => ", from a drive that violates a limit",
     };
     format!(
-        "the club alone, with the swing as set up: {} ({values}){from}; varying the swing too: {} \
-         more",
+        "gain by the club alone: {} ({values}){from}; by varying the swing too: a further {}",
         gain(club.club_gain),
         gain(club.swing_gain)
     )

@@ -23,12 +23,11 @@ const PATH_WITH_FACE: f64 = 0.317;
 /// ground, or send the ball far off the fairway.
 const WITHIN: f64 = 2.0;
 
-/// Source of the scatter.
-pub const GOLFER: &str = "one golfer's 58 drives (Bliss & Langdown 2026: speed 3.29 mph, attack \
-                          2.05°, path 2.28°, face 4.17°, face to path 4.07°), and \
-                          strikes with standard deviations of 8.2 mm to heel and toe and 6 mm up \
-                          and down (8 drives of another golfer), each within two standard \
-                          deviations";
+/// The standard deviations of the scatter, with their sources.
+pub const GOLFER: &str = "speed 3.29 mph, attack angle 2.05°, path 2.28°, face angle 4.17°, face \
+                          to path 4.07° (58 drives of one golfer, Bliss & Langdown 2026); strike \
+                          8.2 mm to heel and toe, 6 mm up and down (8 drives of another golfer); \
+                          truncated at two standard deviations";
 
 /// Swings with the scatter of a measured golfer, about the swing of a setup.
 ///
