@@ -291,16 +291,17 @@ fn add_sensitivities(
         .map(|(parameter, found)| sensitivity_row(best, parameter, found, system))
         .collect();
     if !rows.is_empty() {
-        let value = format!("change of best {}", best.search.outcome().name());
+        let value = format!("best {}", best.search.outcome().name());
         let vary = best.search.vary.iter();
         let free = vary.filter(|vary| vary.low < vary.high);
-        let optimum = free.map(|vary| format!("of best {}", vary.parameter.name));
+        let optimum = free.map(|vary| format!("best {}", vary.parameter.name));
         let head: Vec<String> = ["per unit of".into(), value]
             .into_iter()
             .chain(optimum)
             .collect();
         let columns = head.len();
         let mut table = DocumentTable::new(head, rows).right(1..columns);
+        table.caption = "change of the optimum for each unit of a parameter".into();
         table.first_rows = FIRST_SENSITIVITIES;
         document.add(table);
     }
