@@ -33,20 +33,25 @@ export const isReplaced = (name: string, isLaunch: boolean) =>
 
 /**
  * The sliders of the first screen for the start of the ball: of the launch if it is given,
- * otherwise of the club. A launch may state its spin with an axis, or as backspin and sidespin.
+ * otherwise of the club.
  */
 export function firstOf(design: Design): readonly string[] {
   if (!hasLaunch(design)) return CLUB_FIRST;
-  return SPIN_AND_AXIS.some((name) => (design.set[name] ?? NONE) !== NONE)
-    ? LAUNCH_FIRST.map((name) => (BY_SPIN[name] ?? name)) : LAUNCH_FIRST;
+  return hasSpinAxis(design) ? LAUNCH_FIRST.map((name) => BY_SPIN[name] ?? name) : LAUNCH_FIRST;
 }
+
+/** The parameter of a launch for the amount of its spin. */
+export const spinOf = (design: Design) => (hasSpinAxis(design) ? 'launch.spin' : 'launch.backspin');
+
+/** True if a launch states its spin with an axis, false if as backspin and sidespin. */
+const hasSpinAxis = ({ set }: Design) =>
+  Object.values(BY_SPIN).some((name) => (set[name] ?? NONE) !== NONE);
 
 /** The parameters of a spin with an axis, by those of the same spin as backspin and sidespin. */
 const BY_SPIN: Readonly<Record<string, string>> = {
   'launch.backspin': 'launch.spin',
   'launch.sidespin': 'launch.spin_axis',
 };
-const SPIN_AND_AXIS = Object.values(BY_SPIN);
 
 /** The aerodynamic law of a design. */
 export const lawOf = (design: Design, catalog: Catalog): Value =>

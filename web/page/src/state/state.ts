@@ -1,6 +1,6 @@
 // The content of a link: designs, and how they are shown.
 import type { Design } from '../setup/design';
-import { firstOf, hasLaunch, isReplaced } from '../setup/design';
+import { hasLaunch, isReplaced, spinOf } from '../setup/design';
 import type { System } from '../setup/units';
 
 export type Goal = 'carry' | 'total';
@@ -57,7 +57,7 @@ export function withVaried(state: State, name: string, isVaried: boolean): State
 export function mapOf(state: State): readonly [string, string] {
   const isLaunch = hasLaunch(activeOf(state));
   const usual: [string, string] = isLaunch
-    ? ['launch.launch_angle', firstOf(activeOf(state))[2]!] : ['club.loft', 'swing.attack_angle'];
+    ? ['launch.launch_angle', spinOf(activeOf(state))] : ['club.loft', 'swing.attack_angle'];
   const chosen = state.map ?? usual;
   return chosen.some((name) => isReplaced(name, isLaunch)) ? usual : chosen;
 }
