@@ -87,7 +87,7 @@ test(`${COUNT.links} random links give a state of which all was named, and the c
       assert.ok(catalog.preset(preset), about);
       for (const [name, value] of Object.entries(set)) assert.ok(named.has(`${name}=${value}`), `${about} has no ${name}=${value}`);
     }
-    for (const name of [...page.varyOf(state), ...page.mapOf(state)]) assert.ok(catalog.parameter(name), `${about} ${name}`);
+    for (const name of [...page.varyOf(state, catalog), ...page.mapOf(state, catalog)]) assert.ok(catalog.parameter(name), `${about} ${name}`);
     assert.ok(unknown.every(part => typeof part === 'string'), about);
     // the link that the page writes for the state gives the same state
     const written = page.write(state);

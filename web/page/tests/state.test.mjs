@@ -185,12 +185,12 @@ test('a small number of a setup file keeps its digits', { skip }, () => {
   assert.equal(page.numberOf('air.viscosity', opened, catalog), 1.8341234567e-5);
 });
 
-test('a launch replaces the axes and the variables of its strike', () => {
+test('a launch replaces the axes and the variables of its strike', { skip }, () => {
   const state = { ...page.START, vary: ['impact.restitution', 'wind.right'], map: ['impact.restitution', 'wind.right'] };
-  assert.deepEqual([page.varyOf(state), page.mapOf(state)], [state.vary, state.map]);
+  assert.deepEqual([page.varyOf(state, catalog), page.mapOf(state, catalog)], [state.vary, state.map]);
   const designs = [{ preset: 'tour-average', set: { 'launch.ball_speed': '160 mph' } }];
-  assert.deepEqual(page.varyOf({ ...state, designs }), ['wind.right']);
-  assert.deepEqual(page.mapOf({ ...state, designs }), ['launch.launch_angle', 'launch.backspin']);
+  assert.deepEqual(page.varyOf({ ...state, designs }, catalog), ['wind.right']);
+  assert.deepEqual(page.mapOf({ ...state, designs }, catalog), ['launch.launch_angle', 'launch.backspin']);
 });
 
 test('each name of a link that the page does not know is listed, the others apply', { skip }, () => {
@@ -200,13 +200,28 @@ test('each name of a link that the page does not know is listed, the others appl
   assert.deepEqual([state.vary, state.map, state.active], [['club.loft'], ['club.loft', 'swing.speed'], 0]);
 });
 
-test('what the best drive may change of a launch does not replace that of a club', () => {
+test('a coefficient of another law is neither an axis nor a variable, but stays chosen', { skip }, () => {
+  const chosen = ['swing.speed', 'aero.cd_re'];
+  const state = { ...page.START, vary: chosen, map: chosen };
+  assert.deepEqual([page.varyOf(state, catalog), page.mapOf(state, catalog)], [chosen, chosen]);
+  // mae494 has the law robinson, without the coefficient cd_re
+  const designs = [{ preset: 'mae494', set: {} }];
+  const other = { ...state, designs };
+  assert.deepEqual(page.varyOf(other, catalog), ['swing.speed']);
+  assert.deepEqual(page.mapOf(other, catalog), ['club.loft', 'swing.attack_angle']);
+  const without = page.withVaried(other, catalog, 'swing.speed', false);
+  assert.deepEqual(page.varyOf(without, catalog), ['club.loft']);
+  assert.deepEqual(page.varyOf({ ...without, designs: state.designs }, catalog), ['aero.cd_re']);
+});
+
+test('what the best drive may change of a launch does not replace that of a club', { skip }, () => {
   const club = { ...page.START, vary: ['club.loft', 'swing.attack_angle'] };
   const designs = [{ preset: 'tour-average', set: { 'launch.ball_speed': '160 mph' } }];
-  const launch = page.withVaried({ ...club, designs }, 'launch.backspin', true);
-  assert.deepEqual(page.varyOf(launch), ['launch.launch_angle', 'launch.backspin']);
-  assert.deepEqual(page.varyOf({ ...launch, designs: club.designs }), club.vary);
-  assert.deepEqual(page.varyOf(page.withVaried(launch, 'launch.backspin', false)), ['launch.launch_angle']);
+  const launch = page.withVaried({ ...club, designs }, catalog, 'launch.backspin', true);
+  assert.deepEqual(page.varyOf(launch, catalog), ['launch.launch_angle', 'launch.backspin']);
+  assert.deepEqual(page.varyOf({ ...launch, designs: club.designs }, catalog), club.vary);
+  const without = page.withVaried(launch, catalog, 'launch.backspin', false);
+  assert.deepEqual(page.varyOf(without, catalog), ['launch.launch_angle']);
 });
 
 test('a slope of the carry is the gain beyond either bound of the loft', { skip }, () => {

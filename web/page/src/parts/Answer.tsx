@@ -4,19 +4,18 @@ import { priceOf } from '../drive/price';
 import { labelOf } from '../setup/parameters';
 import { digits, fromSI, toSI, withUnit } from '../setup/units';
 import type { Best } from '../state/best';
-import { varyOf } from '../state/state';
 import { usePage } from './context';
 import { length, lengthChange } from './lengths';
 import { useSteady } from './steady';
 
 export function Answer() {
   const { explorer } = usePage();
-  const { drive, best, refusal, showsEarlierDrive, state } = explorer;
+  const { drive, best, refusal, showsEarlierDrive } = explorer;
   const units = explorer.units.value;
   const goal = explorer.goal.value;
   const yours = drive.last?.outcomes;
   const theirs = best.last?.flight;
-  const names = useComputed(() => (best.last?.names ?? varyOf(state.value)).map(labelOf).join(' and ')).value;
+  const names = useComputed(() => (best.last?.names ?? explorer.varied.value).map(labelOf).join(' and ')).value;
   const rows = (['carry', 'total'] as const).map((name) => {
     const [mine, most] = [yours?.[name], theirs?.[name]];
     return (

@@ -6,7 +6,6 @@ import { commandLine } from '../setup/words';
 import { bestWords } from '../state/best';
 import type { Explorer } from '../state/explorer';
 import { messageOf } from '../state/explorer';
-import { varyOf } from '../state/state';
 import { usePage } from './context';
 import { download } from './download';
 
@@ -87,7 +86,7 @@ export function Files() {
 /** The arguments of the command that finds the best drive. */
 function wordsOf(explorer: Explorer): string[] {
   const state = explorer.state.value;
-  const words = bestWords(explorer, state, explorer.design.value, varyOf(state));
+  const words = bestWords(explorer, state, explorer.design.value, explorer.varied.value);
   return words.filter((word) => word !== '--json');
 }
 

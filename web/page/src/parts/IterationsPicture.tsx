@@ -7,7 +7,6 @@ import { isRefused } from '../drive/drive';
 import type { Explorer } from '../state/explorer';
 import type { MapAxes, MapData } from '../state/map';
 import { mapCall, mapKey, readMap } from '../state/map';
-import { mapOf } from '../state/state';
 import type { Iteration, Iterations } from '../state/iterations';
 import { modelAt } from '../state/iterations';
 import { useAnswer } from './answered';
@@ -58,7 +57,7 @@ export function IterationsPicture(props: Props) {
  * parameters of the map.
  */
 function axesOf({ goal, names, ranges }: Iterations, explorer: Explorer): MapAxes {
-  const ofMap = mapOf(explorer.state.value);
+  const ofMap = explorer.mapNames.value;
   if (names.length === 1) {
     // draw a curve as a map whose second axis has a single value: the axis of a parameter that
     // every setup has

@@ -6,7 +6,6 @@ import type { Explorer } from '../state/explorer';
 import type { Iteration, Iterations } from '../state/iterations';
 import { readIterations, iterationsCall } from '../state/iterations';
 import { isRefused, refusalOf } from '../drive/drive';
-import { varyOf } from '../state/state';
 import { useAnswer } from './answered';
 import { usePage } from './context';
 import { Figure } from './Figure';
@@ -28,7 +27,7 @@ export function IterationsView() {
 
 async function search(explorer: Explorer): Promise<Iterations | { refused: string } | undefined> {
   const { goal, units } = explorer.state.value;
-  const names = varyOf(explorer.state.value);
+  const names = explorer.varied.value;
   const ranges = names.map((name) => explorer.sliderRange(name));
   const call = iterationsCall(explorer.setup(), goal, units, names, ranges);
   const first = (await explorer.background.calls('iterations', [call]))?.numbers[0];
@@ -39,7 +38,7 @@ async function search(explorer: Explorer): Promise<Iterations | { refused: strin
 function Lecture() {
   const { explorer } = usePage();
   const { goal, units } = explorer.state.value;
-  const key = JSON.stringify([explorer.design.value, goal, units, varyOf(explorer.state.value)]);
+  const key = JSON.stringify([explorer.design.value, goal, units, explorer.varied.value]);
   const { answer, mark } = useAnswer(key, 150, () => search(explorer));
   if (!answer) return <p>The optimizer has no steps yet.</p>;
   return 'refused' in answer ? <p class="message">{answer.refused}</p>

@@ -4,7 +4,6 @@ import { labelOf } from '../setup/parameters';
 import { digits } from '../setup/units';
 import { loopCall, readLoop, worstOf } from '../state/loop';
 import type { Loop } from '../state/loop';
-import { mapOf } from '../state/state';
 import { useAnswer } from './answered';
 import { usePage } from './context';
 import { inLength, lengthUnit } from './lengths';
@@ -20,7 +19,7 @@ const ROOM = 4;
 export function LoopTrack({ name }: { name: string }) {
   const { explorer } = usePage();
   const step = explorer.loopStep.value;
-  return step !== null && mapOf(explorer.state.value)[0] === name ? <ErrorCurve name={name} step={step} /> : null;
+  return step !== null && explorer.mapNames.value[0] === name ? <ErrorCurve name={name} step={step} /> : null;
 }
 
 function ErrorCurve({ name, step }: { name: string; step: number }) {

@@ -9,7 +9,6 @@ import { digits, fromSI, sizeOf, symbolOf, withUnit } from '../setup/units';
 import type { Explorer } from '../state/explorer';
 import { loopCall, readLoop, worstOf } from '../state/loop';
 import type { Loop } from '../state/loop';
-import { mapOf } from '../state/state';
 import { useAnswer } from './answered';
 import { ChartScales } from './ChartScales';
 import { usePage } from './context';
@@ -46,7 +45,7 @@ export function LoopView() {
 }
 
 function Lecture({ explorer }: { explorer: Explorer }) {
-  const name = useComputed(() => mapOf(explorer.state.value)[0]).value;
+  const name = useComputed(() => explorer.mapNames.value[0]).value;
   const { unit } = explorer.field(name);
   const [step, setStep] = useState(0.01);
   const [power, setPower] = useState(-2);

@@ -1,12 +1,11 @@
 // The outcome over two parameters, with contours, your drive and the optimum.
 import { useComputed } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
-import { isReplaced, withValues } from '../setup/design';
+import { isIdle, withValues } from '../setup/design';
 import { labelOf } from '../setup/parameters';
 import { digits, textOf, withUnit } from '../setup/units';
 import type { Best } from '../state/best';
 import type { MapData } from '../state/map';
-import { mapOf } from '../state/state';
 import type { Explorer } from '../state/explorer';
 import { usePage } from './context';
 import { useSteady } from './steady';
@@ -162,20 +161,22 @@ function tableOf(map: MapData, units: 'us' | 'metric', explorer: Explorer) {
 
 /** The parameters that may be on an axis. */
 function axisNames(explorer: Explorer): string[] {
-  const names = explorer.catalog.of(explorer.law.value)
+  const { catalog } = explorer;
+  const names = catalog.of(explorer.law.value)
     .map(({ parameter }) => parameter)
     .filter((name) => {
       const value = explorer.value(name);
-      return value !== null && Number.isFinite(value) && !isReplaced(name, explorer.isLaunch.value);
+      const isNumber = value !== null && Number.isFinite(value);
+      return isNumber && !isIdle(name, explorer.design.value, catalog);
     });
-  return [...new Set([...mapOf(explorer.state.value), ...names])];
+  return [...new Set([...explorer.mapNames.value, ...names])];
 }
 
 /** The lists from which the two parameters of the map are chosen. */
 function Axes() {
   const { explorer } = usePage();
   const { state } = explorer;
-  const content = () => ({ axes: mapOf(state.value), names: axisNames(explorer) });
+  const content = () => ({ axes: explorer.mapNames.value, names: axisNames(explorer) });
   // the lists are long and rarely change: make them again only if they do
   const { axes, names } = useSteady(() => JSON.stringify(content()), content);
   const select = (axis: 0 | 1, label: string) => (

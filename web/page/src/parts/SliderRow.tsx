@@ -1,11 +1,11 @@
 // One parameter: slider, number field, price, band, meaning.
 import { useState } from 'preact/hooks';
 import { bandOf, LOSS, priceOf } from '../drive/price';
-import { firstOf, isReplaced, NONE, defaultOf, WHEN_UNSET } from '../setup/design';
+import { firstOf, isIdle, NONE, defaultOf, WHEN_UNSET } from '../setup/design';
 import { labelInGroup, labelOf } from '../setup/parameters';
 import { decimalsOf } from '../setup/slider';
 import { digits, fromSI, parts, symbolOf, toSI, withUnit } from '../setup/units';
-import { varyOf, withVaried } from '../state/state';
+import { withVaried } from '../state/state';
 import type { Explorer } from '../state/explorer';
 import { usePage } from './context';
 import { useSteady } from './steady';
@@ -97,15 +97,16 @@ function About({ name, label }: { name: string; label: string }) {
 /** A switch that lets the best drive change the parameter. */
 function VarySwitch({ name, label }: { name: string; label: string }) {
   const { explorer } = usePage();
-  const state = explorer.state.value;
-  const names = varyOf(state);
-  const isFree = names.includes(name);
-  const isIdle = isReplaced(name, explorer.isLaunch.value);
+  const { catalog } = explorer;
+  const names = explorer.varied.value;
+  const isVaried = names.includes(name);
+  const isLast = isVaried && names.length === 1;
+  const isDisabled = isLast || isIdle(name, explorer.design.value, catalog);
+  const change = () => explorer.change(withVaried(explorer.state.value, catalog, name, !isVaried));
   return (
     <p>
       <label>
-        <input type="checkbox" checked={isFree} disabled={isIdle || (isFree && names.length === 1)}
-          onChange={() => explorer.change(withVaried(state, name, !isFree))} />
+        <input type="checkbox" checked={isVaried} disabled={isDisabled} onChange={change} />
         {' '}the best drive may change the {label}
       </label>
     </p>

@@ -58,6 +58,16 @@ export const lawOf = (design: Design, catalog: Catalog): Value =>
   design.set['aero.law'] ?? catalog.preset(design.preset)?.setup['aero.law'] ?? null;
 
 /**
+ * True for a parameter without effect in a design: launch or strike replace it, or it is a
+ * coefficient of another law.
+ */
+export function isIdle(name: string, design: Design, catalog: Catalog): boolean {
+  const law = lawOf(design, catalog);
+  const ofLaw = catalog.parameter(name, law)?.law ?? null;
+  return isReplaced(name, hasLaunch(design)) || (ofLaw !== null && ofLaw !== law);
+}
+
+/**
  * Value (SI) and source of a parameter that the design does not state. The value is that of the
  * preset. If the design has another law than its preset, a coefficient has the value of the law.
  */

@@ -80,9 +80,9 @@ export class Explorer {
    * The time step of the loop that is drawn over the map and a slider, s; null if none is drawn.
    */
   readonly loopStep = signal<number | null>(null);
-  /** The parameters that are shown below the sliders of the first screen. */
   /** The question of the last search for the best point of a map; null if it found none. */
   #mapBestAsked: string | null = null;
+  /** The parameters that are shown below the sliders of the first screen. */
   #listed: readonly string[] = [];
   readonly design = computed(() => activeOf(this.state.value));
   // Parts of the state that seldom change. A component that reads only these is not rendered at
@@ -91,13 +91,17 @@ export class Explorer {
   readonly goal = computed(() => this.state.value.goal);
   readonly law = computed(() => lawOf(this.design.value, this.catalog));
   readonly isLaunch = computed(() => hasLaunch(this.design.value));
+  /** The parameters that the best drive may change. */
+  readonly varied = computed(() => varyOf(this.state.value, this.catalog));
+  /** The horizontal and the vertical parameter of the map. */
+  readonly mapNames = computed(() => mapOf(this.state.value, this.catalog));
 
   readonly #driveKey = computed(() => {
     const { goal, units } = this.state.value;
     return JSON.stringify([this.design.value, goal, units]);
   });
   readonly #bestKey = computed(() =>
-    bestKey(this, this.state.value, this.design.value, varyOf(this.state.value)));
+    bestKey(this, this.state.value, this.design.value, this.varied.value));
   readonly #mapKey = computed(() => mapKey(this.design.value, this.#mapAxes()));
   /** Ends when the core has answered about the last drive that was requested. */
   #flown = Promise.resolve();
@@ -349,7 +353,7 @@ export class Explorer {
     const design = this.design.value;
     const question = this.best.question();
     const messageQuestion = this.bestMessage.question();
-    const words = bestWords(this, state, design, varyOf(state));
+    const words = bestWords(this, state, design, this.varied.value);
     const reply = await this.background.command('best', words);
     if (!reply) return;
     const best = readBest(reply, state.goal, this);
@@ -384,7 +388,7 @@ export class Explorer {
 
   /** The axes of the map. A drag does not change their ranges, so the map stays. */
   #mapAxes(): MapAxes {
-    const [across, up] = mapOf(this.state.value);
+    const [across, up] = this.mapNames.value;
     const range = (name: string) => sliderRangeOf(this.parameter(name), this.defaultValue(name), null);
     return { across, up, ranges: [range(across), range(up)], goal: this.state.value.goal };
   }
@@ -409,7 +413,7 @@ export class Explorer {
     if (this.#mapBestAsked === question || !this.map.isCurrent) return;
     this.#mapBestAsked = question;
     const state = this.state.value;
-    const words = bestWords(this, state, this.design.value, mapOf(state));
+    const words = bestWords(this, state, this.design.value, this.mapNames.value);
     const reply = await this.background.command('map best', words);
     const best = reply && readBest(reply, state.goal, this);
     if (!best && this.#mapBestAsked === question) this.#mapBestAsked = null;

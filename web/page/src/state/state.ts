@@ -1,6 +1,7 @@
 // The content of a link: designs, and how they are shown.
 import type { Design } from '../setup/design';
-import { hasLaunch, isReplaced, spinOf } from '../setup/design';
+import { hasLaunch, isIdle, spinOf } from '../setup/design';
+import type { Catalog } from '../setup/parameters';
 import type { System } from '../setup/units';
 
 export type Goal = 'carry' | 'total';
@@ -12,7 +13,7 @@ export interface State {
   readonly active: number;
   readonly goal: Goal;
   readonly units: System;
-  /** Parameters that the best drive may change; null for those of `varyOf`. */
+  /** Parameters that the best drive may change; null for the default of `varyOf`. */
   readonly vary: readonly string[] | null;
   /** Horizontal and vertical parameter of the map; null for the default. */
   readonly map: readonly [string, string] | null;
@@ -36,30 +37,31 @@ export const activeOf = (state: State): Design => state.designs[state.active] ??
  * The parameters that the best drive may change. The default is the loft, which a golfer chooses
  * with the club, or the launch angle if a launch is given.
  */
-export function varyOf(state: State): readonly string[] {
-  const isLaunch = hasLaunch(activeOf(state));
-  const usual = isLaunch ? ['launch.launch_angle'] : ['club.loft'];
-  const chosen = (state.vary ?? usual).filter((name) => !isReplaced(name, isLaunch));
+export function varyOf(state: State, catalog: Catalog): readonly string[] {
+  const design = activeOf(state);
+  const usual = hasLaunch(design) ? ['launch.launch_angle'] : ['club.loft'];
+  const chosen = (state.vary ?? usual).filter((name) => !isIdle(name, design, catalog));
   return chosen.length ? chosen : usual;
 }
 
 /**
  * Adds a parameter to those that the best drive may change, or removes it. Chosen parameters that
- * have no effect now, because a launch is given or not, stay chosen.
+ * have no effect in this design stay chosen.
  */
-export function withVaried(state: State, name: string, isVaried: boolean): State {
-  const isLaunch = hasLaunch(activeOf(state));
-  const idle = (state.vary ?? []).filter((each) => isReplaced(each, isLaunch));
-  const others = varyOf(state).filter((each) => each !== name);
+export function withVaried(state: State, catalog: Catalog, name: string, isVaried: boolean): State {
+  const design = activeOf(state);
+  const idle = (state.vary ?? []).filter((each) => isIdle(each, design, catalog));
+  const others = varyOf(state, catalog).filter((each) => each !== name);
   return { ...state, vary: [...idle, ...others, ...(isVaried ? [name] : [])] };
 }
 
-export function mapOf(state: State): readonly [string, string] {
-  const isLaunch = hasLaunch(activeOf(state));
-  const usual: [string, string] = isLaunch
-    ? ['launch.launch_angle', spinOf(activeOf(state))] : ['club.loft', 'swing.attack_angle'];
+/** The horizontal and the vertical parameter of the map. */
+export function mapOf(state: State, catalog: Catalog): readonly [string, string] {
+  const design = activeOf(state);
+  const usual: [string, string] = hasLaunch(design)
+    ? ['launch.launch_angle', spinOf(design)] : ['club.loft', 'swing.attack_angle'];
   const chosen = state.map ?? usual;
-  return chosen.some((name) => isReplaced(name, isLaunch)) ? usual : chosen;
+  return chosen.some((name) => isIdle(name, design, catalog)) ? usual : chosen;
 }
 
 export function withDesign(state: State, design: Design): State {
