@@ -26,8 +26,10 @@ function lane() {
 function explorer(numbers = lane(), commands = lane()) {
   const loft = { parameter: 'club.loft', unit: 'rad', shown_in: 'deg', law: null, range: { low: 0, high: 1 } };
   const others = ['swing.attack_angle', 'swing.speed'].map(parameter => ({ ...loft, parameter }));
+  const units = { ball_speed: 'm/s', launch_angle: 'deg', backspin: 'rad/s', launch_direction: 'deg', sidespin: 'rad/s' };
+  const launch = Object.entries(units).map(([name, unit]) => ({ ...loft, parameter: `launch.${name}`, shown_in: unit }));
   const presets = [{ name: 'tour-average', setup: { 'club.loft': 0.2, 'swing.attack_angle': 0, 'swing.speed': 0.5 }, sources: {} }];
-  const catalog = new page.Catalog([loft, ...others], presets, []);
+  const catalog = new page.Catalog([loft, ...others, ...launch], presets, []);
   return new page.Explorer(catalog, numbers, commands, page.START);
 }
 
@@ -126,6 +128,31 @@ test('the best point of a map that is out of date is not shown', async () => {
     await settled();
     assert.equal(state.mapBest.current !== null, isShown, name);
   }
+});
+
+/** The answer about a drive whose launch has these values. */
+function landed(launch) {
+  const outcomes = Object.keys(launch);
+  const head = { status: 'landed', outcomes, of: [], wrt: [], order: 0, diagonal: false, missing: [] };
+  return { numbers: [{ head, block: Float64Array.from(Object.values(launch)) }] };
+}
+
+test('a measured launch waits for the drive, although units and goal change meanwhile', async () => {
+  const waiting = [];
+  const calls = topic => new Promise(answer => { if (topic === 'drive') waiting.push(answer); });
+  const state = explorer({ ...lane(), calls });
+  state.refresh();
+  const started = state.startWithLaunch();
+  state.change({ ...state.state.value, units: 'metric' });
+  state.change({ ...state.state.value, goal: 'total' });
+  // the first request is answered, the second one is replaced by the third
+  waiting[0](landed({ ball_speed: 70, backspin: 250 }));
+  waiting[1](null);
+  await settled();
+  waiting[2](landed({ ball_speed: 71, backspin: 260 }));
+  await started;
+  const { set } = state.design.value;
+  assert.deepEqual([set['launch.ball_speed'], set['launch.backspin']], ['71 m/s', '260 rad/s']);
 });
 
 test('different numbers have different texts, equal numbers to rounding the same', () => {

@@ -103,7 +103,7 @@ export class Explorer {
   readonly #bestKey = computed(() =>
     bestKey(this, this.state.value, this.design.value, this.varied.value));
   readonly #mapKey = computed(() => mapKey(this.design.value, this.#mapAxes()));
-  /** Ends when the core has answered about the last drive that was requested. */
+  /** Ends when the last request for a drive has its answer, or when a newer one replaces it. */
   #flown = Promise.resolve();
   /** The design of the last aim. */
   #aimed: Design | null = null;
@@ -183,7 +183,7 @@ export class Explorer {
    */
   async startWithLaunch() {
     const design = this.design.value;
-    await this.#flown;
+    await this.#settled();
     const outcomes = this.drive.current?.outcomes;
     if (!outcomes || design !== this.design.value) return;
     const values = LAUNCH_FIRST.map((name) => {
@@ -191,6 +191,15 @@ export class Explorer {
       return [name, textOf(outcomes[name.slice('launch.'.length)] ?? 0, parameter.shown_in, decimals)] as const;
     });
     this.changeDesign(withValues(design, Object.fromEntries(values)));
+  }
+
+  /** Ends when the core has answered about the present drive, whose request may be replaced. */
+  async #settled() {
+    let awaited;
+    do {
+      awaited = this.#flown;
+      await awaited;
+    } while (awaited !== this.#flown);
   }
 
   /** Ends a drag: its last state can be undone. */
