@@ -286,7 +286,7 @@ pub fn apply(
         .zip(&texts)
         .map(|(given, (text, is_bare))| SettingText {
             name: &given.name,
-            text,
+            text: text.into(),
             is_bare: *is_bare,
         })
         .collect();

@@ -204,7 +204,7 @@ impl Setup<f64> {
             }
             let setting = SettingText {
                 name: &item.key,
-                text: name,
+                text: name.into(),
                 is_bare: false,
             };
             return self.apply_setting(&setting).map_err(at_value);

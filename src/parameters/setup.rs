@@ -10,6 +10,7 @@ use crate::error::{Error, Result};
 use crate::number::{Numbers, inlined};
 use crate::repeated::first_repeated;
 use crate::units::{Message, Quantity, UnitError, counted};
+use std::borrow::Cow;
 use std::path::Path;
 
 /// Reason why a parameter of the club has no effect.
@@ -23,12 +24,12 @@ const LISTING: &str = "`parameters()` lists them all";
 pub const CHOICES: [&str; 6] = [LAW, TABLE, METHOD, TURF, GOLFER, SPEED_OF];
 
 /// The name of a parameter, or of a choice such as the law, and the text of its value.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SettingText<'a> {
     /// Dotted name.
     pub name: &'a str,
     /// The value: `10.5 deg`, `none`.
-    pub text: &'a str,
+    pub text: Cow<'a, str>,
     /// True if a number without a unit is SI; otherwise a quantity with a dimension needs its unit.
     pub is_bare: bool,
 }
@@ -311,17 +312,14 @@ impl Setup<f64> {
         }
         self.apply_setting(&SettingText {
             name,
-            text,
+            text: text.into(),
             is_bare: false,
         })
     }
 
     pub(super) fn apply_setting(&mut self, setting: &SettingText<'_>) -> Result<()> {
-        let SettingText {
-            name,
-            text,
-            is_bare,
-        } = *setting;
+        let SettingText { name, is_bare, .. } = *setting;
+        let text = setting.text.as_ref();
         let choice = text.trim();
         match name {
             LAW => return self.set_law(choice),
@@ -369,9 +367,9 @@ impl Setup<f64> {
         &mut self,
         settings: impl IntoIterator<Item = (&'a str, &'a str)> + Clone,
     ) -> Result<()> {
-        let setting = |(name, text)| SettingText {
+        let setting = |(name, text): (&'a str, &'a str)| SettingText {
             name,
-            text,
+            text: text.into(),
             is_bare: false,
         };
         let settings: Vec<_> = settings.into_iter().map(setting).collect();
@@ -384,8 +382,8 @@ impl Setup<f64> {
     /// use longdrive::Setup;
     /// use longdrive::parameters::SettingText;
     /// let mut setup = Setup::modern_driver();
-    /// let loft = SettingText { name: "club.loft", text: "0.2", is_bare: true };
-    /// let speed = SettingText { name: "swing.speed", text: "50 m/s", is_bare: false };
+    /// let loft = SettingText { name: "club.loft", text: "0.2".into(), is_bare: true };
+    /// let speed = SettingText { name: "swing.speed", text: "50 m/s".into(), is_bare: false };
     /// setup.set_each(&[loft, speed]).unwrap();
     /// assert_eq!((setup.club.loft, setup.swing.speed), (0.2, 50.0));
     /// ```
@@ -410,13 +408,13 @@ impl Setup<f64> {
         }
         refuse_idle_turf(is_given)?;
         let mut settings = settings.to_vec();
-        settings.sort_by_key(|setting| rank(setting.name, setting.text));
+        settings.sort_by_key(|setting| rank(setting.name, &setting.text));
         for setting in &settings {
             self.apply_setting(setting)?;
         }
         let given: Vec<&str> = settings
             .iter()
-            .filter(|setting| !is_reset(setting.name, setting.text))
+            .filter(|setting| !is_reset(setting.name, &setting.text))
             .map(|setting| setting.name)
             .filter(|name| self.is_set(name))
             .collect();

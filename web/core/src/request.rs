@@ -80,14 +80,6 @@ impl SetupRequest {
         }
         checked.setup = self.source().map_err(|error| checked.refused(&error))?;
         let settings = self.settings()?;
-        let settings: Vec<_> = settings
-            .iter()
-            .map(|setting| SettingText {
-                name: setting.name,
-                text: &setting.text,
-                is_bare: setting.is_bare,
-            })
-            .collect();
         let mut setup = checked.setup;
         let applied = setup.set_each(&settings).and_then(|()| setup.validate());
         applied.map_err(|error| checked.refused(&error))?;
@@ -105,41 +97,31 @@ impl SetupRequest {
         }
     }
 
-    fn settings(&self) -> Result<Vec<Setting<'_>>, Refusal> {
+    fn settings(&self) -> Result<Vec<SettingText<'_>>, Refusal> {
         self.set
             .iter()
-            .map(|(name, value)| Setting::read(name, value))
+            .map(|(name, value)| setting_of(name, value))
             .collect()
     }
 }
 
-/// The value of a parameter as a text.
-struct Setting<'a> {
-    name: &'a str,
-    text: String,
-    /// True for a number in SI, without a unit.
-    is_bare: bool,
-}
-
-impl<'a> Setting<'a> {
-    fn read(name: &'a str, value: &Value) -> Result<Self, Refusal> {
-        let (text, is_bare) = match value {
-            Value::Null => (UNSET.to_owned(), false),
-            Value::String(text) => (text.clone(), false),
-            Value::Number(number) => (format!("{:?}", number.as_f64().unwrap_or(f64::NAN)), true),
-            other => {
-                let why = format!(
-                    "{name} is {other}; expected a number in SI, a text with a unit, or null"
-                );
-                return Err(Refusal::of_request(&why));
-            }
-        };
-        Ok(Self {
-            name,
-            text,
-            is_bare,
-        })
-    }
+/// The setting of a parameter to a value in JSON.
+fn setting_of<'a>(name: &'a str, value: &'a Value) -> Result<SettingText<'a>, Refusal> {
+    let text = match value {
+        Value::Null => UNSET.into(),
+        Value::String(text) => text.into(),
+        Value::Number(number) => format!("{:?}", number.as_f64().unwrap_or(f64::NAN)).into(),
+        other => {
+            let why =
+                format!("{name} is {other}; expected a number in SI, a text with a unit, or null");
+            return Err(Refusal::of_request(&why));
+        }
+    };
+    Ok(SettingText {
+        name,
+        text,
+        is_bare: value.is_number(),
+    })
 }
 
 impl CheckedSetup<'_> {
@@ -189,7 +171,7 @@ impl CheckedSetup<'_> {
         let read = || {
             let parameter = self.setup.variable(&range.name)?;
             let end = |value: &Value| {
-                let setting = Setting::read(&range.name, value).ok();
+                let setting = setting_of(&range.name, value).ok();
                 setting.map_or(Ok(None), |end| parameter.read(&end.text, end.is_bare))
             };
             let missing = || Error::SearchRange {
