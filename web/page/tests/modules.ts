@@ -1,5 +1,6 @@
 // The modules of the page that read external input, for tests under Node.
 export * from '../src/core/lane';
+export * from '../src/drive/drive';
 export * from '../src/parts/lengths';
 export * from '../src/setup/design';
 export * from '../src/setup/file';

@@ -179,6 +179,20 @@ test('a reset of the wind direction keeps the speed, a reset of the speed resets
   assert.deepEqual(after('wind.speed'), {});
 });
 
+test('a warning of the best drive that differs from yours only in numbers is not shown again', { skip }, () => {
+  // two drives near the best one, both with a landing flatter than any measured bounce
+  const warned = loft => {
+    const set = { 'ground.slope': '-12 deg', 'air.altitude': '8000 ft', 'club.loft': loft };
+    return page.readDrive(core.drive({ setup: { preset: 'tour-average', set } }));
+  };
+  const [mine, best] = [warned('6 deg'), warned('6.1 deg')];
+  assert.equal(mine.warnings.length, 2);
+  assert.notDeepEqual(mine.warnings, best.warnings);
+  assert.deepEqual(page.ownWarnings(best, mine), []);
+  const calm = { ...mine, warnings: mine.warnings.slice(1) };
+  assert.deepEqual(page.ownWarnings(best, calm), best.warnings.slice(0, 1));
+});
+
 test('a small number of a setup file keeps its digits', { skip }, () => {
   const setup = { preset: 'tour-average', set: { 'air.viscosity': '0.000018341234567 Pa s' } };
   const opened = page.designOf(stated(common.wordsOf(setup)), catalog, 'us');

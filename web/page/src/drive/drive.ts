@@ -20,6 +20,18 @@ export interface Drive {
 /** The drive if its ball lands; null otherwise. */
 export const landedOf = (drive: Drive | null) => (drive?.status === 'landed' ? drive : null);
 
+/** A warning without its numbers, which differ between two drives. */
+const wordsOf = (warning: string) => warning.replace(/[-\u2212]?\b\d+(\.\d+)?/g, '#');
+
+/**
+ * The warnings of a drive that another drive does not have. Warnings that differ only in their
+ * numbers count as the same.
+ */
+export function ownWarnings(drive: Drive | null, other: Drive | null): string[] {
+  const others = (other?.warnings ?? []).map(wordsOf);
+  return (drive?.warnings ?? []).filter((warning) => !others.includes(wordsOf(warning)));
+}
+
 /** The answer of the core if there are no numbers: its message, and the parameters at fault. */
 export interface Refusal {
   message: string;
@@ -70,7 +82,10 @@ export function readDrive({ head, block }: Numbers): Drive {
   };
 }
 
-/** The values, SI, of the texts of the setup, by the name of the parameter. */
+/**
+ * The values, SI, of the texts of the setup, by the name of the parameter. A refused drive also has
+ * the values of the texts that can be read.
+ */
 export function readStated({ head, block }: Numbers): Map<string, number> {
   const { stated = [] } = head as unknown as DriveHead;
   const begin = block.length - stated.length;

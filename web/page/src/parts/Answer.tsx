@@ -1,5 +1,6 @@
 // Your drive, the best drive, their difference, and the gain for one more unit of each parameter.
 import { useComputed } from '@preact/signals';
+import { ownWarnings } from '../drive/drive';
 import { priceOf } from '../drive/price';
 import { labelOf } from '../setup/parameters';
 import { digits, fromSI, toSI, withUnit } from '../setup/units';
@@ -55,7 +56,7 @@ export function Answer() {
 function Warnings() {
   const { drive, ghost } = usePage().explorer;
   const mine = drive.last?.warnings ?? [];
-  const theirs = (ghost.current?.warnings ?? []).filter((warning) => !mine.includes(warning));
+  const theirs = ownWarnings(ghost.current, drive.last);
   return (
     <>
       {mine.map((warning) => <p class="warning" key={warning}>{warning}</p>)}
