@@ -52,7 +52,7 @@ pub fn answered(endpoint: Endpoint, request: &[u8], show: ShowProgress) -> Vec<u
         Endpoint::Step => step::answer(&head(&request)?),
         Endpoint::Iterations => iterations::answer(&head(&request)?),
     });
-    answer.unwrap_or_else(|refusal| message::written(&refusal, &[]))
+    answer.unwrap_or_else(|refusal| message::with_numbers(&refusal, &refusal.values))
 }
 
 fn head<T: DeserializeOwned>(request: &Message<'_>) -> Result<T, Refusal> {

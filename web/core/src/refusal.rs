@@ -14,6 +14,11 @@ pub struct Refusal {
     pub message: String,
     /// The parameters that the message names, the cause first.
     pub parameters: Vec<String>,
+    /// The parameters that the request states by a text, if the text has a value.
+    pub stated: Vec<String>,
+    /// The values of `stated`, SI. They are the block of the answer.
+    #[serde(skip)]
+    pub values: Vec<f64>,
 }
 
 impl Refusal {
@@ -23,21 +28,22 @@ impl Refusal {
             status: "error",
             message: format!("the request: {why}"),
             parameters: vec![],
+            stated: vec![],
+            values: vec![],
         }
     }
 
     /// The refusal with the message of an error, and with the parameters that the message mentions.
-    /// It searches the message for the parameters of the setup, and for the names `stated` in the
-    /// request.
+    /// It searches the message for the parameters of the setup, and for the `names` in the request.
     pub fn of<'a>(
         error: &Error,
         system: System,
         setup: &Setup<f64>,
-        stated: impl Iterator<Item = &'a str>,
+        names: impl Iterator<Item = &'a str>,
     ) -> Self {
         let message = in_page_words(&error.in_units(system));
         let known = setup.parameters().into_iter().map(|row| row.name);
-        let mut named: Vec<(usize, &str)> = stated
+        let mut named: Vec<(usize, &str)> = names
             .chain(known)
             .filter_map(|name| Some((place(&message, name)?, name)))
             .collect();
@@ -47,6 +53,8 @@ impl Refusal {
             status: error.status(),
             parameters: named.into_iter().map(|(_, name)| name.to_owned()).collect(),
             message,
+            stated: vec![],
+            values: vec![],
         }
     }
 }

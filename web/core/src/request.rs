@@ -2,7 +2,7 @@
 
 use crate::refusal::Refusal;
 use crate::words::in_page_words;
-use longdrive::parameters::{DEFAULT_PRESET, SettingText, SetupFile, UNSET, Vary};
+use longdrive::parameters::{DEFAULT_PRESET, LAW, SettingText, SetupFile, UNSET, Vary};
 use longdrive::units::{Message, System};
 use longdrive::{Error, Outcome, Setup};
 use serde::Deserialize;
@@ -79,6 +79,10 @@ impl SetupRequest {
             ));
         }
         checked.setup = self.source().map_err(|error| checked.refused(&error))?;
+        if let Some(Value::String(law)) = self.set.get(LAW) {
+            // a refusal has the values of this law's coefficients; `set_each` refuses a wrong law
+            checked.setup.set_law(law).ok();
+        }
         let settings = self.settings()?;
         let mut setup = checked.setup;
         let applied = setup.set_each(&settings).and_then(|()| setup.validate());
@@ -125,13 +129,20 @@ fn setting_of<'a>(name: &'a str, value: &'a Value) -> Result<SettingText<'a>, Re
 }
 
 impl CheckedSetup<'_> {
-    /// The refusal with the message of an error, and the parameters that it names.
+    /// The refusal with the message of an error, the parameters that it names, and the values of
+    /// the texts in the request.
     pub fn refused(&self, error: &Error) -> Refusal {
-        let stated = self.text.set.keys().map(String::as_str);
-        Refusal::of(error, self.system, &self.setup, stated)
+        let names = self.text.set.keys().map(String::as_str);
+        let mut refusal = Refusal::of(error, self.system, &self.setup, names);
+        for (name, value) in self.stated() {
+            refusal.stated.push(name.to_owned());
+            refusal.values.push(value);
+        }
+        refusal
     }
 
     /// The parameters that `set` states by a text, such as `10 km/h`, with their values in SI.
+    /// Texts without a value are left out.
     pub fn stated(&self) -> impl Iterator<Item = (&str, f64)> {
         self.text.set.iter().filter_map(|(name, value)| {
             let parameter = self.setup.parameter(name).ok()?;

@@ -94,6 +94,18 @@ test('the values of all texts of a setup, in SI', () => {
   assert.deepEqual({ ...stated, 'swing.speed': 0 }, { 'air.temperature': 293.15, 'swing.speed': 0, 'club.bulge_radius': Infinity, 'air.humidity': 0.5 });
 });
 
+test('a refused setup has the values of the texts that can be read', () => {
+  const set = { 'club.loft': '10 parsecs', 'air.altitude': '1 km', 'swing.speed': '160 KMH', 'aero.law': 'robinson',
+    'aero.cd1': '0.02 s/rev', 'aero.cd_re': '1', 'strike.toe': '2', golfer: 'left' };
+  const { head, block } = core.drive({ setup: { set } });
+  assert.equal(head.status, 'error');
+  const stated = Object.fromEntries(head.stated.map((name, k) => [name, block[k]]));
+  close(stated['swing.speed'], 160 / 3.6, 1e-12, 'speed');
+  close(stated['aero.cd1'], 0.02 / (2 * Math.PI), 1e-15, 'coefficient of the stated law');
+  assert.deepEqual(Object.keys(stated).sort(), ['aero.cd1', 'air.altitude', 'swing.speed']);
+  assert.equal(stated['air.altitude'], 1000);
+});
+
 test('exact ends of a path', () => {
   const { outcomes, path, run: bounces } = drive({ setup: { set: { 'wind.right': '4 m/s', 'ground.height': '-2 m' } }, path: true });
   const [time, height, right, downrange] = path.at(-1);

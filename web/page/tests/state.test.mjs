@@ -20,6 +20,8 @@ let setups;
 let addresses;
 
 before(async () => {
+  // the page's clock
+  globalThis.window = globalThis;
   page = await pageModules();
   if (skip) return;
   setups = randomSetups();
@@ -177,6 +179,18 @@ test('a reset of the wind direction keeps the speed, a reset of the speed resets
   const after = name => page.withValues(design, page.resetOf(name, design)).set;
   assert.deepEqual(after('wind.from'), { 'wind.speed': '20 mph', 'wind.from': '0 deg' });
   assert.deepEqual(after('wind.speed'), {});
+});
+
+test('a text in any unit is read while another text is refused', { skip }, async () => {
+  const calls = async (topic, requests) =>
+    ({ numbers: requests.map(({ endpoint, request }) => core[endpoint](request)) });
+  const lane = { isIdle: true, calls, command: () => new Promise(() => {}) };
+  const designs = [{ preset: 'tour-average', set: { 'air.altitude': '1 km', 'club.loft': '10 parsecs' } }];
+  const explorer = new page.Explorer(catalog, lane, lane, { ...page.START, designs });
+  explorer.refresh();
+  await new Promise(resolve => { setTimeout(resolve, 0); });
+  assert.equal(explorer.refusal.value.parameters[0], 'club.loft');
+  assert.equal(explorer.value('air.altitude'), 1000);
 });
 
 test('a warning of the best drive that differs from yours only in numbers is not shown again', { skip }, () => {

@@ -316,11 +316,11 @@ export class Explorer {
     if (!first) return;
     this.#traps = 0;
     batch(() => {
+      keepValues(readStated(first), design, this.catalog);
       if (isRefused(first)) {
         this.refusal.value = refusalOf(first);
         return;
       }
-      keepValues(readStated(first), design, this.catalog);
       const drive = readDrive(first);
       this.drive.give(question, drive);
       this.refusal.value = drive.status === 'landed' ? null
@@ -389,9 +389,9 @@ export class Explorer {
     if (!answer) return;
     this.others.give(question, designs.map((design, at) => {
       const numbers = answer.numbers[at];
-      if (!numbers || isRefused(numbers)) return { design, drive: null };
+      if (!numbers) return { design, drive: null };
       keepValues(readStated(numbers), design, this.catalog);
-      return { design, drive: readDrive(numbers) };
+      return { design, drive: isRefused(numbers) ? null : readDrive(numbers) };
     }));
   }
 
