@@ -11,7 +11,7 @@ import { useSteady } from './steady';
 
 export function Answer() {
   const { explorer } = usePage();
-  const { drive, best, refusal, showsEarlierDrive } = explorer;
+  const { drive, best, refusal, driveMark } = explorer;
   const units = explorer.units.value;
   const goal = explorer.goal.value;
   const yours = drive.last?.outcomes;
@@ -31,7 +31,7 @@ export function Answer() {
     );
   });
   return (
-    <section class={`answer${showsEarlierDrive.value ? ' stale' : ''}`} aria-label="answer">
+    <section class={`answer ${driveMark.value}`} aria-label="answer">
       {refusal.value && <p class="message" role="alert">{refusal.value.message}</p>}
       <table>
         <thead>

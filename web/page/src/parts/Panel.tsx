@@ -7,7 +7,7 @@ import { outcomesOf, ROWS, shown } from './outcomes';
 export function Panel() {
   const { explorer } = usePage();
   const units = explorer.units.value;
-  const { drive, ghost } = explorer;
+  const { drive, driveMark, ghost } = explorer;
   const tableOf = (...drives: (Drive | null)[]) => ({
     head: ['', 'yours', 'best'],
     rows: ROWS.map((row) => [
@@ -15,7 +15,7 @@ export function Panel() {
       ...drives.map((each) => (each ? shown(row, each, units) : '–')),
     ]),
   });
-  const stale = [...(explorer.showsEarlierDrive.value ? [1] : []), ...(ghost.mark.value ? [2] : [])];
+  const stale = [...(driveMark.value ? [1] : []), ...(ghost.mark.value ? [2] : [])];
   // a file has no answers of an earlier drive
   const numbers = () => ({
     yours: drive.current && outcomesOf(drive.current),

@@ -19,7 +19,7 @@ export function SideView() {
   const flown = explorer.drive.last;
   const drive = landedOf(flown);
   const ghost = explorer.ghost.last;
-  const mark = explorer.showsEarlierDrive.value ? 'stale' : '';
+  const { driveMark } = explorer;
   const all = [drive, ghost];
   const distance = farthest(all);
   const scale = (width - MARGIN.left - MARGIN.right) / distance;
@@ -57,8 +57,8 @@ export function SideView() {
     </>
   ), [width, distance, top, bottom, units]);
   return (
-    <Figure name="side" title="Side view" sentence={sentence} mark={mark} table={() => pathTable(drive, unit)} place={ref}>
-      <svg class={mark} width={width} height={height} role="img" aria-label={`Side view. ${sentence}`}>
+    <Figure name="side" title="Side view" sentence={sentence} mark={driveMark} table={() => pathTable(drive, unit)} place={ref}>
+      <svg class={driveMark} width={width} height={height} role="img" aria-label={`Side view. ${sentence}`}>
         {scales}
         <line class="ground" x1={x(0)} x2={x(distance)} y1={y(ground)} y2={y(ground)} />
         <g class={explorer.ghost.mark}>

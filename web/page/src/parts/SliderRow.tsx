@@ -118,7 +118,6 @@ function PriceLine({ name, id, row }: { name: string; id: string; row: Row }) {
   const slope = explorer.slopes.value.get(name);
   const { at, units, unit, decimals, sliderRange } = row;
   const isUnset = row.value === null;
-  const isStale = explorer.showsEarlierDrive.value ? ' stale' : '';
   const why = explorer.noSlope.value.get(name);
   if (!slope) return <p class="price" id={`price-${id}`}>{why ?? (isUnset ? 'not stated' : '\u00a0')}</p>;
   const { low, high } = bandOf(at, slope, LOSS[units]);
@@ -128,7 +127,7 @@ function PriceLine({ name, id, row }: { name: string; id: string; row: Row }) {
   const loss = units === 'us' ? '1 yd' : '1 m';
   const band = from && to ? `${digits(fromSI(low, unit), decimals)} to ${to}` : from ? `above ${from}` : to ? `below ${to}` : 'everywhere';
   return (
-    <p class={`price${isStale}`} id={`price-${id}`}>
+    <p class={`price ${explorer.driveMark.value}`} id={`price-${id}`}>
       <b>{priceOf(name, slope, unit, units).text}</b>
       <span title={`values that cost at most ${loss}`}>{isUnset ? ' · not stated' : ` · ≤ ${loss} lost: ${band}`}</span>
     </p>

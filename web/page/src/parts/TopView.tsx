@@ -33,7 +33,7 @@ export function TopView() {
   const flown = explorer.drive.last;
   const drive = landedOf(flown);
   const ghost = explorer.ghost.last;
-  const mark = explorer.showsEarlierDrive.value ? 'stale' : '';
+  const { driveMark } = explorer;
   const distance = farthest([drive, ghost]);
   const scale = (width - MARGIN.left - MARGIN.right) / distance;
   const aside = [drive, ghost].flatMap((each) =>
@@ -68,9 +68,9 @@ export function TopView() {
     </>
   ), [width, distance, half, units]);
   return (
-    <Figure name="top" title="View from above" sentence={sentence} mark={mark} table={() => pathTable(drive, unit)} place={ref}
+    <Figure name="top" title="View from above" sentence={sentence} mark={driveMark} table={() => pathTable(drive, unit)} place={ref}
       below={<Aim names={first} pair={pair} onPair={setChosen} carry={carry} lateral={lateral} onAim={aim} />}>
-      <svg class={mark} width={width} height={height} role="img" aria-label={`View from above. ${sentence}`}>
+      <svg class={driveMark} width={width} height={height} role="img" aria-label={`View from above. ${sentence}`}>
         {scales}
         <g class={explorer.ghost.mark}>
           {ghost && <Curve drive={ghost} name="ghost" axis="right" x={x} y={y} scale={plan} />}

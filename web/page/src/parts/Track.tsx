@@ -23,7 +23,7 @@ export function Track({ name, sliderRange: { low, high }, value, units, children
   const slope = explorer.slopes.value.get(name);
   const best = explorer.best.last?.values[name];
   const markClass = `best-mark ${explorer.best.mark.value}`;
-  const bandClass = explorer.showsEarlierDrive.value ? 'band stale' : 'band';
+  const bandClass = `band ${explorer.driveMark.value}`;
   const part = (x: number) => Math.min(1, Math.max(0, (x - low) / (high - low)));
   let band = null;
   if (slope && value !== null && Number.isFinite(value)) {

@@ -51,8 +51,9 @@ export class Explorer {
    * parameter replaces it.
    */
   readonly noSlope = signal<ReadonlyMap<string, string>>(new Map());
-  /** True if `drive` is an earlier one, because the last answer was a refusal or had no landing. */
-  readonly showsEarlierDrive = computed(() => this.refusal.value !== null && !this.drive.isCurrent);
+  /** The CSS class of an element that shows `drive`: stale if the present drive is refused. */
+  readonly driveMark = computed(() =>
+    (this.refusal.value !== null && !this.drive.isCurrent ? 'stale' : ''));
   /** The best drive; null if the search found none, for the reason `bestMessage`. */
   readonly best = new Latest<Best | null>(() => this.#bestKey.value);
   /**
