@@ -70,7 +70,7 @@ function valueTexts(explorer: Explorer, name: string, designs: readonly Design[]
 function Beside() {
   const { explorer } = usePage();
   const { units } = explorer;
-  const flown = explorer.others.last;
+  const flown = explorer.flownDesigns.last;
   if (!flown) return null;
   const designs = flown.map(({ design }) => design);
   const changed = [...new Set(designs.flatMap(({ set }) => Object.keys(set)))].filter((name) =>
@@ -91,7 +91,7 @@ function Beside() {
   const numbers = () => Object.fromEntries(flown.map(({ design, drive }, at) =>
     [DESIGN_NAMES[at]!, { ...design, outcomes: drive && outcomesOf(drive) }]));
   return (
-    <div class={explorer.others.mark}>
+    <div class={explorer.flownDesigns.mark}>
       <TableView {...table} />
       <TableFiles name="designs" table={() => table} numbers={numbers} />
     </div>

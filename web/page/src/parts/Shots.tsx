@@ -19,7 +19,8 @@ interface Residual {
   mean_absolute: number | null;
 }
 
-interface Flown {
+/** The answer of `fly`. */
+interface FlyAnswer {
   rows: number;
   flown: number;
   residuals: Residual[];
@@ -30,7 +31,7 @@ interface Result {
   name: string;
   /** The arguments of the setup of the flights, one a line. */
   setup: string;
-  flown: Flown;
+  answer: FlyAnswer;
   csv: Uint8Array;
 }
 
@@ -64,7 +65,7 @@ export function Shots() {
       setMessage(messageOf(reply).replace(/shots\.csv/g, file.name));
       return;
     }
-    setResult({ name: file.name, setup: setup.join('\n'), flown: JSON.parse(reply.answer) as Flown, csv });
+    setResult({ name: file.name, setup: setup.join('\n'), answer: JSON.parse(reply.answer) as FlyAnswer, csv });
   };
   const begin = (file: File | undefined) => {
     if (file) fly(file).catch((error: Error) => setMessage(error.message));
@@ -95,11 +96,11 @@ export function Shots() {
   );
 }
 
-function Compared({ name, setup, flown, csv }: Result) {
+function Compared({ name, setup, answer, csv }: Result) {
   const { explorer } = usePage();
   const isStale = useComputed(() => flightWords(explorer.design.value).join('\n')).value !== setup;
   const units = explorer.units.value;
-  const rows = flown.residuals.filter(({ rows: count }) => count > 0).map(({ of, rows: count, bias, mean_absolute: mean }) => {
+  const rows = answer.residuals.filter(({ rows: count }) => count > 0).map(({ of, rows: count, bias, mean_absolute: mean }) => {
     const known = ROWS.find((row) => row.name === of.replace('_distance', ''));
     const unit = known?.unit[units] ?? '';
     const decimals = known?.decimals ?? 1;
@@ -113,8 +114,8 @@ function Compared({ name, setup, flown, csv }: Result) {
   return (
     <>
       <p role="status">
-        {flown.flown} of {flown.rows} shots of {name} were flown.
-        {flown.flown < flown.rows && ' For each shot that was not flown, the CSV below has the reason.'}
+        {answer.flown} of {answer.rows} shots of {name} were flown.
+        {answer.flown < answer.rows && ' For each shot that was not flown, the CSV below has the reason.'}
       </p>
       {isStale && (
         <p class="warning">
@@ -132,7 +133,7 @@ function Compared({ name, setup, flown, csv }: Result) {
           all shots, measured and computed (CSV)
         </button>
       </p>
-      {flown.warnings.map((warning) => <p class="warning" key={warning}>{warning}</p>)}
+      {answer.warnings.map((warning) => <p class="warning" key={warning}>{warning}</p>)}
     </>
   );
 }

@@ -29,7 +29,7 @@ const FINE = 60;
 const REST = 150;
 
 /** A design with its drive; without a drive if the core refused the design. */
-export interface Flown {
+export interface FlownDesign {
   design: Design;
   drive: Drive | null;
 }
@@ -67,7 +67,8 @@ export class Explorer {
   readonly mapMessage = new Latest<string>(() => this.#mapKey.value);
   readonly mapBest = new Latest<Best | null>(() => this.#mapKey.value);
   /** All designs with their drives. They are not computed for a single design. */
-  readonly others = new Latest<readonly Flown[]>(() => JSON.stringify(this.state.value.designs));
+  readonly flownDesigns = new Latest<readonly FlownDesign[]>(
+    () => JSON.stringify(this.state.value.designs));
   /** True while an answer about the state is missing. */
   readonly busy = signal(true);
   readonly trap = signal<string | null>(null);
@@ -287,7 +288,7 @@ export class Explorer {
       // the waiting request for the fine map
       await flown;
       void this.#findBest();
-      void this.#flyOthers();
+      void this.#flyDesigns();
       await this.#flyMap(FINE);
       void this.#findMapBest();
     });
@@ -380,15 +381,15 @@ export class Explorer {
     if (first && !isRefused(first)) this.ghost.give(question, readDrive(first));
   }
 
-  async #flyOthers() {
+  async #flyDesigns() {
     const { designs, units } = this.state.value;
     if (designs.length < 2) return;
-    const question = this.others.question();
+    const question = this.flownDesigns.question();
     const calls = designs.map((design): Call =>
       ({ endpoint: 'drive', request: { setup: this.setup(design), units, path: true, order: 0 } }));
-    const answer = await this.interactive.calls('others', calls);
+    const answer = await this.interactive.calls('designs', calls);
     if (!answer) return;
-    this.others.give(question, designs.map((design, at) => {
+    this.flownDesigns.give(question, designs.map((design, at) => {
       const numbers = answer.numbers[at];
       if (!numbers) return { design, drive: null };
       keepValues(readStated(numbers), design, this.catalog);
