@@ -18,6 +18,7 @@ function lane() {
   return {
     answers,
     isIdle: true,
+    call: () => pending,
     calls: () => pending,
     command: (topic, words) => new Promise(answer => { answers.push({ topic, words, answer }); }),
   };
@@ -115,7 +116,7 @@ test('the best point of a map that is out of date is not shown', async () => {
   for (const [name, isShown] of [['swing.speed', false], ['club.loft', true]]) {
     const commands = lane();
     const map = { head: { status: 'done', columns: 60, rows: 60 }, block: new Float64Array(3600) };
-    const numbers = { ...lane(), calls: async topic => (topic === 'map' ? { numbers: [map] } : null) };
+    const numbers = { ...lane(), call: async topic => (topic === 'map' ? map : null), calls: async () => null };
     const state = explorer(numbers, commands);
     state.refresh();
     while (!commands.answers.some(({ topic }) => topic === 'map best')) {
@@ -134,7 +135,7 @@ test('the best point of a map that is out of date is not shown', async () => {
 function landed(launch) {
   const outcomes = Object.keys(launch);
   const head = { status: 'landed', outcomes, of: [], wrt: [], order: 0, diagonal: false, missing: [] };
-  return { numbers: [{ head, block: Float64Array.from(Object.values(launch)) }] };
+  return [{ head, block: Float64Array.from(Object.values(launch)) }];
 }
 
 test('a measured launch waits for the drive, although units and goal change meanwhile', async () => {
@@ -164,7 +165,7 @@ test('different numbers have different texts, equal numbers to rounding the same
 test('the best point of a map is searched again until it is found', async () => {
   const commands = lane();
   const map = { head: { status: 'done', columns: 60, rows: 60 }, block: new Float64Array(3600) };
-  const numbers = { ...lane(), calls: async topic => (topic === 'map' ? { numbers: [map] } : null) };
+  const numbers = { ...lane(), call: async topic => (topic === 'map' ? map : null), calls: async () => null };
   const state = explorer(numbers, commands);
   const searches = () => commands.answers.filter(({ topic }) => topic === 'map best');
   for (const reply of [null, { exit: 2, answer: '', said: [] }, { exit: 0, answer: '{"optimum":{},"flight":{},"multipliers":{},"warnings":[]}' }]) {

@@ -182,9 +182,9 @@ test('a reset of the wind direction keeps the speed, a reset of the speed resets
 });
 
 test('a text in any unit is read while another text is refused', { skip }, async () => {
-  const calls = async (topic, requests) =>
-    ({ numbers: requests.map(({ endpoint, request }) => core[endpoint](request)) });
-  const lane = { isIdle: true, calls, command: () => new Promise(() => {}) };
+  const call = async (topic, { endpoint, request }) => core[endpoint](request);
+  const calls = (topic, requests) => Promise.all(requests.map(each => call(topic, each)));
+  const lane = { isIdle: true, call, calls, command: () => new Promise(() => {}) };
   const designs = [{ preset: 'tour-average', set: { 'air.altitude': '1 km', 'club.loft': '10 parsecs' } }];
   const explorer = new page.Explorer(catalog, lane, lane, { ...page.START, designs });
   explorer.refresh();

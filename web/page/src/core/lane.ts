@@ -53,9 +53,15 @@ export class Lane {
   }
 
   /** The answers to the calls; null if newer calls of the topic replaced these. */
-  async calls(topic: string, calls: Call[]) {
+  async calls(topic: string, calls: Call[]): Promise<Numbers[] | null> {
     const answer = await this.#queue(topic, { kind: 'calls', calls });
-    return answer && 'numbers' in answer ? answer : null;
+    return answer && 'numbers' in answer ? answer.numbers : null;
+  }
+
+  /** The answer to one call; null if newer calls of the topic replaced it. */
+  async call(topic: string, call: Call): Promise<Numbers | null> {
+    const answers = await this.calls(topic, [call]);
+    return answers?.[0] ?? null;
   }
 
   /**

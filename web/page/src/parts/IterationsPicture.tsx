@@ -38,9 +38,10 @@ export function IterationsPicture(props: Props) {
   const design = explorer.design.value;
   const { answer: map, mark } = useAnswer(`${mapKey(design, axes)} ${JSON.stringify([names, design.set[axes.up]])}`, 0, async () => {
     const nodes = isCurve ? [CURVE, 2] as const : [NODES, NODES] as const;
-    const first = (await explorer.background.calls('iterations map', [mapCall(axes, explorer.setup(), nodes)]))?.numbers[0];
-    if (!first) return undefined;
-    return isRefused(first) ? null : readMap(first, axes);
+    const call = mapCall(axes, explorer.setup(), nodes);
+    const numbers = await explorer.background.call('iterations map', call);
+    if (!numbers) return undefined;
+    return isRefused(numbers) ? null : readMap(numbers, axes);
   });
   // after a change of the parameters, `map` is still the map of the earlier ones: wait for the new
   // map

@@ -30,9 +30,10 @@ async function search(explorer: Explorer): Promise<Iterations | { refused: strin
   const names = explorer.varied.value;
   const ranges = names.map((name) => explorer.sliderRange(name));
   const call = iterationsCall(explorer.setup(), goal, units, names, ranges);
-  const first = (await explorer.background.calls('iterations', [call]))?.numbers[0];
-  if (!first) return undefined;
-  return isRefused(first) ? { refused: refusalOf(first).message } : readIterations(first, goal, ranges);
+  const numbers = await explorer.background.call('iterations', call);
+  if (!numbers) return undefined;
+  return isRefused(numbers)
+    ? { refused: refusalOf(numbers).message } : readIterations(numbers, goal, ranges);
 }
 
 function Lecture() {

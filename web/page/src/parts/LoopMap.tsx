@@ -23,10 +23,10 @@ interface LoopMap extends Grid {
 
 async function fly(explorer: Explorer, map: MapData, nodes: number, step: number): Promise<LoopMap | null | undefined> {
   const calls = loopMapCalls(map, explorer.setup(), nodes, step);
-  const answer = await explorer.background.calls(`loop map ${nodes}`, calls);
-  if (!answer) return undefined;
-  if (answer.numbers.some(isRefused)) return null;
-  const rows = answer.numbers.map(readLoop);
+  const answers = await explorer.background.calls(`loop map ${nodes}`, calls);
+  if (!answers) return undefined;
+  if (answers.some(isRefused)) return null;
+  const rows = answers.map(readLoop);
   const values = rows.flatMap(({ loop }) => [...loop]);
   return { columns: nodes, rows: nodes, values, worst: Math.max(...rows.map(worstOf)) };
 }

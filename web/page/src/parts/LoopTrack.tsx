@@ -31,9 +31,9 @@ function ErrorCurve({ name, step }: { name: string; step: number }) {
   const key = JSON.stringify([name, low, high, step, preset, others]);
   const { answer: loop, mark } = useAnswer(key, 150, async () => {
     const call = loopCall(explorer.setup(), { name, low, high }, NODES, step, difference);
-    const first = (await explorer.background.calls('loop slider', [call]))?.numbers[0];
-    if (!first) return undefined;
-    return isRefused(first) ? null : readLoop(first);
+    const numbers = await explorer.background.call('loop slider', call);
+    if (!numbers) return undefined;
+    return isRefused(numbers) ? null : readLoop(numbers);
   });
   if (!loop || loop.name !== name) return null;
   return <div class={mark}><Picture loop={loop} step={step} /></div>;

@@ -28,9 +28,9 @@ async function flyLoop(explorer: Explorer, name: string, step: number, differenc
   const half = (PART * (high - low)) / 2;
   const along = { name, low: middle - half, high: middle + half };
   const call = loopCall(explorer.setup(), along, NODES, step, difference);
-  const first = (await explorer.interactive.calls('loop', [call]))?.numbers[0];
-  if (!first) return undefined;
-  return isRefused(first) ? { refused: refusalOf(first).message } : readLoop(first);
+  const numbers = await explorer.interactive.call('loop', call);
+  if (!numbers) return undefined;
+  return isRefused(numbers) ? { refused: refusalOf(numbers).message } : readLoop(numbers);
 }
 
 export function LoopView() {

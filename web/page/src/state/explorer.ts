@@ -312,9 +312,8 @@ export class Explorer {
       { endpoint: 'drive', request: { setup, units, path: true, of: [goal], wrt, ...PRICES } }];
     const unset = this.#unsetCall();
     if (unset) calls.push(unset);
-    const answer = await this.interactive.calls('drive', calls);
-    if (!answer) return;
-    const [first] = answer.numbers;
+    const answers = await this.interactive.calls('drive', calls);
+    const first = answers?.[0];
     if (!first) return;
     this.#traps = 0;
     batch(() => {
@@ -327,7 +326,7 @@ export class Explorer {
       this.drive.give(question, drive);
       this.refusal.value = drive.status === 'landed' ? null
         : { message: drive.message ?? drive.status, parameters: [] };
-      const known = answer.numbers.filter((numbers) => !isRefused(numbers));
+      const known = answers.filter((numbers) => !isRefused(numbers));
       this.slopes.value = new Map(known.flatMap((numbers) => [...readSlopes(numbers)]));
       this.noSlope.value = new Map(known.flatMap((numbers) => [...readMissing(numbers)]));
     });
@@ -376,9 +375,8 @@ export class Explorer {
     if (!best) return;
     const setup = this.setup(withValues(design, best.texts));
     const request = { setup, units: state.units, path: true, order: 0 };
-    const answer = await this.interactive.calls('ghost', [{ endpoint: 'drive', request }]);
-    const first = answer?.numbers[0];
-    if (first && !isRefused(first)) this.ghost.give(question, readDrive(first));
+    const numbers = await this.interactive.call('ghost', { endpoint: 'drive', request });
+    if (numbers && !isRefused(numbers)) this.ghost.give(question, readDrive(numbers));
   }
 
   async #flyDesigns() {
@@ -387,10 +385,10 @@ export class Explorer {
     const question = this.flownDesigns.question();
     const calls = designs.map((design): Call =>
       ({ endpoint: 'drive', request: { setup: this.setup(design), units, path: true, order: 0 } }));
-    const answer = await this.interactive.calls('designs', calls);
-    if (!answer) return;
+    const answers = await this.interactive.calls('designs', calls);
+    if (!answers) return;
     this.flownDesigns.give(question, designs.map((design, at) => {
-      const numbers = answer.numbers[at];
+      const numbers = answers[at];
       if (!numbers) return { design, drive: null };
       keepValues(readStated(numbers), design, this.catalog);
       return { design, drive: isRefused(numbers) ? null : readDrive(numbers) };
@@ -408,14 +406,13 @@ export class Explorer {
     if ((this.map.current?.columns ?? 0) >= nodes) return;
     const axes = this.#mapAxes();
     const question = this.map.question();
-    const answer = await this.interactive.calls('map', [mapCall(axes, this.setup(), [nodes, nodes])]);
-    const first = answer?.numbers[0];
-    if (!first) return;
-    if (isRefused(first)) {
-      this.mapMessage.give(question, refusalOf(first).message);
+    const numbers = await this.interactive.call('map', mapCall(axes, this.setup(), [nodes, nodes]));
+    if (!numbers) return;
+    if (isRefused(numbers)) {
+      this.mapMessage.give(question, refusalOf(numbers).message);
       return;
     }
-    this.map.give(question, readMap(first, axes));
+    this.map.give(question, readMap(numbers, axes));
   }
 
   /** Finds the best point of the map, unless it is known or being searched. */
@@ -440,19 +437,19 @@ export class Explorer {
     const request = { setup: this.setup(), units: this.state.value.units, vary, carry, lateral };
     const design = this.design.value;
     this.busy.value = true;
-    const answer = await this.interactive.calls('aim', [{ endpoint: 'aim', request }]);
-    const first = answer?.numbers[0];
-    if (!first) return;
+    const numbers = await this.interactive.call('aim', { endpoint: 'aim', request });
+    if (!numbers) return;
     // drop the answer if the design was changed since, except by an earlier aim of this drag
     const isCurrent = [design, this.#aimed].includes(this.design.value);
     if (!isCurrent) return;
-    if (first.head.status === 'reached' || first.head.status === 'nearest') {
+    const { head, block } = numbers;
+    if (head.status === 'reached' || head.status === 'nearest') {
       const values = Object.fromEntries(names.map((name, k) =>
-        [name, textOf(first.block[k] ?? NaN, this.field(name).unit, 4)]));
+        [name, textOf(block[k] ?? NaN, this.field(name).unit, 4)]));
       this.#aimed = withValues(this.design.value, values);
       this.changeDesign(this.#aimed, false);
     }
-    this.aimMessage.give(this.aimMessage.question(), first.head.message ?? null);
+    this.aimMessage.give(this.aimMessage.question(), head.message ?? null);
   }
 
   /** Runs a long command, and shows its progress. The answer is null if the command was ended. */
