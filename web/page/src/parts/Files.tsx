@@ -3,8 +3,6 @@ import { useState } from 'preact/hooks';
 import { designOf, writeSetup } from '../setup/file';
 import type { FileValues } from '../setup/file';
 import { commandLine } from '../setup/words';
-import { bestWords } from '../state/best';
-import type { Explorer } from '../state/explorer';
 import { messageOf } from '../state/explorer';
 import { usePage } from './context';
 import { download } from './download';
@@ -46,16 +44,15 @@ export function Files() {
     input.value = '';
     if (file) open(file).catch((error: Error) => setMessage(error.message));
   };
-  const json = async (command: string, more: string[]) => {
-    const reply = await explorer.run(command, [command, ...more]);
+  const save = async (command: string, options: string[]) => {
+    const reply = await explorer.run(command, [command, ...explorer.words(), ...options, '--json']);
     if (!reply) return;
     if (reply.answer) download(`${command}.json`, reply.answer, 'application/json');
     else setMessage(messageOf(reply));
   };
   const report = async () => {
-    const words = wordsOf(explorer);
-    const vary = words.slice(words.indexOf('--maximize'));
-    const reply = await explorer.run('the report', ['report', ...explorer.words(), ...vary, '-o', 'drive', '--json']);
+    const words = [...explorer.words(), ...explorer.searchOptions(), '-o', 'drive', '--json'];
+    const reply = await explorer.run('the report', ['report', ...words]);
     if (!reply) return;
     const page = reply.files['drive/index.html'];
     if (page) download('drive.html', new Uint8Array(page), 'text/html');
@@ -73,8 +70,8 @@ export function Files() {
           onClick={() => download('setup.toml', writeSetup(explorer.design.value), 'application/toml')}>
           save the setup file
         </button>
-        <button type="button" onClick={() => void json('simulate', [...explorer.words(), '--json'])}>drive (JSON)</button>
-        <button type="button" onClick={() => void json('optimize', [...wordsOf(explorer).slice(1), '--json'])}>best drive (JSON)</button>
+        <button type="button" onClick={() => void save('simulate', [])}>drive (JSON)</button>
+        <button type="button" onClick={() => void save('optimize', explorer.searchOptions())}>best drive (JSON)</button>
         <button type="button" onClick={() => void report()}>report (HTML, to print)</button>
       </p>
       {message && <p class="message" role="alert">{message}</p>}
@@ -83,16 +80,10 @@ export function Files() {
   );
 }
 
-/** The arguments of the command that finds the best drive. */
-function wordsOf(explorer: Explorer): string[] {
-  const state = explorer.state.value;
-  const words = bestWords(explorer, state, explorer.design.value, explorer.varied.value);
-  return words.filter((word) => word !== '--json');
-}
-
+/** The command that finds the best drive, to copy. */
 function Command() {
   const { explorer } = usePage();
-  const text = commandLine(wordsOf(explorer));
+  const text = commandLine(['optimize', ...explorer.words(), ...explorer.searchOptions()]);
   const [isCopied, setCopied] = useState(false);
   const copy = async () => {
     try {

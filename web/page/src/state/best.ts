@@ -35,13 +35,20 @@ interface OptimizeAnswer {
   multipliers: Record<string, { lower: number; upper: number }>;
 }
 
-/** The arguments of the command that finds the best drive of a design. */
-export function bestWords(
-  fields: Fields, { goal, units }: State, design: Design, names: readonly string[],
+/** The options of a search for the best drive: its goal, and the ranges of the parameters. */
+export function searchOptions(
+  fields: Fields, { goal, units }: State, names: readonly string[],
 ): string[] {
   const vary = names.flatMap((name) =>
     ['--vary', rangeWords(fields.parameter(name), fields.sliderRange(name))]);
-  return ['optimize', ...setupWords(design), '--maximize', goal, ...vary, '--units', units, '--json'];
+  return ['--maximize', goal, ...vary, '--units', units];
+}
+
+/** The arguments of the command that finds the best drive of a design. */
+export function bestWords(
+  fields: Fields, state: State, design: Design, names: readonly string[],
+): string[] {
+  return ['optimize', ...setupWords(design), ...searchOptions(fields, state, names), '--json'];
 }
 
 /**

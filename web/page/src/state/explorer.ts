@@ -13,7 +13,7 @@ import { decimalsOf, sliderRangeOf } from '../setup/slider';
 import { digits, distinct, fromSI, textOf, unitIn } from '../setup/units';
 import { setupWords } from '../setup/words';
 import type { Best } from './best';
-import { bestKey, bestWords, readBest } from './best';
+import { bestKey, bestWords, readBest, searchOptions } from './best';
 import { Debounce } from './debounce';
 import { Latest } from './latest';
 import type { MapAxes, MapData } from './map';
@@ -477,8 +477,13 @@ export class Explorer {
   }
 
   /** The design as arguments of the command line. */
-  words() {
+  words(): string[] {
     return setupWords(this.design.value);
+  }
+
+  /** The options of the search for the best drive. */
+  searchOptions(): string[] {
+    return searchOptions(this, this.state.value, this.varied.value);
   }
 }
 
