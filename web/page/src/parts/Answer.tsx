@@ -77,7 +77,7 @@ const Values = ({ best }: { best: Best }) => (
 
 function ValueRow({ name, theirs }: { name: string; theirs: number }) {
   const { explorer } = usePage();
-  const { mine, typed, unit, decimals } = useSteady(() => explorer.rowKey(name), () => ({
+  const { mine, typed, unit, decimals } = useSteady(() => ({
     mine: explorer.value(name), typed: explorer.design.value.set[name], ...explorer.field(name),
   }));
   const isKnown = mine !== null && Number.isFinite(mine);

@@ -1,6 +1,6 @@
 // The parameters of a setup whose values are names, not numbers.
 import type { Design } from '../setup/design';
-import { hasLaunch, withValues } from '../setup/design';
+import { withValues } from '../setup/design';
 import type { Choice } from '../setup/parameters';
 import { labelOf } from '../setup/parameters';
 import { usePage } from './context';
@@ -11,20 +11,22 @@ const STEP = 'flight.step';
 
 export function Choices() {
   const { explorer } = usePage();
-  const { all, design } = useSteady(
-    () => {
-      const { preset, set } = explorer.design.value;
-      const values = explorer.catalog.choices.map(({ choice }) => set[choice]);
-      return JSON.stringify([preset, values, set[STEP], hasLaunch(explorer.design.value)]);
-    },
-    () => ({ all: explorer.catalog.choices, design: explorer.design.value }),
-  );
-  const isUsed = ({ choice }: Choice) => choice === METHOD || !hasLaunch(design);
+  const { choices } = explorer.catalog;
+  const isLaunch = explorer.isLaunch.value;
+  const design = useSteady(() => statedChoices(explorer.design.value, choices));
+  const isUsed = ({ choice }: Choice) => choice === METHOD || !isLaunch;
   return (
     <div class="choices">
-      {all.filter(isUsed).map((choice) => <ChoiceRow choice={choice} design={design} key={choice.choice} />)}
+      {choices.filter(isUsed).map((choice) => <ChoiceRow choice={choice} design={design} key={choice.choice} />)}
     </div>
   );
+}
+
+/** The design with its choices and the step alone. */
+function statedChoices({ preset, set }: Design, choices: readonly Choice[]): Design {
+  const names = [STEP, ...choices.map(({ choice }) => choice)];
+  const rows = Object.entries(set).filter(([name]) => names.includes(name));
+  return { preset, set: Object.fromEntries(rows) };
 }
 
 function ChoiceRow({ choice: { choice, names, doc }, design }: { choice: Choice; design: Design }) {

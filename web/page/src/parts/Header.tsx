@@ -1,39 +1,37 @@
 // Preset, units, goal, undo and redo.
+import { useComputed } from '@preact/signals';
 import type { Goal } from '../state/state';
 import { GOALS } from '../state/state';
 import type { System } from '../setup/units';
 import { usePage } from './context';
-import { useSteady } from './steady';
 
 const SYSTEMS: readonly (readonly [System, string])[] = [['us', 'yards, mph'], ['metric', 'metres, m/s']];
 
 export function Header() {
   const { explorer, address } = usePage();
-  const { state, design } = useSteady(
-    () => [explorer.design.value.preset, explorer.state.value.goal, explorer.state.value.units].join(),
-    () => ({ state: explorer.state.value, design: explorer.design.value }),
-  );
-  const preset = explorer.catalog.preset(design.preset);
+  const preset = useComputed(() => explorer.design.value.preset).value;
+  const goal = explorer.goal.value;
+  const units = explorer.units.value;
   return (
     <header>
       <h1>longdrive</h1>
       <label>
         <span>preset</span>
-        <select value={design.preset} title={preset?.about}
+        <select value={preset} title={explorer.catalog.preset(preset)?.about}
           onChange={(event) => explorer.changeDesign({ preset: event.currentTarget.value, set: {} })}>
           {explorer.catalog.presets.map(({ name }) => <option value={name} key={name}>{name}</option>)}
         </select>
       </label>
       <label>
         <span>longest</span>
-        <select value={state.goal}
+        <select value={goal}
           onChange={(event) => explorer.change({ ...explorer.state.value, goal: event.currentTarget.value as Goal })}>
-          {GOALS.map((goal) => <option value={goal} key={goal}>{goal}</option>)}
+          {GOALS.map((name) => <option value={name} key={name}>{name}</option>)}
         </select>
       </label>
       <label>
         <span>units</span>
-        <select value={state.units}
+        <select value={units}
           onChange={(event) => explorer.change({ ...explorer.state.value, units: event.currentTarget.value as System })}>
           {SYSTEMS.map(([system, text]) => <option value={system} key={system}>{text}</option>)}
         </select>

@@ -176,9 +176,9 @@ function axisNames(explorer: Explorer): string[] {
 function Axes() {
   const { explorer } = usePage();
   const { state } = explorer;
-  const content = () => ({ axes: explorer.mapNames.value, names: axisNames(explorer) });
   // the lists are long and rarely change: make them again only if they do
-  const { axes, names } = useSteady(() => JSON.stringify(content()), content);
+  const { axes, names } = useSteady(
+    () => ({ axes: explorer.mapNames.value, names: axisNames(explorer) }));
   const select = (axis: 0 | 1, label: string) => (
     <label>
       {label}

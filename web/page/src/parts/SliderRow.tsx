@@ -22,7 +22,7 @@ export function SliderRow({ name, isInGroup = false }: Props) {
   const [isAsked, setAsked] = useState(false);
   const id = name.replace(/\./g, '-');
   const label = isInGroup ? labelInGroup(name) : labelOf(name);
-  const row = useSteady(() => explorer.rowKey(name), () => rowOf(explorer, name));
+  const row = useSteady(() => rowOf(explorer, name));
   const { sliderRange, unit, value, at, decimals, isSet, units, message } = row;
   const slide = (event: Event, isFinal: boolean) =>
     explorer.slide(name, toSI(Number((event.target as HTMLInputElement).value), unit), isFinal);

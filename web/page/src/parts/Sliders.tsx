@@ -1,6 +1,6 @@
 // All parameters: sliders of the first screen, other sliders in groups, and a search.
 import { useEffect, useState } from 'preact/hooks';
-import { firstOf, hasLaunch, lawOf, withValues } from '../setup/design';
+import { firstOf, withValues } from '../setup/design';
 import { AIR_FIRST, groupOf, labelOf } from '../setup/parameters';
 import { Choices } from './Choices';
 import { usePage } from './context';
@@ -13,10 +13,8 @@ const MOST_FOUND = 12;
 
 export function Sliders() {
   const { explorer } = usePage();
-  const { first, isLaunch } = useSteady(
-    () => firstOf(explorer.design.value).join(),
-    () => ({ first: firstOf(explorer.design.value), isLaunch: hasLaunch(explorer.design.value) }),
-  );
+  const first = useSteady(() => firstOf(explorer.design.value));
+  const isLaunch = explorer.isLaunch.value;
   return (
     <section class="sliders" aria-label="parameters">
       <StartSwitch isLaunch={isLaunch} />
@@ -24,7 +22,7 @@ export function Sliders() {
       {!isLaunch && <FaceView />}
       {AIR_FIRST.map((name) => <SliderRow name={name} key={name} />)}
       <Choices />
-      <Others />
+      <Others first={first} />
     </section>
   );
 }
@@ -56,19 +54,13 @@ function StartSwitch({ isLaunch }: { isLaunch: boolean }) {
   );
 }
 
-function Others() {
+/** The parameters that are not on the first screen. */
+function Others({ first }: { first: readonly string[] }) {
   const { explorer } = usePage();
   const [search, setSearch] = useState('');
   const [openGroup, setOpenGroup] = useState<string | null>(null);
-  const all = useSteady(
-    () => JSON.stringify([firstOf(explorer.design.value), lawOf(explorer.design.value, explorer.catalog)]),
-    () => {
-      const design = explorer.design.value;
-      const first = [...firstOf(design), ...AIR_FIRST];
-      return explorer.catalog.of(lawOf(design, explorer.catalog))
-        .filter(({ parameter }) => !first.includes(parameter));
-    },
-  );
+  const all = explorer.catalog.of(explorer.law.value)
+    .filter(({ parameter }) => !first.includes(parameter) && !AIR_FIRST.includes(parameter));
   const words = search.toLowerCase().split(/\s+/).filter((word) => word !== '');
   const found = all.filter(({ parameter, doc }) => {
     const text = `${parameter} ${labelOf(parameter)} ${doc}`.toLowerCase();
@@ -117,8 +109,8 @@ interface GroupProps {
 
 function Group({ group, names, isOpen, onToggle }: GroupProps) {
   const { explorer } = usePage();
-  const count = () => names.filter((name) => name in explorer.design.value.set).length;
-  const changed = useSteady(() => `${names.join()} ${count()}`, count);
+  const stated = useSteady(() => Object.keys(explorer.design.value.set));
+  const changed = names.filter((name) => stated.includes(name)).length;
   return (
     <div class="group">
       <button type="button" aria-expanded={isOpen} onClick={onToggle}>

@@ -27,8 +27,7 @@ export function TopView() {
   const usual: Pair = isLaunch
     ? ['launch.launch_angle', 'launch.launch_direction'] : ['club.loft', 'swing.face_angle'];
   const [chosen, setChosen] = useState<Pair>(usual);
-  const first = useSteady(
-    () => firstOf(explorer.design.value).join(), () => firstOf(explorer.design.value));
+  const first = useSteady(() => firstOf(explorer.design.value));
   const pair = chosen.every((name) => first.includes(name)) ? chosen : usual;
   const flown = explorer.drive.last;
   const drive = landedOf(flown);

@@ -1,9 +1,17 @@
 // Components that render again only when their content changes, not at each move of a slider.
-import { untracked, useComputed } from '@preact/signals';
-import { useMemo } from 'preact/hooks';
+import { useComputed } from '@preact/signals';
+import { useRef } from 'preact/hooks';
 
-/** The value of `read`. It is read again only if `key` changes. */
-export function useSteady<T>(key: () => string, read: () => T): T {
-  const text = useComputed(key).value;
-  return useMemo(() => untracked(read), [text]);
+/**
+ * The content that `read` takes from signals. It stays the same object while it is the same as
+ * JSON.
+ */
+export function useSteady<T>(read: () => T): T {
+  const last = useRef<{ json: string; content: T } | null>(null);
+  return useComputed(() => {
+    const content = read();
+    const json = JSON.stringify(content);
+    if (last.current?.json !== json) last.current = { json, content };
+    return last.current.content;
+  }).value;
 }

@@ -253,15 +253,6 @@ export class Explorer {
     return distinct(values.map((value) => fromSI(value, unit)), decimals);
   }
 
-  /** A key that changes whenever the row of a parameter must look different. */
-  rowKey(name: string): string {
-    const { preset, set } = this.design.value;
-    const { refusal } = this;
-    const message = refusal.value?.parameters[0] === name ? refusal.value.message : '';
-    return JSON.stringify(
-      [preset, set[name], this.value(name), set['aero.law'], this.state.value.units, message]);
-  }
-
   // requests to the core
 
   /** The setup of a request to the core. */
