@@ -8,13 +8,13 @@ use crate::names::{outcomes_named, variables};
 use crate::pool;
 use crate::setup::PySetup;
 use crate::step::{for_function, step_choice};
+use longdrive::command::SwingsArgs;
 use longdrive::derivative::{Evaluator, Order, Taylor};
 use longdrive::integration::StepChoice;
 use longdrive::parameters::Parameter;
 use longdrive::study::Goal;
-use longdrive::study::swings::{Correlation, GoalFunction, Rule, Scenarios, Strokes, Swings};
-use longdrive::study::uncertainty::Uncertain;
-use longdrive::{Error, Outcome, Setup};
+use longdrive::study::swings::{GoalFunction, Swings};
+use longdrive::{Outcome, Setup};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyUntypedArray};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PySequenceMethods, PyTuple};
@@ -49,11 +49,11 @@ impl ObjectiveKind {
         setup: &Setup<f64>,
         of: &str,
         wrt: &[&'static Parameter],
-        swing_arguments: &SwingArguments,
+        swing_arguments: &SwingsArgs,
         swings: &Swings,
     ) -> Answer<Self> {
-        let goal = swing_arguments.goal(of)?;
-        let scenarios = swing_arguments.scenarios(swings, &goal)?;
+        let goal = goal_of(swing_arguments, of)?;
+        let scenarios = swing_arguments.scenarios(swings, [&goal], false)?;
         let (own, by, swings) = (*setup, wrt.to_vec(), scenarios.clone());
         let integration = pool::run_drive(py, !choice.is_own(setup), move |stop| {
             choice.for_swings(&own, &by, &swings, stop)
@@ -131,118 +131,30 @@ impl ObjectiveKind {
     }
 }
 
-/// The arguments of a goal that describe its swings.
-#[derive(Clone, Default)]
-struct SwingArguments {
-    swings: Option<PathBuf>,
-    distribution: Vec<String>,
-    correlation: Vec<String>,
-    scenarios: Option<usize>,
-    seed: Option<u32>,
-    /// The table of expected strokes.
-    strokes: Option<PathBuf>,
+/// The parameters of the function, from the argument `wrt`.
+fn parameters_of(
+    swing_arguments: &SwingsArgs,
+    setup: &Setup<f64>,
+    of: &str,
+    wrt: Option<&Bound<'_, PyAny>>,
+) -> Answer<Vec<&'static Parameter>> {
+    let is_over_swings = swing_arguments.is_given();
+    if wrt.is_none() && is_over_swings && !setup.launch.is_given() {
+        // over swings only the loft varies by default: the attack angle belongs to the golfer, and
+        // varies from swing to swing
+        return Ok(vec![setup.variable("club.loft")?]);
+    }
+    let outcomes = match is_over_swings {
+        true => goal_of(swing_arguments, of).map(|goal| goal.outcomes()),
+        false => outcomes_named(&[of.to_owned()]),
+    };
+    // an invalid goal is refused later, where the function is made
+    variables(setup, &outcomes.unwrap_or_default(), wrt)
 }
 
-impl SwingArguments {
-    /// True if the arguments give swings: the goal is then over swings.
-    fn is_given(&self) -> bool {
-        self.swings.is_some() || !self.distribution.is_empty()
-    }
-
-    /// The parameters of the function, from the argument `wrt`.
-    fn variables(
-        &self,
-        setup: &Setup<f64>,
-        of: &str,
-        wrt: Option<&Bound<'_, PyAny>>,
-    ) -> Answer<Vec<&'static Parameter>> {
-        if wrt.is_none() && self.is_given() && !setup.launch.is_given() {
-            // over swings only the loft varies by default: the attack angle belongs to the golfer,
-            // and varies from swing to swing
-            return Ok(vec![setup.variable("club.loft")?]);
-        }
-        let outcomes = match self.is_given() {
-            true => self.goal(of).map(|goal| goal.outcomes()),
-            false => outcomes_named(&[of.to_owned()]),
-        };
-        // an invalid goal is refused later, where the function is made
-        variables(setup, &outcomes.unwrap_or_default(), wrt)
-    }
-
-    /// The swings of the file, or of the distributions and correlations.
-    fn read(&self, setup: &Setup<f64>) -> Answer<Swings> {
-        Ok(match &self.swings {
-            Some(_) if !self.distribution.is_empty() || !self.correlation.is_empty() => {
-                let what = "swings: a file gives the distributions and correlations; leave \
-                            distribution and correlation out, or swings";
-                return Err(Failure::Input(what.into()));
-            }
-            Some(file) => Swings::open(setup, file)?,
-            None => {
-                let inputs = self
-                    .distribution
-                    .iter()
-                    .map(|text| Uncertain::read(setup, text));
-                let correlations = self
-                    .correlation
-                    .iter()
-                    .map(|text| Correlation::read(setup, text));
-                let inputs = inputs.collect::<longdrive::Result<Vec<_>>>()?;
-                Swings::distributed(
-                    inputs,
-                    &correlations.collect::<longdrive::Result<Vec<_>>>()?,
-                )?
-            }
-        })
-    }
-
-    fn scenarios(&self, swings: &Swings, goal: &Goal) -> Answer<Scenarios> {
-        let rule = Rule::of(swings, [goal], self.scenarios, self.seed.unwrap_or(0))?;
-        rule.refuse_idle_seed(self.seed)?;
-        Ok(Scenarios::new(swings, rule)?)
-    }
-
-    /// Parses the goal over the swings from `of`. Errors state the position in `of`.
-    fn goal(&self, of: &str) -> Answer<Goal> {
-        let strokes = self
-            .strokes
-            .as_ref()
-            .map(|file| Strokes::open(file, false))
-            .transpose()?;
-        let goal = Goal::read(of, strokes.as_ref()).map_err(|error| match error {
-            Error::Constraint {
-                expression,
-                column,
-                reason,
-            } => Failure::Input(format!(
-                "of: {reason}\n  {expression}\n  {}^",
-                " ".repeat(column)
-            )),
-            error => error.into(),
-        })?;
-        if strokes.is_some() && goal.strokes().next().is_none() {
-            let what = "strokes: the goal does not ask for strokes; write for example \
-                        of=\"strokes(400yd)\", or leave strokes out";
-            return Err(Failure::Input(what.into()));
-        }
-        Ok(goal)
-    }
-
-    /// Refuses an argument about swings if there are no swings.
-    fn refuse_stray(&self) -> Answer<()> {
-        let given = [
-            ("correlation", !self.correlation.is_empty()),
-            ("scenarios", self.scenarios.is_some()),
-            ("seed", self.seed.is_some()),
-            ("strokes", self.strokes.is_some()),
-        ];
-        match given.into_iter().find(|(_, is_given)| *is_given) {
-            Some((name, _)) => Err(Failure::Input(format!(
-                "{name}: it is about many swings; give the swings too, with swings or distribution"
-            ))),
-            None => Ok(()),
-        }
-    }
+/// The goal over the swings, from the argument `of`.
+fn goal_of(swing_arguments: &SwingsArgs, of: &str) -> Answer<Goal> {
+    Ok(swing_arguments.goal("of", of, "of=\"strokes(400yd)\"")?)
 }
 
 /// An outcome, or a goal over swings, as a function of some parameters. Its methods ``fun``,
@@ -255,7 +167,7 @@ pub struct PyObjective {
     of: String,
     choice: StepChoice,
     function: ObjectiveKind,
-    swing_arguments: SwingArguments,
+    swing_arguments: SwingsArgs,
     /// The argument `sense`.
     sense: Option<String>,
     /// −1 for `sense="max"`, else 1: the factor of the outcome in the function.
@@ -442,7 +354,7 @@ impl PyObjective {
         answer(|| {
             let choice = step_choice(tolerance, own_step)?;
             let (py, setup) = (setup.py(), PySetup::of(setup)?);
-            let swing_arguments = SwingArguments {
+            let swing_arguments = SwingsArgs {
                 swings,
                 distribution,
                 correlation,
@@ -450,7 +362,7 @@ impl PyObjective {
                 seed,
                 strokes,
             };
-            let wrt = swing_arguments.variables(&setup.setup, of, wrt)?;
+            let wrt = parameters_of(&swing_arguments, &setup.setup, of, wrt)?;
             let function = if swing_arguments.is_given() {
                 let swings = swing_arguments.read(&setup.setup)?;
                 let why = "the swings have values of it";
@@ -587,7 +499,7 @@ impl PyObjective {
         py: Python<'py>,
     ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let invalid = if self.gives_nan { "nan" } else { "raise" };
-        let SwingArguments {
+        let SwingsArgs {
             swings,
             distribution,
             correlation,

@@ -232,9 +232,13 @@ def test_wrong_swings_are_refused() -> None:
         ({"swings": "nowhere.toml"}, "nowhere.toml"),
         (
             {"swings": "nowhere.toml", "distribution": "swing.speed=normal(100mph,2mph)"},
-            "leave distribution and correlation out",
+            "^distribution: nowhere.toml gives the swings",
         ),
         ({"distribution": "club.loft=normal(10deg,1deg)"}, "the swings have values of it"),
+        (
+            {"distribution": "launch.ball_speed=normal(70m/s,1m/s)"},
+            "launch.ball_speed: it is a quantity of the ball",
+        ),
     ]
     for words, message in cases:
         with pytest.raises(InputError, match=message):

@@ -83,6 +83,7 @@ mod width;
 mod wording;
 
 pub use crate::input_file::{MemoryFiles, with_memory_files};
+pub use args::SwingsArgs;
 pub use call::{ArgumentValue, Call, quantity_of, quantity_of_goal, with_degrees};
 pub use described::described;
 pub use host::{Host, MessageKind, Progress, Work};

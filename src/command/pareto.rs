@@ -189,7 +189,9 @@ fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Pareto
         points: args.points,
         options: options(args.max_iterations),
     };
-    search.scenarios = args.swings.scenarios(&over, search.all_goals())?;
+    search.scenarios =
+        args.swings
+            .scenarios(&over.swings, search.all_goals(), over.is_resampled)?;
     Ok((over.setup, search))
 }
 

@@ -63,7 +63,11 @@ impl SwingsArgs {
     ///
     /// # Errors
     /// The errors of [`Search::longest_drive`].
-    pub fn default_ranges(&self, request: &Request, setup: &Setup<f64>) -> Result<DefaultRanges> {
+    pub(super) fn default_ranges(
+        &self,
+        request: &Request,
+        setup: &Setup<f64>,
+    ) -> Result<DefaultRanges> {
         match self.is_given() {
             true => DefaultRanges::loft(request, setup),
             false => DefaultRanges::longest_drive(request, setup),

@@ -62,7 +62,7 @@ impl SwingsArgs {
 
     /// Reads the swings of a request. Refuses settings of the parameters that vary between the
     /// swings. `is_resampled` is true if the command resamples recorded swings.
-    pub fn request(&self, request: &Request, is_resampled: bool) -> Result<SwingsRequest> {
+    pub(super) fn request(&self, request: &Request, is_resampled: bool) -> Result<SwingsRequest> {
         let swings = self.read(&request.partial_setup)?;
         request
             .refuse_stated_besides_launch(&swings.parameters(), "the swings have values of it")?;
@@ -71,7 +71,7 @@ impl SwingsArgs {
 
     /// The setup with the means of these swings. `is_resampled` is true if the command resamples
     /// recorded swings.
-    pub fn request_of(
+    pub(super) fn request_of(
         &self,
         request: &Request,
         swings: Swings,
@@ -91,21 +91,38 @@ impl SwingsArgs {
     }
 
     /// The scenarios of swings for all goals of a search. Refuses a seed that has no effect:
-    /// recorded swings use a seed only if the command resamples them.
+    /// recorded swings use a seed only if they are resampled.
+    ///
+    /// # Errors
+    /// The errors of [`Rule::of`], [`Rule::refuse_idle_seed`] and [`Scenarios::new`].
     pub fn scenarios<'a>(
         &self,
-        of: &SwingsRequest,
+        swings: &Swings,
         goals: impl IntoIterator<Item = &'a Goal>,
+        is_resampled: bool,
     ) -> Result<Scenarios> {
-        let rule = Rule::of(&of.swings, goals, self.scenarios, self.seed.unwrap_or(0))?;
-        if !(of.is_resampled && rule == Rule::Recorded) {
+        let rule = Rule::of(swings, goals, self.scenarios, self.seed.unwrap_or(0))?;
+        if !(is_resampled && rule == Rule::Recorded) {
             rule.refuse_idle_seed(self.seed)?;
         }
-        Scenarios::new(&of.swings, rule)
+        Scenarios::new(swings, rule)
+    }
+
+    /// The only goal of a function, from the argument `name` with the value `text`. `example` is
+    /// such an argument with a goal that uses strokes.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for a text that is no goal, and for a table of strokes that the goal
+    /// does not use; the errors of [`Strokes::open`].
+    pub fn goal(&self, name: &str, text: &str, example: &str) -> Result<Goal> {
+        let strokes = self.strokes()?;
+        let goal = goal(name, text, strokes.as_ref())?;
+        refuse_unused_strokes(strokes.as_ref(), [&goal], example)?;
+        Ok(goal)
     }
 
     /// The table of expected strokes, if one is given.
-    pub fn strokes(&self) -> Result<Option<Strokes>> {
+    pub(super) fn strokes(&self) -> Result<Option<Strokes>> {
         self.strokes
             .as_ref()
             .map(|file| Strokes::open(file, false))
@@ -114,7 +131,7 @@ impl SwingsArgs {
 
     /// The end of the title of an answer: ", swings golfer.csv", or the distributions and
     /// correlations, each after a comma. Empty without swings.
-    pub fn end_of_title(&self) -> String {
+    pub(super) fn end_of_title(&self) -> String {
         let file = self.swings.iter();
         let file = file.map(|file| format!(", swings {}", file.display()));
         let texts = self.distribution.iter().chain(&self.correlation);
@@ -122,11 +139,16 @@ impl SwingsArgs {
     }
 
     /// The files that these options read.
-    pub fn inputs(&self) -> impl Iterator<Item = PathBuf> {
+    pub(super) fn inputs(&self) -> impl Iterator<Item = PathBuf> {
         self.swings.iter().chain(&self.strokes).cloned()
     }
 
-    /// Reads the swings from the file or from the distributions.
+    /// The swings of the file, or of the distributions and correlations.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] for a file beside distributions or correlations, and for swings of
+    /// launch conditions if `setup` is no launch; the errors of [`Swings::open`],
+    /// [`Uncertain::read`], [`Correlation::read`] and [`Swings::distributed`].
     pub fn read(&self, setup: &Setup<f64>) -> Result<Swings> {
         let swings = self.read_any(setup)?;
         let mut parameters = swings.parameters().into_iter();
@@ -321,7 +343,7 @@ pub fn search_over_swings(
         scenarios: Scenarios::one_drive(),
         options: options(search.max_iterations),
     };
-    search.scenarios = swings.scenarios(over, search.goals())?;
+    search.scenarios = swings.scenarios(&over.swings, search.goals(), over.is_resampled)?;
     Ok(search)
 }
 
@@ -341,15 +363,26 @@ pub fn limits<const N: usize>(
         false => Constraint::read_over_swings(text, strokes),
     };
     let limits = texts.iter().map(read).collect::<Result<Vec<_>>>()?;
-    let uses_strokes = |goal: &Goal| goal.strokes().next().is_some();
-    let is_used =
-        of.into_iter().any(uses_strokes) || limits.iter().any(|limit| uses_strokes(&limit.goal));
-    if strokes.is_some() && !is_used {
-        let source = "no goal uses strokes; write for example `minimize \"strokes(400yd)\"`, or \
-                      leave it out";
-        return Err(Error::unreadable("`strokes`", source));
-    }
+    let goals = of.into_iter().chain(limits.iter().map(|limit| &limit.goal));
+    refuse_unused_strokes(strokes, goals, "`minimize \"strokes(400yd)\"`")?;
     Ok(limits)
+}
+
+/// Refuses a table of strokes that none of the goals uses. `example` is an argument with a goal
+/// that uses strokes.
+fn refuse_unused_strokes<'a>(
+    strokes: Option<&Strokes>,
+    goals: impl IntoIterator<Item = &'a Goal>,
+    example: &str,
+) -> Result<()> {
+    let is_used = goals
+        .into_iter()
+        .any(|goal| goal.strokes().next().is_some());
+    if strokes.is_none() || is_used {
+        return Ok(());
+    }
+    let source = format!("no goal uses strokes; write for example {example}, or leave it out");
+    Err(Error::unreadable("`strokes`", source))
 }
 
 /// The goal in `text`, the value of the option `option`. An error shows the position of the fault

@@ -39,7 +39,7 @@ pub struct SearchArgs {
 }
 
 /// Swings that vary, for a design that is best over all of them.
-#[derive(clap::Args)]
+#[derive(Clone, Default, clap::Args)]
 pub struct SwingsArgs {
     /// Search for the best over many swings: a TOML file with [distributions] and [[correlations]],
     /// or a table (CSV, Parquet, Arrow) of recorded swings, a column for each parameter. Goals are
