@@ -10,6 +10,7 @@ mod idle;
 mod inertia;
 mod launch;
 mod law_table;
+mod number_table;
 mod presets;
 mod range;
 mod setup;
@@ -38,6 +39,8 @@ pub use idle::idle_warnings;
 pub use launch::is_of_strike;
 pub use law_table::{AxisVariable, LawTable, LawTableAxis, TABLE, TABLE_LAW};
 pub(crate) use law_table::{Cell, CoefficientGrid, Surface, cells_of};
+#[cfg(feature = "studies")]
+pub(crate) use number_table::{NumberTable, TableFault};
 pub use presets::{DEFAULT_PRESET, PRESETS, Preset, PresetEntry};
 pub use range::Range;
 pub use setup::{CHOICES, SettingText};

@@ -1,8 +1,9 @@
 //! Checks that the nodes form a full grid, and that the splines through them are finite and have no
 //! negative drag.
 
+use super::super::number_table::TableFault;
 use super::grid::{AxisVariable, CoefficientGrid, LawTableAxis};
-use super::read::{GridNode, GridNodes, LawTableFault};
+use super::read::{GridNode, GridNodes};
 use super::surface::{Cell, Surface, intervals, stored_cells};
 
 /// Spin ratio below which the lift falls smoothly to 0, if the table has no axis of spin or spin
@@ -22,7 +23,7 @@ const CLAMP_WIDTH: f64 = 0.5;
 const LARGEST_POWER: f64 = 4.0;
 
 /// Checks the nodes, and makes the grid with its splines.
-pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, LawTableFault> {
+pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, TableFault> {
     let rows = &nodes.rows;
     if rows.len() < 2 {
         let found = if rows.is_empty() {
@@ -30,7 +31,7 @@ pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, LawTableFault> 
         } else {
             "one row only"
         };
-        return Err(LawTableFault::of_file(format!(
+        return Err(TableFault::of_file(format!(
             "it has {found}; a law needs at least two nodes along an axis"
         )));
     }
@@ -48,7 +49,7 @@ pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, LawTableFault> 
              without spin",
             node.lift
         );
-        return Err(LawTableFault::at_line(node.line, reason));
+        return Err(TableFault::at_line(node.line, reason));
     }
     let speed = nodes.speed.map(|variable| axis(variable, &speeds));
     let spin = nodes.spin.map(|variable| axis(variable, &spins));
@@ -78,7 +79,7 @@ pub(super) fn grid(nodes: &GridNodes) -> Result<CoefficientGrid, LawTableFault> 
 fn grid_lines(
     values: impl Iterator<Item = f64>,
     variable: Option<AxisVariable>,
-) -> Result<Vec<f64>, LawTableFault> {
+) -> Result<Vec<f64>, TableFault> {
     let mut lines: Vec<f64> = values.collect();
     lines.sort_by(f64::total_cmp);
     lines.dedup();
@@ -93,7 +94,7 @@ fn grid_lines(
             "{} are nearly the same; write one number for both",
             both.trim_end()
         );
-        return Err(LawTableFault::of_file(reason));
+        return Err(TableFault::of_file(reason));
     }
     Ok(lines)
 }
@@ -103,7 +104,7 @@ fn full_grid<'a>(
     nodes: &'a GridNodes,
     speeds: &[f64],
     spins: &[f64],
-) -> Result<Vec<&'a GridNode>, LawTableFault> {
+) -> Result<Vec<&'a GridNode>, TableFault> {
     // each axis can have as many lines as there are rows, so that the product can overflow 32 bits
     let size = speeds.len().saturating_mul(spins.len());
     let mut sorted: Vec<&GridNode> = nodes.rows.iter().collect();
@@ -122,7 +123,7 @@ fn full_grid<'a>(
             place(nodes, twice[1].speed, twice[1].spin),
             twice[0].line
         );
-        return Err(LawTableFault::at_line(twice[1].line, reason));
+        return Err(TableFault::at_line(twice[1].line, reason));
     }
     if sorted.len() < size {
         let nodes_at = (0..size).map(|i| (spins[i / speeds.len()], speeds[i % speeds.len()]));
@@ -145,7 +146,7 @@ fn full_grid<'a>(
             crate::units::counted((size - sorted.len()) as u64, "hole"),
             place(nodes, speed, spin)
         );
-        return Err(LawTableFault::of_file(reason));
+        return Err(TableFault::of_file(reason));
     }
     Ok(sorted)
 }
@@ -171,11 +172,11 @@ fn check_between_nodes(
     cells: &[Cell],
     [columns, rows]: [usize; 2],
     nodes: &GridNodes,
-) -> Result<(), LawTableFault> {
+) -> Result<(), TableFault> {
     let wide = intervals(columns);
     for (i, cell) in cells.iter().enumerate() {
         if !cell.iter().all(|number| number.is_finite()) {
-            return Err(LawTableFault::of_file(
+            return Err(TableFault::of_file(
                 "its numbers differ too much for a smooth curve through them; check the columns"
                     .into(),
             ));
@@ -219,7 +220,7 @@ fn samples(at: usize, count: usize, zero: f64) -> impl Iterator<Item = f64> {
         .chain(above)
 }
 
-fn negative_drag(cell: &Cell, [u, w]: [f64; 2], drag: f64, nodes: &GridNodes) -> LawTableFault {
+fn negative_drag(cell: &Cell, [u, w]: [f64; 2], drag: f64, nodes: &GridNodes) -> TableFault {
     let coordinate = |corner: f64, per: f64, part: f64| {
         if per > 0.0 {
             corner + part / per
@@ -229,7 +230,7 @@ fn negative_drag(cell: &Cell, [u, w]: [f64; 2], drag: f64, nodes: &GridNodes) ->
     };
     let speed = coordinate(cell[0], cell[1], u);
     let spin = coordinate(cell[2], cell[3], w);
-    LawTableFault::of_file(format!(
+    TableFault::of_file(format!(
         "the smooth curve through its nodes has a negative drag, cd = {drag:.3}, at {}; give more \
          nodes there",
         place(nodes, speed, spin)

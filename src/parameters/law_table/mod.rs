@@ -9,12 +9,12 @@ pub(crate) use grid::CoefficientGrid;
 pub use grid::{AxisVariable, LawTableAxis};
 pub(crate) use surface::{Cell, Surface, cells_of};
 
+use super::number_table::TableFault;
 use crate::error::{Error, Result};
 use crate::external_errors::read_error_text;
 use crate::fingerprint::Fingerprint;
 use crate::input_file::InputFile;
 use crate::lock::lock;
-use read::LawTableFault;
 use std::fmt;
 use std::path::{Path, absolute};
 use std::sync::Mutex;
@@ -52,13 +52,13 @@ impl LawTable {
     /// [`Error::Table`], with line and advice, if the file cannot be read or is not such a table.
     pub fn open(path: &Path) -> Result<&'static Self> {
         let file = path.display().to_string();
-        let refuse = |fault: LawTableFault| Error::Table {
+        let refuse = |fault: TableFault| Error::Table {
             file: file.clone(),
             place: fault.place,
             reason: fault.reason,
         };
         let text = InputFile::read_to_string(path)
-            .map_err(|error| refuse(LawTableFault::of_file(read_error_text(&error))))?;
+            .map_err(|error| refuse(TableFault::of_file(read_error_text(&error))))?;
         let nodes = read::nodes(&text).map_err(refuse)?;
         let absolute_path = absolute(path)
             .ok()

@@ -1,38 +1,11 @@
 //! The nodes of a table, parsed from the text of its file.
 
+use super::super::number_table::{NumberRow, NumberTable, TableFault};
 use super::super::range::Range;
 use super::grid::AxisVariable;
-use crate::csv_dialect::detect_separator;
 use crate::error::Error;
-use crate::external_errors::csv_row_error_text;
 use crate::units::{DisplayUnit, Quantity};
-use csv::{ReaderBuilder, StringRecord, Trim};
-
-/// A fault of a table.
-pub(super) struct LawTableFault {
-    /// Place in the file, which follows the name of the file in a message: ", line 3, column cd".
-    /// Empty for the whole file.
-    pub place: String,
-    pub reason: String,
-}
-
-impl LawTableFault {
-    /// A fault of the whole file.
-    pub fn of_file(reason: String) -> Self {
-        Self {
-            place: String::new(),
-            reason,
-        }
-    }
-
-    /// A fault of a line.
-    pub fn at_line(line: u64, reason: String) -> Self {
-        Self {
-            place: format!(", line {line}"),
-            reason,
-        }
-    }
-}
+use csv::StringRecord;
 
 /// Largest number of nodes. The limit bounds the memory of the splines; no measurement has as many
 /// nodes.
@@ -74,24 +47,9 @@ const COLUMNS: &str = "the columns are cd, cl, spin_ratio (or s) or spin [rpm], 
                        re) or speed [m/s]; one of these two axes may be left out";
 
 /// Parses the text of a table.
-pub(super) fn nodes(text: &str) -> Result<GridNodes, LawTableFault> {
-    let (separator, rest) = detect_separator(text);
-    let skipped = text[..text.len() - rest.len()].matches('\n').count() as u64;
-    let mut reader = ReaderBuilder::new()
-        .trim(Trim::All)
-        .comment(Some(b'#'))
-        .delimiter(separator)
-        .from_reader(rest.as_bytes());
-    let line = |record: Option<&csv::Position>| record.map_or(0, csv::Position::line) + skipped;
-    let unreadable = |error: &csv::Error| {
-        let reason = csv_row_error_text(error, text.as_bytes());
-        LawTableFault::at_line(line(error.position()), reason)
-    };
-    let heads = reader
-        .headers()
-        .map_err(|error| unreadable(&error))?
-        .clone();
-    let columns = columns(&heads)?;
+pub(super) fn nodes(text: &str) -> Result<GridNodes, TableFault> {
+    let mut table = NumberTable::new(text, "speed [m/s]")?;
+    let columns = columns(&table.heads)?;
     let axis = |is_of_spin: bool| {
         columns.iter().find_map(|column| match column.content {
             LawColumnContent::Axis(variable) if variable.is_of_spin() == is_of_spin => {
@@ -101,53 +59,34 @@ pub(super) fn nodes(text: &str) -> Result<GridNodes, LawTableFault> {
         })
     };
     let (speed, spin, mut rows) = (axis(false), axis(true), vec![]);
-    let mut marks = DecimalMarks {
-        separator,
-        first: None,
-    };
-    for record in reader.records() {
-        let record = record.map_err(|error| unreadable(&error))?;
-        // spreadsheets end a table with rows of empty cells
-        if record.iter().all(str::is_empty) {
-            continue;
-        }
+    while let Some(row) = table.next_row()? {
         if rows.len() == MOST_NODES {
-            return Err(LawTableFault::of_file(format!(
+            return Err(TableFault::of_file(format!(
                 "it has more than {MOST_NODES} rows; give a coarser grid, since the law is smooth \
                  between its nodes"
             )));
         }
-        rows.push(node(
-            &record,
-            &columns,
-            line(record.position()),
-            &mut marks,
-        )?);
+        rows.push(node(&mut table, &row, &columns)?);
     }
     Ok(GridNodes { speed, spin, rows })
 }
 
 fn node(
-    record: &StringRecord,
+    table: &mut NumberTable<'_>,
+    row: &NumberRow,
     columns: &[LawColumn],
-    line: u64,
-    marks: &mut DecimalMarks,
-) -> Result<GridNode, LawTableFault> {
+) -> Result<GridNode, TableFault> {
     let mut node = GridNode {
-        line,
+        line: row.line,
         speed: 0.0,
         spin: 0.0,
         drag: 0.0,
         lift: 0.0,
     };
-    for (column, cell) in columns.iter().zip(record.iter()) {
-        let value = marks
-            .number(cell)
-            .and_then(|value| in_range(column, value * column.unit_size))
-            .map_err(|reason| LawTableFault {
-                place: format!(", line {line}, column {}", column.head),
-                reason,
-            })?;
+    for (at, column) in columns.iter().enumerate() {
+        let number = table.number(row, at)?;
+        let value = in_range(column, number * column.unit_size)
+            .map_err(|reason| TableFault::in_cell(row.line, &column.head, reason))?;
         *match column.content {
             LawColumnContent::Axis(variable) if variable.is_of_spin() => &mut node.spin,
             LawColumnContent::Axis(_) => &mut node.speed,
@@ -158,10 +97,10 @@ fn node(
     Ok(node)
 }
 
-fn columns(heads: &StringRecord) -> Result<Vec<LawColumn>, LawTableFault> {
+fn columns(heads: &StringRecord) -> Result<Vec<LawColumn>, TableFault> {
     let mut columns: Vec<LawColumn> = vec![];
     for (at, head) in heads.iter().enumerate() {
-        let wrong = |reason: String| LawTableFault {
+        let wrong = |reason: String| TableFault {
             place: format!(", column {}", at + 1),
             reason,
         };
@@ -191,7 +130,7 @@ fn columns(heads: &StringRecord) -> Result<Vec<LawColumn>, LawTableFault> {
         false => "spin_ratio, spin, reynolds or speed",
         true => return Ok(columns),
     };
-    Err(LawTableFault::of_file(format!(
+    Err(TableFault::of_file(format!(
         "it has no column {missing}; {COLUMNS}"
     )))
 }
@@ -255,57 +194,6 @@ fn column(head: &str) -> Result<LawColumn, String> {
         content,
         unit_size,
     })
-}
-
-/// Decimal marks of a table: points, or commas if a comma does not separate cells. A table with
-/// both marks is refused, because one of them may separate thousands.
-struct DecimalMarks {
-    /// Cell separator.
-    separator: u8,
-    /// The first cell with a mark.
-    first: Option<String>,
-}
-
-impl DecimalMarks {
-    /// Parses a number.
-    fn number(&mut self, cell: &str) -> Result<f64, String> {
-        if cell.is_empty() {
-            return Err("the cell is empty; every row needs a value".into());
-        }
-        let mut plain = cell.replace('\u{2212}', "-");
-        if self.separator != b',' {
-            self.check(cell)?;
-            plain = plain.replacen(',', ".", 1);
-        }
-        match plain.parse::<f64>() {
-            Ok(number) if number.is_finite() => Ok(number),
-            Ok(_) => Err(format!("'{cell}' is not finite; give a number")),
-            Err(_) => Err(format!(
-                "'{cell}' is not a number; a unit is written in the head, as in 'speed [m/s]'"
-            )),
-        }
-    }
-
-    /// Refuses a cell whose decimal mark differs from the first mark in the table.
-    fn check(&mut self, cell: &str) -> Result<(), String> {
-        let mark_of = |cell: &str| [',', '.'].into_iter().find(|mark| cell.contains(*mark));
-        let Some(mark) = mark_of(cell) else {
-            return Ok(());
-        };
-        let first = self.first.get_or_insert_with(|| cell.into());
-        if mark_of(first) == Some(mark) {
-            return Ok(());
-        }
-        let [own, other] = if mark == ',' {
-            ["comma", "point"]
-        } else {
-            ["point", "comma"]
-        };
-        Err(format!(
-            "'{cell}' has a {own}, but '{first}' has a {other}; write all decimals of the table \
-             with the same mark, and nothing between thousands"
-        ))
-    }
 }
 
 /// Checks that a value is physically possible.

@@ -1,11 +1,10 @@
-use crate::csv_dialect::detect_separator;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
-use crate::external_errors::csv_row_error_text;
 use crate::number::Taylor;
+use crate::parameters::{NumberTable, TableFault};
 use crate::table::Text;
 use crate::units::Quantity;
-use csv::{ReaderBuilder, StringRecord, Trim};
+use csv::StringRecord;
 use std::io::Read;
 use std::path::Path;
 
@@ -80,37 +79,9 @@ impl Strokes {
         } = Text::of_file(path)?;
         let mut text = String::new();
         name.io(source.read_to_string(&mut text))?;
-        let (separator, rest) = detect_separator(&text);
-        let skipped = text[..text.len() - rest.len()].matches('\n').count() as u64;
-        let place = |at: Option<&csv::Position>| {
-            format!(", line {}", at.map_or(0, csv::Position::line) + skipped)
-        };
-        let unreadable = |error: csv::Error| {
-            let reason = csv_row_error_text(&error, text.as_bytes());
-            name.refused(place(error.position()), reason)
-        };
-        let mut reader = ReaderBuilder::new()
-            .trim(Trim::All)
-            .delimiter(separator)
-            .from_reader(rest.as_bytes());
-        let heads = reader.headers().map_err(unreadable)?;
-        let columns =
-            StrokesColumns::of(heads).map_err(|reason| name.refused(String::new(), reason))?;
-        let mut rows = vec![];
-        for record in reader.records() {
-            let record = record.map_err(unreadable)?;
-            // spreadsheets end a table with rows of empty cells
-            if record.iter().all(str::is_empty) {
-                continue;
-            }
-            let number = |at: usize| {
-                number(&record[at], separator)
-                    .map_err(|reason| name.refused(place(record.position()), reason))
-            };
-            let distance = number(columns.distance)? * columns.unit_size;
-            rows.push((distance, number(columns.strokes)?));
-        }
-        Self::new(&rows, &columns.unit, runs)
+        let table =
+            StrokesTable::read(&text).map_err(|fault| name.refused(fault.place, fault.reason))?;
+        Self::new(&table.rows, &table.unit, runs)
     }
 
     pub(in crate::study) fn reaches(&self, distance: f64) -> bool {
@@ -184,6 +155,32 @@ impl Strokes {
     }
 }
 
+/// The table of a file.
+struct StrokesTable {
+    /// Distance, m, and expected strokes of each row.
+    rows: Vec<(f64, f64)>,
+    /// Unit of the column of distances.
+    unit: String,
+}
+
+impl StrokesTable {
+    /// Parses the text of a table.
+    fn read(text: &str) -> std::result::Result<Self, TableFault> {
+        let mut table = NumberTable::new(text, "distance [yd]")?;
+        let columns = StrokesColumns::of(&table.heads).map_err(TableFault::of_file)?;
+        let mut rows = vec![];
+        while let Some(row) = table.next_row()? {
+            let distance = table.number(&row, columns.distance)? * columns.unit_size;
+            let strokes = table.number(&row, columns.strokes)?;
+            rows.push((distance, strokes));
+        }
+        Ok(Self {
+            rows,
+            unit: columns.unit,
+        })
+    }
+}
+
 struct StrokesColumns {
     /// Index of the column of distances.
     distance: usize,
@@ -233,17 +230,6 @@ impl StrokesColumns {
             strokes,
         })
     }
-}
-
-/// Parses a number. A comma in it is a decimal comma, unless commas separate the cells.
-fn number(cell: &str, separator: u8) -> std::result::Result<f64, String> {
-    let plain = match separator {
-        b',' => cell.to_owned(),
-        _ => cell.replacen(',', ".", 1),
-    };
-    plain
-        .parse()
-        .map_err(|_| format!("'{cell}' is not a number"))
 }
 
 /// The second derivatives of the natural cubic spline.
