@@ -304,6 +304,17 @@ mod tests {
         every.filter(|of| of.value(&drive).is_none()).collect()
     }
 
+    #[test]
+    fn every_unit_of_an_outcome_is_a_unit_of_its_quantity() {
+        for of in Outcome::EVERY {
+            for system in [System::Metric, System::Us] {
+                let unit = system.unit(of.unit());
+                let is_known = unit.is_empty() || of.quantity().size_of(unit).is_some();
+                assert!(is_known, "{} {unit}", of.name());
+            }
+        }
+    }
+
     fn declared(is: impl Fn(Outcome) -> bool) -> Vec<Outcome> {
         Outcome::EVERY
             .iter()

@@ -41,7 +41,6 @@ mod interpretation;
 mod objects;
 mod open_connect;
 mod shot;
-mod sizes;
 mod source;
 mod statistics;
 
@@ -56,7 +55,6 @@ pub(crate) use interpretation::interpret;
 pub use objects::Objects;
 pub(crate) use open_connect::ASSUMED;
 pub use shot::{Club, Origin, Shot, StatedValue};
-pub(crate) use sizes::conversion_factor;
 pub(crate) use source::is_json;
 pub use source::{Section, Shots};
 pub use statistics::{BANDS, Band, ClubShots, Refused, ShotStatistics, Sums, instrument_deviation};

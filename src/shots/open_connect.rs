@@ -2,13 +2,12 @@
 
 use super::export::{OF_SPIN, add_notes, launch};
 use super::shot::{Club, Origin, REFUSED, Shot, StatedValue};
-use super::sizes::conversion_factor;
 use super::written;
 use crate::drive::Outcome;
 use crate::error::nearest;
 use crate::parameters::Parameter;
 use crate::table::{Record, Refusal, outside};
-use crate::units::Quantity;
+use crate::units::{DisplayUnit, Quantity};
 use serde_json::{Map, Value as Json};
 
 /// The origin that `fly` writes for a launch value that it assumed.
@@ -200,8 +199,8 @@ fn fill_ball(
     shot: &mut Shot,
     message: &Map<String, Json>,
     ball: &Map<String, Json>,
-    speed_unit: &str,
-    length_unit: &str,
+    speed_unit: &'static str,
+    length_unit: &'static str,
 ) -> Result<(), Refusal> {
     for (key, of) in BALL {
         let unit = match of {
@@ -212,7 +211,8 @@ fn fill_ball(
         match number(ball, "BallData", key) {
             Ok(Some(_)) if is_assumed(message, of) => {}
             Ok(Some(number)) => {
-                let value = number * conversion_factor(of.quantity(), unit);
+                let quantity = of.quantity();
+                let value = number * DisplayUnit { quantity, unit }.size();
                 match outside(of, value).filter(|_| of == Outcome::CarryDistance) {
                     // 0 means that the value was not sent
                     Some(_) if number == 0.0 => {}
@@ -272,14 +272,21 @@ fn ball_data(message: &Map<String, Json>) -> Result<&Map<String, Json>, Refusal>
     }
 }
 
-fn club_data(club: &Map<String, Json>, speed_unit: &str, notes: &mut Vec<String>) -> Club {
-    let value = |key, unit: f64| match number(club, "ClubData", key) {
-        Ok(number) => Ok(number.map(|number| number * unit)),
+fn club_data(club: &Map<String, Json>, speed_unit: &'static str, notes: &mut Vec<String>) -> Club {
+    let value = |key, unit: DisplayUnit| match number(club, "ClubData", key) {
+        Ok(number) => Ok(number.map(|number| number * unit.size())),
         Err(refusal) => Err(refusal.reason),
     };
-    let degree = conversion_factor(Quantity::ANGLE, "deg");
+    let speed = DisplayUnit {
+        quantity: Quantity::SPEED,
+        unit: speed_unit,
+    };
+    let degree = DisplayUnit {
+        quantity: Quantity::ANGLE,
+        unit: "deg",
+    };
     let stated = [
-        value("Speed", conversion_factor(Quantity::SPEED, speed_unit)),
+        value("Speed", speed),
         value("AngleOfAttack", degree),
         value("Path", degree),
         value("FaceToTarget", degree),

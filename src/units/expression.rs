@@ -1,6 +1,6 @@
 //! Grammar of units: products of symbols with powers.
 
-use super::symbols::{Dimension, symbol};
+use super::symbols::{Dimension, Symbol, spelled, symbol};
 
 /// A unit: size, dimension and zero. The SI size is a fraction. Decimal units (g, cm², %) have a
 /// whole number as denominator: 5679 g cm² is 5679/10⁷ kg m² to the last bit.
@@ -14,6 +14,17 @@ pub(crate) struct Unit {
 }
 
 impl Unit {
+    /// A unit of one symbol.
+    fn of_symbol(symbol: &Symbol) -> Self {
+        let [numerator, denominator] = fraction(symbol.size);
+        Self {
+            numerator,
+            denominator,
+            dimension: symbol.dimension,
+            zero: symbol.zero,
+        }
+    }
+
     /// SI value of a quantity in this unit: 25 degC is 298.15 K.
     pub fn value(&self, number: f64) -> f64 {
         let above = self.difference(number);
@@ -36,6 +47,10 @@ impl Unit {
 /// or `/` (which applies to the next factor), each with an optional power: `kg/m^3`, `g cm²`,
 /// `g-cm2`, `m s^-2`, `Pa.s`. A temperature scale with its own zero cannot be a factor.
 pub(super) fn read_unit(text: &str) -> Option<Unit> {
+    // the units of most columns: a table of shots has some in every row
+    if let Some(symbol) = spelled(text) {
+        return Some(Unit::of_symbol(symbol));
+    }
     let spaced = text.replace('/', " / ").replace(['*', '·', '⋅', '.'], " ");
     let spaced = without_hyphens(&spaced);
     let mut unit = Unit {

@@ -1,3 +1,4 @@
+use std::collections::HashMap;
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
@@ -46,6 +47,17 @@ pub(super) struct Symbol {
 /// All unit symbols.
 pub(super) static SYMBOLS: LazyLock<Vec<Symbol>> = LazyLock::new(symbols);
 
+/// The unit symbols by their spellings.
+static BY_NAME: LazyLock<HashMap<&str, &Symbol>> = LazyLock::new(|| {
+    let spellings = |symbol: &'static Symbol| symbol.names.iter().map(move |name| (*name, symbol));
+    SYMBOLS.iter().flat_map(spellings).collect()
+});
+
+/// The unit symbol with exactly this spelling.
+pub(super) fn spelled(name: &str) -> Option<&'static Symbol> {
+    BY_NAME.get(name).copied()
+}
+
 /// Minimum length of a name whose case does not matter. Shorter names may differ by case alone:
 /// "Mm" and "mm", "MG" and "mg".
 const LEAST_LETTERS: usize = 3;
@@ -53,10 +65,9 @@ const LEAST_LETTERS: usize = 3;
 /// The unit symbol with this name. The case of a name of at least three letters does not matter:
 /// "MPH", "Yards".
 pub(super) fn symbol(name: &str) -> Option<&'static Symbol> {
-    let exact = SYMBOLS.iter().find(|known| known.names.contains(&name));
     let is_word = name.len() >= LEAST_LETTERS;
     let is_meant = |known: &&Symbol| known.names.iter().any(|own| own.eq_ignore_ascii_case(name));
-    exact.or_else(|| SYMBOLS.iter().filter(|_| is_word).find(is_meant))
+    spelled(name).or_else(|| SYMBOLS.iter().filter(|_| is_word).find(is_meant))
 }
 
 /// The unit symbols. Their sizes are exact definitions. Sources: SI brochure, 9th edition; the yard

@@ -125,7 +125,7 @@ impl LaunchMonitorColumns {
             .chain(shot.club.values())
             .chain(measured);
         for ((_, of), value) in LAUNCH.iter().chain(&CLUB).chain(&MEASURED).zip(values) {
-            added.push(bytes, value, added.unit(*of), *of);
+            added.push(bytes, value, *of);
             bytes.push(added.separator);
         }
         let spin_origin = shot.spin_origin().map_or("", Origin::name);

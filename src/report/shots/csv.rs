@@ -2,9 +2,9 @@
 
 use crate::drive::Outcome;
 use crate::report::sweep::push_number;
-use crate::shots::{Flown, ShotColumns, conversion_factor};
+use crate::shots::{Flown, ShotColumns};
 use crate::table::{DecimalMark, OF_FLOWN, cells, quoted};
-use crate::units::System;
+use crate::units::{DisplayUnit, System};
 use std::sync::Arc;
 
 /// Numbers in a table are multiples of 1/`DECIMALS`: four decimals, about 0.1 mm for a length.
@@ -41,10 +41,11 @@ impl PredictionColumns {
             .collect()
     }
 
-    /// Appends a number in a unit; an empty cell for `None`.
-    pub fn push(&self, bytes: &mut Vec<u8>, value: Option<f64>, unit: &'static str, of: Outcome) {
+    /// Appends a number in the unit of the outcome; an empty cell for `None`.
+    pub fn push(&self, bytes: &mut Vec<u8>, value: Option<f64>, of: Outcome) {
         let Some(value) = value else { return };
-        let number = (value / conversion_factor(of.quantity(), unit) * DECIMALS).round() / DECIMALS;
+        let size = DisplayUnit::from(of).size_in(self.system);
+        let number = (value / size * DECIMALS).round() / DECIMALS;
         let from = bytes.len();
         push_number(bytes, number);
         if self.has_decimal_comma {
@@ -74,11 +75,11 @@ impl PredictionColumns {
         }
         for (outcome, of) in self.of.iter().enumerate() {
             bytes.push(self.separator);
-            self.push(bytes, flown.predicted(row, outcome), self.unit(*of), *of);
+            self.push(bytes, flown.predicted(row, outcome), *of);
         }
         for (outcome, of) in self.of.iter().enumerate() {
             bytes.push(self.separator);
-            self.push(bytes, flown.residual(row, outcome), self.unit(*of), *of);
+            self.push(bytes, flown.residual(row, outcome), *of);
         }
     }
 }

@@ -5,7 +5,8 @@ use crate::batch::Status;
 use crate::drive::Outcome;
 use crate::parameters::Golfer;
 use crate::report::json::ByName;
-use crate::shots::{ASSUMED, Flown, Shot, conversion_factor};
+use crate::shots::{ASSUMED, Flown, Shot};
+use crate::units::DisplayUnit;
 use serde::Serialize;
 
 /// A shot with the keys and units of the protocol.
@@ -97,9 +98,10 @@ fn in_unit(
     key: &'static str,
     value: Option<f64>,
     of: Outcome,
-    unit: &str,
+    unit: &'static str,
 ) -> Option<(&'static str, f64)> {
-    let number = value? / conversion_factor(of.quantity(), unit);
+    let quantity = of.quantity();
+    let number = value? / DisplayUnit { quantity, unit }.size();
     Some((key, (number * 1e6).round() / 1e6))
 }
 

@@ -3,8 +3,8 @@
 use super::columns::launch;
 use crate::drive::Outcome;
 use crate::report::shown;
-use crate::shots::{Flown, conversion_factor};
-use crate::units::{System, fixed, printed, signed};
+use crate::shots::Flown;
+use crate::units::{DisplayUnit, System, fixed, printed, signed};
 
 /// Width of the column with the line numbers, in characters.
 const LINE: usize = 5;
@@ -72,7 +72,8 @@ impl Screen {
         };
         let unit = self.system.unit(of.unit());
         let decimals = usize::from(unit != "rpm");
-        let text = fixed(value / conversion_factor(of.quantity(), unit), decimals);
+        let size = DisplayUnit::from(of).size_in(self.system);
+        let text = fixed(value / size, decimals);
         if has_sign { signed(value, text) } else { text }
     }
 }

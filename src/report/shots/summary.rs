@@ -4,10 +4,8 @@ use crate::drive::Outcome;
 use crate::report::document::{Document, DocumentTable, Line};
 use crate::report::reply::{Ending, Report};
 use crate::report::shown;
-use crate::shots::{
-    ClubShots, Refused, ShotStatistics, Sums, conversion_factor, instrument_deviation,
-};
-use crate::units::{Message, System, counted, fixed, printed, signed};
+use crate::shots::{ClubShots, Refused, ShotStatistics, Sums, instrument_deviation};
+use crate::units::{DisplayUnit, Message, System, counted, fixed, printed, signed};
 use serde::Serialize;
 
 /// A summary of flown shots, SI and radians.
@@ -280,12 +278,8 @@ fn speeds(band: &BandReport, system: System) -> String {
     let of = Outcome::BallSpeed;
     let unit = system.unit(of.unit());
     let decimals = usize::from(unit != of.unit());
-    let shown = |speed: f64| {
-        format!(
-            "{:.decimals$}",
-            speed / conversion_factor(of.quantity(), unit)
-        )
-    };
+    let size = DisplayUnit::from(of).size_in(system);
+    let shown = |speed: f64| format!("{:.decimals$}", speed / size);
     match (band.from, band.to) {
         (None, Some(to)) => format!("below {} {unit}", shown(to)),
         (Some(from), Some(to)) => format!("{} to {} {unit}", shown(from), shown(to)),
@@ -307,7 +301,7 @@ impl ResidualFormat {
         let unit = system.unit(of.unit());
         Self {
             unit,
-            size: conversion_factor(of.quantity(), unit),
+            size: DisplayUnit::from(of).size_in(system),
             decimals: if unit == "s" { 2 } else { 1 },
         }
     }
