@@ -142,20 +142,15 @@ impl<'a> SensitivityReport<'a> {
 impl Report for SensitivityReport<'_> {
     const COMMAND: &'static str = "optimum-sensitivity";
 
-    /// The status words of a search, and those of its analysis.
+    /// The status words of a search, then those of its analysis.
     #[cfg(test)]
-    const STATUSES: &'static [&'static str] = &[
-        "converged",
-        "stalled-at-kink",
-        "stalled",
-        "infeasible",
-        "unbounded",
-        "iteration-limit",
-        "interrupted",
-        "no-flight",
-        "no-answer",
-        "undefined",
-    ];
+    const STATUSES: &'static [&'static str] = &{
+        let mut all = [""; Optimum::STATUSES.len() + 2];
+        let (search, analysis) = all.split_at_mut(Optimum::STATUSES.len());
+        search.copy_from_slice(&Optimum::STATUSES);
+        analysis.copy_from_slice(&["no-answer", "undefined"]);
+        all
+    };
 
     fn ending(&self) -> Ending {
         match (self.analysis, self.why) {
