@@ -1,5 +1,5 @@
 use crate::batch::{Batch, Points};
-use crate::fingerprint::Fingerprint;
+use crate::fingerprint::elementary_functions;
 use crate::statistics::SummarySpec;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -52,7 +52,7 @@ impl SweepDefinition {
             largest_defect: format!("{:?}", batch.largest_defect),
             summary: summary_spec.identity(),
             instructions: batch.instructions(),
-            functions: format!("{:016x}", elementary_functions()),
+            functions: elementary_functions(),
             rows: points.rows(),
             parts,
         }
@@ -108,28 +108,4 @@ pub(super) fn hex(hash: Sha256) -> String {
         .iter()
         .map(|byte| format!("{byte:02x}"))
         .collect()
-}
-
-/// Hash of values of the C library's elementary functions that drives use. Their rounding depends
-/// on the library, its version and its variant for the processor. Equal hashes mean equal values at
-/// some thousand arguments of each function.
-fn elementary_functions() -> u64 {
-    let functions: [fn(f64) -> f64; 6] = [
-        f64::sin,
-        f64::cos,
-        f64::atan,
-        f64::exp,
-        f64::exp_m1,
-        f64::ln,
-    ];
-    let mut fingerprint = Fingerprint::new();
-    for i in 1..=4096 {
-        // x up to 12.7 covers two full turns, and common arguments of logarithms and exponentials
-        let x = f64::from(i) * 3.1e-3;
-        functions
-            .iter()
-            .for_each(|function| fingerprint.add(function(x)));
-        fingerprint.add(x.atan2(12.7 - x));
-    }
-    fingerprint.0
 }

@@ -166,6 +166,7 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
         let (status, printed) = finish(start(many, &part, &["--resume", "--wrt", "air.density"]));
         assert_eq!(status, Some(2));
         assert!(printed.contains("the derivatives differ"), "{printed}");
+        refused_with_another_c_library(many, &part);
 
         // Ctrl-C after more rows are written, unless the sweep has ended
         let before = journal_lines(&part);
@@ -217,6 +218,23 @@ fn killed_and_resumed(many: &[&str], format: &str, whole: &Uninterrupted) {
     let (status, printed) = finish(start(many, &part, &["--resume"]));
     assert_eq!(status, Some(2));
     assert!(printed.contains("nothing to resume"), "{printed}");
+}
+
+/// Checks that an unfinished sweep is refused on a machine whose C library rounds differently. The
+/// journal stays as it was.
+fn refused_with_another_c_library(many: &[&str], part: &Path) {
+    let own = fs::read_to_string(journal(part)).unwrap();
+    let (first, entries) = own.split_once('\n').unwrap();
+    let mut header: serde_json::Value = serde_json::from_str(first).unwrap();
+    header["functions"] = "0123456789abcdef".into();
+    fs::write(journal(part), format!("{header}\n{entries}")).unwrap();
+    let (status, printed) = finish(start(many, part, &["--resume"]));
+    assert_eq!(status, Some(2), "{printed}");
+    assert!(
+        printed.contains("the functions of the C libraries differ"),
+        "{printed}"
+    );
+    fs::write(journal(part), own).unwrap();
 }
 
 /// Number of rows of a file, all of them complete.

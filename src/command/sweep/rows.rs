@@ -2,6 +2,7 @@ use super::args::SweepFormat;
 use crate::Result;
 use crate::batch::{Batch, Block, StatusCounts};
 use crate::command::output::stated_system;
+use crate::fingerprint::elementary_functions;
 #[cfg(feature = "parquet")]
 use crate::report::{PARQUET_MAGIC, SweepParquet};
 use crate::report::{SweepCsv, SweepJsonLines};
@@ -19,6 +20,8 @@ pub struct Identity {
     pub format: String,
     /// Architecture and instruction set of the processor: other instructions round differently.
     pub instructions: String,
+    /// Hash of values of the C library's functions: other libraries round differently.
+    pub functions: String,
     /// The largest integration error of a drive, m; `inf` if there is no limit.
     pub largest_defect: String,
 }
@@ -38,6 +41,7 @@ impl Identity {
                 _ => format!("{format:?}").to_lowercase(),
             },
             instructions: batch.instructions(),
+            functions: elementary_functions(),
             largest_defect: format!("{:?}", batch.largest_defect),
         }
     }
@@ -68,6 +72,11 @@ impl Identity {
                 "the instructions of the processors",
                 &self.instructions,
                 &other.instructions,
+            ),
+            (
+                "the functions of the C libraries",
+                &self.functions,
+                &other.functions,
             ),
             (
                 "the tolerances",
