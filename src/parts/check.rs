@@ -61,7 +61,7 @@ pub struct Checked {
     /// Size of the valid parts, bytes.
     pub bytes: u64,
     /// SHA-256 of the lines `SHA-256 of the file, two spaces, name of the file` of all parts in
-    /// order: the output of `sha256sum part-*.parquet | sha256sum`. `None` if a part is missing, or
+    /// order: the output of `sha256sum part-*.parquet | sha256sum`. `null` if a part is missing, or
     /// if the contents were not read.
     pub sha256: Option<String>,
     /// Statistics of the rows.
