@@ -64,8 +64,8 @@ pub struct Args {
     )]
     pub threads: usize,
 
-    /// Listen on this TCP port instead of reading a file, and answer messages of GSPro Open Connect
-    /// until Ctrl-C; 0 selects a free port.
+    /// Listen on this TCP port (921 if none is given, as for GSPro) instead of reading a file, and
+    /// answer messages of GSPro Open Connect until Ctrl-C; 0 selects a free port.
     #[arg(
         long,
         value_name = "PORT",
