@@ -983,6 +983,7 @@ fn a_table_of_strokes_is_read_in_any_dialect_and_its_errors_name_line_and_unit()
         "sep=;\ndistance [yd];strokes\n10;2,2\n60;3\n",
         "distance [yd]\tstrokes\n10\t2.2\n60\t3\n",
         "distance [yd],strokes\n10,2.2\n\n60,3\n,\n",
+        "# a remark\ndistance [yd],strokes\n10,2.2\n60,3\n",
     ] {
         assert_eq!(read(text).unwrap(), expected, "{text}");
     }
@@ -1001,6 +1002,11 @@ fn a_table_of_strokes_is_read_in_any_dialect_and_its_errors_name_line_and_unit()
         ),
         ("distance [yd],strokes\n30,2.2\n20,3\n", "row 2: 20 yd"),
         ("distance [yd],strokes\n10,2.2\n60\n", "line 3"),
+        // 1.000 is a thousand beside 2,2
+        (
+            "distance [yd];strokes\n10;2,2\n1.000;6\n",
+            "line 3, column distance [yd]: '1.000' has a point, but '2,2' has a comma",
+        ),
     ] {
         let error = read(text).unwrap_err().to_string();
         assert!(error.contains(says), "{text}: {error}");
