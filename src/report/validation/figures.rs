@@ -17,6 +17,7 @@ const OPTIMA: &str = "chart-optima-impact";
 
 /// Name of the band that shows the difference between two launch monitors.
 const INSTRUMENTS: &str = "two launch monitors";
+/// The text about the band of all figures, which the first figure has.
 const BAND: &str = "The band is one standard deviation of the difference between two launch \
                     monitors on the same drive (Bliss & Langdown 2026): 6.7 yd of carry, 12.3 ft \
                     of apex, 3.9° of descent, 513 rpm.";
@@ -111,11 +112,10 @@ fn residuals(sets: &[&SetScores], laws: &[&'static str], of: Compared) -> Figure
     for (i, (law, points)) in laws.iter().zip(all).enumerate() {
         figure = figure.with(Layer::dots(*law, i, points));
     }
-    figure.noted(if is_spin {
-        format!("{OPTIMUM} {BAND}")
-    } else {
-        BAND.into()
-    })
+    match is_spin {
+        true => figure.noted(OPTIMUM),
+        false => figure,
+    }
 }
 
 /// The line of predictions without error through the points `ends`, with `name` in the legend. The
