@@ -50,6 +50,17 @@ pub struct SigmaEffect {
 }
 
 impl Effects {
+    /// The effects of those parameters for which `has` is true.
+    pub fn of_parameters(&self, has: impl Fn(&Parameter) -> bool) -> Self {
+        let effects = self.effects.iter();
+        let effects = effects.filter(|effect| has(effect.parameter));
+        Self {
+            of: self.of,
+            value: self.value,
+            effects: effects.cloned().collect(),
+        }
+    }
+
     /// First-order standard uncertainty of the outcome for independent parameters: √Σ(σ ∂f/∂p)².
     pub fn standard_uncertainty(&self) -> f64 {
         self.sigma_effects()

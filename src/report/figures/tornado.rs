@@ -1,7 +1,7 @@
 use crate::parameters::Parameter;
 use crate::report::plot::{Axis, Figure, HorizontalBar, Hue, Layer, NamedQuantity};
 use crate::report::shown::{self, difference, is_without};
-use crate::study::{self, Effect, Effects};
+use crate::study::{self, Effects};
 use crate::units::{System, counted};
 
 /// Bars shorter than this fraction of the longest bar are combined in one row.
@@ -51,21 +51,15 @@ fn size(effect: &study::SigmaEffect) -> f64 {
     lower.abs().max(higher.abs())
 }
 
-/// The combined effect of independent parameters: the root of the sum of squares of their sizes.
-fn combined<'a>(effects: impl Iterator<Item = &'a study::SigmaEffect>) -> f64 {
-    effects.map(size).fold(0.0, f64::hypot)
-}
-
 /// The effects of standard uncertainties on an outcome of the drive as set up, as bars, the largest
 /// on top. The bar of a parameter p shows drives computed at p − σ and p + σ; the other parameters
 /// are unchanged. The uncertainties and the note are in the units of `system`. `None` if none of
 /// `causes` has an effect.
 pub fn tornado_figure(effects: &Effects, causes: Causes, system: System) -> Option<Figure> {
-    let is_cause = |effect: &&Effect| causes.has(effect.parameter);
-    let mut ranked: Vec<study::SigmaEffect> = effects
+    let of_causes = effects.of_parameters(|parameter| causes.has(parameter));
+    let mut ranked: Vec<study::SigmaEffect> = of_causes
         .effects
         .iter()
-        .filter(is_cause)
         .filter_map(|effect| effect.sigma_effect)
         .collect();
     ranked.sort_by(|a, b| size(b).total_cmp(&size(a)));
@@ -134,15 +128,16 @@ fn row_names(
     if folded.is_empty() {
         return names;
     }
-    let is_folded = |effect: &&Effect| {
+    let is_folded = |parameter: &Parameter| {
         let mut folded = folded.iter();
-        folded.any(|folded| folded.sigma.parameter == effect.parameter)
+        folded.any(|folded| folded.sigma.parameter == parameter)
     };
-    let mut of_row = effects.effects.iter().filter(is_folded);
-    let amount = if of_row.all(|effect| is_without(effects, effect)) {
+    let of_row = effects.of_parameters(is_folded);
+    let mut effects_of_row = of_row.effects.iter();
+    let amount = if effects_of_row.all(|effect| is_without(&of_row, effect)) {
         "no effect".into()
     } else {
-        let together = difference(effects.of, combined(folded.iter()), system);
+        let together = difference(effects.of, of_row.standard_uncertainty(), system);
         format!("together ± {together}")
     };
     names.push(format!("{} more: {amount}", folded.len()));
@@ -157,32 +152,30 @@ fn note(
     system: System,
 ) -> String {
     let quantity = NamedQuantity::outcome(effects.of);
-    let sum = |causes: Causes| {
-        let of_causes = effects
-            .effects
-            .iter()
-            .filter(|effect| causes.has(effect.parameter));
-        let bars = of_causes.filter_map(|effect| effect.sigma_effect.as_ref());
-        difference(effects.of, combined(bars), system)
+    let of_causes = |causes: Causes| effects.of_parameters(|parameter| causes.has(parameter));
+    let together = |causes: Causes| {
+        let uncertainty = of_causes(causes).standard_uncertainty();
+        difference(effects.of, uncertainty, system)
     };
     let mut note = format!(
         "Change of {} when each parameter is moved by its standard uncertainty, one at a time, \
-         as set up. All together, if independent: ± {}, the root of the sum of squares of the longer \
-         end of each bar.",
+         as set up. All together, if independent: ± {} to first order; the sizes of the \
+         second-order terms add up to {}.",
         quantity.label,
-        sum(causes),
+        together(causes),
+        difference(effects.of, of_causes(causes).linearity(), system),
     );
     match causes {
         Causes::Control => {
             note += &format!(
                 " The uncertain inputs of the model cause a separate uncertainty of ± {}.",
-                sum(Causes::Model)
+                together(Causes::Model)
             )
         }
         Causes::Model => {
             note += &format!(
                 " The parameters that you control cause a separate uncertainty of ± {}.",
-                sum(Causes::Control)
+                together(Causes::Control)
             )
         }
         Causes::All => {}
