@@ -177,6 +177,35 @@ fn a_search_that_stalls_where_the_data_determine_nothing_ends_undetermined() {
     );
 }
 
+/// The change of the density of air, kg/m³, in the first direction that one shot does not
+/// determine. The direction begins with a wind of `one`.
+fn density_change(system: &str, one: &str) -> f64 {
+    let fit = [
+        "wind.downrange=-2m/s..2m/s",
+        "wind.up=-2m/s..2m/s",
+        "ball.mass=45g..46g",
+        "air.density=1.0kg/m^3..1.4kg/m^3",
+    ];
+    let fit = fit.iter().flat_map(|range| ["--fit", range]);
+    let mut arguments = vec!["calibrate", "examples/shots.csv", "--only", "Shot=1"];
+    arguments.extend(["--units", system]);
+    arguments.extend(fit);
+    let text = on_one_line(&longdrive(&arguments).out);
+    let begin = format!("do not determine a change of wind.downrange by {one} with wind.up by ");
+    let (_, direction) = text.split_once(&begin).expect(&text);
+    let (_, density) = direction.split_once("air.density by ").unwrap();
+    let (number, _) = density.split_once(" kg/m³").unwrap();
+    number.parse().unwrap()
+}
+
+/// 1 mph is 0.44704 m/s, and both systems measure the density in kg/m³.
+#[test]
+fn exact_units_of_directions_that_the_data_do_not_determine() {
+    let metric = density_change("metric", "+1.00 m/s");
+    let us = density_change("us", "+1.00 mph");
+    assert!((us / metric - 0.44704).abs() < 1e-3, "{us} {metric}");
+}
+
 #[test]
 fn a_row_that_decides_alone_outweighs_the_others() {
     let apexes = |last: &str| {

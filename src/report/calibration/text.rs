@@ -121,7 +121,7 @@ pub(super) fn estimates(
     for undetermined in &statistics.undetermined {
         document.paragraph(format!(
             "The data do not determine {}.",
-            direction(found, undetermined)
+            direction(found, undetermined, system)
         ));
     }
 }
@@ -259,10 +259,9 @@ fn chi_square(statistics: &FitStatistics, stated: SigmaOrigin) -> String {
 }
 
 /// A combination of parameters that the data do not determine, in words. Its components are changes
-/// of the parameters in their units; the first component is a change by 1.
-fn direction(found: &Calibration, undetermined: &Undetermined) -> String {
+/// of the parameters in the units of a system; the first component is a change by 1.
+fn direction(found: &Calibration, undetermined: &Undetermined, system: System) -> String {
     let parameter = |at: usize| found.estimates[at].parameter;
-    let size = |at: usize| DisplayUnit::from(parameter(at)).size();
     let [(first, part), others @ ..] = &undetermined.parts[..] else {
         return "any parameter".into();
     };
@@ -272,21 +271,10 @@ fn direction(found: &Calibration, undetermined: &Undetermined) -> String {
             parameter(*first).name
         );
     }
-    let unit = part / size(*first);
+    let unit = part / DisplayUnit::from(parameter(*first)).size_in(system);
     let one = |(at, part): &(usize, f64)| {
-        let change = significant(part / size(*at) / unit, 3);
-        let sign = if change.starts_with(['-', '−']) {
-            ""
-        } else {
-            "+"
-        };
-        format!(
-            "{} by {sign}{change} {}",
-            parameter(*at).name,
-            parameter(*at).unit
-        )
-        .trim_end()
-        .to_owned()
+        let change = shown::component(parameter(*at), part / unit, system);
+        format!("{} by {change}", parameter(*at).name)
     };
     let all: Vec<String> = undetermined.parts.iter().map(one).collect();
     match undetermined.standard_error {
