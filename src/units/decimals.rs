@@ -22,12 +22,17 @@ impl Quantity {
     /// assert_eq!(Quantity::DENSITY.read_off(1.184, "kg/m^3"), "1.184 kg/m³");
     /// ```
     pub fn read_off(self, value: f64, unit: &str) -> String {
+        with_unit(&self.read_off_number(value, unit), unit)
+    }
+
+    /// The number of [`read_off`](Self::read_off) without the unit, for a table with the unit in
+    /// its head.
+    pub(crate) fn read_off_number(self, value: f64, unit: &str) -> String {
         let number = self.number_in(value, unit);
-        let text = match self.decimals_of(number, unit) {
+        match self.decimals_of(number, unit) {
             Some(decimals) => fixed(number, decimals),
             None => significant(number, DIGITS),
-        };
-        with_unit(&text, unit)
+        }
     }
 
     /// Like [`read_off`](Self::read_off), with one more decimal, for computed settings such as an

@@ -4,7 +4,7 @@ use super::columns::launch;
 use crate::drive::Outcome;
 use crate::report::shown;
 use crate::shots::Flown;
-use crate::units::{DisplayUnit, System, fixed, printed, signed};
+use crate::units::{System, printed, signed};
 
 /// Width of the column with the line numbers, in characters.
 const LINE: usize = 5;
@@ -71,9 +71,7 @@ impl Screen {
             return shown::NONE.into();
         };
         let unit = self.system.unit(of.unit());
-        let decimals = usize::from(unit != "rpm");
-        let size = DisplayUnit::from(of).size_in(self.system);
-        let text = fixed(value / size, decimals);
+        let text = of.quantity().read_off_number(value, unit);
         if has_sign { signed(value, text) } else { text }
     }
 }
@@ -83,5 +81,26 @@ fn push(bytes: &mut Vec<u8>, cells: &[String]) {
     for (column, cell) in cells.iter().enumerate() {
         let width = if column == 0 { LINE } else { WIDTH };
         bytes.extend(format!("{cell:>width$}").into_bytes());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Outcome, Screen, System};
+
+    #[test]
+    fn exact_digits_of_each_quantity() {
+        let screen = Screen {
+            of: None,
+            system: System::Us,
+        };
+        for (of, value, shown) in [
+            (Outcome::FlightTime, 5.2408, "5.24"),
+            (Outcome::SmashFactor, 1.474, "1.47"),
+            (Outcome::Spin, 213.1, "2035"),
+            (Outcome::BallSpeed, 72.4216, "162.0"),
+        ] {
+            assert_eq!(screen.number(of, Some(value), false), shown);
+        }
     }
 }

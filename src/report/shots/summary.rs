@@ -5,7 +5,7 @@ use crate::report::document::{Document, DocumentTable, Line};
 use crate::report::reply::{Ending, Report};
 use crate::report::shown;
 use crate::shots::{ClubShots, Refused, ShotStatistics, Sums, instrument_deviation};
-use crate::units::{DisplayUnit, Message, System, counted, fixed, printed, signed};
+use crate::units::{Message, Quantity, System, counted, printed, signed, significant};
 use serde::Serialize;
 
 /// A summary of flown shots, SI and radians.
@@ -277,9 +277,7 @@ impl Report for ShotsReport {
 fn speeds(band: &BandReport, system: System) -> String {
     let of = Outcome::BallSpeed;
     let unit = system.unit(of.unit());
-    let decimals = usize::from(unit != of.unit());
-    let size = DisplayUnit::from(of).size_in(system);
-    let shown = |speed: f64| format!("{:.decimals$}", speed / size);
+    let shown = |speed: f64| significant(of.quantity().number_in(speed, unit), 3);
     match (band.from, band.to) {
         (None, Some(to)) => format!("below {} {unit}", shown(to)),
         (Some(from), Some(to)) => format!("{} to {} {unit}", shown(from), shown(to)),
@@ -288,21 +286,17 @@ fn speeds(band: &BandReport, system: System) -> String {
     }
 }
 
-/// The unit and the digits of an outcome's residuals.
+/// The quantity and the unit of an outcome's residuals.
 struct ResidualFormat {
+    quantity: Quantity,
     unit: &'static str,
-    /// The size of the unit, SI.
-    size: f64,
-    decimals: usize,
 }
 
 impl ResidualFormat {
     fn new(of: Outcome, system: System) -> Self {
-        let unit = system.unit(of.unit());
         Self {
-            unit,
-            size: DisplayUnit::from(of).size_in(system),
-            decimals: if unit == "s" { 2 } else { 1 },
+            quantity: of.quantity(),
+            unit: system.unit(of.unit()),
         }
     }
 
@@ -314,7 +308,7 @@ impl ResidualFormat {
     /// A value as a number in the unit; a dash without a value.
     fn number(&self, value: Option<f64>) -> String {
         value.map_or(shown::NONE.into(), |value| {
-            fixed(value / self.size, self.decimals)
+            self.quantity.read_off_number(value, self.unit)
         })
     }
 
@@ -368,4 +362,21 @@ fn residual_rows(residuals: &OutcomeResiduals, system: System) -> Vec<Vec<String
     let bands = bands.map(|band| row(speeds(band, system), &band.sums, None));
     let all = row("all".into(), &residuals.all, residuals.instruments);
     bands.chain([all]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Outcome, ResidualFormat, System};
+
+    #[test]
+    fn exact_digits_of_residuals() {
+        for (of, value, shown) in [
+            (Outcome::FlightTime, 0.1234, "0.12"),
+            (Outcome::Spin, 21.31, "203"),
+            (Outcome::Carry, 2.286, "2.5"),
+        ] {
+            let format = ResidualFormat::new(of, System::Us);
+            assert_eq!(format.number(Some(value)), shown);
+        }
+    }
 }

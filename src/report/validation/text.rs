@@ -4,7 +4,7 @@ use crate::report::document::{Document, DocumentTable};
 use crate::report::shown::NONE;
 use crate::statistics::extent;
 use crate::study::validation::{Case, Compared, LawScores, OTHER_TEMPERATURES, Score, SetScores};
-use crate::units::{System, counted, fixed, signed};
+use crate::units::{DisplayUnit, System, counted, fixed, signed};
 
 /// The first quantity of most sets is the carry. If it is another quantity, the table names it.
 const CARRY: &str = "carry";
@@ -187,10 +187,10 @@ fn first(set: &SetScores) -> Compared {
     set.set.computation.compared()[0]
 }
 
-/// A number without its unit, with as many decimals as the published data.
+/// A number without its unit.
 fn shown(of: Compared, value: f64, system: System) -> String {
-    let number = value / of.unit().size_in(system);
-    fixed(number, if of == Compared::Spin { 0 } else { 1 })
+    let DisplayUnit { quantity, unit } = of.unit();
+    quantity.read_off_number(value, system.unit(unit))
 }
 
 fn difference(of: Compared, value: f64, system: System) -> String {
