@@ -382,6 +382,19 @@ fn bars(csv: &str) -> Vec<(String, f64)> {
     .collect()
 }
 
+/// The line at the centre of the face is at 0, which is computed as -0.
+#[test]
+fn exact_zero_has_no_sign_in_the_table_of_a_plot() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("face.csv").display().to_string();
+    let output = longdrive(&["plot", "face", "-o", &path]);
+    assert_eq!(output.status, 0, "{}", output.err);
+    let csv = std::fs::read_to_string(&path).unwrap();
+    let mut cells = csv.split([',', '\n']);
+    assert!(cells.clone().any(|cell| cell == "0.0"), "{csv}");
+    assert!(cells.all(|cell| cell != "-0.0"), "{csv}");
+}
+
 #[test]
 fn controlled_and_model_parameters_have_separate_pictures() {
     let folder = tempfile::tempdir().unwrap();

@@ -2,7 +2,7 @@
 
 use crate::error::Result;
 use crate::parameters::Parameter;
-use crate::report::csv_text::csv_text;
+use crate::report::csv_text::{csv_text, number};
 use crate::report::shown;
 use crate::study::delivery::{
     MeanAndDeviation, Population, Posterior, PredictedOutcome, Recovered, ShotDelivery,
@@ -27,7 +27,7 @@ pub fn recovered_csv(all: &[ShotDelivery], units: TableUnits) -> Result<String> 
     let head = parameters.map(|row| units.head(row.name, row.quantity, row.unit));
     let value = |known: &Posterior| {
         let row = known.unknown.parameter;
-        format!("{:?}", units.number(known.value, row.quantity, row.unit))
+        number(units.number(known.value, row.quantity, row.unit))
     };
     csv_text(
         head.collect(),

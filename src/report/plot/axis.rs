@@ -1,5 +1,6 @@
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
+use crate::report::csv_text;
 use crate::report::shown::words;
 use crate::units::{DisplayUnit, Quantity, System, TableUnits};
 
@@ -57,10 +58,8 @@ impl NamedQuantity {
     /// An SI value as a number in the units of a table, with all digits; empty without a finite
     /// value.
     pub(in crate::report) fn cell(&self, value: Option<f64>, units: TableUnits) -> String {
-        let number = value.map(|value| units.number(value, self.of.quantity, self.of.unit));
-        number
-            .filter(|number| number.is_finite())
-            .map_or(String::new(), |number| format!("{number:?}"))
+        let in_unit = |value: f64| units.number(value, self.of.quantity, self.of.unit);
+        value.map_or(String::new(), |value| csv_text::number(in_unit(value)))
     }
 }
 

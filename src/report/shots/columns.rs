@@ -4,7 +4,7 @@
 use super::csv::PredictionColumns;
 use crate::drive::Outcome;
 use crate::parameters::Parameter;
-use crate::report::sweep::push_number;
+use crate::report::csv_text::push_number;
 use crate::shots::{Flown, Origin, Shot, Shots};
 use crate::units::{System, TableUnits};
 

@@ -1,7 +1,7 @@
 //! Rows of an export with added columns for the predictions.
 
 use crate::drive::Outcome;
-use crate::report::sweep::push_number;
+use crate::report::csv_text::push_number;
 use crate::shots::{Flown, ShotColumns};
 use crate::table::{DecimalMark, OF_FLOWN, cells, quoted};
 use crate::units::{DisplayUnit, System};

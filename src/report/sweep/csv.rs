@@ -1,4 +1,5 @@
-use super::{STATUS, column_counts, expect_columns, push_number};
+use super::super::csv_text::push_number;
+use super::{STATUS, column_counts, expect_columns};
 use crate::batch::{Batch, Block};
 use crate::units::{DerivativeUnit, Quantity, TableUnits, Unit};
 

@@ -40,9 +40,3 @@ fn expect_columns(here: [usize; 3], block: &Block) {
          {there:?}: the block belongs to another batch"
     );
 }
-
-/// Appends a number in the shortest form from which the number can be parsed exactly.
-pub(super) fn push_number(bytes: &mut Vec<u8>, number: f64) {
-    // writing to memory does not fail
-    let _ = serde_json::to_writer(bytes, &(number + 0.0));
-}

@@ -3,7 +3,7 @@
 mod figures;
 mod text;
 
-use super::csv_text::csv_text;
+use super::csv_text::{csv_text, number};
 use super::document::{Detail, Document};
 use super::reply::Report;
 use crate::error::Result;
@@ -44,7 +44,7 @@ impl ValidationReport<'_> {
                     for one in &score.residuals {
                         let case = &set.cases[one.case];
                         let numbers = [one.predicted, one.published, one.difference]
-                            .map(|value| units.number(value, quantity, unit).to_string());
+                            .map(|value| number(units.number(value, quantity, unit)));
                         let words = [
                             set.set.name,
                             &case.name,
