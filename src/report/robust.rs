@@ -13,7 +13,6 @@ use crate::study::Sense;
 use crate::study::swings::Robust;
 use crate::units::{System, counted, is_zero, leading_number};
 use serde::Serialize;
-use std::collections::BTreeMap;
 
 const CHANGE: &str = "change of the greatest loss";
 
@@ -39,7 +38,7 @@ pub struct RobustReport<'a> {
     /// For each varied parameter, the multipliers of its two bounds: the decrease of the greatest
     /// loss for each SI unit by which a bound is relaxed. A multiplier is negative if relaxing the
     /// bound improves the best design of a model more than it improves the robust design.
-    pub multipliers: BTreeMap<&'static str, Multipliers>,
+    pub multipliers: ByName<Multipliers>,
     /// The greatest loss of any model, SI.
     pub greatest_loss: JsonNumber,
     /// The allowed loss, SI; `null` without one.

@@ -1162,3 +1162,19 @@ fn a_setting_that_has_no_effect_is_refused() {
     let printed = longdrive(&[&requested[..], &["--all"]].concat());
     assert!(printed.out.contains("normal: 90 mph ± 1 mph"));
 }
+
+#[test]
+fn exact_order_of_multipliers_is_that_of_the_parameters() {
+    let (_, found) = json(&[
+        "optimize",
+        "mae494",
+        "--vary",
+        "swing.attack_angle=-10deg..10deg",
+        "--vary",
+        "club.loft=0deg..20deg",
+    ]);
+    for object in ["optimum", "multipliers"] {
+        let names: Vec<&String> = found[object].as_object().unwrap().keys().collect();
+        assert_eq!(names, ["swing.attack_angle", "club.loft"], "{object}");
+    }
+}

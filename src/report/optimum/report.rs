@@ -10,7 +10,6 @@ use crate::study::Sense;
 use crate::study::design::Improvement;
 use crate::study::{ClubAlone, ConstraintAtEnd, LocalOptimum, Optima, Optimum, Sample, Window};
 use serde::Serialize;
-use std::collections::BTreeMap;
 
 /// An optimum as JSON, SI and radians.
 #[derive(Clone, Debug, Serialize)]
@@ -34,7 +33,7 @@ pub struct OptimumReport {
     /// The gradient of the objective at the optimum by the varied parameters, SI.
     pub gradient: Option<ByName<JsonNumber>>,
     /// The multipliers of the bounds of each varied parameter, SI.
-    pub multipliers: Option<BTreeMap<&'static str, Multipliers>>,
+    pub multipliers: Option<ByName<Multipliers>>,
     /// The constraints.
     pub constraints: Vec<ConstraintReport>,
     /// The relative KKT residual.
