@@ -279,7 +279,7 @@ fn add_design(document: &mut Document, found: &Robust, system: System) {
             vary.parameter.name.into(),
             shown::within(vary, found.design[i], system),
             shown::range(vary, system),
-            bound_in_words(found, i, system),
+            bound_and_single_models(found, i, system),
         ]
     });
     let head = [
@@ -304,7 +304,7 @@ fn greatest_loss(found: &Robust) -> Objective {
 }
 
 /// Describes the change of the greatest loss if a bound of varied parameter `i` is relaxed.
-fn bound_in_words(found: &Robust, i: usize, system: System) -> String {
+fn bound_and_single_models(found: &Robust, i: usize, system: System) -> String {
     let (vary, solution) = (found.search.vary[i], &found.solution);
     let objective = greatest_loss(found);
     if vary.low == vary.high {

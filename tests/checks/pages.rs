@@ -84,7 +84,7 @@ fn the_answer_is_the_first_thing_on_the_page() {
     let gain = number(&best["multipliers"]["swing.attack_angle"]["upper"]).to_radians() / yard;
     assert!(
         printed.contains(&format!(
-            "your limit: each further degree adds {gain:.2} yd"
+            "at its upper bound: +{gain:.2} yd for each degree that it is raised"
         )),
         "{printed}"
     );

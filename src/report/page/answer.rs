@@ -9,8 +9,8 @@ use crate::report::frame::both;
 use crate::report::limits::Objective;
 use crate::report::optimum::bound_in_words;
 use crate::report::shown::{self, capital};
-use crate::study::{Effects, Optimum, Sense};
-use crate::units::{DisplayUnit, System, one, significant, with_unit};
+use crate::study::{Effects, Optimum};
+use crate::units::{DisplayUnit, System, significant, with_unit};
 use maud::{Markup, html};
 
 /// Maximum number of parameters named as sources of the uncertainty.
@@ -103,17 +103,14 @@ fn tiles(findings: &Findings, yours: Option<f64>, best: Option<f64>) -> Markup {
 
 /// The active bounds and constraints with their multipliers.
 fn limits(best: &Optimum) -> Markup {
-    let search = &best.search;
-    let bounds = search.vary.iter().enumerate().filter_map(|(i, vary)| {
-        bound(best, i, System::default())?;
-        Some(both(|system| {
+    let varied = best.search.vary.iter().enumerate();
+    let at_bound = varied.filter(|(i, _)| is_at_bound(best, *i));
+    let bounds = at_bound.map(|(i, vary)| {
+        both(|system| {
+            let name = capital(&shown::words(vary.parameter.name));
             let to = shown::parameter(vary.parameter, best.solution.x[i], system);
-            let state = bound(best, i, system).unwrap_or_default();
-            format!(
-                "{} {to}, {state}",
-                capital(&shown::words(vary.parameter.name))
-            )
-        }))
+            format!("{name} {to}, {}", bound_in_words(best, i, system))
+        })
     });
     let objective = Objective::at(best);
     let limits = best.constraints();
@@ -129,41 +126,19 @@ fn limits(best: &Optimum) -> Markup {
     html! { @if !lines.is_empty() { ul { @for line in lines { li { (line) } } } } }
 }
 
-/// The note of a parameter at its bound: "your limit: each further degree adds 2.11 yd".
-fn bound(best: &Optimum, i: usize, system: System) -> Option<String> {
-    let (of, parameter) = (best.search.outcome(), best.search.vary[i].parameter);
-    let (lower, upper) = (
-        best.solution.lower_multipliers[i],
-        best.solution.upper_multipliers[i],
-    );
-    if best.search.vary[i].low == best.search.vary[i].high {
-        return Some(bound_in_words(best, i, system));
+/// True if varied parameter `i` is fixed, or if the optimum has it at a bound or at a corner.
+fn is_at_bound(best: &Optimum, i: usize) -> bool {
+    let Optimum {
+        search, solution, ..
+    } = best;
+    if search.vary[i].low == search.vary[i].high {
+        return true;
     }
-    let price = lower.max(upper);
-    let is_corner = best.solution.kink.is_some_and(|kink| kink.variable == i);
-    if price <= 0.0 && !is_corner || best.solution.status != Status::Converged {
-        return None;
+    if solution.status != Status::Converged {
+        return false;
     }
-    let unit = system.unit(parameter.unit);
-    // use the longer text for a corner, and for a parameter without a unit: a change by 1 is too
-    // large
-    if is_corner || unit.is_empty() {
-        return Some(bound_in_words(best, i, system));
-    }
-    let one = one(unit);
-    let step = DisplayUnit::from(parameter).size_in(system);
-    let amount = shown::difference(of, price * step, system);
-    let each = if upper > 0.0 {
-        format!("each further {one}")
-    } else {
-        format!("each {one} less")
-    };
-    let does = if best.search.sense == Sense::Maximize {
-        "adds"
-    } else {
-        "takes off"
-    };
-    Some(format!("your limit: {each} {does} {amount}"))
+    let is_corner = solution.kink.is_some_and(|kink| kink.variable == i);
+    is_corner || solution.lower_multipliers[i].max(solution.upper_multipliers[i]) > 0.0
 }
 
 /// The sentence about the uncertainty after ±. It names the parameters that cause the uncertainty.
