@@ -728,6 +728,22 @@ fn sampled_ellipses_on_the_fairway_hold_the_shares_of_the_caption() {
     }
 }
 
+/// The fairway is 30 yd wide, so its edges are 15 yd left and right of the target line.
+#[test]
+fn exact_sides_of_the_fairway_in_titles_of_points() {
+    let landing = Landing::of("as set up", &setup(), &[]).unwrap();
+    let figure = fairway_figure(&[landing], System::Us);
+    let picture = figure_svg(&figure, &Look::default()).unwrap();
+    assert!(
+        picture.contains("fairway, 15.0 yd L, downrange "),
+        "{picture}"
+    );
+    assert!(picture.contains(">15.0 yd R, downrange "), "{picture}");
+    let axis = "L, R: left and right of the target line [yd]";
+    assert!(picture.contains(axis), "{picture}");
+    assert!(!picture.contains("(left: −)"), "{picture}");
+}
+
 #[test]
 fn the_landing_and_the_ellipses_of_the_fairway_are_those_of_the_drive() {
     let mut setup = setup();

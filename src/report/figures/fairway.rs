@@ -110,13 +110,8 @@ fn extents(layers: &[Layer]) -> [[f64; 2]; 2] {
 
 /// A figure at true scale whose axes contain these ranges. It has no layers.
 fn view(name: &str, title: &str, ranges: [[f64; 2]; 2], shape: [f64; 2], y_grows: Grows) -> Figure {
-    let length = |label: &str| Axis::linear(NamedQuantity::new(label, Quantity::LENGTH, "yd"));
-    let figure = Figure::new(
-        name,
-        title,
-        length("right of the target line (left: −)"),
-        length("downrange"),
-    );
+    let downrange = Axis::linear(NamedQuantity::new("downrange", Quantity::LENGTH, "yd"));
+    let figure = Figure::new(name, title, Axis::left_right(), downrange);
     to_scale(figure, ranges, shape, [Grows::Evenly, y_grows])
 }
 

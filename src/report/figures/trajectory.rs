@@ -4,7 +4,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Vector;
 use crate::report::drive::total_is_known;
-use crate::report::plot::{Axis, AxisScale, Figure, Hue, Layer, NamedQuantity};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
 use crate::report::shown;
 use crate::statistics::extent;
 use crate::study::NamedDrive;
@@ -143,9 +143,10 @@ fn without_layers(view: View, [x, y]: [[f64; 2]; 2]) -> Figure {
         View::Side => ("Trajectory from the side", Axis::linear(length("height"))),
         View::Top => (
             "Trajectory from above",
+            // the ball flies to the right, so right of the target line is at the bottom
             Axis {
-                scale: AxisScale::LeftRight,
-                ..Axis::linear(length("right of the target line"))
+                is_reversed: true,
+                ..Axis::left_right()
             },
         ),
     };

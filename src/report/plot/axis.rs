@@ -68,9 +68,8 @@ impl NamedQuantity {
 pub enum AxisScale {
     /// Linear.
     Linear,
-    /// Linear, for lateral distances in a view from above in which the ball flies to the right.
-    /// Distances to the right of the target line are positive and at the bottom. Labels have R or L
-    /// in place of a sign: `20 R` and `20 L`.
+    /// Linear, for distances from the target line: + is right. Labels have R or L in place of a
+    /// sign: `20 R` and `20 L`.
     LeftRight,
     /// Logarithmic. Values that are not positive have no position.
     Log,
@@ -87,6 +86,8 @@ pub struct Axis {
     pub scale: AxisScale,
     /// The range, SI; data outside are not drawn. `None` for the range of the data.
     pub range: Option<[f64; 2]>,
+    /// True if the values increase downwards or to the left.
+    pub is_reversed: bool,
 }
 
 impl Axis {
@@ -96,6 +97,16 @@ impl Axis {
             quantity,
             scale: AxisScale::Linear,
             range: None,
+            is_reversed: false,
+        }
+    }
+
+    /// Distances from the target line, with R or L in place of a sign.
+    pub fn left_right() -> Self {
+        let quantity = NamedQuantity::new("right of the target line", Quantity::LENGTH, "yd");
+        Self {
+            scale: AxisScale::LeftRight,
+            ..Self::linear(quantity)
         }
     }
 

@@ -6,7 +6,8 @@ use super::contour::ContourRegion;
 use super::figure::{Figure, Layer};
 use super::layers::PlotArea;
 use super::simplify::simplified;
-use crate::units::{Quantity, System, significant, typed};
+use crate::report::shown::side;
+use crate::units::{DisplayUnit, Quantity, System, significant, typed};
 
 /// A line with more points than this has one tooltip for each piece. Other lines have a tooltip at
 /// each point.
@@ -95,14 +96,19 @@ fn contours_of<'a>(
     regions.iter().flat_map(of).collect()
 }
 
-/// A value with the name of its axis: "carry 279.2 yd". On an axis that shows names: only the name.
+/// A value with the name of its axis: "carry 279.2 yd". On an axis of names: only the name. On an
+/// axis of distances from the target line: only the distance, "16.3 yd R".
 fn on_axis(axis: &Axis, value: f64, system: System) -> String {
     match &axis.scale {
         AxisScale::Names(names) => names
             .get(value.round() as usize)
             .cloned()
             .unwrap_or_default(),
-        _ => {
+        AxisScale::LeftRight => {
+            let DisplayUnit { quantity, unit } = axis.quantity.of;
+            side(quantity, system.unit(unit), value)
+        }
+        AxisScale::Linear | AxisScale::Log => {
             let quantity = &axis.quantity;
             let value = match quantity.of.quantity {
                 Quantity::NUMBER => significant(value, 4),

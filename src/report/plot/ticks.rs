@@ -70,8 +70,7 @@ impl DrawnAxis {
             AxisScale::Log => drawn.decades(count),
             _ => drawn.even(count),
         }
-        if axis.scale == AxisScale::LeftRight {
-            // right of the line is at the bottom
+        if axis.is_reversed {
             (drawn.low, drawn.high) = (drawn.high, drawn.low);
         }
         Some(drawn)
