@@ -88,14 +88,6 @@ fn is_named(figure: &Figure, layer: &Layer) -> bool {
     !name.is_empty() && hue.is_some() && !is_named_where_it_is && base_name(figure, name) == name
 }
 
-/// True if the legend has this name.
-pub(super) fn has(figure: &Figure, name: &str) -> bool {
-    figure
-        .layers
-        .iter()
-        .any(|layer| layer.named().0 == name && is_named(figure, layer))
-}
-
 /// A name without its remark in parentheses: "ferguson" for "ferguson (extrapolated)". The name is
 /// unchanged if no layer has the shorter name.
 pub(super) fn base_name<'a>(figure: &Figure, name: &'a str) -> &'a str {

@@ -3,7 +3,6 @@
 use super::canvas::{Canvas, LINE, Stroke};
 use super::figure::{Figure, Layer, LineNames};
 use super::layers::{PlotArea, has_room, place_on, star};
-use super::legend;
 use super::palette::Color;
 
 /// Half the size of a mark, pixels.
@@ -36,8 +35,7 @@ const CLEAR: f64 = 2.0;
 /// Distance of a label from its mark above which a line connects the two, pixels.
 const CONNECT_DISTANCE: f64 = 1.5 * LINE;
 
-/// Draws the marks, then their labels. If the labels of some marks are also in the legend, these
-/// marks are drawn only if all their labels have space.
+/// Draws the marks, then their labels.
 pub(super) fn write_marks(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
     let marks = figure.layers.iter().filter_map(|layer| match layer {
         Layer::Mark { name, hue, at } => Some(Mark {
@@ -47,19 +45,17 @@ pub(super) fn write_marks(canvas: &mut Canvas, area: &PlotArea, figure: &Figure)
         }),
         _ => None,
     });
-    let (in_legend, needed): (Vec<_>, Vec<_>) =
-        marks.partition(|mark| !mark.name.is_empty() && legend::has(figure, &mark.name));
-    let needed = merged(needed);
-    for mark in &needed {
+    let marks = merged(marks.collect());
+    for mark in &marks {
         star(canvas, mark.at, mark.color);
         canvas.labelled.push(around(&mark.at));
     }
     let lines = lines(area, figure);
-    for (i, mark) in needed.iter().enumerate() {
+    for (i, mark) in marks.iter().enumerate() {
         if mark.name.is_empty() {
             continue;
         }
-        let others = [&needed[..i], &needed[i + 1..]].concat();
+        let others = [&marks[..i], &marks[i + 1..]].concat();
         match beside(canvas, area, mark, &others, &lines) {
             Some(middle) => write_connected(canvas, mark, middle),
             None => write_near(
@@ -71,35 +67,6 @@ pub(super) fn write_marks(canvas: &mut Canvas, area: &PlotArea, figure: &Figure)
                 CONNECT_DISTANCE,
             ),
         }
-    }
-    write_legend_marks(canvas, area, &in_legend, &lines);
-}
-
-/// Draws marks with their labels if there is space for all labels.
-fn write_legend_marks(
-    canvas: &mut Canvas,
-    area: &PlotArea,
-    in_legend: &[Mark],
-    lines: &[[f64; 2]],
-) {
-    let before = canvas.labelled.len();
-    canvas
-        .labelled
-        .extend(in_legend.iter().map(|mark| around(&mark.at)));
-    let mut middles = vec![];
-    for mark in in_legend {
-        let Some(middle) = beside(canvas, area, mark, &[], lines) else {
-            canvas.labelled.truncate(before);
-            return;
-        };
-        canvas
-            .labelled
-            .push(Canvas::label_extent(&mark.name, middle));
-        middles.push(middle);
-    }
-    for (mark, middle) in in_legend.iter().zip(middles) {
-        star(canvas, mark.at, mark.color);
-        write_connected(canvas, mark, middle);
     }
 }
 
