@@ -10,7 +10,7 @@ use longdrive::report::figures::{
     OnChart, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure, map_figure,
     trajectory_figure,
 };
-use longdrive::report::plot::{Figure, Hue, Layer, Look, figure_csv, figure_svg};
+use longdrive::report::plot::{Figure, Hue, Layer, Look, Shape, figure_csv, figure_svg};
 use longdrive::study::uncertainty::{LandingEllipse, SaltelliDesign, SamplePlan, Uncertain};
 use longdrive::study::{
     ChartObserver, Constraint, Face, Fineness, Landing, Launches, Map, NamedDrive, Optimum, Region,
@@ -107,10 +107,8 @@ fn optimum_with_map(
 /// The outlines (rings) of the hatched regions of a figure; of the tinted regions if `hatched` is
 /// false.
 fn rings(figure: &Figure, hatched: bool) -> Vec<Vec<[f64; 2]>> {
-    let of = |layer: &Layer| match layer {
-        Layer::Region {
-            is_hatched, rings, ..
-        } if *is_hatched == hatched => rings.clone(),
+    let of = |layer: &Layer| match &layer.shape {
+        Shape::Region { is_hatched, rings } if *is_hatched == hatched => rings.clone(),
         _ => vec![],
     };
     figure.layers.iter().flat_map(of).collect()
@@ -259,8 +257,8 @@ fn an_equation_keeps_the_part_of_its_line_with_small_loss() {
         rings(&figure, false).is_empty() && rings(&figure, true).is_empty(),
         "a line has no area"
     );
-    let line = figure.layers.iter().find_map(|layer| match layer {
-        Layer::Line { name, points, .. } if name.contains("lost") => Some(points.clone()),
+    let line = figure.layers.iter().find_map(|layer| match &layer.shape {
+        Shape::Line { points, .. } if layer.name.contains("lost") => Some(points.clone()),
         _ => None,
     });
     let line: Vec<[f64; 2]> = line
@@ -385,8 +383,8 @@ fn a_chart_marks_the_drive_and_names_active_bounds() {
         .iter()
         .zip([best.value().unwrap(), best.solution.x[0]])
     {
-        let mark = figure.layers.iter().find_map(|layer| match layer {
-            Layer::Mark { name, at, hue } if name.contains("mph: ") => Some((*at, *hue)),
+        let mark = figure.layers.iter().find_map(|layer| match layer.shape {
+            Shape::Mark(at) if layer.name.contains("mph: ") => Some((at, layer.hue)),
             _ => None,
         });
         // the mark is on the line of optima, and has its colour
@@ -490,10 +488,8 @@ fn scales(figure: &Figure, line: &[[f64; 2]]) -> [f64; 2] {
 }
 
 fn line_of(figure: &Figure, name: &str) -> Vec<[f64; 2]> {
-    let line = figure.layers.iter().find_map(|layer| match layer {
-        Layer::Line {
-            name: own, points, ..
-        } if own == name => Some(points.clone()),
+    let line = figure.layers.iter().find_map(|layer| match &layer.shape {
+        Shape::Line { points, .. } if layer.name == name => Some(points.clone()),
         _ => None,
     });
     line.unwrap_or_else(|| panic!("no line {name}"))
@@ -501,7 +497,7 @@ fn line_of(figure: &Figure, name: &str) -> Vec<[f64; 2]> {
 
 /// The name of the largest landing ellipse of the drive as set up.
 fn largest_ellipse_name(figure: &Figure) -> String {
-    let names = figure.layers.iter().map(|layer| layer.named().0);
+    let names = figure.layers.iter().map(|layer| layer.name.as_str());
     names
         .into_iter()
         .find(|name| name.starts_with("as set up: carry"))
@@ -561,8 +557,8 @@ fn a_side_view_has_its_numbers_at_the_points_and_a_stretched_view_below() {
         ("carry", Outcome::Carry, Outcome::Carry, None),
     ] {
         let value = |of: Outcome| of.value(&drive).unwrap();
-        let mark = figure.layers.iter().find_map(|layer| match layer {
-            Layer::Mark { name, at, .. } if name.starts_with(word) => Some((name.clone(), *at)),
+        let mark = figure.layers.iter().find_map(|layer| match layer.shape {
+            Shape::Mark(at) if layer.name.starts_with(word) => Some((layer.name.clone(), at)),
             _ => None,
         });
         let (name, at) = mark.unwrap();
@@ -784,21 +780,21 @@ fn the_landing_and_the_ellipses_of_the_fairway_are_those_of_the_drive() {
     let run = figure
         .layers
         .iter()
-        .find(|layer| layer.named().0 == "run")
+        .find(|layer| layer.name == "run")
         .unwrap();
     let own = figure
         .layers
         .iter()
-        .find(|layer| layer.named().0.starts_with("as set up: carry"))
+        .find(|layer| layer.name.starts_with("as set up: carry"))
         .unwrap();
     assert!(
         matches!(
-            run,
-            Layer::Line {
+            run.shape,
+            Shape::Line {
                 is_dashed: false,
                 ..
             }
-        ) && run.named().1 == own.named().1
+        ) && run.hue == own.hue
     );
     let wide = landing.ellipses[1];
     for point in line_of(&figure, &largest_ellipse_name(&figure)) {
@@ -833,13 +829,11 @@ fn two_landings() -> [Landing; 2] {
 }
 
 fn arcs(view: &Figure) -> Vec<Vec<[f64; 2]>> {
-    let arc = |layer: &Layer| match layer {
-        Layer::Line {
-            name,
-            hue: Hue::Faint,
+    let arc = |layer: &Layer| match &layer.shape {
+        Shape::Line {
             is_dashed: false,
             points,
-        } if name.is_empty() => Some(points.clone()),
+        } if layer.name.is_empty() && layer.hue == Hue::Faint => Some(points.clone()),
         _ => None,
     };
     view.layers.iter().filter_map(arc).collect()
@@ -866,9 +860,10 @@ fn exact_distances_of_the_arcs_and_the_edges_of_a_fairway() {
             }
             let mut labels = 0;
             for layer in &view.layers {
-                if let Layer::Text { name, at, .. } = layer {
+                if let Shape::Text(at) = layer.shape {
+                    let name = &layer.name;
                     let stated: f64 = name.strip_suffix(unit).unwrap().trim().parse().unwrap();
-                    close(radius(*at), stated, stated, 1e-12, name);
+                    close(radius(at), stated, stated, 1e-12, name);
                     labels += 1;
                 }
             }
@@ -877,9 +872,10 @@ fn exact_distances_of_the_arcs_and_the_edges_of_a_fairway() {
         for [x, _] in line_of(&figure, "fairway") {
             close(x, -15.0 * YARD, 1.0, 1e-12, "the left edge");
         }
-        let at_tee = tee.layers.iter().any(
-            |layer| matches!(layer, Layer::Mark { name, at: [0.0, 0.0], .. } if name == "tee"),
-        );
+        let at_tee = tee
+            .layers
+            .iter()
+            .any(|layer| matches!(layer.shape, Shape::Mark([0.0, 0.0])) && layer.name == "tee");
         assert!(at_tee);
     }
 }
@@ -890,18 +886,16 @@ fn exact_distances_of_the_arcs_and_the_edges_of_a_fairway() {
 fn two_runs_on_one_line_are_both_seen() {
     let landings = two_landings();
     let figure = fairway_figure(&landings, System::Us);
-    let runs = figure.layers.iter().filter_map(|layer| match layer {
-        Layer::Line {
-            name, is_dashed, ..
-        } if name.starts_with("run") => Some(*is_dashed),
+    let runs = figure.layers.iter().filter_map(|layer| match layer.shape {
+        Shape::Line { is_dashed, .. } if layer.name == "run" => Some(is_dashed),
         _ => None,
     });
     assert_eq!(runs.collect::<Vec<_>>(), [false, true]);
     for rest in landings.iter().map(|landing| landing.rest.unwrap()) {
         let total = format!("total {:.1} yd", rest[1] / YARD);
         let marks = figure.layers.iter();
-        let mut marks = marks.filter(|layer| matches!(layer, Layer::Mark { .. }));
-        assert!(marks.any(|layer| layer.named().0 == total), "{total}");
+        let mut marks = marks.filter(|layer| matches!(layer.shape, Shape::Mark(_)));
+        assert!(marks.any(|layer| layer.name == total), "{total}");
     }
 }
 
@@ -1008,8 +1002,8 @@ fn rings_on_the_face_have_their_loss_and_arrows_tilt_with_the_spin_axis() {
             );
         }
     }
-    let arrows = figure.layers.iter().find_map(|layer| match layer {
-        Layer::Arrows { arrows, .. } => Some(arrows.clone()),
+    let arrows = figure.layers.iter().find_map(|layer| match &layer.shape {
+        Shape::Arrows(arrows) => Some(arrows.clone()),
         _ => None,
     });
     let straight = strike(0.0, 0.0, Outcome::SpinAxis);

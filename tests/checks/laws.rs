@@ -687,10 +687,9 @@ fn a_plot_of_laws_shows_the_law_in_use_among_the_others() {
         let figure = laws_figure(&laws, &setup, Over::SpinRatio, 1.5e5, of);
         assert_eq!(figure.y.range, Some([0.0, 0.5]));
         for layer in &figure.layers {
-            let (name, hue) = layer.named();
-            let is_used = name.split(" (").next() == Some(setup.law.name());
+            let is_used = layer.name == setup.law.name();
             let expected = if is_used { Hue::SET_UP } else { Hue::Faint };
-            assert_eq!(hue, Some(expected), "{name}");
+            assert_eq!(layer.hue, expected, "{}", layer.name);
         }
         for width in [240, 340, 480, 800] {
             let look = Look {

@@ -8,7 +8,7 @@ use longdrive::report::figures::{
     Causes, OnMap, View, map_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use longdrive::report::plot::{
-    Axis, Field, Figure, Hue, Layer, Look, NamedQuantity, figure_csv, figure_svg,
+    Axis, Field, Figure, Hue, Layer, Look, NamedQuantity, Shape, figure_csv, figure_svg,
 };
 use longdrive::study::certificate::certify;
 use longdrive::study::{Fineness, NamedDrive, Sigma, Vary, effects, map, with_defaults};
@@ -273,11 +273,15 @@ fn a_label_at_the_end_of_an_axis_lies_within_the_picture() {
 #[test]
 fn every_series_differs_from_every_other_one() {
     let axis = || Axis::linear(NamedQuantity::plain("n")).exactly(0.0, 1.0);
-    let line = |hue: usize, is_dashed: bool| Layer::Line {
-        name: "one".into(),
-        hue: Hue::Series(hue),
-        is_dashed,
-        points: vec![[0.0, 0.0], [0.5, 0.8], [1.0, 1.0]],
+    let line = |hue: usize, is_dashed: bool| {
+        Layer::new(
+            "one",
+            Hue::Series(hue),
+            Shape::Line {
+                is_dashed,
+                points: vec![[0.0, 0.0], [0.5, 0.8], [1.0, 1.0]],
+            },
+        )
     };
     let picture = |layer: Layer| {
         let figure = Figure::new("n", "t", axis(), axis()).with(layer);
@@ -391,7 +395,7 @@ fn a_map_without_columns_is_an_empty_picture() {
         gradients: vec![],
         common_values: vec![],
     };
-    let map = Figure::new("empty", "t", axis(), axis()).with(Layer::Contours(field));
+    let map = Figure::new("empty", "t", axis(), axis()).with(Layer::contours(field));
     whole(&figure_svg(&map, &Look::default()).unwrap());
 }
 

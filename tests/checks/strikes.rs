@@ -6,7 +6,7 @@ use crate::drawn::outcome_at;
 use longdrive::impact::FacePoint;
 use longdrive::parameters::Golfer;
 use longdrive::report::figures::{face_figure, strikes_figure};
-use longdrive::report::plot::{Field, Figure, Layer, figure_csv};
+use longdrive::report::plot::{Field, Figure, Shape, figure_csv};
 use longdrive::study::Face;
 use longdrive::units::{System, TableUnits};
 use longdrive::{Outcome, Setup};
@@ -29,8 +29,8 @@ fn same_drives_in_maps_of_strikes_and_alone_for_both_hands() {
         strikes_figure(&[("as set up", &faces[0]), ("flat", &faces[1])], System::Us).unwrap();
     let views: Vec<_> = std::iter::once(&figure).chain(&figure.panels).collect();
     assert_eq!((views.len(), figure.columns), (8, 2));
-    let field = |view: &Figure| match &view.layers[0] {
-        Layer::Contours(field) => field.clone(),
+    let field = |view: &Figure| match &view.layers[0].shape {
+        Shape::Contours(field) => (**field).clone(),
         other => panic!("{other:?}"),
     };
     for (i, of) in Face::OUTCOMES.into_iter().enumerate() {
@@ -99,7 +99,7 @@ fn contours_over_the_face_have_no_corners() {
     let views = std::iter::once(&figure).chain(&figure.panels).take(3);
     let (mut contours, mut sharpest_on_nodes) = (0, 0.0_f64);
     for view in views {
-        let Layer::Contours(field) = &view.layers[0] else {
+        let Shape::Contours(field) = &view.layers[0].shape else {
             panic!("{:?}", view.layers[0]);
         };
         let known: Vec<f64> = field.values.iter().flatten().copied().collect();
@@ -112,7 +112,7 @@ fn contours_over_the_face_have_no_corners() {
             contours += 1;
             let on_nodes = Field {
                 gradients: vec![],
-                ..field.clone()
+                ..(**field).clone()
             };
             sharpest_on_nodes = sharpest_on_nodes.max(self::sharpest(&on_nodes.line_at(level)));
         }

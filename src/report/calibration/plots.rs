@@ -1,5 +1,5 @@
 use crate::drive::Outcome;
-use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::report::shown::capital;
 use crate::statistics::extent;
 use crate::study::calibrate::{Calibration, FitResidual, ShotTable};
@@ -78,12 +78,7 @@ fn agreement(of: Outcome, points: &[MeasuredPoint]) -> Figure {
         labelled("computed"),
         labelled("measured"),
     )
-    .with(Layer::Line {
-        name: "equal".into(),
-        hue: Hue::Faint,
-        is_dashed: true,
-        points: equal,
-    })
+    .with(Layer::new("equal", Hue::Faint, Shape::dashed(equal)))
     .with(Layer::line(
         "± one standard uncertainty",
         0,

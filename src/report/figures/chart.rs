@@ -1,7 +1,7 @@
 use super::constants::{constants, subtitle};
 use crate::drive::Outcome;
 use crate::parameters::{Preset, Setup};
-use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::report::shown::{self, capital};
 use crate::study::{BoundSide, Chart, ChartPoint, NamedDrive, Optimum, Search, Vary};
 use crate::units::System;
@@ -124,15 +124,14 @@ impl<'a> ChartDrawing<'a> {
     }
 
     fn bound_line(&self, name: &str, bound: f64) -> Layer {
-        Layer::Line {
-            name: name.into(),
-            hue: Hue::Faint,
-            is_dashed: true,
-            points: vec![
+        Layer::new(
+            name,
+            Hue::Faint,
+            Shape::dashed(vec![
                 [self.chart.along.low, bound],
                 [self.chart.along.high, bound],
-            ],
-        }
+            ]),
+        )
     }
 
     /// Adds the optima to a plot of `value` as a line, with a labelled mark of the optimum for the
@@ -147,17 +146,18 @@ impl<'a> ChartDrawing<'a> {
         let (chart, system) = (self.chart, self.system);
         let along = chart.along.parameter;
         let place = |point: &ChartPoint| Some([point.at, value(&point.best)?]);
-        let mut figure = figure.with(Layer::Line {
-            name: NamedDrive::OPTIMUM.into(),
-            hue: Hue::OPTIMUM,
-            is_dashed: true,
-            points: chart.points.iter().filter_map(place).collect(),
-        });
+        let mut figure = figure.with(Layer::new(
+            NamedDrive::OPTIMUM,
+            Hue::OPTIMUM,
+            Shape::dashed(chart.points.iter().filter_map(place).collect()),
+        ));
         let own = self.own.and_then(|(at, best)| Some([at, value(best)?]));
-        figure.layers.extend(own.map(|at| Layer::Mark {
-            name: format!("{}: {}", shown::stated(along, at[0], system), text(at[1])),
-            hue: Hue::OPTIMUM,
-            at,
+        figure.layers.extend(own.map(|at| {
+            Layer::new(
+                format!("{}: {}", shown::stated(along, at[0], system), text(at[1])),
+                Hue::OPTIMUM,
+                Shape::Mark(at),
+            )
         }));
         let mut notes: Vec<String> = self.other.iter().cloned().collect();
         let events = chart.points.iter().filter(|point| point.event.is_some());
@@ -169,11 +169,9 @@ impl<'a> ChartDrawing<'a> {
                 let event =
                     event.words(|active| shown::active(active, search, system, shown::words));
                 notes.push(format!("{number}: at {at} {event}."));
-                figure.layers.push(Layer::Mark {
-                    name: number,
-                    hue: Hue::Ink,
-                    at: place,
-                });
+                figure
+                    .layers
+                    .push(Layer::new(number, Hue::Ink, Shape::Mark(place)));
             }
         }
         let ends = chart.begun.iter().chain(&chart.ended);

@@ -1,4 +1,4 @@
-use crate::report::plot::{Axis, Figure, HorizontalBar, Hue, Layer, NamedQuantity};
+use crate::report::plot::{Axis, Figure, HorizontalBar, Hue, Layer, NamedQuantity, Shape};
 use crate::report::shown::{self, capital, words};
 use crate::study::{Difference, Share, Shares};
 use crate::units::{System, counted};
@@ -28,11 +28,11 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
                 row,
                 to: share.amount,
             });
-        layers.push(Layer::Bars {
-            name: name.into(),
-            hue: Hue::Series(hue),
-            bars: bars.collect(),
-        });
+        layers.push(Layer::new(
+            name,
+            Hue::Series(hue),
+            Shape::Bars(bars.collect()),
+        ));
         names.extend(shares.iter().map(|share| words(share.cause.name())));
     }
     let x = Axis::linear(NamedQuantity {

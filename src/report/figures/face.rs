@@ -2,7 +2,7 @@ use super::scale::{Grows, to_scale, with_margin};
 use super::style::field;
 use crate::drive::Outcome;
 use crate::parameters::Golfer;
-use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::report::shown;
 use crate::statistics::largest_magnitude;
 use crate::study::Face;
@@ -66,11 +66,7 @@ pub(super) fn reference(face: &Face) -> &'static str {
 
 /// Marks of the sweet spot, and of the strike if it is elsewhere.
 pub(super) fn marks(face: &Face, hue: Hue) -> impl Iterator<Item = Layer> {
-    let mark = |name: &str, hue, at| Layer::Mark {
-        name: name.into(),
-        hue,
-        at: seen(face, at),
-    };
+    let mark = |name: &str, hue, at| Layer::new(name, hue, Shape::Mark(seen(face, at)));
     let spot = face.sweet_spot.map(|at| mark("sweet spot", Hue::Ink, at));
     spot.into_iter()
         .chain((!face.is_struck_sweetly()).then(|| mark("strike", hue, face.strike)))
@@ -84,11 +80,11 @@ pub(super) fn tilt_arrows(face: &Face, name: String, largest: f64) -> Layer {
         let [x, y] = seen(face, *at);
         [[x, y], [x - LONGEST_ARROW * tilt / largest, y]]
     };
-    Layer::Arrows {
+    Layer::new(
         name,
-        hue: Hue::Faint,
-        arrows: face.tilts.iter().map(arrow).collect(),
-    }
+        Hue::Faint,
+        Shape::Arrows(face.tilts.iter().map(arrow).collect()),
+    )
 }
 
 /// The face of a club from the front, at true scale: the strike, the sweet spot, the strike of the
@@ -127,11 +123,11 @@ pub fn face_figure(face: &Face, system: System) -> Figure {
     } else {
         "longest carry"
     };
-    figure.layers.push(Layer::Mark {
-        name: longest.into(),
-        hue: Hue::Series(1),
-        at: seen(face, face.longest.0),
-    });
+    figure.layers.push(Layer::new(
+        longest,
+        Hue::Series(1),
+        Shape::Mark(seen(face, face.longest.0)),
+    ));
     figure.layers.extend(marks(face, Hue::Series(0)));
     figure.noted(note(face, largest, system))
 }
@@ -139,12 +135,11 @@ pub fn face_figure(face: &Face, system: System) -> Figure {
 /// The outline of the face.
 pub(super) fn outline(face: &Face) -> Layer {
     let points = face.outline().into_iter();
-    Layer::Line {
-        name: String::new(),
-        hue: Hue::Faint,
-        is_dashed: false,
-        points: points.map(|at| seen(face, at)).collect(),
-    }
+    Layer::new(
+        "",
+        Hue::Faint,
+        Shape::line(points.map(|at| seen(face, at)).collect()),
+    )
 }
 
 /// Contours of the carry lost relative to the longest carry. A part outside of the face is not
@@ -159,18 +154,11 @@ fn rings(face: &Face, system: System) -> Vec<Layer> {
         false => [f64::NAN; 2],
     };
     let ring = |(i, lost): (usize, f64)| {
-        let points = carries.line_at(most - lost * size);
-        Layer::Line {
-            name: format!("−{} {unit}", significant(lost, 3)),
-            hue: Hue::Series(2 + i),
-            is_dashed: false,
-            points: points.into_iter().map(on_face).collect(),
-        }
+        let points = carries.line_at(most - lost * size).into_iter().map(on_face);
+        let name = format!("−{} {unit}", significant(lost, 3));
+        Layer::line(name, 2 + i, points.collect())
     };
-    let is_on_face = |layer: &Layer| match layer {
-        Layer::Line { points, .. } => points.iter().any(|[x, _]| x.is_finite()),
-        _ => false,
-    };
+    let is_on_face = |ring: &Layer| ring.points().iter().any(|[x, _]| x.is_finite());
     let rings = RINGS.into_iter().enumerate().map(ring);
     rings.filter(is_on_face).collect()
 }

@@ -2,7 +2,7 @@ use super::scale::{Grows, to_scale, with_margin};
 use super::style::{clear_names, style};
 use crate::drive::Outcome;
 use crate::report::drive::total_is_known;
-use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, nice_step};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape, nice_step};
 use crate::report::shown::{self, capital};
 use crate::statistics::extent;
 use crate::study::Landing;
@@ -54,11 +54,9 @@ pub fn fairway_figure(landings: &[Landing], system: System) -> Figure {
     let from_tee = view("fairway-tee", "From the tee", whole, FROM_TEE, Grows::Up);
     let mut from_tee = drawn(from_tee, &layers, system);
     clear_names(&mut from_tee.layers);
-    from_tee.layers.push(Layer::Mark {
-        name: "tee".into(),
-        hue: Hue::Ink,
-        at: [0.0, 0.0],
-    });
+    from_tee
+        .layers
+        .push(Layer::new("tee", Hue::Ink, Shape::Mark([0.0, 0.0])));
     figure.panels.push(from_tee);
     figure.columns = 2;
 
@@ -119,11 +117,8 @@ fn view(name: &str, title: &str, ranges: [[f64; 2]; 2], shape: [f64; 2], y_grows
 fn drawn(mut figure: Figure, layers: &[Layer], system: System) -> Figure {
     let [x, y] = [&figure.x, &figure.y].map(|axis| axis.range.unwrap_or_default());
     let along = |x: f64| vec![[x, y[0].max(0.0)], [x, y[1]]];
-    let line = |name: &str, hue: Hue, is_dashed: bool, points: Vec<[f64; 2]>| Layer::Line {
-        name: name.into(),
-        hue,
-        is_dashed,
-        points,
+    let line = |name: &str, hue: Hue, is_dashed: bool, points: Vec<[f64; 2]>| {
+        Layer::new(name, hue, Shape::Line { is_dashed, points })
     };
     figure.layers.extend(arcs([x, y], system));
     figure.layers.extend([
@@ -150,20 +145,15 @@ fn arcs([x, y]: [[f64; 2]; 2], system: System) -> Vec<Layer> {
         let end = (x[1] / radius).min(1.0).asin();
         let at = |angle: f64| [radius * angle.sin(), radius * angle.cos()];
         let along = |step: u32| at(end * (2.0 * f64::from(step) / f64::from(ALONG) - 1.0));
-        layers.push(Layer::Line {
-            name: String::new(),
-            hue: Hue::Faint,
-            is_dashed: false,
-            points: (0..=ALONG).map(along).collect(),
-        });
+        layers.push(Layer::new(
+            "",
+            Hue::Faint,
+            Shape::line((0..=ALONG).map(along).collect()),
+        ));
         let at = at((LABELLED * x[1] / radius).min(LABELLED).asin());
         if at[1] > y[0] {
             let name = with_unit(&significant(radius / size, 4), unit);
-            layers.push(Layer::Text {
-                name,
-                hue: Hue::Faint,
-                at,
-            });
+            layers.push(Layer::new(name, Hue::Faint, Shape::Text(at)));
         }
     }
     layers
@@ -175,51 +165,35 @@ fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
     let (hue, is_dashed) = style(&landing.name, i);
     let carry = shown::outcome(Outcome::Carry, landing.at[1], system);
     let name = format!("{}: carry {carry}", landing.name);
-    let part = |of: &str| format!("{name} ({of})");
     let mut layers = vec![];
     for (k, ellipse) in landing.ellipses.iter().rev().enumerate() {
-        layers.push(Layer::Line {
-            name: if k == 0 {
-                name.clone()
-            } else {
-                part(&format!("{:.0} %", 100.0 * ellipse.share))
-            },
-            hue,
-            is_dashed,
-            points: outline(ellipse),
+        let points = outline(ellipse);
+        let line = Layer::new(&name, hue, Shape::Line { is_dashed, points });
+        layers.push(if k == 0 {
+            line
+        } else {
+            line.remarked(format!("{:.0} %", 100.0 * ellipse.share))
         });
     }
     if landing.ellipses.is_empty() {
-        layers.push(Layer::Dots {
-            name: name.clone(),
-            hue,
-            points: vec![landing.at],
-        });
+        layers.push(Layer::new(&name, hue, Shape::Dots(vec![landing.at])));
     }
     if let Some(rest) = landing.rest {
-        // `legend::base_name` shortens "run (…)" to "run", so that the legend shows "run" once
-        layers.push(Layer::Line {
-            name: if i == 0 {
-                "run".into()
-            } else {
-                format!("run ({})", landing.name)
-            },
-            hue,
-            // with dashes, another roll-out on the same line stays visible
-            is_dashed,
-            points: vec![landing.at, rest],
+        // with dashes, another roll-out on the same line stays visible
+        let points = vec![landing.at, rest];
+        let run = Layer::new("run", hue, Shape::Line { is_dashed, points });
+        layers.push(if i == 0 {
+            run
+        } else {
+            run.remarked(&landing.name)
         });
-        layers.push(Layer::Mark {
-            name: format!("total {}", shown::outcome(Outcome::Total, rest[1], system)),
+        layers.push(Layer::new(
+            format!("total {}", shown::outcome(Outcome::Total, rest[1], system)),
             hue,
-            at: rest,
-        });
+            Shape::Mark(rest),
+        ));
     }
-    layers.push(Layer::Mark {
-        name: String::new(),
-        hue,
-        at: landing.at,
-    });
+    layers.push(Layer::new("", hue, Shape::Mark(landing.at)));
     layers
 }
 

@@ -1,6 +1,6 @@
 use super::style::{field, style};
 use crate::drive::Outcome;
-use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, NamedQuantity};
+use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, NamedQuantity, Shape};
 use crate::report::shown::{self, capital};
 use crate::study::{Launches, NamedDrive, NamedLaunch, Vary};
 use crate::units::System;
@@ -20,7 +20,7 @@ pub fn launches_figure(map: &Launches, system: System) -> Figure {
         axis(&map.plane.up, "backspin"),
     );
     let mut figure = Figure::new("launches", "Carry over launch angle and backspin", x, y)
-        .with(Layer::Contours(field(&map.plane, 0, Outcome::Carry)));
+        .with(Layer::contours(field(&map.plane, 0, Outcome::Carry)));
     figure.aspect = 0.85;
     figure.line_names = LineNames::OnLines;
     figure.subtitle = format!(
@@ -33,26 +33,24 @@ pub fn launches_figure(map: &Launches, system: System) -> Figure {
 
 /// The best launch for each spin, and the launches of the drives.
 fn layers(map: &Launches) -> Vec<Layer> {
-    let ridge = has_ridge(map).then(|| Layer::Line {
-        name: "best launch".into(),
-        hue: Hue::Ink,
-        is_dashed: true,
-        points: map.ridge.clone(),
-    });
+    let ridge = has_ridge(map)
+        .then(|| Layer::new("best launch", Hue::Ink, Shape::dashed(map.ridge.clone())));
     let place = |one: &NamedLaunch| [one.launch_angle, one.backspin];
     let arrow = match &map.launched[..] {
-        [first, second, ..] => Some(Layer::Arrows {
-            name: String::new(),
-            hue: Hue::Ink,
-            arrows: vec![[place(first), place(second)]],
-        }),
+        [first, second, ..] => Some(Layer::new(
+            "",
+            Hue::Ink,
+            Shape::Arrows(vec![[place(first), place(second)]]),
+        )),
         _ => None,
     };
     let launched = map.launched.iter().enumerate();
-    let marks = launched.map(|(i, one)| Layer::Mark {
-        name: one.name.clone(),
-        hue: style(&one.name, i).0,
-        at: place(one),
+    let marks = launched.map(|(i, one)| {
+        Layer::new(
+            one.name.clone(),
+            style(&one.name, i).0,
+            Shape::Mark(place(one)),
+        )
     });
     ridge.into_iter().chain(arrow).chain(marks).collect()
 }

@@ -1,7 +1,7 @@
 use crate::aerodynamics::{AerodynamicLaw, Coefficients, Fitted, Stream};
 use crate::atmosphere::AirState;
 use crate::parameters::{AxisVariable, Law, LawTable, Setup};
-use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, NamedQuantity};
+use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, NamedQuantity, Shape};
 use crate::units::significant;
 use std::f64::consts::PI;
 
@@ -215,11 +215,7 @@ impl LawPlot {
             .map(|point| point.at)
             .collect();
         if !points.is_empty() {
-            layers.push(Layer::Dots {
-                name: format!("{} (measured)", law.name()),
-                hue,
-                points,
-            });
+            layers.push(Layer::new(law.name(), hue, Shape::Dots(points)).remarked("measured"));
         }
         layers
     }
@@ -283,26 +279,18 @@ impl LawPlot {
         let (within, beyond) = (pieces(&points, true), pieces(&points, false));
         let [first, last] = self.range.map(|at| self.stream(at).variables());
         let range = std::array::from_fn(|variable| [first[variable], last[variable]]);
-        // without a solid line, the dashed line has the name of the law
-        let suffix = if within.is_empty() {
+        // without a solid line, the dashed line is not the continuation of another
+        let remark = if within.is_empty() {
             String::new()
         } else {
-            format!(" ({})", fitted.continuation(fitted.exceeded_ends(range)))
+            fitted.continuation(fitted.exceeded_ends(range)).to_string()
         };
-        let name = law.name();
-        let lines = [
-            (name.to_owned(), false, within),
-            (format!("{name}{suffix}"), true, beyond),
-        ];
-        let lines = lines.into_iter().filter(|(.., points)| !points.is_empty());
+        let line = |is_dashed: bool, points: Vec<[f64; 2]>| {
+            Layer::new(law.name(), hue, Shape::Line { is_dashed, points })
+        };
+        let mut lines = vec![line(false, within), line(true, beyond).remarked(remark)];
+        lines.retain(|line| !line.points().is_empty());
         lines
-            .map(|(name, is_dashed, points)| Layer::Line {
-                name,
-                hue,
-                is_dashed,
-                points,
-            })
-            .collect()
     }
 
     /// The points of a law's curve, each with a flag that is true within the fitted range.

@@ -1,7 +1,7 @@
 use super::constants::{constants, subtitle};
 use super::style::field;
 use crate::parameters::{Preset, Setup};
-use crate::report::plot::{Axis, Field, Figure, Hue, Layer, LineNames, NamedQuantity};
+use crate::report::plot::{Axis, Field, Figure, Hue, Layer, LineNames, NamedQuantity, Shape};
 use crate::report::shown::{self, capital};
 use crate::study::{Constraint, Map, NamedDrive, Optimum, Region, Slope, Vary};
 use crate::units::System;
@@ -40,7 +40,7 @@ pub fn map_figure(map: &Map, on: &OnMap<'_>, system: System) -> Figure {
     );
     let name = format!("map-{}", map.of.name());
     let mut figure = Figure::new(name, title, x, y)
-        .with(Layer::Contours(field(&map.plane, 0, map.of)))
+        .with(Layer::contours(field(&map.plane, 0, map.of)))
         .with(arrows(across, up, &map.slopes));
     figure.aspect = 0.85;
     figure.line_names = LineNames::OnLines;
@@ -81,17 +81,11 @@ fn marks(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> Vec<Layer> {
         .filter(is_on)
         .filter(|_| !is_elsewhere(map, setup, best));
     let top = best.and_then(|best| at(&best.setup)).filter(is_on);
-    let arrow = own.zip(top).map(|(own, top)| Layer::Arrows {
-        name: String::new(),
-        hue: Hue::SET_UP,
-        arrows: vec![[own, top]],
-    });
+    let arrow = own
+        .zip(top)
+        .map(|(own, top)| Layer::new("", Hue::SET_UP, Shape::Arrows(vec![[own, top]])));
     let mark = |name: &str, hue: Hue, at: Option<[f64; 2]>| {
-        at.map(|at| Layer::Mark {
-            name: name.into(),
-            hue,
-            at,
-        })
+        at.map(|at| Layer::new(name, hue, Shape::Mark(at)))
     };
     let marks = [
         mark(NamedDrive::AS_SET_UP, Hue::SET_UP, own),
@@ -105,10 +99,17 @@ fn marks(map: &Map, setup: &Setup<f64>, best: Option<&Optimum>) -> Vec<Layer> {
 
 /// The sentences below the map; `layers` are the layers of the map.
 fn note(map: &Map, on: &OnMap<'_>, layers: &[Layer], system: System) -> String {
-    let has = |name: &str| layers.iter().any(|layer| layer.named().0 == name);
+    let has = |name: &str| layers.iter().any(|layer| layer.name == name);
     let mut notes = vec!["The edges of the map are the bounds.".to_owned()];
-    let is_hatched =
-        |layer: &Layer| matches!(layer, Layer::Region { is_hatched, .. } if *is_hatched);
+    let is_hatched = |layer: &Layer| {
+        matches!(
+            layer.shape,
+            Shape::Region {
+                is_hatched: true,
+                ..
+            }
+        )
+    };
     if layers.iter().any(is_hatched) {
         notes.push("Hatched: forbidden by a constraint.".into());
     }
@@ -213,11 +214,15 @@ fn constant_parameters(
 fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System) -> Vec<Layer> {
     let words = shown::constraint(constraint, system);
     let mut layers = vec![];
-    let hatched = |rings: Vec<Vec<[f64; 2]>>| Layer::Region {
-        name: format!("forbidden: {words}"),
-        hue: Hue::Series(hue),
-        is_hatched: true,
-        rings,
+    let hatched = |rings: Vec<Vec<[f64; 2]>>| {
+        Layer::new(
+            format!("forbidden: {words}"),
+            Hue::Series(hue),
+            Shape::Region {
+                is_hatched: true,
+                rings,
+            },
+        )
     };
     if !constraint.is_equation() {
         if constraint.low.is_finite() {
@@ -226,7 +231,7 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
         if constraint.high.is_finite() {
             layers.push(hatched(field.above(constraint.high)));
         }
-        layers.retain(|layer| !matches!(layer, Layer::Region { rings, .. } if rings.is_empty()));
+        layers.retain(|layer| !layer.points().is_empty());
         // the legend omits hatched regions, because the name of a constraint is on its line
     }
     let mut ends: Vec<f64> = [constraint.low, constraint.high]
@@ -236,9 +241,7 @@ fn forbidden(constraint: &Constraint, field: &Field, hue: usize, system: System)
     ends.dedup();
     let lines = ends.into_iter().zip([words.as_str(), ""]);
     let lines = lines.map(|(end, name)| Layer::line(name, hue, field.line_at(end)));
-    layers.extend(
-        lines.filter(|line| !matches!(line, Layer::Line { points, .. } if points.is_empty())),
-    );
+    layers.extend(lines.filter(|line| !line.points().is_empty()));
     layers
 }
 
@@ -262,12 +265,14 @@ fn region_layers(region: &Region, name: &str) -> Vec<Layer> {
             .map(|excess| Some(excess.unwrap_or(1.0)))
             .collect();
         let rings = of(beyond).below(0.0);
-        let region = Layer::Region {
-            name: name.into(),
-            hue: Hue::OPTIMUM,
-            is_hatched: false,
-            rings,
-        };
+        let region = Layer::new(
+            name,
+            Hue::OPTIMUM,
+            Shape::Region {
+                is_hatched: false,
+                rings,
+            },
+        );
         return vec![region];
     };
     let excess = of(region.excess.clone());
@@ -279,12 +284,7 @@ fn region_layers(region: &Region, name: &str) -> Vec<Layer> {
     if !points.iter().any(|[x, _]| x.is_finite()) {
         return vec![];
     }
-    vec![Layer::Line {
-        name: name.into(),
-        hue: Hue::OPTIMUM,
-        is_dashed: false,
-        points,
-    }]
+    vec![Layer::new(name, Hue::OPTIMUM, Shape::line(points))]
 }
 
 /// Gradients as arrows. Each parameter is scaled by its range, so that an arrow has the direction
@@ -308,9 +308,9 @@ fn arrows(across: &Vary, up: &Vary, slopes: &[Slope]) -> Layer {
             [slope.at[0] + x * width[0], slope.at[1] + y * width[1]],
         ]
     };
-    Layer::Arrows {
-        name: "gradient".into(),
-        hue: Hue::Faint,
-        arrows: slopes.iter().map(arrow).collect(),
-    }
+    Layer::new(
+        "gradient",
+        Hue::Faint,
+        Shape::Arrows(slopes.iter().map(arrow).collect()),
+    )
 }

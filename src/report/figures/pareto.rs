@@ -1,7 +1,7 @@
 use super::constants::{constants, subtitle};
 use crate::parameters::{Preset, Setup};
 use crate::report::pareto::role;
-use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::report::shown::{self, capital};
 use crate::statistics::extent;
 use crate::study::NamedDrive;
@@ -40,32 +40,29 @@ pub fn pareto_figure(
         .flat_map(|point| gap(point).into_iter().chain([place(point)]))
         .collect();
     figure = figure
-        .with(Layer::Line {
-            name: "best compromises".into(),
-            hue: Hue::OPTIMUM,
-            is_dashed: true,
-            points: line,
-        })
-        .with(Layer::Dots {
-            name: String::new(),
-            hue: Hue::OPTIMUM,
-            points: found.points.iter().map(place).collect(),
-        });
+        .with(Layer::new(
+            "best compromises",
+            Hue::OPTIMUM,
+            Shape::dashed(line),
+        ))
+        .with(Layer::new(
+            "",
+            Hue::OPTIMUM,
+            Shape::Dots(found.points.iter().map(place).collect()),
+        ));
     for (i, point) in found.points.iter().enumerate() {
         if let Some(name) = role(found, i).map(|role| shown::words(&role)) {
-            figure.layers.push(Layer::Mark {
-                name,
-                hue: Hue::OPTIMUM,
-                at: place(point),
-            });
+            figure
+                .layers
+                .push(Layer::new(name, Hue::OPTIMUM, Shape::Mark(place(point))));
         }
     }
     if let Some([own, against]) = found.as_set_up {
-        figure.layers.push(Layer::Mark {
-            name: NamedDrive::AS_SET_UP.into(),
-            hue: Hue::SET_UP,
-            at: [against, own],
-        });
+        figure.layers.push(Layer::new(
+            NamedDrive::AS_SET_UP,
+            Hue::SET_UP,
+            Shape::Mark([against, own]),
+        ));
     }
     figure.noted(note(found, system))
 }
@@ -112,12 +109,11 @@ fn tangent(found: &Pareto, system: System) -> Option<Layer> {
     let width = right - left;
     let [x, y] = place(knee);
     let end = |by: f64| [x + by, y + steepness * by];
-    Some(Layer::Line {
-        name: format!("slope at the knee: {slope}"),
-        hue: Hue::Faint,
-        is_dashed: true,
-        points: vec![end(-HALF_WIDTH * width), end(HALF_WIDTH * width)],
-    })
+    Some(Layer::new(
+        format!("slope at the knee: {slope}"),
+        Hue::Faint,
+        Shape::dashed(vec![end(-HALF_WIDTH * width), end(HALF_WIDTH * width)]),
+    ))
 }
 
 /// The note about the slopes next to the ends and at the knee. It also has the reason if there is

@@ -61,7 +61,7 @@ fn view(face: &Face, of: Outcome, field: Field) -> Figure {
     );
     let title = format!("{} over the face", capital(&field.quantity.label));
     let mut figure =
-        Figure::new(format!("strikes-{}", of.name()), title, x, y).with(Layer::Contours(field));
+        Figure::new(format!("strikes-{}", of.name()), title, x, y).with(Layer::contours(field));
     figure.aspect = tall / wide;
     figure.layers.push(outline(face));
     figure.layers.extend(marks(face, Hue::Ink));

@@ -2,7 +2,7 @@
 //! colour and dash pattern in all plots.
 
 use crate::drive::Outcome;
-use crate::report::plot::{Field, Hue, Layer, NamedQuantity};
+use crate::report::plot::{Field, Hue, Layer, NamedQuantity, Shape};
 use crate::study::{NamedDrive, Plane};
 
 /// The colour of a drive, and true if its lines are dashed. [`NamedDrive::AS_SET_UP`] and
@@ -20,10 +20,9 @@ pub(super) fn style(name: &str, place: usize) -> (Hue, bool) {
 /// already has the names.
 pub(super) fn clear_names(layers: &mut [Layer]) {
     for layer in layers {
-        if let Layer::Line { name, .. } | Layer::Dots { name, .. } | Layer::Mark { name, .. } =
-            layer
-        {
-            name.clear();
+        if let Shape::Line { .. } | Shape::Dots(_) | Shape::Mark(_) = layer.shape {
+            layer.name.clear();
+            layer.remark.clear();
         }
     }
 }

@@ -1,5 +1,5 @@
 use crate::parameters::Parameter;
-use crate::report::plot::{Axis, Figure, HorizontalBar, Hue, Layer, NamedQuantity};
+use crate::report::plot::{Axis, Figure, HorizontalBar, Hue, Layer, NamedQuantity, Shape};
 use crate::report::shown::{self, difference, is_without};
 use crate::study::{self, Effects};
 use crate::units::{System, counted};
@@ -97,11 +97,7 @@ pub fn tornado_figure(effects: &Effects, causes: Causes, system: System) -> Opti
                 row,
                 to: ends(effect)[end],
             });
-        Layer::Bars {
-            name: name.into(),
-            hue,
-            bars: bars.collect(),
-        }
+        Layer::new(name, hue, Shape::Bars(bars.collect()))
     };
     let figure = Figure::new(
         format!("tornado-{}{suffix}", effects.of.name()),

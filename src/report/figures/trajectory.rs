@@ -4,7 +4,7 @@ use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Vector;
 use crate::report::drive::total_is_known;
-use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::report::shown;
 use crate::statistics::extent;
 use crate::study::NamedDrive;
@@ -71,12 +71,11 @@ pub fn trajectory_figure(flown: &[NamedDrive], view: View, system: System) -> Re
     let range = figure.x.range.unwrap_or(x);
     match view {
         View::Side => add_ground(&mut figure, &paths, range),
-        View::Top => figure.layers.push(Layer::Line {
-            name: "target line".into(),
-            hue: Hue::Faint,
-            is_dashed: true,
-            points: range.map(|x| [x, 0.0]).to_vec(),
-        }),
+        View::Top => figure.layers.push(Layer::new(
+            "target line",
+            Hue::Faint,
+            Shape::dashed(range.map(|x| [x, 0.0]).to_vec()),
+        )),
     }
     let below = if view == View::Side { 0.0 } else { 0.08 };
     let stretched = stretched(&figure, &lines, with_margin(seen_up, below, 0.08), view);
@@ -164,21 +163,17 @@ fn lines(flown: &[NamedDrive], paths: &[Vec<[f64; 2]>], runs: &[Vec<[f64; 2]>]) 
     let line = |i: usize, points: &Vec<[f64; 2]>, is_run: bool| {
         let drive = flown[i].name.as_str();
         let (hue, is_dashed) = style(drive, i);
-        // a single drive has no name; with several drives, the legend shortens "NAME (run)" to
-        // "NAME" and shows each name once
-        let is_single = drive.is_empty();
-        let name = match is_run {
-            false if is_single => "flight".into(),
-            false => drive.into(),
-            true if is_single => "run".into(),
-            true => format!("{drive} (run)"),
-        };
-        Layer::Line {
-            name,
-            hue,
-            is_dashed: is_dashed || (is_run && is_single),
-            points: points.clone(),
+        let points = points.clone();
+        // a single drive has no name: its flight and its run are two entries of the legend
+        if drive.is_empty() {
+            let (name, is_dashed) = match is_run {
+                false => ("flight", is_dashed),
+                true => ("run", true),
+            };
+            return Layer::new(name, hue, Shape::Line { is_dashed, points });
         }
+        let line = Layer::new(drive, hue, Shape::Line { is_dashed, points });
+        if is_run { line.remarked("run") } else { line }
     };
     let flights = paths.iter().enumerate();
     let flights = flights.map(|(i, path)| line(i, path, false));
@@ -196,23 +191,24 @@ fn add_ground(figure: &mut Figure, paths: &[Vec<[f64; 2]>], [left, right]: [f64;
     if let Some([low, high]) = figure.y.range {
         figure.aspect = (high - low) / (right - left);
     }
-    figure.layers.push(Layer::Region {
-        name: String::new(),
-        hue: Hue::Faint,
-        is_hatched: true,
-        rings: vec![vec![
-            [left, below],
-            [right, below],
-            [right, ground],
-            [left, ground],
-        ]],
-    });
-    figure.layers.push(Layer::Line {
-        name: "ground".into(),
-        hue: Hue::Faint,
-        is_dashed: false,
-        points: vec![[left, ground], [right, ground]],
-    });
+    figure.layers.push(Layer::new(
+        "",
+        Hue::Faint,
+        Shape::Region {
+            is_hatched: true,
+            rings: vec![vec![
+                [left, below],
+                [right, below],
+                [right, ground],
+                [left, ground],
+            ]],
+        },
+    ));
+    figure.layers.push(Layer::new(
+        "ground",
+        Hue::Faint,
+        Shape::line(vec![[left, ground], [right, ground]]),
+    ));
 }
 
 /// The sentence about the totals; empty without a roll-out. Totals have no marks, because their
@@ -250,7 +246,7 @@ fn marks(flown: &NamedDrive, i: usize, view: View, system: System) -> Vec<Layer>
     let mut marks = vec![];
     let mut mark = |at: Option<[f64; 2]>, name: Option<String>| {
         if let (Some(at), Some(name)) = (at, name) {
-            marks.push(Layer::Mark { name, hue, at });
+            marks.push(Layer::new(name, hue, Shape::Mark(at)));
         }
     };
     let up = flown

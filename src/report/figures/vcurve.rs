@@ -1,6 +1,6 @@
 use crate::derivative::check::CurvePoint;
 use crate::drive::Outcome;
-use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::DerivativeRow;
 use crate::units::counted;
@@ -29,12 +29,14 @@ pub fn vcurve_figure<'a>(
     for (i, row) in rows.into_iter().enumerate() {
         let points = curve(row, &row.first.curve);
         exact += points.iter().filter(|[_, error]| *error <= 0.0).count();
-        figure.layers.push(Layer::Line {
-            name: format!("d {}/d {}", row.of.name(), row.parameter.name),
-            hue: Hue::Series(i),
-            is_dashed: i % 2 == 1,
-            points,
-        });
+        figure.layers.push(Layer::new(
+            format!("d {}/d {}", row.of.name(), row.parameter.name),
+            Hue::Series(i),
+            Shape::Line {
+                is_dashed: i % 2 == 1,
+                points,
+            },
+        ));
         let same = |other: &&LoopRow| row.of == Outcome::Carry && other.parameter == row.parameter;
         if let Some(other) = loops.iter().find(same) {
             let name = format!("a while-loop, by {}", row.parameter.name);
@@ -43,12 +45,11 @@ pub fn vcurve_figure<'a>(
     }
     let first_loop = figure.layers.len();
     for (i, (name, points)) in looped.into_iter().enumerate() {
-        figure.layers.push(Layer::Line {
+        figure.layers.push(Layer::new(
             name,
-            hue: Hue::Series(first_loop + i),
-            is_dashed: true,
-            points,
-        });
+            Hue::Series(first_loop + i),
+            Shape::dashed(points),
+        ));
     }
     let has_loops = figure.layers.len() > first_loop;
     figure.noted(note(has_loops, exact))

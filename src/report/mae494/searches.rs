@@ -1,7 +1,7 @@
 //! Searches with and without the noise of the while-loop.
 
 use crate::report::document::{Document, DocumentTable};
-use crate::report::plot::{Figure, Hue, Layer};
+use crate::report::plot::{Figure, Hue, Layer, Shape};
 use crate::report::published::{PaperUnits, angles};
 use crate::reproduce::{DeliveryCarry, LandingDefinition, Mae494, SearchMethod, Searches};
 use crate::statistics::median;
@@ -96,11 +96,7 @@ fn ends(searches: &[Searches], best: &DeliveryCarry) -> Figure {
             .iter()
             .map(|end| [end.start.loft, end.start.attack_angle])
             .collect();
-        figure = figure.with(Layer::Dots {
-            name: "starts".into(),
-            hue: Hue::Faint,
-            points,
-        });
+        figure = figure.with(Layer::new("starts", Hue::Faint, Shape::Dots(points)));
     }
     let drawn = [
         (LandingDefinition::Overshot, SearchMethod::LimitedMemory, 1),
@@ -123,9 +119,9 @@ fn ends(searches: &[Searches], best: &DeliveryCarry) -> Figure {
             ));
         }
     }
-    figure.with(Layer::Mark {
-        name: "the optimum".into(),
-        hue: Hue::Series(0),
-        at: [best.loft, best.attack_angle],
-    })
+    figure.with(Layer::new(
+        "the optimum",
+        Hue::Series(0),
+        Shape::Mark([best.loft, best.attack_angle]),
+    ))
 }

@@ -4,7 +4,7 @@
 
 use super::axis::{Axis, AxisScale};
 use super::canvas::{Anchor, Canvas, Font, Stroke};
-use super::figure::{Figure, HorizontalBar, Layer};
+use super::figure::{Figure, HorizontalBar, Shape};
 use super::layers::PlotArea;
 use super::palette::BAR_OPACITY;
 use super::text_width::{SMALL_TEXT, text_width, widest, wrapped};
@@ -125,7 +125,8 @@ impl BarRows {
         figure: &Figure,
         layer: usize,
     ) {
-        let Layer::Bars { bars, hue, .. } = &figure.layers[layer] else {
+        let hue = figure.layers[layer].hue;
+        let Shape::Bars(bars) = &figure.layers[layer].shape else {
             return;
         };
         let font = Font::new(VALUE, canvas.palette.ink);
@@ -144,7 +145,7 @@ impl BarRows {
                     STRIP_OFFSET * (2.0 * strip as f64 - 1.0)
                 };
             let [low, high] = [[from.min(to), middle - half], [from.max(to), middle + half]];
-            canvas.rectangle(low, high, canvas.palette.of(*hue), BAR_OPACITY);
+            canvas.rectangle(low, high, canvas.palette.of(hue), BAR_OPACITY);
             let (x, anchor) = if is_left(figure, layer, bar) {
                 (to - VALUE_GAP, Anchor::Right)
             } else {
@@ -185,7 +186,7 @@ fn others(figure: &Figure, layer: usize, row: usize) -> Vec<(usize, HorizontalBa
         .enumerate()
         .filter(|(i, _)| *i != layer)
     {
-        if let Layer::Bars { bars, .. } = other {
+        if let Shape::Bars(bars) = &other.shape {
             others.extend(
                 bars.iter()
                     .filter(|bar| bar.row == row)
@@ -250,7 +251,7 @@ pub(super) fn with_room(figure: &Figure, system: System, width: f64) -> Option<A
     let (mut low, mut high) = (0.0_f64, 0.0_f64);
     let mut beside = [0.0_f64; 2];
     for (layer, bars) in figure.layers.iter().enumerate() {
-        let Layer::Bars { bars, .. } = bars else {
+        let Shape::Bars(bars) = &bars.shape else {
             continue;
         };
         for bar in bars.iter().filter(|bar| bar.to.is_finite()) {

@@ -1,5 +1,5 @@
 use super::axis::{Axis, AxisScale};
-use super::figure::{Field, Figure, HorizontalBar, Layer};
+use super::figure::{Field, Figure, HorizontalBar, Layer, Shape};
 use crate::error::Result;
 use crate::report::csv_text::csv_text;
 use crate::units::TableUnits;
@@ -69,7 +69,7 @@ fn number_columns(figure: &Figure, rows: &[CsvRow<'_>], units: TableUnits) -> Ve
 
 /// The rows of a figure and of those `panels` that have contours.
 fn rows(figure: &Figure) -> Vec<CsvRow<'_>> {
-    let is_contours = |layer: &Layer| matches!(layer, Layer::Contours(_));
+    let is_contours = |layer: &Layer| matches!(layer.shape, Shape::Contours(_));
     let panels = figure.panels.iter();
     let panels = panels.filter(|view| view.layers.iter().any(is_contours));
     let views: Vec<&Figure> = std::iter::once(figure).chain(panels).collect();
@@ -88,25 +88,26 @@ fn rows(figure: &Figure) -> Vec<CsvRow<'_>> {
 
 /// The rows of a layer. `of_view` names the view if there are several; it is added to the names.
 fn layer_rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<CsvRow<'a>> {
+    let name = layer.full_name();
     let point = |[x, y]: [f64; 2]| [Some(x), Some(y), None, None];
     let row = |kind: &'static str, numbers: [Option<f64>; 4]| -> CsvRow<'a> {
         CsvRow {
             kind,
-            name: format!("{}{of_view}", layer.named().0),
+            name: format!("{name}{of_view}"),
             numbers,
             value: None,
         }
     };
-    match layer {
-        Layer::Line { points, .. } => points.iter().map(|at| row("line", point(*at))).collect(),
-        Layer::Dots { points, .. } => points.iter().map(|at| row("dots", point(*at))).collect(),
-        Layer::Mark { at, .. } => vec![row("mark", point(*at))],
-        Layer::Text { at, .. } => vec![row("text", point(*at))],
-        Layer::Band { points, .. } => points
+    match &layer.shape {
+        Shape::Line { points, .. } => points.iter().map(|at| row("line", point(*at))).collect(),
+        Shape::Dots(points) => points.iter().map(|at| row("dots", point(*at))).collect(),
+        Shape::Mark(at) => vec![row("mark", point(*at))],
+        Shape::Text(at) => vec![row("text", point(*at))],
+        Shape::Band(points) => points
             .iter()
             .map(|[x, low, high]| row("band", [Some(*x), Some(*low), None, Some(*high)]))
             .collect(),
-        Layer::Bars { name, bars, .. } => {
+        Shape::Bars(bars) => {
             let names = match &figure.y.scale {
                 AxisScale::Names(names) => names.as_slice(),
                 _ => &[],
@@ -122,11 +123,11 @@ fn layer_rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Cs
             };
             bars.iter().map(one).collect()
         }
-        Layer::Arrows { arrows, .. } => arrows
+        Shape::Arrows(arrows) => arrows
             .iter()
             .map(|[from, to]| row("arrow", [from[0], from[1], to[0], to[1]].map(Some)))
             .collect(),
-        Layer::Region { rings, .. } => {
+        Shape::Region { rings, .. } => {
             // a row without numbers separates two rings
             rings
                 .join(&[f64::NAN; 2])
@@ -134,7 +135,7 @@ fn layer_rows<'a>(figure: &'a Figure, layer: &'a Layer, of_view: &str) -> Vec<Cs
                 .map(|at| row("region", point(*at)))
                 .collect()
         }
-        Layer::Contours(field) => {
+        Shape::Contours(field) => {
             let one = |(i, value): (usize, &Option<f64>)| {
                 let at = field.coordinates((i % field.columns) as f64, (i / field.columns) as f64);
                 CsvRow {

@@ -1,9 +1,8 @@
 //! Names of lines at their right ends, beside the plot.
 
 use super::canvas::{Anchor, Canvas, Font, LINE, Stroke};
-use super::figure::{Figure, Hue, Layer, LineNames};
+use super::figure::{Figure, Hue, LineNames, Shape};
 use super::layers::PlotArea;
-use super::legend::base_name;
 use super::text_width::{SMALL_TEXT, widest, wrapped};
 use crate::units::typeset;
 
@@ -35,8 +34,7 @@ pub(super) struct EndNames<'a> {
 
 /// A name with the colour of its line.
 struct Name<'a> {
-    /// The name without a remark in parentheses (see [`base_name`]).
-    base: &'a str,
+    name: &'a str,
     hue: Hue,
     /// The name, wrapped into lines.
     lines: Vec<String>,
@@ -50,18 +48,17 @@ impl<'a> EndNames<'a> {
         }
         let mut names: Vec<Name<'a>> = vec![];
         for layer in &figure.layers {
-            let Layer::Line { name, hue, .. } = layer else {
+            let name = layer.name.as_str();
+            let is_line = matches!(layer.shape, Shape::Line { .. });
+            if !is_line || name.is_empty() || names.iter().any(|one| one.name == name) {
                 continue;
-            };
-            let base = base_name(figure, name);
-            if !base.is_empty() && names.iter().all(|one| one.base != base) {
-                let room = (WIDEST * width).min(width - FRAME);
-                names.push(Name {
-                    base,
-                    hue: *hue,
-                    lines: wrapped(&typeset(base), room, SMALL_TEXT, is_bold(*hue)),
-                });
             }
+            let room = (WIDEST * width).min(width - FRAME);
+            names.push(Name {
+                name,
+                hue: layer.hue,
+                lines: wrapped(&typeset(name), room, SMALL_TEXT, is_bold(layer.hue)),
+            });
         }
         let width = |name: &Name<'_>| widest(&name.lines, is_bold(name.hue));
         let widths = names.iter().map(width);
@@ -130,10 +127,8 @@ impl Name<'_> {
 
     /// The rightmost point of the line inside the axes, pixels; `None` if no point is inside.
     fn end(&self, area: &PlotArea, figure: &Figure) -> Option<[f64; 2]> {
-        let points = figure.layers.iter().filter_map(|layer| match layer {
-            Layer::Line { name, points, .. } if base_name(figure, name) == self.base => {
-                Some(area.all(points))
-            }
+        let points = figure.layers.iter().filter_map(|layer| match &layer.shape {
+            Shape::Line { points, .. } if layer.name == self.name => Some(area.all(points)),
             _ => None,
         });
         points.flatten().max_by(|a, b| a[0].total_cmp(&b[0]))

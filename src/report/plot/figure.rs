@@ -109,83 +109,48 @@ impl Hue {
     }
 }
 
-/// A layer of a plot. The picture does not show an empty name.
+/// A layer of a plot.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Layer {
+pub struct Layer {
+    /// The name. The picture does not show an empty name. Layers with the same name share one entry
+    /// in the legend, or one name at the end of their lines.
+    pub name: String,
+    /// The difference from other layers with the same name, for the data and the tooltips; may be
+    /// empty.
+    pub remark: String,
+    /// The colour. Contours do not use it, because they have no single colour.
+    pub hue: Hue,
+    /// The content.
+    pub shape: Shape,
+}
+
+/// The content of a layer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
     /// A line through points; it breaks where a coordinate is not finite.
     Line {
-        /// The name.
-        name: String,
-        /// The colour.
-        hue: Hue,
         /// True for a dashed line.
         is_dashed: bool,
         /// The points.
         points: Vec<[f64; 2]>,
     },
     /// Points.
-    Dots {
-        /// The name.
-        name: String,
-        /// The colour.
-        hue: Hue,
-        /// The coordinates.
-        points: Vec<[f64; 2]>,
-    },
-    /// The area between two lines.
-    Band {
-        /// The name.
-        name: String,
-        /// The colour.
-        hue: Hue,
-        /// The boundaries: x, low, high.
-        points: Vec<[f64; 3]>,
-    },
+    Dots(Vec<[f64; 2]>),
+    /// The area between two lines: x, low, high.
+    Band(Vec<[f64; 3]>),
     /// Horizontal bars, for an axis that shows names.
-    Bars {
-        /// The name.
-        name: String,
-        /// The colour.
-        hue: Hue,
-        /// The bars.
-        bars: Vec<HorizontalBar>,
-    },
+    Bars(Vec<HorizontalBar>),
     /// Contour lines with coloured regions between them.
-    Contours(Field),
-    /// A point with a label.
-    Mark {
-        /// The label.
-        name: String,
-        /// The colour.
-        hue: Hue,
-        /// The coordinates.
-        at: [f64; 2],
-    },
-    /// A label without a symbol.
-    Text {
-        /// The label.
-        name: String,
-        /// The colour.
-        hue: Hue,
-        /// The coordinates of the label's middle.
-        at: [f64; 2],
-    },
-    /// Arrows. With a name, arrows that a label would cover are omitted. Without a name, every
-    /// arrow is drawn.
-    Arrows {
-        /// The name of the field; may be empty.
-        name: String,
-        /// The colour.
-        hue: Hue,
-        /// The start and the end of each arrow.
-        arrows: Vec<[[f64; 2]; 2]>,
-    },
+    Contours(Box<Field>),
+    /// A point, with the name of the layer as its label.
+    Mark([f64; 2]),
+    /// The name of the layer as a label without a symbol, with this middle.
+    Text([f64; 2]),
+    /// Arrows, each with its start and its end. If the layer has a name, arrows that a label would
+    /// cover are omitted. Without a name, every arrow is drawn.
+    Arrows(Vec<[[f64; 2]; 2]>),
     /// A region of the plane.
     Region {
-        /// The name.
-        name: String,
-        /// The colour.
-        hue: Hue,
         /// True for a forbidden region, which is hatched; other regions are tinted and outlined.
         is_hatched: bool,
         /// The outlines. If an area has holes, its outline also contains their rings, joined by
@@ -194,57 +159,86 @@ pub enum Layer {
     },
 }
 
-impl Layer {
-    /// A line.
-    pub fn line(name: impl Into<String>, hue: usize, points: Vec<[f64; 2]>) -> Self {
+impl Shape {
+    /// A solid line through points.
+    pub fn line(points: Vec<[f64; 2]>) -> Self {
         Self::Line {
-            name: name.into(),
-            hue: Hue::Series(hue),
             is_dashed: false,
             points,
         }
     }
 
-    /// Points.
-    pub fn dots(name: impl Into<String>, hue: usize, points: Vec<[f64; 2]>) -> Self {
-        Self::Dots {
-            name: name.into(),
-            hue: Hue::Series(hue),
+    /// A dashed line through points.
+    pub fn dashed(points: Vec<[f64; 2]>) -> Self {
+        Self::Line {
+            is_dashed: true,
             points,
+        }
+    }
+}
+
+impl Layer {
+    /// A layer without a remark.
+    pub fn new(name: impl Into<String>, hue: Hue, shape: Shape) -> Self {
+        Self {
+            name: name.into(),
+            remark: String::new(),
+            hue,
+            shape,
+        }
+    }
+
+    /// A solid line of a series.
+    pub fn line(name: impl Into<String>, series: usize, points: Vec<[f64; 2]>) -> Self {
+        let is_dashed = false;
+        Self::new(name, Hue::Series(series), Shape::Line { is_dashed, points })
+    }
+
+    /// The points of a series.
+    pub fn dots(name: impl Into<String>, series: usize, points: Vec<[f64; 2]>) -> Self {
+        Self::new(name, Hue::Series(series), Shape::Dots(points))
+    }
+
+    /// The contours of a field, with the name of its quantity.
+    pub fn contours(field: Field) -> Self {
+        let name = field.quantity.label.clone();
+        Self::new(name, Hue::Ink, Shape::Contours(Box::new(field)))
+    }
+
+    /// Sets the remark.
+    #[must_use]
+    pub fn remarked(self, remark: impl Into<String>) -> Self {
+        Self {
+            remark: remark.into(),
+            ..self
+        }
+    }
+
+    /// The name for data and tooltips: "ferguson (extrapolated)", the name with its remark.
+    pub fn full_name(&self) -> String {
+        if self.remark.is_empty() {
+            self.name.clone()
+        } else {
+            format!("{} ({})", self.name, self.remark)
         }
     }
 
     /// The points of the layer. Contours have two opposite corners of the field instead.
     pub(in crate::report) fn points(&self) -> Vec<[f64; 2]> {
-        match self {
-            Self::Line { points, .. } | Self::Dots { points, .. } => points.clone(),
-            Self::Band { points, .. } => points
+        match &self.shape {
+            Shape::Line { points, .. } | Shape::Dots(points) => points.clone(),
+            Shape::Band(points) => points
                 .iter()
                 .flat_map(|[x, low, high]| [[*x, *low], [*x, *high]])
                 .collect(),
-            Self::Bars { bars, .. } => bars
+            Shape::Bars(bars) => bars
                 .iter()
                 .flat_map(|bar| [0.0, bar.to].map(|x| [x, bar.row as f64]))
                 .collect(),
-            Self::Contours(field) => vec![[field.x[0], field.y[0]], [field.x[1], field.y[1]]],
-            Self::Mark { at, .. } | Self::Text { at, .. } => vec![*at],
-            Self::Region { rings, .. } => rings.concat(),
-            Self::Arrows { arrows, .. } => arrows.iter().flatten().copied().collect(),
-        }
-    }
-
-    /// The name and the colour; `None` for contours, which have no single colour.
-    pub fn named(&self) -> (&str, Option<Hue>) {
-        match self {
-            Self::Line { name, hue, .. }
-            | Self::Dots { name, hue, .. }
-            | Self::Band { name, hue, .. }
-            | Self::Bars { name, hue, .. }
-            | Self::Mark { name, hue, .. }
-            | Self::Text { name, hue, .. }
-            | Self::Arrows { name, hue, .. }
-            | Self::Region { name, hue, .. } => (name, Some(*hue)),
-            Self::Contours(field) => (&field.quantity.label, None),
+            Shape::Contours(field) => vec![[field.x[0], field.y[0]], [field.x[1], field.y[1]]],
+            Shape::Mark(at) | Shape::Text(at) => vec![*at],
+            Shape::Region { rings, .. } => rings.concat(),
+            Shape::Arrows(arrows) => arrows.iter().flatten().copied().collect(),
         }
     }
 }

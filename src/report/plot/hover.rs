@@ -3,7 +3,7 @@
 use super::axis::{Axis, AxisScale};
 use super::canvas::Canvas;
 use super::contour::ContourRegion;
-use super::figure::{Figure, Layer};
+use super::figure::{Figure, Layer, Shape};
 use super::layers::PlotArea;
 use super::simplify::simplified;
 use crate::report::shown::side;
@@ -22,9 +22,12 @@ pub(super) fn write_tooltips(
     system: System,
     regions: &[Vec<ContourRegion>],
 ) {
-    for (name, place) in figure.layers.iter().flat_map(points) {
-        if let Some(at) = area.pixel(place) {
-            canvas.point_tooltip(&title(figure, name, place, system), at, 7.0);
+    for layer in &figure.layers {
+        let name = layer.full_name();
+        for place in points(layer) {
+            if let Some(at) = area.pixel(place) {
+                canvas.point_tooltip(&title(figure, &name, place, system), at, 7.0);
+            }
         }
     }
     let contours = figure.layers.iter().zip(regions);
@@ -48,30 +51,22 @@ fn title(figure: &Figure, name: &str, [x, y]: [f64; 2], system: System) -> Strin
         .join(", ")
 }
 
-/// The points of a layer that have a tooltip of their own, with the name of the layer. The points
-/// of a long line have none.
-fn points(layer: &Layer) -> Vec<(&str, [f64; 2])> {
-    let name = layer.named().0;
-    match layer {
-        Layer::Line { points, .. } if points.len() > FEW => vec![],
-        Layer::Line { points, .. } | Layer::Dots { points, .. } => {
-            points.iter().map(|at| (name, *at)).collect()
-        }
-        Layer::Mark { at, .. } => vec![(name, *at)],
-        Layer::Bars { bars, .. } => bars
-            .iter()
-            .map(|bar| (name, [bar.to, bar.row as f64]))
-            .collect(),
+/// The points of a layer that have a tooltip of their own. The points of a long line have none.
+fn points(layer: &Layer) -> Vec<[f64; 2]> {
+    match &layer.shape {
+        Shape::Line { points, .. } if points.len() > FEW => vec![],
+        Shape::Line { .. } | Shape::Dots(_) | Shape::Mark(_) => layer.points(),
+        Shape::Bars(bars) => bars.iter().map(|bar| [bar.to, bar.row as f64]).collect(),
         _ => vec![],
     }
 }
 
 /// The pieces of a line with more than `FEW` points, with the name of the line.
 fn long_lines(layer: &Layer) -> Vec<(String, &[[f64; 2]])> {
-    match layer {
-        Layer::Line { name, points, .. } if points.len() > FEW => points
+    match &layer.shape {
+        Shape::Line { points, .. } if points.len() > FEW => points
             .split(|[x, y]| !(x.is_finite() && y.is_finite()))
-            .map(|piece| (name.clone(), piece))
+            .map(|piece| (layer.full_name(), piece))
             .collect(),
         _ => vec![],
     }
@@ -83,7 +78,7 @@ fn contours_of<'a>(
     regions: &'a [ContourRegion],
     system: System,
 ) -> Vec<(String, &'a [[f64; 2]])> {
-    let Layer::Contours(field) = layer else {
+    let Shape::Contours(field) = &layer.shape else {
         return vec![];
     };
     let unit = system.unit(field.quantity.of.unit);

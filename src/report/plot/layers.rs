@@ -2,7 +2,7 @@
 
 use super::canvas::{Canvas, SIGN, Stroke};
 use super::contour::ContourRegion;
-use super::figure::{Field, Figure, Hue, Layer};
+use super::figure::{Field, Figure, Hue, Layer, Shape};
 use super::hatching::hatching;
 use super::palette::{BAND_OPACITY, Color};
 use super::simplify::simplified;
@@ -76,40 +76,36 @@ pub(super) fn draw_layer(
     layer: &Layer,
     regions: &[ContourRegion],
 ) {
-    let hue = layer.named().1.unwrap_or(Hue::Ink);
+    let hue = layer.hue;
     let color = canvas.palette.of(hue);
-    match layer {
-        Layer::Line {
-            is_dashed, points, ..
-        } => {
+    match &layer.shape {
+        Shape::Line { is_dashed, points } => {
             for piece in area.pieces(points) {
                 series(canvas, &piece, hue, *is_dashed);
             }
         }
-        Layer::Dots { points, .. } => {
+        Shape::Dots(points) => {
             for at in area.all(points) {
                 point(canvas, at, hue);
             }
         }
-        Layer::Band { points, .. } => {
+        Shape::Band(points) => {
             let low = points.iter().map(|[x, low, _]| [*x, *low]);
             let high = points.iter().rev().map(|[x, _, high]| [*x, *high]);
             let outline = area.all(&low.chain(high).collect::<Vec<_>>());
             canvas.polygon(&outline, color, BAND_OPACITY);
         }
-        Layer::Contours(field) => fill_contours(canvas, area, field, regions),
+        Shape::Contours(field) => fill_contours(canvas, area, field, regions),
         // drawn by `BarRows::bars`, `write_marks` and `write_texts`
-        Layer::Bars { .. } | Layer::Mark { .. } | Layer::Text { .. } => {}
+        Shape::Bars(_) | Shape::Mark(_) | Shape::Text(_) => {}
         // the arrows of a field are drawn after the labels, which have precedence
-        Layer::Arrows { name, .. } if !name.is_empty() => {}
-        Layer::Arrows { arrows, .. } => {
+        Shape::Arrows(_) if !layer.name.is_empty() => {}
+        Shape::Arrows(arrows) => {
             for [from, to] in pixels(area, arrows) {
                 arrow(canvas, from, to, color);
             }
         }
-        Layer::Region {
-            is_hatched, rings, ..
-        } => {
+        Shape::Region { is_hatched, rings } => {
             let rings: Vec<_> = rings.iter().map(|ring| area.all(ring)).collect();
             region(canvas, &rings, hue, *is_hatched);
         }
@@ -119,13 +115,13 @@ pub(super) fn draw_layer(
 /// Draws the arrows of fields, except those that a label or mark would partly cover.
 pub(super) fn field_arrows(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
     for layer in &figure.layers {
-        let Layer::Arrows { name, hue, arrows } = layer else {
+        let Shape::Arrows(arrows) = &layer.shape else {
             continue;
         };
-        if name.is_empty() {
+        if layer.name.is_empty() {
             continue;
         }
-        let color = canvas.palette.of(*hue);
+        let color = canvas.palette.of(layer.hue);
         for [from, to] in pixels(area, arrows) {
             let end = |pick: fn(f64, f64) -> f64| [pick(from[0], to[0]), pick(from[1], to[1])];
             if canvas.is_free([end(f64::min), end(f64::max)]) {
@@ -152,7 +148,7 @@ pub(super) fn write_levels(
 ) {
     let ink = canvas.palette.ink;
     for (layer, regions) in figure.layers.iter().zip(regions) {
-        let Layer::Contours(field) = layer else {
+        let Shape::Contours(field) = &layer.shape else {
             continue;
         };
         let unit = system.unit(field.quantity.of.unit);

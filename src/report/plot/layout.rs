@@ -5,7 +5,7 @@ use super::axis::Axis;
 use super::bars::{BarRows, with_room};
 use super::canvas::LINE;
 use super::end_names::EndNames;
-use super::figure::{Figure, Layer};
+use super::figure::{Figure, Layer, Shape};
 use super::layers::PlotArea;
 use super::legend::{LegendEntry, laid_out};
 use super::text_width::{SMALL_TEXT, TEXT, text_width, wrapped};
@@ -137,7 +137,7 @@ fn across(
     let has_bars = figure
         .layers
         .iter()
-        .any(|layer| matches!(layer, Layer::Bars { .. }));
+        .any(|layer| matches!(layer.shape, Shape::Bars(_)));
     let mut last = None;
     let most = ((width - left - beside) / TICK_SPACING).max(4.0) as usize;
     for count in (1..=most).rev() {

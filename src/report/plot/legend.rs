@@ -1,7 +1,7 @@
 //! The legend: names of layers, in lines above the plot.
 
 use super::canvas::{Anchor, Canvas, Font, LINE, SIGN};
-use super::figure::{Figure, Hue, Layer, LineNames};
+use super::figure::{Figure, Layer, LineNames, Shape};
 use super::layers::{arrow, point, region, series};
 use super::palette::{BAND_OPACITY, BAR_OPACITY};
 use super::text_width::{SMALL_TEXT, widest, wrapped};
@@ -34,7 +34,7 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<LegendEntry<'_>>, f6
     }
     let lines = |layer: &Layer| {
         wrapped(
-            &typeset(layer.named().0),
+            &typeset(&layer.name),
             width - SIGN - GAPS[0],
             SMALL_TEXT,
             false,
@@ -68,59 +68,46 @@ pub(super) fn laid_out(figure: &Figure, width: f64) -> (Vec<LegendEntry<'_>>, f6
     (entries, at[1] + LINE * (tallest as f64 - 0.5) + 3.0)
 }
 
-/// True if the legend names a layer. Marks and texts have labels instead. Names of lines are in the
-/// legend only with [`LineNames::Legend`].
+/// True if the legend names a layer. Marks and texts have labels instead, and contours the values
+/// of their levels. Names of lines are in the legend only with [`LineNames::Legend`].
 fn is_named(figure: &Figure, layer: &Layer) -> bool {
-    let (name, hue) = layer.named();
-    let is_named_where_it_is = matches!(layer, Layer::Mark { .. } | Layer::Text { .. })
-        || match figure.line_names {
-            LineNames::Legend => false,
-            LineNames::OnLines => matches!(
-                layer,
-                Layer::Line { .. }
-                    | Layer::Region {
-                        is_hatched: true,
-                        ..
-                    }
-            ),
-            LineNames::AtEnds => matches!(layer, Layer::Line { .. }),
-        };
-    !name.is_empty() && hue.is_some() && !is_named_where_it_is && base_name(figure, name) == name
+    let is_named_elsewhere = match layer.shape {
+        Shape::Mark(_) | Shape::Text(_) | Shape::Contours(_) => true,
+        Shape::Line { .. } => figure.line_names != LineNames::Legend,
+        Shape::Region { is_hatched, .. } => is_hatched && figure.line_names == LineNames::OnLines,
+        _ => false,
+    };
+    !layer.name.is_empty() && !is_named_elsewhere && is_first_of_name(figure, layer)
 }
 
-/// A name without its remark in parentheses: "ferguson" for "ferguson (extrapolated)". The name is
-/// unchanged if no layer has the shorter name.
-pub(super) fn base_name<'a>(figure: &Figure, name: &'a str) -> &'a str {
-    let is_layer = |base: &str| {
-        let layers = figure.layers.iter();
-        let mut named = layers.filter(|layer| !matches!(layer, Layer::Mark { .. }));
-        named.any(|layer| layer.named().0 == base)
-    };
-    match name.rsplit_once(" (") {
-        Some((base, _)) if is_layer(base) => base,
-        _ => name,
-    }
+/// True if no lower layer has the same name; marks and texts do not count.
+fn is_first_of_name(figure: &Figure, layer: &Layer) -> bool {
+    let layers = figure.layers.iter();
+    let mut others = layers.filter(|other| !matches!(other.shape, Shape::Mark(_) | Shape::Text(_)));
+    others
+        .find(|other| other.name == layer.name)
+        .is_some_and(|first| std::ptr::eq(first, layer))
 }
 
 impl LegendEntry<'_> {
     /// Draws the symbol and the name of a layer; `left` and `top` are the corner of the legend.
     pub fn draw(&self, canvas: &mut Canvas, [left, top]: [f64; 2]) {
-        let hue = self.layer.named().1.unwrap_or(Hue::Ink);
+        let hue = self.layer.hue;
         let color = canvas.palette.of(hue);
         let [x, y] = [left + self.at[0], top + self.at[1]];
         let ends = [[x, y], [x + SIGN, y]];
         let [low, high] = [[x, y - 6.0], [x + SIGN, y + 6.0]];
-        match self.layer {
-            Layer::Line { is_dashed, .. } => series(canvas, &ends, hue, *is_dashed),
-            Layer::Region { is_hatched, .. } => {
+        match self.layer.shape {
+            Shape::Line { is_dashed, .. } => series(canvas, &ends, hue, is_dashed),
+            Shape::Region { is_hatched, .. } => {
                 let corners = vec![low, [high[0], low[1]], high, [low[0], high[1]]];
-                region(canvas, &[corners], hue, *is_hatched);
+                region(canvas, &[corners], hue, is_hatched);
             }
-            Layer::Dots { .. } => point(canvas, [x + 0.5 * SIGN, y], hue),
-            Layer::Band { .. } => canvas.rectangle(low, high, color, BAND_OPACITY),
-            Layer::Bars { .. } => canvas.rectangle(low, high, color, BAR_OPACITY),
-            Layer::Arrows { .. } => arrow(canvas, ends[0], ends[1], color),
-            Layer::Contours(_) | Layer::Mark { .. } | Layer::Text { .. } => {}
+            Shape::Dots(_) => point(canvas, [x + 0.5 * SIGN, y], hue),
+            Shape::Band(_) => canvas.rectangle(low, high, color, BAND_OPACITY),
+            Shape::Bars(_) => canvas.rectangle(low, high, color, BAR_OPACITY),
+            Shape::Arrows(_) => arrow(canvas, ends[0], ends[1], color),
+            Shape::Contours(_) | Shape::Mark(_) | Shape::Text(_) => {}
         }
         let font = Font::new(SMALL_TEXT, canvas.palette.ink);
         for (i, line) in self.lines.iter().enumerate() {

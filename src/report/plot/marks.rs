@@ -1,7 +1,7 @@
 //! Marks with labels in free positions, and names of lines written on the lines.
 
 use super::canvas::{Canvas, LINE, Stroke};
-use super::figure::{Figure, Layer, LineNames};
+use super::figure::{Figure, LineNames, Shape};
 use super::layers::{PlotArea, has_room, place_on, star};
 use super::palette::Color;
 
@@ -37,11 +37,11 @@ const CONNECT_DISTANCE: f64 = 1.5 * LINE;
 
 /// Draws the marks, then their labels.
 pub(super) fn write_marks(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
-    let marks = figure.layers.iter().filter_map(|layer| match layer {
-        Layer::Mark { name, hue, at } => Some(Mark {
-            name: name.clone(),
-            color: canvas.palette.of(*hue),
-            at: area.pixel(*at)?,
+    let marks = figure.layers.iter().filter_map(|layer| match layer.shape {
+        Shape::Mark(at) => Some(Mark {
+            name: layer.name.clone(),
+            color: canvas.palette.of(layer.hue),
+            at: area.pixel(at)?,
         }),
         _ => None,
     });
@@ -122,21 +122,22 @@ fn merged(marks: Vec<Mark>) -> Vec<Mark> {
     apart
 }
 
-/// Writes the labels of [`Layer::Text`], moved sideways into the frame. Omits a label that would
+/// Writes the labels of [`Shape::Text`], moved sideways into the frame. Omits a label that would
 /// cover another label.
 pub(super) fn write_texts(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
     for layer in &figure.layers {
-        let Layer::Text { name, hue, at } = layer else {
+        let Shape::Text(at) = layer.shape else {
             continue;
         };
-        let Some([x, y]) = area.pixel(*at) else {
+        let Some([x, y]) = area.pixel(at) else {
             continue;
         };
+        let name = &layer.name;
         let [left, _, right, _] = area.frame;
         let half = Canvas::label_extent(name, [0.0, 0.0])[1][0];
         let middle = [x.min(right - half).max(left + half), y];
         if has_room(canvas, area, name, middle, 0.0) {
-            canvas.label(name, middle, canvas.palette.of(*hue), false);
+            canvas.label(name, middle, canvas.palette.of(layer.hue), false);
         }
     }
 }
@@ -164,8 +165,8 @@ fn write_near(
 /// between them.
 fn lines(area: &PlotArea, figure: &Figure) -> Vec<[f64; 2]> {
     const STEP: f64 = 3.0;
-    let lines = figure.layers.iter().filter_map(|layer| match layer {
-        Layer::Line { points, .. } => Some(area.pieces(points)),
+    let lines = figure.layers.iter().filter_map(|layer| match &layer.shape {
+        Shape::Line { points, .. } => Some(area.pieces(points)),
         _ => None,
     });
     let mut places = vec![];
@@ -274,16 +275,15 @@ const NAME_GAP: f64 = 8.0;
 pub(super) fn write_line_names(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
     let is_on_lines = figure.line_names == LineNames::OnLines;
     for layer in figure.layers.iter().filter(|_| is_on_lines) {
-        let Layer::Line {
-            name, hue, points, ..
-        } = layer
-        else {
+        let Shape::Line { points, .. } = &layer.shape else {
             continue;
         };
-        let (places, color) = (area.all(points), canvas.palette.of(*hue));
+        let name = &layer.name;
         if name.is_empty() {
             continue;
         }
+        let places = area.all(points);
+        let color = canvas.palette.of(layer.hue);
         match place_on(canvas, area, &places, name, NAME_GAP) {
             Some(middle) => canvas.label(name, middle, color, true),
             // no space on the line: write the name beside it, because the legend does not have the

@@ -38,7 +38,7 @@ mod ticks;
 
 pub use axis::{Axis, AxisScale, NamedQuantity};
 pub use csv::figure_csv;
-pub use figure::{Field, Figure, HorizontalBar, Hue, Layer, LineNames};
+pub use figure::{Field, Figure, HorizontalBar, Hue, Layer, LineNames, Shape};
 #[cfg(feature = "png")]
 pub use png::figure_png;
 pub use svg::{Look, dark_rules, figure_svg};

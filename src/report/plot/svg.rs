@@ -2,7 +2,7 @@
 
 use super::canvas::{Anchor, Canvas, Font, LINE, Stroke};
 use super::contour::contour_regions;
-use super::figure::{Figure, Layer};
+use super::figure::{Figure, Layer, Shape};
 use super::hover::write_tooltips;
 use super::layers::{PlotArea, contour_lines, draw_layer, field_arrows, write_levels};
 use super::layout::{Layout, MARGIN, TITLE};
@@ -115,8 +115,8 @@ fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &La
     let area = &layout.area;
     draw_axes(canvas, area, figure);
     // the contours are computed once for drawing, labels and tooltips
-    let contours = |layer: &Layer| match layer {
-        Layer::Contours(field) => contour_regions(field, system),
+    let contours = |layer: &Layer| match &layer.shape {
+        Shape::Contours(field) => contour_regions(field, system),
         _ => vec![],
     };
     let regions: Vec<_> = figure.layers.iter().map(contours).collect();
@@ -124,8 +124,8 @@ fn draw_inside(canvas: &mut Canvas, figure: &Figure, system: System, layout: &La
     // areas are drawn below the contour lines and the other layers
     let (areas, others): (Vec<_>, Vec<_>) = layers().partition(|(layer, _)| {
         matches!(
-            layer,
-            Layer::Contours(_) | Layer::Region { .. } | Layer::Band { .. }
+            layer.shape,
+            Shape::Contours(_) | Shape::Region { .. } | Shape::Band(_)
         )
     });
     for (layer, regions) in areas {
@@ -190,7 +190,7 @@ fn draw_axes(canvas: &mut Canvas, area: &PlotArea, figure: &Figure) {
     let mesh = Stroke::new(palette.mesh, 0.8);
     let axis = Stroke::new(palette.faint, 1.0);
     let font = Font::new(SMALL_TEXT, palette.ink);
-    let is_map = |layer: &Layer| matches!(layer, Layer::Contours(_));
+    let is_map = |layer: &Layer| matches!(layer.shape, Shape::Contours(_));
     let has_grid = !figure.layers.iter().any(is_map);
     let part = |drawn: &DrawnAxis, tick: f64| (tick - drawn.low) / (drawn.high - drawn.low);
     let x_of = |tick: &f64| left + part(&area.x, *tick) * (right - left);

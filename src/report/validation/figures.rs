@@ -2,7 +2,7 @@
 
 use crate::drive::Outcome;
 use crate::parameters::Law;
-use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::shots::instrument_deviation;
 use crate::statistics::extent;
 use crate::study::validation::{Case, Compared, LawScores, SetScores};
@@ -128,19 +128,14 @@ fn without_error(of: Compared, name: &str, ends: [[f64; 2]; 2]) -> Vec<Layer> {
         Compared::Spin => Some(Outcome::Spin),
         Compared::Curve | Compared::Gain | Compared::LaunchAngle => None,
     };
-    let band = outcome
-        .and_then(instrument_deviation)
-        .map(|by| Layer::Band {
-            name: INSTRUMENTS.into(),
-            hue: Hue::Faint,
-            points: ends.map(|[x, y]| [x, y - by, y + by]).to_vec(),
-        });
-    let line = Layer::Line {
-        name: name.into(),
-        hue: Hue::Ink,
-        is_dashed: true,
-        points: ends.to_vec(),
-    };
+    let band = outcome.and_then(instrument_deviation).map(|by| {
+        Layer::new(
+            INSTRUMENTS,
+            Hue::Faint,
+            Shape::Band(ends.map(|[x, y]| [x, y - by, y + by]).to_vec()),
+        )
+    });
+    let line = Layer::new(name, Hue::Ink, Shape::dashed(ends.to_vec()));
     band.into_iter().chain([line]).collect()
 }
 

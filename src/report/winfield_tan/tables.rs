@@ -1,7 +1,7 @@
 //! Tables that compare the numbers of the paper with computed numbers.
 
 use crate::report::document::{Document, DocumentTable};
-use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity};
+use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::report::published::{ANGLE, LENGTH, PaperUnits, SPEED, angles};
 use crate::reproduce::{LoftCarry, MISPRINTS, RecomputedOptimum, WinfieldTan};
 use crate::statistics::largest_magnitude;
@@ -287,11 +287,11 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Paper
     let carry = Axis::linear(NamedQuantity::new("average carry", Quantity::LENGTH, "yd"));
     let points = |rows: &[LoftCarry]| rows.iter().map(|row| [row.loft, row.carry]).collect();
     let best = mean.by_polynomial;
-    let best = Layer::Mark {
-        name: shown.degrees(best.loft),
-        hue: Hue::Series(0),
-        at: [best.loft, best.carry],
-    };
+    let best = Layer::new(
+        shown.degrees(best.loft),
+        Hue::Series(0),
+        Shape::Mark([best.loft, best.carry]),
+    );
     document.figure(
         Figure::new(
             "average",
