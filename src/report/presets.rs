@@ -37,54 +37,59 @@ impl SourcedValue {
     }
 }
 
-/// Inserts the choices of a setup next to the related numbers: the golfer first, the point of the
-/// club speed after the club speed, the method before the step, and law and table before the
-/// coefficients.
-fn insert_choices(rows: &mut Vec<SourcedValue>, choices: impl IntoIterator<Item = SourcedValue>) {
-    for choice in choices {
-        let place = match choice.name {
-            GOLFER => Some(0),
-            SPEED_OF => {
-                let speed = rows.iter().position(|row| row.name == "swing.speed");
-                Some(speed.map_or(0, |at| at + 1))
-            }
-            METHOD => rows.iter().position(|row| row.name == "flight.step"),
-            _ => rows.iter().position(|row| row.name.starts_with("aero.")),
-        };
-        rows.insert(place.unwrap_or(rows.len()), choice);
+/// A row of a setup file.
+enum SetupRow {
+    Number(&'static Parameter),
+    Choice(&'static str),
+}
+
+/// The rows of a setup in the order of a setup file: the parameters, with each choice next to the
+/// related numbers. A turf has no row, because its numbers have rows.
+fn setup_rows(setup: &Setup<f64>) -> Vec<SetupRow> {
+    let mut rows = vec![SetupRow::Choice(GOLFER)];
+    let mut has_law = false;
+    for parameter in setup.parameters() {
+        if parameter.name.starts_with("aero.") && !has_law {
+            has_law = true;
+            rows.extend([LAW, TABLE].map(SetupRow::Choice));
+        }
+        if parameter.name == "flight.step" {
+            rows.push(SetupRow::Choice(METHOD));
+        }
+        rows.push(SetupRow::Number(parameter));
+        if parameter.name == "swing.speed" {
+            rows.push(SetupRow::Choice(SPEED_OF));
+        }
+    }
+    rows
+}
+
+/// The source of a choice that a preset does not change.
+fn source_of_default(choice: &str) -> &'static str {
+    match choice {
+        LAW => "fitted to launch monitors' predictions; smooth, with the right apex and descent",
+        METHOD => "the classical method, which the sources use",
+        SPEED_OF => "as radars state it, within millimetres",
+        GOLFER => "right-handed, like the golfers of the sources",
+        _ => "",
     }
 }
 
 /// The values of a preset with their sources. A value that the preset does not change has the
-/// source of the parameter's default.
+/// source of the default.
 pub(super) fn sourced(preset: &Preset, setup: &Setup<f64>) -> Vec<SourcedValue> {
     let entry = |name: &str| preset.entries.iter().find(|entry| entry.name == name);
-    let mut rows: Vec<_> = setup
-        .parameters()
-        .into_iter()
-        .map(|row| match entry(row.name) {
+    let sourced = |row: SetupRow| match row {
+        SetupRow::Number(row) => Some(match entry(row.name) {
             Some(entry) => SourcedValue::new(row.name, entry.value, entry.source),
             None => SourcedValue::new(row.name, row.default, row.source),
-        })
-        .collect();
-    let law = entry(LAW).map_or(
-        "fitted to launch monitors' predictions; smooth, with the right apex and descent",
-        |entry| entry.source,
-    );
-    let method = entry(METHOD).map_or("the classical method, which the sources use", |entry| {
-        entry.source
-    });
-    let choices = [
-        (LAW, law),
-        (METHOD, method),
-        (SPEED_OF, "as radars state it, within millimetres"),
-        (GOLFER, "right-handed, like the golfers of the sources"),
-    ];
-    let choices = choices
-        .into_iter()
-        .filter_map(|(name, source)| Some(SourcedValue::new(name, setup.choice(name)?, source)));
-    insert_choices(&mut rows, choices);
-    rows
+        }),
+        SetupRow::Choice(name) => {
+            let source = entry(name).map_or(source_of_default(name), |entry| entry.source);
+            Some(SourcedValue::new(name, setup.choice(name)?, source))
+        }
+    };
+    setup_rows(setup).into_iter().filter_map(sourced).collect()
 }
 
 /// The values of a setup with their sources. The values are in the units of `system`; if `system`
@@ -136,16 +141,13 @@ pub(super) fn sources(
         let source = comment.unwrap_or_else(|| source(name, base.choice(name) == Some(own)));
         Some(SourcedValue::new(name, own, source))
     };
-    let mut rows: Vec<_> = setup
-        .parameters()
-        .into_iter()
+    let row = |row: SetupRow| match row {
         // omit a parameter that other parameters determine
-        .filter(|row| setup.why_replaced(row).is_none())
-        .map(number)
-        .collect();
-    let choices = [TABLE, LAW, METHOD, SPEED_OF, GOLFER];
-    insert_choices(&mut rows, choices.into_iter().filter_map(choice));
-    Ok(rows)
+        SetupRow::Number(row) if setup.why_replaced(row).is_some() => None,
+        SetupRow::Number(row) => Some(number(row)),
+        SetupRow::Choice(name) => choice(name),
+    };
+    Ok(setup_rows(setup).into_iter().filter_map(row).collect())
 }
 
 /// The source of a changed value: "as given", with the value of the preset `base`.
