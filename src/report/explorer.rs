@@ -1,5 +1,6 @@
 //! The explorer's address for a setup: its part after `#` contains the setup.
 
+use super::presets::{is_changed, preset_with_law_of};
 use super::setup_file::exact;
 use crate::error::{Error, Result};
 use crate::parameters::{
@@ -38,7 +39,7 @@ pub fn explorer_state(setup: &Setup<f64>, preset: &Preset, system: System) -> Re
     let base = Setup::preset(preset.name)?;
     let units = (system == System::Metric).then(|| ("units", "metric".to_owned()));
     let values = changed_choices(setup, &base)
-        .chain(changed_numbers(setup, base, system)?)
+        .chain(changed_numbers(setup, preset, system)?)
         .chain(units);
     let parts: Vec<_> = values
         .map(|(name, value)| format!("&{name}={}", encoded(&compact(&value))))
@@ -65,20 +66,17 @@ fn changed_choices(
 
 fn changed_numbers(
     setup: &Setup<f64>,
-    mut base: Setup<f64>,
+    preset: &Preset,
     system: System,
 ) -> Result<impl Iterator<Item = (&'static str, String)>> {
+    let base = preset_with_law_of(setup, preset)?;
     let states_step = setup.states_step && !base.states_step;
-    // compare coefficients with the published ones if the preset has another law
-    base.set_law(setup.law.name())?;
     // the program refuses parameters of the strike if the launch is stated
-    let is_used = |row: &Parameter| {
-        setup.why_replaced(row).is_none() && !(setup.launch.is_given() && row.is_of_strike())
+    let is_used = |row: &Parameter| !(setup.launch.is_given() && row.is_of_strike());
+    let is_stated = move |row: &&'static Parameter| {
+        is_used(row) && is_changed(setup, &base, row) || states_step && is_of_step(row.name)
     };
-    let is_changed = move |row: &&'static Parameter| {
-        is_used(row) && setup.value(row) != base.value(row) || states_step && is_of_step(row.name)
-    };
-    let rows = setup.parameters().into_iter().filter(is_changed);
+    let rows = setup.parameters().into_iter().filter(is_stated);
     Ok(rows.map(move |row| {
         (
             row.name,

@@ -5,6 +5,7 @@ use super::shown;
 use crate::error::Result;
 use crate::parameters::{
     GOLFER, LAW, METHOD, PRESETS, Parameter, Preset, SPEED_OF, Setup, SetupFile, TABLE, UNSET,
+    is_of_strike,
 };
 use crate::units::System;
 use serde::Serialize;
@@ -189,31 +190,55 @@ pub struct ChangedSetting {
 /// # Errors
 /// No error occurs in practice: a test reads all presets.
 pub fn changes(setup: &Setup<f64>, preset: &Preset, system: System) -> Result<Vec<ChangedSetting>> {
-    let base = Setup::preset(preset.name)?;
-    let used = setup
-        .parameters()
-        .into_iter()
-        .filter(|row| setup.why_replaced(row).is_none());
-    let numbers = used.filter_map(|row| changed_number(setup, &base, row, system));
-    Ok(numbers.chain(changed_choices(setup, &base)).collect())
+    let base = preset_with_law_of(setup, preset)?;
+    let rows = setup.parameters().into_iter();
+    let changed = rows.filter(|row| is_changed(setup, &base, row));
+    let numbers = changed.map(|row| {
+        let [from, to] = [&base, setup].map(|setup| setup.value(row));
+        changed_number(row, from, to, system)
+    });
+    let of_preset = Setup::preset(preset.name)?;
+    Ok(numbers.chain(changed_choices(setup, &of_preset)).collect())
 }
 
-/// The change of a number; `None` if it is equal in both setups.
-fn changed_number(
+/// The [`changes`] without those that have no effect because the launch is given.
+pub(super) fn used_changes(
     setup: &Setup<f64>,
-    base: &Setup<f64>,
-    row: &'static Parameter,
+    preset: &Preset,
     system: System,
-) -> Option<ChangedSetting> {
-    // compare a coefficient of another law than the preset's with its default
-    let from = match base.parameter(row.name) {
-        Ok(known) if known == row => base.value(known),
-        _ => row.default_value(),
-    };
-    let to = setup.value(row);
-    if from == to {
-        return None;
+) -> Result<Vec<ChangedSetting>> {
+    let mut changes = changes(setup, preset, system)?;
+    changes.retain(|change| !(setup.launch.is_given() && is_of_strike(change.key)));
+    Ok(changes)
+}
+
+/// A preset with the law of a setup. If the preset has another law, the coefficients are the
+/// published ones.
+pub(super) fn preset_with_law_of(setup: &Setup<f64>, preset: &Preset) -> Result<Setup<f64>> {
+    let mut base = Setup::preset(preset.name)?;
+    if base.law.name() != setup.law.name() {
+        base.law = setup.law;
+        let rows = base.parameters().into_iter();
+        for row in rows.filter(|row| row.law.is_some()) {
+            base.set_value(row, row.default_value())?;
+        }
     }
+    Ok(base)
+}
+
+/// True if a setup has another value of a parameter than [`preset_with_law_of`]. A parameter that
+/// others determine does not count.
+pub(super) fn is_changed(setup: &Setup<f64>, base: &Setup<f64>, row: &Parameter) -> bool {
+    setup.why_replaced(row).is_none() && setup.value(row) != base.value(row)
+}
+
+/// The change of a number.
+fn changed_number(
+    row: &'static Parameter,
+    from: Option<f64>,
+    to: Option<f64>,
+    system: System,
+) -> ChangedSetting {
     let short = [from, to].map(|value| {
         value.map_or(UNSET.into(), |value| {
             shown::with_digits(row, value, system, shown::IN_SUMMARY)
@@ -225,12 +250,12 @@ fn changed_number(
     } else {
         short
     };
-    Some(ChangedSetting {
+    ChangedSetting {
         key: row.name,
         name: shown::words(row.name),
         from,
         to,
-    })
+    }
 }
 
 fn changed_choices(setup: &Setup<f64>, base: &Setup<f64>) -> impl Iterator<Item = ChangedSetting> {

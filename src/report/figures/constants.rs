@@ -1,7 +1,7 @@
 //! The subtitle of a plot of optima: the parameters that are constant in the plot.
 
-use crate::parameters::{Preset, Setup, is_of_strike};
-use crate::report::presets::changes;
+use crate::parameters::{Preset, Setup};
+use crate::report::presets::used_changes;
 use crate::report::shown;
 use crate::units::System;
 
@@ -17,8 +17,7 @@ pub(super) fn constants(
     varies: impl Fn(&str) -> bool,
     system: System,
 ) -> Vec<String> {
-    let is_launched = setup.launch.is_given();
-    let speed = if is_launched {
+    let speed = if setup.launch.is_given() {
         "launch.ball_speed"
     } else {
         "swing.speed"
@@ -28,11 +27,9 @@ pub(super) fn constants(
         Some(format!("{} {value}", shown::words(row.name)))
     });
     // no error occurs: every preset is read in a test
-    let changed = changes(setup, preset, system).unwrap_or_default();
-    let changed = changed.into_iter().filter(|change| {
-        let is_unused = is_launched && is_of_strike(change.key);
-        change.key != speed && !is_unused && !varies(change.key)
-    });
+    let changed = used_changes(setup, preset, system).unwrap_or_default();
+    let changed = changed.into_iter();
+    let changed = changed.filter(|change| change.key != speed && !varies(change.key));
     let changed = changed.map(|change| format!("{} {}", change.name, change.to));
     speed_text
         .filter(|_| !varies(speed))

@@ -3,10 +3,10 @@
 use super::findings::Findings;
 use super::numbers::from_to;
 use crate::error::Result;
-use crate::parameters::{Parameter, Vary, is_of_strike};
+use crate::parameters::{Parameter, Vary};
 use crate::report::conditions;
 use crate::report::frame::{both, chosen};
-use crate::report::presets::{ChangedSetting, changes};
+use crate::report::presets::{ChangedSetting, used_changes};
 use crate::report::shown;
 use crate::study::Search;
 use crate::units::{System, counted};
@@ -74,18 +74,13 @@ pub(super) fn subtitle(findings: &Findings) -> Result<String> {
 /// of their own. If the launch is stated, golfer, swing, club, strike and impact are omitted too,
 /// because they have no effect.
 fn changed(findings: &Findings, system: System) -> Result<Vec<ChangedSetting>> {
-    let is_launched = findings.stated.launch.is_given();
     let is_of_launch = |name: &str| {
         let parameter = findings.stated.parameter(name);
         parameter.is_ok_and(Parameter::is_of_launch)
     };
-    let is_left_out = |change: &ChangedSetting| {
-        is_of_launch(change.key) || is_launched && is_of_strike(change.key)
-    };
-    Ok(changes(&findings.stated, findings.file.preset, system)?
-        .into_iter()
-        .filter(|change| !is_left_out(change))
-        .collect())
+    let mut changes = used_changes(&findings.stated, findings.file.preset, system)?;
+    changes.retain(|change| !is_of_launch(change.key));
+    Ok(changes)
 }
 
 /// The summary of the request: golfer, club and strike (or the stated launch), air and wind, the
