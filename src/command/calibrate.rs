@@ -237,8 +237,8 @@ fn write_setup(
         return Ok(None);
     }
     let data = args.data.display().to_string();
-    let toml = report.toml(&request.source.content, &data)?;
-    let file = request.write_setup(output, toml)?;
+    let setup = report.fitted_setup(&request.source.content, &data);
+    let file = request.write_setup(output, setup)?;
     note(&format!("wrote the fitted setup into {file}"));
     Ok(Some(file))
 }

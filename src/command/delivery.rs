@@ -7,7 +7,7 @@ use crate::command::ranges::varied;
 use crate::command::request::{CommandSetting, LOFT, Request, Source};
 use crate::parameters::is_of_strike;
 use crate::report::{
-    DeliveryReport, SetupOrigin, bound_warnings, delivery_toml, difference_warnings,
+    DeliveryReport, SetupOrigin, bound_warnings, delivery_setup, difference_warnings,
     parameter_difference_text, parameter_text, population_warnings, recovered_csv, recovered_toml,
     setting_text, unusual_warnings,
 };
@@ -347,8 +347,8 @@ fn write_setup(
         return Ok(None);
     }
     let base = &request.source.content;
-    let toml = delivery_toml(setup, &found.all, base, &found.from, system())?;
-    let file = request.write_setup(output, toml)?;
+    let written = delivery_setup(setup, &found.all, base, &found.from, system())?;
+    let file = request.write_setup(output, written)?;
     let what = match found.all.len() {
         1 => "this delivery".into(),
         all => format!("the mean of {} of {all} deliveries", found.explained()),

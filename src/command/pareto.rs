@@ -13,7 +13,7 @@ use crate::command::search::{of_a_drive, options};
 use crate::command::swings::{goal, limits, swing_ranges};
 use crate::optimize::{Iteration, Observers};
 use crate::report::figures::pareto_figure;
-use crate::report::{ParetoReport, Report, SetupOrigin, pareto_csv, pareto_toml};
+use crate::report::{ParetoReport, Report, SetupOrigin, pareto_csv, pareto_setup};
 use crate::study::swings::{Pareto, ParetoSearch, Scenarios, pareto};
 use crate::study::{Constraint, Goal, Sense, Vary};
 use crate::units::{Message, counted};
@@ -363,8 +363,8 @@ impl ParetoFile {
             warnings.push(self.destination.not_written(&why));
             return Ok(None);
         };
-        let toml = pareto_toml(found, place, &request.source.content, system())?;
-        let file = request.write_setup(&self.destination, toml)?;
+        let setup = pareto_setup(found, place, &request.source.content, system())?;
+        let file = request.write_setup(&self.destination, setup)?;
         note(&format!(
             "wrote the setup of point {} into {file}",
             place + 1

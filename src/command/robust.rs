@@ -10,7 +10,7 @@ use crate::command::request::{Request, replaced, warn_of_idle};
 use crate::command::search::allowed_loss;
 use crate::command::swings::{search_over_swings, swing_ranges};
 use crate::optimize::Observers;
-use crate::report::{RobustReport, robust_toml};
+use crate::report::{RobustReport, robust_setup};
 use crate::study::swings::{Model, robust};
 use crate::study::{Goal, Search};
 use crate::units::{Message, Quantity, YARD};
@@ -90,8 +90,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     let mut written = None;
     if let Some(output) = &output {
         if is_found {
-            let toml = robust_toml(&found, within, &request.source.content, system())?;
-            let file = request.write_setup(output, toml)?;
+            let setup = robust_setup(&found, within, &request.source.content, system());
+            let file = request.write_setup(output, setup)?;
             note(&format!(
                 "wrote the setup with the robust design into {file}"
             ));

@@ -12,7 +12,7 @@ use crate::command::running::running;
 use crate::lock::lock;
 use crate::optimize::{Checkpoint, Iteration, Observers, Options, Status};
 use crate::parameters::Parameter;
-use crate::report::{goal_text, iteration_line, optimum_toml};
+use crate::report::{goal_text, iteration_line, optimum_setup};
 use crate::study::swings::{Scenarios, Swings};
 use crate::study::{Constraint, Optima, Search, Sense, optima};
 use crate::units::Quantity;
@@ -214,14 +214,14 @@ pub fn write(
         warn([output.not_written("there is no optimum")]);
         return Ok(None);
     }
-    let toml = optimum_toml(
+    let setup = optimum_setup(
         &optima.best,
         swings,
         optima.interrupted(),
         &request.source.content,
         system(),
-    )?;
-    let file = request.write_setup(output, toml)?;
+    );
+    let file = request.write_setup(output, setup)?;
     let place = match swings {
         Some(_) => "with the best design",
         None => "at the optimum",

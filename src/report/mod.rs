@@ -50,7 +50,7 @@ pub use certificate::{CertificateReport, CertificateRow, NegativeControl};
 pub use chart::{ChartPointReport, ChartReport};
 pub use compare::{ComparedDrive, ComparisonReport, DifferenceReport};
 pub use delivery::{
-    DeliveryReport, DeliveryRow, bound_warnings, delivery_toml, difference_warnings,
+    DeliveryReport, DeliveryRow, bound_warnings, delivery_setup, difference_warnings,
     population_warnings, recovered_csv, recovered_toml, unusual_warnings,
 };
 pub use design::Designed;
@@ -66,25 +66,25 @@ pub use lines::{by_reason, remark, wrapped};
 pub use mae494::Mae494Report;
 pub use optimum::{
     ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimizeReport,
-    OptimumReport, OptimumWindows, iteration_line, optima_document, optimum_toml,
+    OptimumReport, OptimumWindows, iteration_line, optima_document, optimum_setup,
 };
 pub use origin::SetupOrigin;
 pub use parameters::{ParameterReport, ParametersReport};
-pub use pareto::{ParetoGoalReport, ParetoPointReport, ParetoReport, pareto_csv, pareto_toml};
+pub use pareto::{ParetoGoalReport, ParetoPointReport, ParetoReport, pareto_csv, pareto_setup};
 #[cfg(feature = "parquet")]
 pub(crate) use parquet::DEFINITION_KEY;
 #[cfg(feature = "parquet")]
 pub use parquet::{PARQUET_MAGIC, ParquetGroup, PlacedGroup};
 pub use presets::{ChangedSetting, PresetReport, PresetsReport, changes};
 pub use reply::{Empty, Ending, Reply, Report};
-pub use robust::{ModelReport, RobustReport, robust_toml};
+pub use robust::{ModelReport, RobustReport, robust_setup};
 pub use sensitivity::{
     Analysis, PredictedOptimum, ResolvedOptimum, SensitivityOf, SensitivityReport,
     StatedChangeReport,
 };
-pub use setup_file::{given_toml, preset_toml, setup_toml};
 #[cfg(feature = "commands")]
-pub(crate) use setup_file::{setting_text, with_step_of};
+pub(crate) use setup_file::setting_text;
+pub use setup_file::{CommentedSetup, given_toml, preset_toml, setup_toml};
 #[cfg(test)]
 pub(crate) use shots::FlyRow;
 #[cfg(feature = "parquet")]

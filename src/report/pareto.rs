@@ -3,7 +3,7 @@ use super::document::{Document, DocumentTable, Line};
 use super::json::{ByName, JsonNumber};
 use super::plot::NamedQuantity;
 use super::reply::{Ending, Report};
-use super::setup_file::{about_constraint, remarks_on_varied, setup_toml};
+use super::setup_file::{CommentedSetup, about_constraint, remarks_on_varied};
 use super::shown;
 use super::swings::ScenariosReport;
 use crate::error::{Error, Result};
@@ -307,17 +307,17 @@ pub fn pareto_csv(found: &Pareto, units: TableUnits) -> Result<String> {
     csv_text(head, rows)
 }
 
-/// The setup of one point of a front as a setup file in TOML, with full precision. `file` is the
+/// The setup of one point of a front for a setup file. `file` is the
 /// setup file or preset that the request names. Comments are in the units of `system`.
 ///
 /// # Errors
-/// The errors of [`setup_toml`].
-pub fn pareto_toml(
+/// [`Error::Nothing`] if the front does not have the point `place`.
+pub fn pareto_setup(
     found: &Pareto,
     place: usize,
     file: &SetupFile,
     system: System,
-) -> Result<String> {
+) -> Result<CommentedSetup> {
     let search = &found.search;
     let Some(point) = found.points.get(place) else {
         return Err(Error::Nothing {
@@ -344,6 +344,9 @@ pub fn pareto_toml(
         ),
     ];
     about.extend(search.subject_to.iter().map(about_constraint));
-    let remarks = remarks_on_varied("chosen", &search.vary, &point.design);
-    setup_toml(&point.setup, file, &about, &remarks)
+    Ok(CommentedSetup {
+        setup: point.setup,
+        about,
+        remarks: remarks_on_varied("chosen", &search.vary, &point.design),
+    })
 }

@@ -3,10 +3,9 @@ use super::json::{ByName, JsonNumber, Settings, settings};
 use super::limits::{self, Objective, ended_at};
 use super::optimum::{ConstraintReport, Multipliers};
 use super::reply::{Ending, Report};
-use super::setup_file::{about_constraint, remarks_on_varied, setup_toml};
+use super::setup_file::{CommentedSetup, about_constraint, remarks_on_varied};
 use super::shown;
 use super::swings::ScenariosReport;
-use crate::error::Result;
 use crate::optimize::Status;
 use crate::parameters::SetupFile;
 use crate::study::Sense;
@@ -360,17 +359,14 @@ fn price_of_single_models(multipliers: [f64; 2], price: String) -> Option<String
     (multipliers == [0.0; 2] && is_nonzero).then_some(price)
 }
 
-/// The setup with the robust design as a setup file in TOML, with full precision. `file` is the
+/// The setup with the robust design for a setup file. `file` is the
 /// setup of the request. Comments are in the units of `system`.
-///
-/// # Errors
-/// The errors of [`setup_toml`].
-pub fn robust_toml(
+pub fn robust_setup(
     found: &Robust,
     within: Option<f64>,
     file: &SetupFile,
     system: System,
-) -> Result<String> {
+) -> CommentedSetup {
     let search = &found.search;
     let mut about = vec![format!(
         "{}, {}",
@@ -385,6 +381,9 @@ pub fn robust_toml(
             .map(|(model, _)| format!("model: {}", model.name)),
     );
     about.extend(search.subject_to.iter().map(about_constraint));
-    let remarks = remarks_on_varied("robust", &search.vary, &found.design);
-    setup_toml(&found.setup, file, &about, &remarks)
+    CommentedSetup {
+        setup: found.setup,
+        about,
+        remarks: remarks_on_varied("robust", &search.vary, &found.design),
+    }
 }

@@ -48,6 +48,27 @@ pub fn setup_toml(
     Ok(toml(setup, file.preset, about, &rows, is_of_preset))
 }
 
+/// A setup for a setup file, with the comments of the file.
+#[derive(Clone, Debug)]
+pub struct CommentedSetup {
+    /// The setup.
+    pub setup: Setup<f64>,
+    /// The lines at the head of the file.
+    pub about: Vec<String>,
+    /// Remarks, each in place of the source of its parameter.
+    pub remarks: Vec<(&'static Parameter, String)>,
+}
+
+impl CommentedSetup {
+    /// The setup file in TOML (see [`setup_toml`]).
+    ///
+    /// # Errors
+    /// The errors of [`setup_toml`].
+    pub fn toml(&self, file: &SetupFile) -> Result<String> {
+        setup_toml(&self.setup, file, &self.about, &self.remarks)
+    }
+}
+
 /// Writes a setup as a setup file in TOML. Values that equal those of the preset, and that are not
 /// in `file.given`, are comments. So reading the text gives the same setup, and the parameters that
 /// are given.
@@ -97,25 +118,6 @@ pub(super) fn remarks_on_varied(
         )
     };
     vary.iter().zip(values).map(remark).collect()
-}
-
-/// In a setup file that this program wrote, the lines of the integration method and of the step
-/// begin with these texts.
-#[cfg(feature = "commands")]
-const STEP_LINES: [&str; 2] = ["method = ", "step = "];
-
-/// Replaces the lines of the integration method and of the step in the setup file `toml` with these
-/// lines of the setup file `other`. This program wrote both files.
-#[cfg(feature = "commands")]
-pub(crate) fn with_step_of(other: &str, toml: &str) -> String {
-    let taken = |line| {
-        let key = STEP_LINES
-            .into_iter()
-            .find(|key| str::starts_with(line, *key));
-        key.and_then(|key| other.split_inclusive('\n').find(|own| own.starts_with(key)))
-            .unwrap_or(line)
-    };
-    toml.split_inclusive('\n').map(taken).collect()
 }
 
 /// Every parameter and choice, with its value and its source. A remark replaces the source.

@@ -7,7 +7,7 @@ use crate::program;
 use crate::schema::faults;
 use longdrive::optimize::Observers;
 use longdrive::parameters::SetupFile;
-use longdrive::report::{optima_document, optimum_toml};
+use longdrive::report::{optima_document, optimum_setup};
 use longdrive::study::{Search, optima};
 use longdrive::units::System;
 use longdrive::{Result, Setup};
@@ -332,7 +332,8 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
         !listed.contains("interrupted") && listed.contains("converged"),
         "{listed}"
     );
-    let text = optimum_toml(&found.best, None, found.interrupted(), &file, System::Us)?;
+    let text =
+        optimum_setup(&found.best, None, found.interrupted(), &file, System::Us).toml(&file)?;
     let ended = 400 - stopped;
     let line = format!(
         "\n# interrupted: {ended} of 400 searches ended, and {stopped} were stopped before their \
@@ -340,7 +341,8 @@ fn a_setup_file_of_the_best_so_far_says_that_searches_were_stopped() -> Result<(
     );
     assert!(text.contains(&line), "{text}");
     let found = optima(&setup, &search, 4, &Observers::default())?;
-    let whole = optimum_toml(&found.best, None, found.interrupted(), &file, System::Us)?;
+    let whole =
+        optimum_setup(&found.best, None, found.interrupted(), &file, System::Us).toml(&file)?;
     assert!(
         !whole.contains("interrupted") && whole.contains("\n# converged: "),
         "{whole}"

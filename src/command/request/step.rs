@@ -7,7 +7,7 @@ use crate::command::files::Destination;
 use crate::command::output::{note, warn, warn_early};
 use crate::integration::{Integration, StepChoice, of_the_flight};
 use crate::parameters::{Vary, idle_warnings, is_of_step};
-use crate::report::{setup_toml, with_step_of};
+use crate::report::CommentedSetup;
 use crate::units::{Quantity, counted};
 use crate::{Error, Outcome, Result, Setup};
 use std::collections::BTreeSet;
@@ -159,20 +159,19 @@ impl Request {
         matches!(self.step, StepChoice::Within(_))
     }
 
-    /// Writes the setup `toml` into a file, and returns the name of the file.
+    /// Writes a setup into a file, and returns the name of the file.
     ///
     /// # Errors
     /// If the setup cannot be written.
-    pub fn write_setup(&self, output: &Destination, toml: String) -> Result<String> {
+    pub fn write_setup(&self, output: &Destination, mut written: CommentedSetup) -> Result<String> {
         let source = &self.source.content;
-        let mut toml = toml;
         if self.is_within_tolerance() && source.setup.states_step {
             // the method and the step for `--tolerance` are valid only for the drives of this
             // command
-            let stated = setup_toml(&source.setup, source, &[], &[])?;
-            toml = with_step_of(&stated, &toml);
+            written.setup.method = source.setup.method;
+            written.setup.flight.step = source.setup.flight.step;
         }
-        output.write(toml.as_bytes())?;
+        output.write(written.toml(source)?.as_bytes())?;
         Ok(output.shown.display().to_string())
     }
 }

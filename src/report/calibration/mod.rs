@@ -6,9 +6,8 @@ mod text;
 use super::document::Document;
 use super::json::{ByName, JsonNumber, Matrix, Settings, settings};
 use super::reply::{Ending, Report};
-use super::setup_file::setup_toml;
+use super::setup_file::CommentedSetup;
 use super::shown::computed;
-use crate::error::Result;
 use crate::optimize::least_squares::{FitStatus, RejectedPoints};
 use crate::parameters::SetupFile;
 use crate::study::calibrate::{Calibration, Estimate, FitResidual, HeldOut, ShotTable, Starts};
@@ -199,15 +198,11 @@ impl<'a> CalibrationReport<'a> {
         }
     }
 
-    /// The fitted setup as a setup file in TOML, with full precision. Each fitted parameter has a
-    /// comment with its standard error. `file` is the setup before the fit, `data` the name of the
+    /// The fitted setup for a setup file. Each fitted parameter has a comment with its standard error. `file` is the setup before the fit, `data` the name of the
     /// file with the shots.
-    ///
-    /// # Errors
-    /// The errors of [`setup_toml`].
-    pub fn toml(&self, file: &SetupFile, data: &str) -> Result<String> {
+    pub fn fitted_setup(&self, file: &SetupFile, data: &str) -> CommentedSetup {
         let found = self.found;
-        let about = [
+        let about = vec![
             format!("{}, fitted to {data}", file.name),
             format!("{}: {}", found.fit.status, found.fit.message),
         ];
@@ -230,7 +225,11 @@ impl<'a> CalibrationReport<'a> {
             };
             (parameter, format!("fitted to {data}: {value}"))
         });
-        setup_toml(&found.setup, file, &about, &remarks.collect::<Vec<_>>())
+        CommentedSetup {
+            setup: found.setup,
+            about,
+            remarks: remarks.collect(),
+        }
     }
 }
 

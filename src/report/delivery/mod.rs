@@ -7,7 +7,7 @@ pub use recovered::{population_warnings, recovered_csv, recovered_toml};
 
 use super::document::Document;
 use super::reply::{Ending, Report, share};
-use super::setup_file::setup_toml;
+use super::setup_file::CommentedSetup;
 use super::shown;
 use crate::error::Result;
 use crate::parameters::{Parameter, Setup, SetupFile};
@@ -251,20 +251,19 @@ pub fn unusual_warnings(all: &[ShotDelivery], system: System) -> Vec<Message> {
 /// determines the value. Texts show such a fraction as 0 %.
 const UNIDENTIFIED: f64 = 0.005;
 
-/// A setup file with the most probable delivery of a shot, or with the mean of several deliveries
-/// and of the other values that the table gives.
-/// `file` is the setup file or preset that the request names. Comments are in the units of
-/// `system`.
+/// The setup with the most probable delivery of a shot, or with the mean of several deliveries
+/// and of the other values that the table gives, for a setup file. `file` is the setup file or preset
+/// that the request names. Comments are in the units of `system`.
 ///
 /// # Errors
-/// The errors of [`setup_toml`].
-pub fn delivery_toml(
+/// The errors of [`Setup::set_value`].
+pub fn delivery_setup(
     setup: &Setup<f64>,
     all: &[ShotDelivery],
     file: &SetupFile,
     from: &str,
     system: System,
-) -> Result<String> {
+) -> Result<CommentedSetup> {
     let spread = Spread::of(all);
     let mut golfer = setup_of_shots(setup, all)?;
     let shots = counted(
@@ -307,10 +306,9 @@ pub fn delivery_toml(
         };
         remarks.push((parameter, remark));
     }
-    setup_toml(
-        &golfer,
-        file,
-        &[format!("{}, with the delivery of {from}", file.name)],
-        &remarks,
-    )
+    Ok(CommentedSetup {
+        setup: golfer,
+        about: vec![format!("{}, with the delivery of {from}", file.name)],
+        remarks,
+    })
 }

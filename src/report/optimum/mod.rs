@@ -14,7 +14,7 @@ pub(super) use bounds::bound_in_words;
 pub use report::{
     ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimumReport,
 };
-pub use setup_file::optimum_toml;
+pub use setup_file::optimum_setup;
 pub(super) use text::{
     add_convergence, add_varied_and_constraints, ended_line, optimum_document, varied_table,
 };

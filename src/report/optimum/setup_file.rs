@@ -1,27 +1,23 @@
 //! The setup at an optimum as a setup file.
 
-use super::super::setup_file::{about_constraint, remarks_on_varied, setup_toml};
+use super::super::setup_file::{CommentedSetup, about_constraint, remarks_on_varied};
 use super::super::shown;
 use super::super::uncertainty::distribution_text;
-use crate::error::Result;
 use crate::parameters::SetupFile;
 use crate::study::Optimum;
 use crate::study::swings::Swings;
 use crate::units::{System, counted};
 
-/// The setup at an optimum as a setup file in TOML, with full precision. `interrupted` is the
+/// The setup at an optimum for a setup file. `interrupted` is the
 /// message about interrupted searches, if there are any. `file` is the setup file or preset that
 /// the request names. Comments are in the units of `system`.
-///
-/// # Errors
-/// The errors of [`setup_toml`].
-pub fn optimum_toml(
+pub fn optimum_setup(
     optimum: &Optimum,
     swings: Option<&Swings>,
     interrupted: Option<String>,
     file: &SetupFile,
     system: System,
-) -> Result<String> {
+) -> CommentedSetup {
     let search = &optimum.search;
     let value = optimum
         .value()
@@ -55,6 +51,9 @@ pub fn optimum_toml(
     );
     let message = optimum.message().in_units(system);
     about.push(format!("{}: {message}", optimum.status()));
-    let remarks = remarks_on_varied("optimum", &search.vary, &optimum.solution.x);
-    setup_toml(&optimum.setup, file, &about, &remarks)
+    CommentedSetup {
+        setup: optimum.setup,
+        about,
+        remarks: remarks_on_varied("optimum", &search.vary, &optimum.solution.x),
+    }
 }

@@ -16,7 +16,7 @@ use super::figures::{
     map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
 use super::frame::{self, Pair, TextFile, both, chosen, picture_files, pictures};
-use super::optimum::optimum_toml;
+use super::optimum::optimum_setup;
 use super::plot::{Figure, Look, figure_svg};
 use super::setup_toml;
 use super::shown::{self, capital};
@@ -33,7 +33,9 @@ use maud::{Markup, html};
 pub fn report_documents(findings: &Findings) -> Result<Vec<TextFile>> {
     let plots = plots(findings);
     let setup = match findings.best() {
-        Some(best) => optimum_toml(best, None, None, &findings.file, findings.system)?,
+        Some(best) => {
+            optimum_setup(best, None, None, &findings.file, findings.system).toml(&findings.file)?
+        }
         None => setup_toml(
             &findings.setup,
             &findings.file,
