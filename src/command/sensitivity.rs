@@ -139,21 +139,17 @@ fn missing_slopes(slopes: &[(&'static Parameter, Result<Sensitivity>)]) -> Vec<M
 /// reason.
 fn unflown(setup: &Setup<f64>, of: &[Outcome], effects: &Effects) -> Vec<Message> {
     let why = |bar: &SigmaEffect, sign: f64| flown_off(setup, of, &bar.sigma, sign).err();
-    let ends = effects
-        .effects
-        .iter()
-        .filter_map(|effect| effect.sigma_effect)
-        .flat_map(|bar| {
-            let ends = bar
-                .flown
-                .into_iter()
-                .zip([-1.0, 1.0])
-                .filter(|(flown, _)| flown.is_none());
-            ends.filter_map(move |(_, sign)| {
-                let end = if sign < 0.0 { "−σ" } else { "+σ" };
-                let missing = format!("no drive at {end} of {}: ", bar.sigma.parameter.name);
-                Some(Message::from(missing).message(why(&bar, sign)?.message()))
-            })
-        });
+    let ends = effects.sigma_effects().flat_map(|bar| {
+        let ends = bar
+            .flown
+            .into_iter()
+            .zip([-1.0, 1.0])
+            .filter(|(flown, _)| flown.is_none());
+        ends.filter_map(move |(_, sign)| {
+            let end = if sign < 0.0 { "−σ" } else { "+σ" };
+            let missing = format!("no drive at {end} of {}: ", bar.sigma.parameter.name);
+            Some(Message::from(missing).message(why(bar, sign)?.message()))
+        })
+    });
     ends.collect()
 }

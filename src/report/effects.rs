@@ -143,11 +143,7 @@ impl Report for EffectsReport<'_> {
             let of = effects.of;
             let value = shown::both(of, effects.value, system);
             document.list([Line::flush(format!("{} = {value}, {at}", of.name()))]);
-            let bars: Vec<SigmaEffect> = effects
-                .effects
-                .iter()
-                .filter_map(|effect| effect.sigma_effect)
-                .collect();
+            let bars: Vec<SigmaEffect> = effects.sigma_effects().copied().collect();
             if !bars.is_empty() {
                 document.add(uncertainties(effects, &bars, system));
                 let source = |bar: &SigmaEffect| {

@@ -98,7 +98,8 @@ impl Effects {
             .sum()
     }
 
-    fn sigma_effects(&self) -> impl Iterator<Item = &SigmaEffect> {
+    /// The effects of the uncertain parameters, the largest first.
+    pub(crate) fn sigma_effects(&self) -> impl Iterator<Item = &SigmaEffect> {
         self.effects
             .iter()
             .filter_map(|effect| effect.sigma_effect.as_ref())

@@ -147,13 +147,8 @@ fn what_is_known(findings: &Findings) -> Markup {
         .effects_of(findings.of)
         .filter(|effects| effects.standard_uncertainty() > 0.0);
     let Some(effects) = of else { return html! {} };
-    let mut moving: Vec<_> = effects
-        .effects
-        .iter()
-        .filter_map(|effect| effect.sigma_effect)
-        .collect();
-    moving.retain(|bar| bar.first_order != 0.0);
-    moving.sort_by(|a, b| b.first_order.abs().total_cmp(&a.first_order.abs()));
+    let moving = effects.sigma_effects();
+    let moving: Vec<_> = moving.filter(|bar| bar.first_order != 0.0).collect();
     let names: Vec<String> = moving
         .iter()
         .take(NAMED)

@@ -153,10 +153,7 @@ pub(super) fn uncertainties(effects: &[Effects]) -> Markup {
     let Some(first) = effects.first() else {
         return html! {};
     };
-    let sigmas = first
-        .effects
-        .iter()
-        .filter_map(|effect| Some(effect.sigma_effect?.sigma));
+    let sigmas = first.sigma_effects().map(|effect| effect.sigma);
     html! {
         (scrolled("Uncertainties", html! { table.told {
             thead { tr { th { "parameter" } th.number { "standard uncertainty" } th { "source" } } }
