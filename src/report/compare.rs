@@ -221,12 +221,7 @@ fn add_shares(
     system: System,
 ) {
     let of = difference.of;
-    let is_rounding = |amount: f64| shown::is_rounding(of, difference.values[0], amount);
-    let (without, mut with): (Vec<&Share>, Vec<&Share>) = split
-        .shares
-        .iter()
-        .partition(|share| is_rounding(share.amount));
-    with.sort_by(|a, b| b.amount.abs().total_cmp(&a.amount.abs()));
+    let (with, without) = by_size(difference, split);
     if let ([only], []) = (&with[..], &without[..]) {
         let [a, b] = split
             .setups
@@ -263,6 +258,18 @@ fn add_shares(
         table.remark(remark);
     }
     document.add(table);
+}
+
+/// The shares of a split, the largest first, and those that are only rounding errors.
+pub(super) fn by_size<'a>(
+    difference: &Difference,
+    split: &'a Shares,
+) -> (Vec<&'a Share>, Vec<&'a Share>) {
+    let [value, _] = difference.values;
+    let is_share = |share: &&Share| !shown::is_rounding(difference.of, value, share.amount);
+    let (mut with, without): (Vec<&Share>, Vec<&Share>) = split.shares.iter().partition(is_share);
+    with.sort_by(|a, b| b.amount.abs().total_cmp(&a.amount.abs()));
+    (with, without)
 }
 
 /// Remarks on the causes `without` a share of a difference, and on the discrete causes among

@@ -1,6 +1,7 @@
+use crate::report::compare::by_size;
 use crate::report::plot::{Axis, Figure, HorizontalBar, Hue, Layer, NamedQuantity, Shape};
 use crate::report::shown::{self, capital, words};
-use crate::study::{Difference, Share, Shares};
+use crate::study::Difference;
 use crate::units::{System, counted};
 
 /// Maximum number of bars of one colour. The bars by parameter and the bars by launch and air have
@@ -19,7 +20,7 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         .chain(by_launch.map(|split| ("by launch and air", 3, split)));
     let (mut names, mut layers, mut left_out) = (vec![], vec![], 0);
     for (name, hue, split) in splits {
-        let mut shares = largest(difference, split);
+        let (mut shares, _) = by_size(difference, split);
         left_out += shares.len().saturating_sub(MOST);
         shares.truncate(MOST);
         let bars = (names.len()..)
@@ -60,14 +61,4 @@ pub fn difference_figure(difference: &Difference, system: System) -> Figure {
         note += &format!(" Not shown: {left_out}.");
     }
     figure.noted(note)
-}
-
-/// The shares of a split that are more than rounding errors, the largest first.
-fn largest<'a>(difference: &Difference, split: &'a Shares) -> Vec<&'a Share> {
-    let is_rounding =
-        |share: &&Share| shown::is_rounding(difference.of, difference.values[0], share.amount);
-    let mut shares: Vec<&Share> = split.shares.iter().collect();
-    shares.retain(|share| !is_rounding(share));
-    shares.sort_by(|a, b| b.amount.abs().total_cmp(&a.amount.abs()));
-    shares
 }
