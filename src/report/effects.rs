@@ -1,4 +1,4 @@
-use super::document::{Detail, Document, DocumentTable, Line};
+use super::document::{Detail, Document, DocumentBlock, DocumentTable, Line};
 use super::json::JsonNumber;
 use super::lines::by_reason;
 use super::reply::Report;
@@ -150,9 +150,9 @@ impl Report for EffectsReport<'_> {
                     Some((bar.sigma.parameter.name, bar.sigma.source?.to_owned()))
                 };
                 let sources = by_reason(bars.iter().filter_map(source)).into_iter();
-                let mut defaults = Document::default();
-                defaults.list(sources.map(|line| Line::item(format!("default of {line}"))));
-                document.append_detail(defaults, Detail::WithAll);
+                let lines = sources.map(|line| Line::item(format!("default of {line}")));
+                let defaults = DocumentBlock::List(lines.collect());
+                document.add_detail(defaults, Detail::WithAll);
             }
             let is_optimized = self.optimized == Some(of);
             let of_optimum = is_optimized.then_some(&report.effects[..]);

@@ -1,4 +1,4 @@
-use super::document::{Detail, Document, DocumentTable, Line};
+use super::document::{Detail, Document, DocumentBlock, DocumentTable, Line};
 use super::json::{ByName, JsonNumber};
 use super::lines::by_reason;
 use super::optimum::{
@@ -253,9 +253,9 @@ impl Analysis {
         }
         add_sensitivities(&mut document, best, &self.sensitivities, system);
         if let (Some(drive), Some(value)) = (&best.drive, best.value()) {
-            let mut flown = Document::default();
-            flown.list(drive_lines(best, value, drive, system));
-            document.append_detail(flown, Detail::WithAll);
+            let lines = drive_lines(best, value, drive, system);
+            let flown = DocumentBlock::List(lines.into_iter().collect());
+            document.add_detail(flown, Detail::WithAll);
         }
         add_convergence(&mut document, best, system);
         document

@@ -1,4 +1,4 @@
-use super::document::{Detail, Document, DocumentTable, Line};
+use super::document::{Detail, Document, DocumentBlock, DocumentTable, Line};
 use super::json::ByName;
 use super::reply::{Ending, Report, share};
 use super::shown;
@@ -118,10 +118,9 @@ impl Report for UncertaintyReport<'_> {
         if !found.ellipses.is_empty() {
             document.add(ellipses(found, system));
         }
-        let mut distributions = Document::default();
         let head = ["uncertain parameter", "distribution"];
-        distributions.add(DocumentTable::new(head, inputs));
-        document.append_detail(distributions, Detail::WithAll);
+        let distributions = DocumentBlock::Table(DocumentTable::new(head, inputs));
+        document.add_detail(distributions, Detail::WithAll);
         document.list([Line::flush(format!(
             "{} ({}, seed {}): {}",
             counted(self.drives, "drive"),
@@ -212,9 +211,8 @@ fn add_outcome(
         return;
     };
     document.list(shares_lines(outcome, system));
-    let mut table = Document::default();
-    table.add(shares(outcome, sampled.left_out, found));
-    document.append_detail(table, Detail::WithAll);
+    let table = shares(outcome, sampled.left_out, found);
+    document.add_detail(DocumentBlock::Table(table), Detail::WithAll);
 }
 
 /// Mean and standard deviation of an outcome, by each method.

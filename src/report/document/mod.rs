@@ -41,8 +41,9 @@ pub(super) enum Detail {
     WithVerbose,
 }
 
+/// A block of a document.
 #[derive(Clone, Debug)]
-enum DocumentBlock {
+pub(super) enum DocumentBlock {
     Heading(String),
     Paragraph(String),
     List(Vec<Line>),
@@ -66,10 +67,15 @@ impl Document {
     }
 
     fn push(&mut self, block: DocumentBlock) {
-        self.parts.push(DetailedBlock {
-            block,
-            detail: Detail::Always,
-        });
+        self.add_detail(block, Detail::Always);
+    }
+
+    /// Adds a block with its detail. A list without lines leaves the document unchanged.
+    pub(super) fn add_detail(&mut self, block: DocumentBlock, detail: Detail) {
+        let is_empty = matches!(&block, DocumentBlock::List(lines) if lines.is_empty());
+        if !is_empty {
+            self.parts.push(DetailedBlock { block, detail });
+        }
     }
 
     fn blocks(&self) -> impl Iterator<Item = &DocumentBlock> {
@@ -88,10 +94,7 @@ impl Document {
 
     /// Adds consecutive lines. Without lines, the document is unchanged.
     pub fn list(&mut self, lines: impl IntoIterator<Item = Line>) {
-        let lines: Vec<Line> = lines.into_iter().collect();
-        if !lines.is_empty() {
-            self.push(DocumentBlock::List(lines));
-        }
+        self.push(DocumentBlock::List(lines.into_iter().collect()));
     }
 
     /// Adds a table.

@@ -1,6 +1,6 @@
 //! An optimum, or the optima of several starts, for readers.
 
-use super::super::document::{Detail, Document, DocumentTable, Line};
+use super::super::document::{Detail, Document, DocumentBlock, DocumentTable, Line};
 use super::super::limits::{Objective, ended_at, limited_value};
 use super::super::shown;
 use super::super::swings::{OverSwings, goals, nominal, notes};
@@ -169,9 +169,8 @@ pub(in crate::report) fn add_convergence(
     };
     document.list(sample_line(optimum).into_iter().chain([ended]));
     if is_of_solver {
-        let mut residual = Document::default();
-        residual.paragraph(message.in_units(system));
-        document.append_detail(residual, Detail::WithVerbose);
+        let residual = DocumentBlock::Paragraph(message.in_units(system));
+        document.add_detail(residual, Detail::WithVerbose);
     }
 }
 
