@@ -1,6 +1,6 @@
+use super::by_reason::by_reason;
 use super::document::{Detail, Document, DocumentBlock, DocumentTable, Line};
 use super::json::JsonNumber;
-use super::lines::by_reason;
 use super::reply::Report;
 use super::{OptimumReport, shown};
 use crate::drive::Outcome;

@@ -5,21 +5,6 @@ use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
 /// Spaces before a line of a list.
 pub(super) const INDENT: usize = 2;
 
-/// Each reason once, after the names that it concerns: "gravity, air.density: the reason". The
-/// reasons are in the order in which they first occur.
-pub fn by_reason<'a>(reasons: impl IntoIterator<Item = (&'a str, String)>) -> Vec<String> {
-    let mut all: Vec<(String, String)> = vec![];
-    for (name, reason) in reasons {
-        match all.iter_mut().find(|(_, other)| *other == reason) {
-            Some((names, _)) => *names += &format!(", {name}"),
-            None => all.push((name.into(), reason)),
-        }
-    }
-    all.into_iter()
-        .map(|(names, reason)| format!("{names}: {reason}"))
-        .collect()
-}
-
 /// A remark or warning for standard error, wrapped to `width` columns. The second and later lines
 /// are indented. The result does not end with a line break.
 pub fn remark(text: &str, width: usize) -> String {
@@ -59,16 +44,9 @@ pub fn wrapped(text: &str, [first, by]: [usize; 2], most: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{INDENT, by_reason, remark, wrapped};
+    use super::{INDENT, remark, wrapped};
 
     const WIDTH: usize = 100;
-
-    #[test]
-    fn a_reason_is_printed_once_with_all_its_names() {
-        let reasons = [("a", "no number"), ("b", "no flight"), ("c", "no number")];
-        let lines = by_reason(reasons.map(|(name, reason)| (name, reason.to_owned())));
-        assert_eq!(lines, ["a, c: no number", "b: no flight"]);
-    }
 
     #[test]
     fn no_line_is_wider_than_a_terminal_and_no_word_is_lost() {

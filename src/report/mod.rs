@@ -3,6 +3,7 @@
 //! A result is a struct that implements [`Report`]. The serialized struct is the body of the JSON,
 //! in SI and radians. Its [`Document`] shows the result to readers, in a chosen system of units.
 
+mod by_reason;
 mod calibration;
 mod certificate;
 mod chart;
@@ -45,6 +46,7 @@ mod uncertainty;
 mod validation;
 mod winfield_tan;
 
+pub use by_reason::by_reason;
 pub use calibration::{CalibrationReport, DataReport, HeldOutReport};
 pub use certificate::{CertificateReport, CertificateRow, NegativeControl};
 pub use chart::{ChartPointReport, ChartReport};
@@ -62,7 +64,7 @@ pub use frame::TextFile;
 pub use gradient::{GradientReport, OutcomeReport};
 pub use json::{ByName, JsonNumber, JsonRange, Matrix, Setting, Settings};
 pub use laws::{LawReport, LawsReport};
-pub use lines::{by_reason, remark, wrapped};
+pub use lines::{remark, wrapped};
 pub use mae494::Mae494Report;
 pub use optimum::{
     ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimizeReport,

@@ -1,6 +1,6 @@
+use super::by_reason::by_reason;
 use super::document::{Detail, Document, DocumentBlock, DocumentTable, Line};
 use super::json::{ByName, JsonNumber};
-use super::lines::by_reason;
 use super::optimum::{
     OptimizeReport, OptimumWindows, add_convergence, add_varied_and_constraints, drive_lines,
     gain_lines, optima_document, optimum_document,

@@ -6,9 +6,9 @@ pub(super) use text::exact_for_display;
 
 use crate::derivative::check::{Check, Curve, Verdict};
 use crate::drive::Outcome;
+use crate::report::by_reason::by_reason;
 use crate::report::document::{Document, Line};
 use crate::report::json::JsonNumber;
-use crate::report::lines::by_reason;
 use crate::report::reply::{Ending, Report};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{

@@ -1,7 +1,7 @@
 use crate::derivative::check::Verdict;
 use crate::drive::Outcome;
+use crate::report::by_reason::by_reason;
 use crate::report::document::DocumentTable;
-use crate::report::lines::by_reason;
 use crate::report::shown;
 use crate::reproduce::LoopRow;
 use crate::study::certificate::{
