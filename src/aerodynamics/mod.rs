@@ -11,6 +11,7 @@ mod launch_monitor;
 mod linear;
 mod lyu;
 mod macdonald_hanzely;
+mod measured;
 mod naruo_mizota;
 mod nathan;
 mod origin;

@@ -5,8 +5,9 @@ use crate::command::output::{Answer, note, warn};
 use crate::command::ranges::DefaultRanges;
 use crate::command::search::write;
 use crate::optimize::Status;
-use crate::report::{OptimizeReport, OptimumWindows, OverSwings};
-use crate::study::{usual_loss, windows};
+use crate::report::OptimizeReport;
+use crate::study::swings::OverSwings;
+use crate::study::{OptimumWindows, usual_loss, windows};
 use std::sync::atomic::AtomicBool;
 
 pub fn run(args: &Args) -> Result<Answer> {

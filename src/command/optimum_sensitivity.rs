@@ -4,10 +4,11 @@ use crate::command::output::{Answer, note, note_error, spinner, warn, with_bar};
 use crate::command::ranges::DefaultRanges;
 use crate::command::search::{allowed_loss, write};
 use crate::parameters::Parameter;
-use crate::report::{Analysis, OptimizeReport, OverSwings, SensitivityReport};
+use crate::report::{OptimizeReport, SensitivityReport};
+use crate::study::swings::OverSwings;
 use crate::study::{
-    Change, Optimum, Search, change, flatness, refuse_varied, sensitivities, short_drive,
-    usual_loss,
+    Change, Optimum, OptimumAnalysis, Search, change, flatness, refuse_varied, sensitivities,
+    short_drive, usual_loss,
 };
 use crate::{Result, Setup};
 use std::sync::atomic::AtomicBool;
@@ -81,10 +82,15 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let analysis = analysis.as_ref();
     let over = OverSwings::default();
-    let search = OptimizeReport::new(&optima, &over, analysis.map(Analysis::windows), written);
+    let search = OptimizeReport::new(
+        &optima,
+        &over,
+        analysis.map(OptimumAnalysis::windows),
+        written,
+    );
     let report = SensitivityReport::new(search, analysis, reason.as_ref());
     let answer = Answer::report(&report, &origin, request.is_json);
-    Ok(answer.found(analysis.is_some_and(Analysis::is_answered)))
+    Ok(answer.found(analysis.is_some_and(OptimumAnalysis::is_answered)))
 }
 
 /// The requested derivatives and changes.
@@ -123,7 +129,7 @@ fn analyse(
     best: &Optimum,
     requested: &AnalysisRequest,
     integrated: &dyn Fn(Setup<f64>) -> Result<Setup<f64>>,
-) -> Result<Analysis> {
+) -> Result<OptimumAnalysis> {
     let wrt: Vec<_> = requested
         .wrt
         .iter()
@@ -145,7 +151,7 @@ fn analyse(
         .collect::<Result<Vec<_>>>()?;
     let flatness = flatness(best, loss)?;
     spinner.finish();
-    Ok(Analysis {
+    Ok(OptimumAnalysis {
         sensitivities: sensitivities?,
         flatness,
         changes,

@@ -9,9 +9,10 @@ use crate::command::request::Request;
 use crate::command::search::{options, write};
 use crate::optimize::Status;
 use crate::parameters::Vary;
-use crate::report::{OptimizeReport, OverSwings, computed_text};
+use crate::report::{OptimizeReport, computed_text};
 use crate::study::swings::{
-    Correlation, Rule, Scenarios, Strokes, Swings, analyse_over_swings, bootstrap_optimum,
+    Correlation, OverSwings, Rule, Scenarios, Strokes, Swings, analyse_over_swings,
+    bootstrap_optimum,
 };
 use crate::study::uncertainty::Uncertain;
 use crate::study::{Constraint, Goal, Optima, Search};

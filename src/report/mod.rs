@@ -68,7 +68,7 @@ pub use lines::{remark, wrapped};
 pub use mae494::Mae494Report;
 pub use optimum::{
     ConstraintReport, DesignReport, LimitReport, LocalReport, Multipliers, OptimizeReport,
-    OptimumReport, OptimumWindows, iteration_line, optima_document, optimum_setup,
+    OptimumReport, iteration_line, optima_document, optimum_setup,
 };
 pub use origin::SetupOrigin;
 pub use parameters::{ParameterReport, ParametersReport};
@@ -81,8 +81,7 @@ pub use presets::{ChangedSetting, PresetReport, PresetsReport, changes};
 pub use reply::{Empty, Ending, Reply, Report};
 pub use robust::{ModelReport, RobustReport, robust_setup};
 pub use sensitivity::{
-    Analysis, PredictedOptimum, ResolvedOptimum, SensitivityOf, SensitivityReport,
-    StatedChangeReport,
+    PredictedOptimum, ResolvedOptimum, SensitivityOf, SensitivityReport, StatedChangeReport,
 };
 #[cfg(feature = "commands")]
 pub(crate) use setup_file::setting_text;
@@ -104,7 +103,7 @@ pub use sweep::SweepParquet;
 #[cfg(test)]
 pub(crate) use sweep::SweepRow;
 pub use sweep::{SweepCsv, SweepJsonLines, summary_document};
-pub use swings::{NominalReport, OverSwings, ScenariosReport, StudiesReport};
+pub use swings::{NominalReport, ScenariosReport, StudiesReport};
 pub use uncertainty::{InputReport, UncertaintyReport};
 pub use validation::ValidationReport;
 pub use winfield_tan::WinfieldTanReport;

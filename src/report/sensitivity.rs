@@ -2,27 +2,18 @@ use super::by_reason::by_reason;
 use super::document::{Detail, Document, DocumentBlock, DocumentTable, Line};
 use super::json::{ByName, JsonNumber};
 use super::optimum::{
-    OptimizeReport, OptimumWindows, add_convergence, add_varied_and_constraints, drive_lines,
-    gain_lines, optima_document, optimum_document,
+    OptimizeReport, add_convergence, add_varied_and_constraints, drive_lines, gain_lines,
+    optima_document, optimum_document,
 };
 use super::reply::{Ending, Report};
 use super::shown;
 use crate::error::{Error, Result};
 use crate::parameters::Parameter;
-use crate::study::{Changed, Direction, Ellipse, Flatness, Optimum, PredictedEvent, Sensitivity};
+use crate::study::{
+    Changed, Direction, Ellipse, Flatness, Optimum, OptimumAnalysis, PredictedEvent, Sensitivity,
+};
 use crate::units::{DisplayUnit, Message, System, printed, significant, with_unit};
 use serde::Serialize;
-
-/// The analysis of an optimum.
-#[derive(Debug)]
-pub struct Analysis {
-    /// The sensitivity of the optimum to each parameter, or the reason why it does not exist.
-    pub sensitivities: Vec<(&'static Parameter, Result<Sensitivity>)>,
-    /// The flatness of the objective around the optimum.
-    pub flatness: Flatness,
-    /// The effects of stated changes.
-    pub changes: Vec<Changed>,
-}
 
 /// An optimum with its sensitivities, directions, ellipses and stated changes, SI and radians.
 /// These are `null` if the search did not converge.
@@ -30,7 +21,7 @@ pub struct Analysis {
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SensitivityReport<'a> {
     #[serde(skip)]
-    analysis: Option<&'a Analysis>,
+    analysis: Option<&'a OptimumAnalysis>,
     #[serde(skip)]
     why: Option<&'a Error>,
     /// The optimum.
@@ -113,7 +104,7 @@ impl<'a> SensitivityReport<'a> {
     /// analysis failed; `why` is the error of a failed analysis.
     pub fn new(
         search: OptimizeReport<'a>,
-        analysis: Option<&'a Analysis>,
+        analysis: Option<&'a OptimumAnalysis>,
         why: Option<&'a Error>,
     ) -> Self {
         let best = &search.optima.best;
@@ -173,7 +164,7 @@ impl Report for SensitivityReport<'_> {
         let Some(analysis) = self.analysis else {
             return optimum_document(&optima.best, over, None, system);
         };
-        let mut document = analysis.document(&optima.best, system);
+        let mut document = analysis_document(analysis, &optima.best, system);
         if optima.has_several_starts() {
             document.append(optima_document(optima, system));
         }
@@ -224,42 +215,25 @@ impl StatedChangeReport {
     }
 }
 
-impl Analysis {
-    /// True if a sensitivity exists, or if none was requested.
-    pub fn is_answered(&self) -> bool {
-        let mut all = self.sensitivities.iter();
-        self.sensitivities.is_empty() || all.any(|(_, sensitivity)| sensitivity.is_ok())
+/// The optimum with its flatness, the stated changes, and the sensitivities.
+fn analysis_document(analysis: &OptimumAnalysis, best: &Optimum, system: System) -> Document {
+    let mut document = Document::default();
+    if let Some(drive) = &best.drive {
+        document.list(gain_lines(best, drive, system));
     }
-
-    /// The windows of the varied parameters, without the gain of the club alone.
-    pub fn windows(&self) -> OptimumWindows<'_> {
-        OptimumWindows {
-            loss: self.flatness.loss,
-            windows: &self.flatness.windows,
-            club_alone: None,
-        }
+    add_varied_and_constraints(&mut document, best, Some(&analysis.windows()), system);
+    document.list(flatness_lines(best, &analysis.flatness, system));
+    for changed in &analysis.changes {
+        document.add(change(best, changed, system));
     }
-
-    /// The optimum with its flatness, the stated changes, and the sensitivities.
-    fn document(&self, best: &Optimum, system: System) -> Document {
-        let mut document = Document::default();
-        if let Some(drive) = &best.drive {
-            document.list(gain_lines(best, drive, system));
-        }
-        add_varied_and_constraints(&mut document, best, Some(&self.windows()), system);
-        document.list(flatness_lines(best, &self.flatness, system));
-        for changed in &self.changes {
-            document.add(change(best, changed, system));
-        }
-        add_sensitivities(&mut document, best, &self.sensitivities, system);
-        if let (Some(drive), Some(value)) = (&best.drive, best.value()) {
-            let lines = drive_lines(best, value, drive, system);
-            let flown = DocumentBlock::List(lines.into_iter().collect());
-            document.add_detail(flown, Detail::WithAll);
-        }
-        add_convergence(&mut document, best, system);
-        document
+    add_sensitivities(&mut document, best, &analysis.sensitivities, system);
+    if let (Some(drive), Some(value)) = (&best.drive, best.value()) {
+        let lines = drive_lines(best, value, drive, system);
+        let flown = DocumentBlock::List(lines.into_iter().collect());
+        document.add_detail(flown, Detail::WithAll);
     }
+    add_convergence(&mut document, best, system);
+    document
 }
 
 /// Number of sensitivities in a plain text without the option `all`.

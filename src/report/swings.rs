@@ -9,19 +9,11 @@ use crate::drive::Outcome;
 use crate::optimize::Status;
 use crate::study::Optimum;
 use crate::study::swings::{
-    BootstrapOptimum, GoalError, Measure, Nominal, Rule, SamplingError, Scenarios, SwingsAnalysis,
+    BootstrapOptimum, GoalError, Measure, Nominal, OverSwings, Rule, SamplingError, Scenarios,
+    SwingsAnalysis,
 };
 use crate::units::{System, counted, significant};
 use serde::Serialize;
-
-/// Results of a search over swings in addition to the optimum; empty for a single drive.
-#[derive(Clone, Debug, Default)]
-pub struct OverSwings {
-    /// The best design for the mean swing, and the estimated errors of the goals.
-    pub analysis: Option<SwingsAnalysis>,
-    /// The optima of resamples of recorded swings.
-    pub resampled: Option<BootstrapOptimum>,
-}
 
 /// The swings of a search as JSON.
 #[derive(Clone, Debug, Serialize)]

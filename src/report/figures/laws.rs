@@ -1,9 +1,8 @@
 use crate::aerodynamics::{AerodynamicLaw, Coefficients, Fitted, Stream};
 use crate::atmosphere::AirState;
-use crate::parameters::{AxisVariable, Law, LawTable, Setup};
+use crate::parameters::{Law, Setup};
 use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, NamedQuantity, Shape};
 use crate::units::significant;
-use std::f64::consts::PI;
 
 /// The variable on the horizontal axis of a plot of laws. Spin ratio and Reynolds number are the
 /// two variables; a plot keeps one of them constant.
@@ -39,15 +38,6 @@ const STEPS: usize = 240;
 /// A plot keeps a variable constant. A measured point is drawn if its value of this variable is
 /// unknown, or differs from the constant by at most this fraction.
 const CONSTANT_TOLERANCE: f64 = 0.1;
-
-/// A measured point. `spin_ratio` or `reynolds` is `None` if the source does not state it, for
-/// instance because the coefficients are means over this quantity.
-struct MeasuredCoefficients {
-    spin_ratio: Option<f64>,
-    reynolds: Option<f64>,
-    /// C_D and C_L.
-    values: [Option<f64>; 2],
-}
 
 /// A measured point in the plot.
 struct DrawnPoint {
@@ -225,7 +215,7 @@ impl LawPlot {
     fn drawn_points(&self, law: &Law<f64>) -> Vec<DrawnPoint> {
         let [low, high] = self.range;
         let which = self.of as usize;
-        measured(law, &law.properties().fitted, self.per_speed, self.radius)
+        law.measured_points(self.per_speed, self.radius)
             .into_iter()
             .filter_map(|point| {
                 let (x, other) = match self.over {
@@ -331,98 +321,4 @@ fn pieces(curve: &[([f64; 2], bool)], within: bool) -> Vec<[f64; 2]> {
         points.pop();
     }
     points
-}
-
-/// The published points to which a law was fitted, or the nodes of a user's table. Empty for a law
-/// whose points are not in `tests/data`.
-fn measured(
-    law: &Law<f64>,
-    fitted: &Fitted,
-    per_speed: f64,
-    radius: f64,
-) -> Vec<MeasuredCoefficients> {
-    let of_speed = |speed: f64, spin: f64, values: [f64; 2]| MeasuredCoefficients {
-        spin_ratio: Some(spin * radius / speed),
-        reynolds: Some(per_speed * speed),
-        values: values.map(Some),
-    };
-    match law {
-        Law::BearmanHarvey(_) => rows(include_str!("../../../tests/data/bearman_harvey_1976.csv"))
-            .filter(|[speed, ..]| fitted.speed.is_none_or(|[_, most]| *speed <= most))
-            .map(|[speed, rpm, drag, lift]| of_speed(speed, rpm * PI / 30.0, [drag, lift]))
-            .collect(),
-        Law::NaruoMizota(_) => rows(include_str!("../../../tests/data/naruo_2004.csv"))
-            .map(|[s, drag, lift, _]| MeasuredCoefficients {
-                spin_ratio: Some(s),
-                reynolds: None,
-                values: [Some(drag), Some(lift)],
-            })
-            .collect(),
-        // lift is the mean of several balls at each spin ratio, without a Reynolds number; drag is
-        // that of one ball at each Reynolds number, without a spin ratio
-        Law::Lyu(_) => cells(include_str!("../../../tests/data/lyu_2018.csv"))
-            .map(|[reynolds, spin_ratio, drag, lift]| MeasuredCoefficients {
-                spin_ratio,
-                reynolds,
-                values: [drag, lift],
-            })
-            .collect(),
-        Law::UsgaItr(_) => rows(include_str!("../../../tests/data/usga_itr_test_ball.csv"))
-            .map(|[re, s, drag, lift]| MeasuredCoefficients {
-                spin_ratio: Some(s),
-                reynolds: Some(re),
-                values: [Some(drag), Some(lift)],
-            })
-            .collect(),
-        Law::Table(law) => tabulated(law.table, per_speed, radius),
-        Law::Robinson(_)
-        | Law::Linear(_)
-        | Law::SmitsSmith(_)
-        | Law::Ferguson(_)
-        | Law::LaunchMonitor(_)
-        | Law::WinfieldTan(_)
-        | Law::MacdonaldHanzely(_)
-        | Law::Nathan(_) => vec![],
-    }
-}
-
-fn tabulated(table: &LawTable, per_speed: f64, radius: f64) -> Vec<MeasuredCoefficients> {
-    let has = |variable: AxisVariable| table.axes().any(|axis| axis.variable == variable);
-    let node = |[speed, spin, drag, lift]: &[f64; 4]| {
-        let reynolds = if has(AxisVariable::Reynolds) {
-            Some(*speed)
-        } else {
-            has(AxisVariable::Speed).then_some(per_speed * speed)
-        };
-        // the spin ratio follows from the spin if the speed is known
-        let at_speed = reynolds.map(|reynolds| reynolds / per_speed);
-        let by_spin = at_speed
-            .filter(|_| has(AxisVariable::Spin))
-            .map(|speed| spin * radius / speed);
-        let spin_ratio = if has(AxisVariable::SpinRatio) {
-            Some(*spin)
-        } else {
-            by_spin
-        };
-        MeasuredCoefficients {
-            spin_ratio,
-            reynolds,
-            values: [Some(*drag), Some(*lift)],
-        }
-    };
-    table.nodes.iter().map(node).collect()
-}
-
-/// The rows of a table of numbers, without its head. Only the first four cells of a row are read. A
-/// row is omitted if one of these cells is empty.
-fn rows(table: &str) -> impl Iterator<Item = [f64; 4]> + '_ {
-    cells(table).filter_map(|[a, b, c, d]| Some([a?, b?, c?, d?]))
-}
-
-/// Rows of a table whose cells may be empty.
-fn cells(table: &str) -> impl Iterator<Item = [Option<f64>; 4]> + '_ {
-    table.lines().skip(1).map(|line| {
-        let mut cells = line.split(',').map(|cell| cell.trim().parse::<f64>().ok());
-        std::array::from_fn(|_| cells.next().flatten())
-    })
 }

@@ -2,11 +2,11 @@
 
 use super::super::document::{Document, Line};
 use super::super::reply::{Ending, Report};
-use super::super::swings::{OverSwings, StudiesReport};
+use super::super::swings::StudiesReport;
 use super::report::{LocalReport, OptimumReport};
 use super::text::{optima_document, optimum_document};
-use super::windows::OptimumWindows;
-use crate::study::Optima;
+use crate::study::swings::OverSwings;
+use crate::study::{Optima, OptimumWindows};
 use crate::units::System;
 use serde::Serialize;
 

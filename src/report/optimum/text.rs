@@ -3,13 +3,13 @@
 use super::super::document::{Detail, Document, DocumentBlock, DocumentTable, Line};
 use super::super::limits::{Objective, ended_at, limited_value};
 use super::super::shown;
-use super::super::swings::{OverSwings, goals, nominal, notes};
+use super::super::swings::{goals, nominal, notes};
 use super::best_drive::{drive_lines, gain_lines};
 use super::bounds::bound_in_words;
-use super::windows::OptimumWindows;
+use super::windows::window_lines;
 use crate::optimize::{Iteration, Status};
-use crate::study::swings::Nominal;
-use crate::study::{Optima, Optimum, Sample, Search};
+use crate::study::swings::{Nominal, OverSwings};
+use crate::study::{Optima, Optimum, OptimumWindows, Sample, Search};
 use crate::units::{DisplayUnit, System, counted, counted_of, fixed, with_unit};
 
 /// One optimum for readers: the result first, the convergence last. If the search did not converge,
@@ -63,7 +63,7 @@ pub(in crate::report) fn add_varied_and_constraints(
     let mut table = varied_table(optimum, None, system);
     for text in around
         .iter()
-        .flat_map(|around| around.lines(optimum, system))
+        .flat_map(|around| window_lines(around, optimum, system))
     {
         table.remark(text);
     }

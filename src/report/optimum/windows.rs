@@ -1,39 +1,28 @@
 //! The windows of an optimum of a single drive, and the gain of the club alone.
 
 use super::super::shown;
-use crate::study::{ClubAlone, Optimum, Vary, Window, WindowLimit};
+use crate::study::{ClubAlone, Optimum, OptimumWindows, Vary, Window, WindowLimit};
 use crate::units::{System, signed};
 
-/// The windows of an optimum of a single drive, and the optimum of the club alone.
-#[derive(Clone, Copy, Debug)]
-pub struct OptimumWindows<'a> {
-    /// The allowed loss, SI.
-    pub loss: f64,
-    /// For each varied parameter: the range in which the drive loses at most `loss` while the other
-    /// parameters stay at the optimum.
-    pub windows: &'a [Window],
-    /// The best value that club and ball achieve with the swing as set up; `None` if the search
-    /// does not vary both club and swing, or if this value is unknown.
-    pub club_alone: Option<&'a ClubAlone>,
-}
-
-impl OptimumWindows<'_> {
-    /// A line with the windows of all varied parameters, then a line with the gain of the club
-    /// alone.
-    pub(super) fn lines(&self, optimum: &Optimum, system: System) -> Vec<String> {
-        let loss = shown::difference(optimum.search.outcome(), self.loss, system);
-        let vary = optimum.search.vary.iter().zip(self.windows);
-        let windows: Vec<_> = vary
-            .filter(|(vary, _)| vary.low < vary.high)
-            .map(|(vary, window)| window_text(vary, window, system))
-            .collect();
-        let windows = format!(
-            "within {loss} of the best if one parameter alone changes: {}",
-            windows.join(", ")
-        );
-        let club = self.club_alone.map(|club| club_text(optimum, club, system));
-        [windows].into_iter().chain(club).collect()
-    }
+/// A line with the windows of all varied parameters, then a line with the gain of the club alone.
+pub(super) fn window_lines(
+    around: &OptimumWindows<'_>,
+    optimum: &Optimum,
+    system: System,
+) -> Vec<String> {
+    let loss = shown::difference(optimum.search.outcome(), around.loss, system);
+    let vary = optimum.search.vary.iter().zip(around.windows);
+    let windows: Vec<_> = vary
+        .filter(|(vary, _)| vary.low < vary.high)
+        .map(|(vary, window)| window_text(vary, window, system))
+        .collect();
+    let windows = format!(
+        "within {loss} of the best if one parameter alone changes: {}",
+        windows.join(", ")
+    );
+    let club = around.club_alone;
+    let club = club.map(|club| club_text(optimum, club, system));
+    [windows].into_iter().chain(club).collect()
 }
 
 /// A window in words, such as "club.loft 5.36° to 6.94°".
