@@ -1,7 +1,9 @@
 use crate::Result;
 use crate::command::files::{Folder, OutputRule};
 use crate::command::output::{Answer, note, stated_system, text_of, warnings};
-use crate::report::{Mae494Report, Reply, Report, TextFile, WinfieldTanReport, document_files};
+use crate::report::{
+    InBoth, Mae494Report, Reply, Report, TextFile, WinfieldTanReport, document_files,
+};
 use crate::reproduce::{Mae494, WinfieldTan, mae494, winfield_tan};
 use crate::units::{System, counted};
 use std::path::PathBuf;
@@ -88,7 +90,7 @@ fn answer(
 
 /// Writes the document of a report with its figures and their data into a folder.
 pub fn write(folder: &Folder, report: &impl Report, system: System) -> Result<()> {
-    let mut files = document_files(&System::ALL.map(|system| report.document(system)), system)?;
+    let mut files = document_files(&InBoth::of(|system| report.document(system)), system)?;
     files.push(TextFile {
         name: DOCUMENT[0].into(),
         text: report.document(system).markdown(system),

@@ -1,40 +1,38 @@
 use super::{Document, DocumentBlock, DocumentTable};
-use crate::error::Result;
-use crate::report::frame::{Pair, TextFile, chosen, page, picture_files, pictures, scrolled};
+use crate::error::{Error, Result};
+use crate::report::frame::{TextFile, chosen, page, picture_files, pictures, scrolled};
+use crate::report::in_both::InBoth;
+use crate::report::plot::Figure;
 use crate::units::System;
 use maud::{Markup, html};
 
 /// A document as an HTML page, with separate files for the pictures and the data of its figures.
-/// Returns all files, `index.html` first. `documents` has the document in the units of each of
-/// [`System::ALL`]; the page has a switch, and opens in the units of `system`. Data files are in
-/// SI, but values in names of layers are in the units of `system`.
+/// Returns all files, `index.html` first. The page has a switch of units, and opens in the units of
+/// `system`. Data files are in SI, but values in names of layers are in the units of `system`.
 ///
 /// # Errors
 /// The errors of [`figure_svg`](crate::report::plot::figure_svg) and
 /// [`figure_csv`](crate::report::plot::figure_csv).
-pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<TextFile>> {
-    let [metric, us] = documents;
-    let title = if system == System::ALL[0] {
-        &metric.title
-    } else {
-        &us.title
-    };
+pub fn document_files(documents: &InBoth<Document>, system: System) -> Result<Vec<TextFile>> {
+    let InBoth { metric, us } = documents;
+    let title = &documents.get(system).title;
     let figures = metric.figures().zip(us.figures());
-    let pairs: Vec<Pair> = figures
-        .map(|(metric, us)| [metric.clone(), us.clone()])
+    let plots: Vec<InBoth<Figure>> = figures
+        .map(|(metric, us)| InBoth {
+            metric: metric.clone(),
+            us: us.clone(),
+        })
         .collect();
     let mut parts = Parts {
-        pairs: &pairs,
+        plots: &plots,
         labels: vec![],
         about: us.title.clone(),
     };
-    let blocks: Vec<_> = metric.blocks().zip(us.blocks()).collect();
+    let blocks = metric.blocks().zip(us.blocks());
+    let blocks: Vec<_> = blocks.map(|(metric, us)| InBoth { metric, us }).collect();
     // put consecutive figures side by side
-    let of_a_kind = |a: &(&DocumentBlock, &DocumentBlock), b: &(&DocumentBlock, &DocumentBlock)| {
-        a.0.is_figure() && b.0.is_figure()
-    };
     let all = blocks
-        .chunk_by(of_a_kind)
+        .chunk_by(|a, b| is_figure(a) && is_figure(b))
         .map(|blocks| parts.part(blocks))
         .collect::<Result<Vec<_>>>()?;
     let header = chosen(&metric.title, &us.title);
@@ -43,34 +41,46 @@ pub fn document_files(documents: &[Document; 2], system: System) -> Result<Vec<T
         name: "index.html".into(),
         text: page(title, &html! { h1 { (header) } }, &main, None, system),
     }];
-    files.extend(picture_files(&pairs, system)?);
+    files.extend(picture_files(&plots, system)?);
     Ok(files)
+}
+
+/// True if a block is a figure in both systems of units.
+fn is_figure(block: &InBoth<&DocumentBlock>) -> bool {
+    block.metric.is_figure() && block.us.is_figure()
 }
 
 /// Converts the blocks of a page in order. `about` is the label of the next table: the title of the
 /// page, or the last heading, caption or short paragraph.
 struct Parts<'a> {
     /// The figures that are not converted yet.
-    pairs: &'a [Pair],
+    plots: &'a [InBoth<Figure>],
     labels: Vec<String>,
     about: String,
 }
 
 impl Parts<'_> {
-    /// Converts one block or several consecutive figures. Each block is given in both systems of
-    /// units.
-    fn part(&mut self, blocks: &[(&DocumentBlock, &DocumentBlock)]) -> Result<Markup> {
+    /// Converts one block or several consecutive figures.
+    ///
+    /// # Errors
+    /// [`Error::Output`] if the kinds of a block differ between the systems of units, which no
+    /// report causes.
+    fn part(&mut self, blocks: &[InBoth<&DocumentBlock>]) -> Result<Markup> {
         Ok(match blocks {
             [
-                (DocumentBlock::Heading(metric), DocumentBlock::Heading(us)),
-                ..,
+                InBoth {
+                    metric: DocumentBlock::Heading(metric),
+                    us: DocumentBlock::Heading(us),
+                },
             ] => {
                 self.about.clone_from(us);
                 html! { h2 { (chosen(metric, us)) } }
             }
             [
-                (DocumentBlock::Paragraph(metric), DocumentBlock::Paragraph(us)),
-                ..,
+                InBoth {
+                    metric: DocumentBlock::Paragraph(metric),
+                    us: DocumentBlock::Paragraph(us),
+                },
             ] => {
                 // a short line above a table is its label
                 if us.ends_with([':', '.']) && us.chars().count() < 80 {
@@ -78,12 +88,22 @@ impl Parts<'_> {
                 }
                 html! { p { (chosen(metric, us)) } }
             }
-            [(DocumentBlock::List(metric), DocumentBlock::List(us)), ..] => {
+            [
+                InBoth {
+                    metric: DocumentBlock::List(metric),
+                    us: DocumentBlock::List(us),
+                },
+            ] => {
                 html! {
                     ul { @for (metric, us) in metric.iter().zip(us) { li { (chosen(&metric.text, &us.text)) } } }
                 }
             }
-            [(DocumentBlock::Table(metric), DocumentBlock::Table(us)), ..] => {
+            [
+                InBoth {
+                    metric: DocumentBlock::Table(metric),
+                    us: DocumentBlock::Table(us),
+                },
+            ] => {
                 if !us.caption.is_empty() {
                     self.about = us.caption.trim_end_matches([':', '.']).into();
                 }
@@ -93,10 +113,14 @@ impl Parts<'_> {
                     @for (metric, us) in metric.notes().zip(us.notes()) { p { (chosen(metric, us)) } }
                 }
             }
-            figures => {
-                let (now, later) = self.pairs.split_at(figures.len().min(self.pairs.len()));
-                self.pairs = later;
+            figures if figures.iter().all(is_figure) => {
+                let (now, later) = self.plots.split_at(figures.len());
+                self.plots = later;
                 pictures(now)?
+            }
+            _ => {
+                let reason = "its metric and its US document differ in a block";
+                return Err(Error::Output(std::io::Error::other(reason)));
             }
         })
     }
@@ -151,7 +175,7 @@ fn table(metric: &DocumentTable, us: &DocumentTable) -> Markup {
 
 #[cfg(test)]
 mod tests {
-    use super::{Document, DocumentTable, document_files};
+    use super::{Document, DocumentTable, InBoth, document_files};
     use crate::units::System;
 
     #[test]
@@ -163,7 +187,7 @@ mod tests {
         for _ in 0..2 {
             document.add(DocumentTable::new(["n"], [vec!["1".into()]]).right([0]));
         }
-        let files = document_files(&[document.clone(), document], System::Us).unwrap();
+        let files = document_files(&InBoth::of(|_| document.clone()), System::Us).unwrap();
         let page = &files[0].text;
         for label in ["\"Losses\"", "\"Losses (2)\""] {
             assert!(page.contains(&format!("aria-label={label}")), "{page}");

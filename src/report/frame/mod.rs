@@ -4,8 +4,9 @@
 mod picture;
 
 pub use picture::TextFile;
-pub(super) use picture::{Pair, picture_files, pictures, svg_name};
+pub(super) use picture::{picture_files, pictures, svg_name};
 
+use super::in_both::InBoth;
 use super::plot::dark_rules;
 use crate::units::{System, typeset};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -58,7 +59,7 @@ pub(super) fn scrolled(label: &str, table: Markup) -> Markup {
 /// The text that `write` returns for each system of units. If both texts are equal, the page has
 /// the text once.
 pub(super) fn both(write: impl Fn(System) -> String) -> Markup {
-    let [us, metric] = [System::Us, System::Metric].map(|system| typeset(&write(system)));
+    let InBoth { metric, us } = InBoth::of(|system| typeset(&write(system)));
     html! {
         @if us == metric { (us) } @else { span.us { (us) } span.metric { (metric) } }
     }

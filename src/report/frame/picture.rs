@@ -2,12 +2,10 @@
 
 use super::chosen;
 use crate::error::Result;
+use crate::report::in_both::InBoth;
 use crate::report::plot::{Figure, Look, figure_csv, figure_svg};
 use crate::units::{System, TableUnits};
 use maud::{Markup, PreEscaped, html};
-
-/// A plot with its texts in the units of each of [`System::ALL`].
-pub(in crate::report) type Pair = [Figure; 2];
 
 /// A file of a page.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,12 +36,13 @@ pub(in crate::report) fn csv_name(figure: &Figure) -> String {
 /// # Errors
 /// The errors of [`figure_svg`] and [`figure_csv`].
 pub(in crate::report) fn picture_files<'a>(
-    pairs: impl IntoIterator<Item = &'a Pair>,
+    plots: impl IntoIterator<Item = &'a InBoth<Figure>>,
     data_of: System,
 ) -> Result<Vec<TextFile>> {
     let mut files = vec![];
-    for pair in pairs {
-        for (figure, system) in pair.iter().zip(System::ALL) {
+    for plot in plots {
+        for system in System::ALL {
+            let figure = plot.get(system);
             let look = Look {
                 system,
                 ..Look::default()
@@ -67,15 +66,17 @@ pub(in crate::report) fn picture_files<'a>(
 ///
 /// # Errors
 /// The errors of [`figure_svg`].
-pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>) -> Result<Markup> {
-    let drawn = pairs
+pub(in crate::report) fn pictures<'a>(
+    plots: impl IntoIterator<Item = &'a InBoth<Figure>>,
+) -> Result<Markup> {
+    let drawn = plots
         .into_iter()
-        .map(|pair| Ok((pair, drawings(pair)?)))
+        .map(|plot| Ok((plot, drawings(plot)?)))
         .collect::<Result<Vec<_>>>()?;
     Ok(html! {
         @if !drawn.is_empty() {
             div.figures {
-                @for ([metric, us], drawings) in drawn {
+                @for (InBoth { metric, us }, drawings) in drawn {
                     figure class=[(metric.columns > 1).then_some("whole")] {
                         @for (class, svg) in &drawings { div class=(class) { (PreEscaped(svg)) } }
                         figcaption {
@@ -93,12 +94,12 @@ pub(in crate::report) fn pictures<'a>(pairs: impl IntoIterator<Item = &'a Pair>)
 
 /// The pictures of a plot as pairs of CSS classes and SVG. If the metric and the US picture are
 /// equal, only one of them is returned.
-fn drawings(pair: &Pair) -> Result<Vec<(String, String)>> {
+fn drawings(plot: &InBoth<Figure>) -> Result<Vec<(String, String)>> {
     let mut drawings = vec![];
     for (place, width) in WIDTHS {
-        let picture = |figure: &Figure, system: System| {
+        let picture = |system: System| {
             figure_svg(
-                figure,
+                plot.get(system),
                 &Look {
                     system,
                     is_dark: false,
@@ -106,10 +107,7 @@ fn drawings(pair: &Pair) -> Result<Vec<(String, String)>> {
                 },
             )
         };
-        let [metric, us] = [
-            picture(&pair[0], System::ALL[0])?,
-            picture(&pair[1], System::ALL[1])?,
-        ];
+        let (metric, us) = (picture(System::Metric)?, picture(System::Us)?);
         if metric == us {
             drawings.push((place.into(), us));
         } else {

@@ -15,7 +15,8 @@ use super::figures::{
     Causes, OnChart, OnMap, View, chart_figures, face_figure, fairway_figure, launches_figure,
     map_figure, strikes_figure, tornado_figure, trajectory_figure, vcurve_figure,
 };
-use super::frame::{self, Pair, TextFile, both, chosen, picture_files, pictures};
+use super::frame::{self, TextFile, both, chosen, picture_files, pictures};
+use super::in_both::InBoth;
 use super::optimum::optimum_setup;
 use super::plot::{Figure, Look, figure_svg};
 use super::setup_toml;
@@ -63,7 +64,7 @@ fn plots(findings: &Findings) -> Plots {
         // insert the landings after the view from the side
         drive.insert(
             drive.len().min(1),
-            System::ALL.map(|system| fairway_figure(&findings.landings, system)),
+            InBoth::of(|system| fairway_figure(&findings.landings, system)),
         );
     }
     let (launches, face) = (findings.launches.as_ref(), findings.face.as_ref());
@@ -109,7 +110,7 @@ fn plots(findings: &Findings) -> Plots {
         curves: Some(vcurve_figure(&findings.rows, &findings.loops))
             .filter(|figure| figure_svg(figure, &Look::default()).is_ok())
             // the texts of these curves have no units, so both systems of units have the same plot
-            .map(|figure| System::ALL.map(|_| figure.clone()))
+            .map(|figure| InBoth::of(|_| figure.clone()))
             .into_iter()
             .collect(),
     }
@@ -117,7 +118,7 @@ fn plots(findings: &Findings) -> Plots {
 
 /// The plot of outcomes as functions of the impact point, for the drive as set up and for the
 /// optimum. Empty if no face was computed.
-fn strikes(findings: &Findings) -> Vec<Pair> {
+fn strikes(findings: &Findings) -> Vec<InBoth<Figure>> {
     let faces = [
         (NamedDrive::AS_SET_UP, &findings.face),
         (NamedDrive::OPTIMUM, &findings.best_face),
@@ -130,14 +131,15 @@ fn strikes(findings: &Findings) -> Vec<Pair> {
 }
 
 /// Calls `draw` for both systems of units, and pairs the metric and the US version of each plot.
-fn pairs<F: IntoIterator<Item = Figure>>(draw: impl Fn(System) -> F) -> Vec<Pair> {
-    let [metric, us] = System::ALL.map(draw);
-    metric.into_iter().zip(us).map(Pair::from).collect()
+fn pairs<F: IntoIterator<Item = Figure>>(draw: impl Fn(System) -> F) -> Vec<InBoth<Figure>> {
+    let InBoth { metric, us } = InBoth::of(draw);
+    let plots = metric.into_iter().zip(us);
+    plots.map(|(metric, us)| InBoth { metric, us }).collect()
 }
 
 /// The views of the drives that fly, from the side and from above. The second list has the reason
-/// for each missing view, in metric and in US units.
-fn trajectories(flown: &[NamedDrive]) -> (Vec<Pair>, Vec<[String; 2]>) {
+/// for each missing view.
+fn trajectories(flown: &[NamedDrive]) -> (Vec<InBoth<Figure>>, Vec<InBoth<String>>) {
     let flying: Vec<NamedDrive> = flown
         .iter()
         .filter(|one| one.path.points.len() > 1)
@@ -148,12 +150,15 @@ fn trajectories(flown: &[NamedDrive]) -> (Vec<Pair>, Vec<[String; 2]>) {
         .into_iter()
         .filter(|_| !flying.is_empty())
     {
-        match System::ALL.map(|system| trajectory_figure(&flying, view, system)) {
-            [Ok(metric), Ok(us)] => pairs.push([metric, us]),
-            [
-                Err(Error::Plot { reason: metric, .. }),
-                Err(Error::Plot { reason: us, .. }),
-            ] => left_out.push([metric, us]),
+        match InBoth::of(|system| trajectory_figure(&flying, view, system)) {
+            InBoth {
+                metric: Ok(metric),
+                us: Ok(us),
+            } => pairs.push(InBoth { metric, us }),
+            InBoth {
+                metric: Err(Error::Plot { reason: metric, .. }),
+                us: Err(Error::Plot { reason: us, .. }),
+            } => left_out.push(InBoth { metric, us }),
             _ => {}
         }
     }
@@ -162,20 +167,20 @@ fn trajectories(flown: &[NamedDrive]) -> (Vec<Pair>, Vec<[String; 2]>) {
 
 /// The plots of a page, by section.
 struct Plots {
-    drive: Vec<Pair>,
-    /// The reason for each missing view of the drive, in metric and in US units.
-    left_out: Vec<[String; 2]>,
-    strike: Vec<Pair>,
+    drive: Vec<InBoth<Figure>>,
+    /// The reason for each missing view of the drive.
+    left_out: Vec<InBoth<String>>,
+    strike: Vec<InBoth<Figure>>,
     /// Plots of outcomes by impact point on the face.
-    strikes: Vec<Pair>,
-    map: Vec<Pair>,
-    chart: Vec<Pair>,
-    effects: Vec<Pair>,
-    curves: Vec<Pair>,
+    strikes: Vec<InBoth<Figure>>,
+    map: Vec<InBoth<Figure>>,
+    chart: Vec<InBoth<Figure>>,
+    effects: Vec<InBoth<Figure>>,
+    curves: Vec<InBoth<Figure>>,
 }
 
 impl Plots {
-    fn all(&self) -> impl Iterator<Item = &Pair> {
+    fn all(&self) -> impl Iterator<Item = &InBoth<Figure>> {
         let sections = [
             &self.drive,
             &self.strike,
@@ -190,7 +195,7 @@ impl Plots {
 }
 
 fn page(findings: &Findings, plots: &Plots) -> Result<String> {
-    let [metric, us] = System::ALL.map(|system| request::title(findings, system));
+    let InBoth { metric, us } = InBoth::of(|system| request::title(findings, system));
     let (metric, us) = (metric?, us?);
     let header = html! {
         h1 { "Drive: " (chosen(&metric, &us)) }
@@ -225,7 +230,7 @@ fn main(findings: &Findings, plots: &Plots) -> Result<Markup> {
         section {
             h2 { "The drive" }
             (pictures(&plots.drive)?)
-            @for [metric, us] in &plots.left_out {
+            @for InBoth { metric, us } in &plots.left_out {
                 p.faint { (chosen(&capital(metric), &capital(us))) "." }
             }
             @if let Some(state) = &findings.explorer { (sections::explorer(state)) }

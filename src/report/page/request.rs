@@ -6,6 +6,7 @@ use crate::error::Result;
 use crate::parameters::{Parameter, Vary};
 use crate::report::conditions;
 use crate::report::frame::{both, chosen};
+use crate::report::in_both::InBoth;
 use crate::report::presets::{ChangedSetting, used_changes};
 use crate::report::shown;
 use crate::study::Search;
@@ -97,7 +98,7 @@ pub(super) fn request(findings: &Findings) -> Result<Markup> {
     let setup = &findings.stated;
     let values = |names: &[&str]| both(|system| conditions::parameters(setup, names, system));
     let launch = launch(findings);
-    let [metric, us] = System::ALL.map(|system| changed(findings, system));
+    let InBoth { metric, us } = InBoth::of(|system| changed(findings, system));
     let (metric, us) = (metric?, us?);
     let text = |changes: &[ChangedSetting]| {
         let one = |change: &ChangedSetting| {

@@ -8,13 +8,14 @@ use crate::parameters::{METHOD, is_of_strike};
 use crate::report::certificate::exact_for_display;
 use crate::report::effects::STATED;
 use crate::report::frame::{both, chosen, scrolled};
+use crate::report::in_both::InBoth;
 use crate::report::limits::{Objective, ended_at};
 use crate::report::optimum::{bound_in_words, window_end};
 use crate::report::presets::{SourcedValue, sources};
 use crate::report::shown::{self, capital};
 use crate::study::certificate::DerivativeRow;
 use crate::study::{Effects, Flatness, NamedDrive, Optimum, Vary, Window, WindowLimit};
-use crate::units::{System, counted, significant, typeset};
+use crate::units::{counted, significant, typeset};
 use maud::{Markup, Render, html};
 
 /// The numbers of a launch monitor, for the drive as set up.
@@ -200,8 +201,8 @@ pub(super) fn verdicts(rows: &[DerivativeRow]) -> Markup {
 /// Every number of the setup, with its source.
 pub(super) fn setup(findings: &Findings) -> Result<Markup> {
     let is_launched = findings.setup.launch.is_given();
-    let [us, metric] = [System::Us, System::Metric]
-        .map(|system| sources(&findings.setup, &findings.file, Some(system)));
+    let InBoth { metric, us } =
+        InBoth::of(|system| sources(&findings.setup, &findings.file, Some(system)));
     let rows = us?.into_iter().zip(metric?);
     let rows = rows.filter(|(us, _)| !(is_launched && is_of_strike(us.name)));
     Ok(html! {
