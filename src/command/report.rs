@@ -19,8 +19,9 @@ use crate::report::{Document, Ending, Reply, SetupOrigin, TextFile, explorer_sta
 use crate::reproduce::while_loop;
 use crate::study::certificate::{DerivativeRow, certify};
 use crate::study::{
-    Chart, Face, Fineness, Landing, Launches, Map, NamedDrive, Region, Search, Sigma, Vary, chart,
-    club_alone, effects, flatness, lofts, map, optimum, short_drive, usual_loss, with_defaults,
+    Chart, DriveRole, Face, Fineness, Landing, Launches, Map, NamedDrive, Region, Search, Sigma,
+    Vary, chart, club_alone, effects, flatness, lofts, map, optimum, short_drive, usual_loss,
+    with_defaults,
 };
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result, Setup};
@@ -248,7 +249,7 @@ fn add_drives(
     remarks: &mut Vec<Message>,
 ) -> Result<()> {
     let setup = &findings.setup;
-    let own = NamedDrive::new(NamedDrive::AS_SET_UP, setup)?;
+    let own = NamedDrive::new(DriveRole::AsSetUp, setup)?;
     remarks.extend(own.drive.warnings_about(setup, Outcome::ALL));
     bar.inc(1);
     let mut found = search
@@ -262,7 +263,7 @@ fn add_drives(
     findings.found = found;
     findings.flown.push(own);
     if let Some(best) = findings.best() {
-        let longest = NamedDrive::new(NamedDrive::OPTIMUM, &best.setup)?;
+        let longest = NamedDrive::new(DriveRole::Optimum, &best.setup)?;
         let mut of_drive = longest.drive.warnings_about(&best.setup, Outcome::ALL);
         of_drive.retain(|warning| !remarks.contains(warning));
         remarks.extend(
@@ -442,12 +443,12 @@ fn add_pictures(
         .zip(setups)
         .filter(|(flown, _)| flown.drive.landed().is_ok());
     let drives: Vec<_> = flying
-        .map(|(flown, setup)| (flown.name.as_str(), setup))
+        .map(|(flown, setup)| (flown.role.clone(), setup))
         .collect();
-    let landing = |(name, setup): &(&str, &Setup<f64>)| {
+    let landing = |(role, setup): &(DriveRole, &Setup<f64>)| {
         let setup = setup.with_assumed_launch()?;
         let sigmas = with_defaults(&setup, given, &[Outcome::Carry, Outcome::Lateral])?;
-        Landing::of(*name, &setup, &sigmas)
+        Landing::of(role.clone(), &setup, &sigmas)
     };
     let is_struck =
         !setup.launch.is_given() && flown.first().is_some_and(|own| own.drive.landed().is_ok());

@@ -1,4 +1,5 @@
 use super::Sigma;
+use super::named_drive::DriveRole;
 use super::uncertainty::{
     LandingEllipse, MOST_LOST, SHARES, SaltelliDesign, SamplePlan, Uncertain, varies,
 };
@@ -11,8 +12,8 @@ use rayon::prelude::*;
 /// Landing point and rest position of a drive, with the scatter of the landing point.
 #[derive(Clone, Debug)]
 pub struct Landing {
-    /// Name of the drive: "as set up", "optimum".
-    pub name: String,
+    /// Role of the drive.
+    pub role: DriveRole,
     /// Landing point, m: lateral and carry.
     pub at: [f64; 2],
     /// Rest position, m: right of the target line and downrange; `None` if the ball does not come
@@ -46,7 +47,7 @@ impl Landing {
     /// The errors of [`Drive::new`] and [`Batch::new`]; [`Error::NoFlight`](crate::Error::NoFlight)
     /// if the drive does not land; [`Error::Unreadable`](crate::Error::Unreadable) for an
     /// uncertainty that is not positive and finite.
-    pub fn of(name: impl Into<String>, setup: &Setup<f64>, sigmas: &[Sigma]) -> Result<Self> {
+    pub fn of(role: DriveRole, setup: &Setup<f64>, sigmas: &[Sigma]) -> Result<Self> {
         sigmas.iter().try_for_each(|sigma| sigma.check(setup))?;
         let drive = Drive::new(setup)?;
         let landed = drive.landed()?;
@@ -73,7 +74,7 @@ impl Landing {
             .map(|share| LandingEllipse::of_sample(share, &landings));
         let rest = [Outcome::LateralTotal, Outcome::Total].map(|of| of.value(&drive));
         Ok(Self {
-            name: name.into(),
+            role,
             at: [landed.lateral, landed.carry],
             rest: rest[0]
                 .zip(rest[1])

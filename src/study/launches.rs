@@ -1,4 +1,5 @@
 use super::Vary;
+use super::named_drive::DriveRole;
 use super::plane::Plane;
 use crate::derivative::Order;
 use crate::drive::{Drive, Outcome};
@@ -27,8 +28,8 @@ pub struct Launches {
 /// Launch of a drive.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedLaunch {
-    /// Name of the drive.
-    pub name: String,
+    /// Role of the drive.
+    pub role: DriveRole,
     /// Launch angle, rad.
     pub launch_angle: f64,
     /// Backspin, rad/s.
@@ -41,10 +42,10 @@ pub struct NamedLaunch {
 }
 
 impl NamedLaunch {
-    fn of(name: &str, drive: &Drive<f64>) -> Self {
+    fn of(role: &DriveRole, drive: &Drive<f64>) -> Self {
         let launch = &drive.launch;
         Self {
-            name: name.into(),
+            role: role.clone(),
             launch_angle: launch.launch_angle(),
             backspin: launch.backspin(),
             ball_speed: launch.ball_speed(),
@@ -69,12 +70,12 @@ impl Launches {
     /// The errors of [`Drive::new`] and [`Batch::new`](crate::batch::Batch::new);
     /// [`Error::Nothing`] if `drives` is empty; [`Error::NoFlight`] if no launch of the plane
     /// flies.
-    pub fn around(drives: &[(&str, &Setup<f64>)]) -> Result<Self> {
+    pub fn around(drives: &[(DriveRole, &Setup<f64>)]) -> Result<Self> {
         let mut launched = vec![];
         let mut first = None;
-        for (name, setup) in drives {
+        for (role, setup) in drives {
             let drive = Drive::new(setup)?;
-            launched.push(NamedLaunch::of(name, &drive));
+            launched.push(NamedLaunch::of(role, &drive));
             first.get_or_insert((*setup, drive.launch));
         }
         let (own, launch) = first.ok_or(Error::Nothing {

@@ -3,11 +3,36 @@ use crate::error::Result;
 use crate::flight::{Trajectory, trajectory};
 use crate::parameters::Setup;
 
-/// A drive with its path and a name.
+/// The role of a drive among the drives of a plot or a page.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DriveRole {
+    /// The only drive, which needs no name.
+    Alone,
+    /// The drive before a search.
+    AsSetUp,
+    /// The drive at an optimum.
+    Optimum,
+    /// Another drive, with its name.
+    Other(String),
+}
+
+impl DriveRole {
+    /// The name of the drive; empty for the only drive.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Alone => "",
+            Self::AsSetUp => NamedDrive::AS_SET_UP,
+            Self::Optimum => NamedDrive::OPTIMUM,
+            Self::Other(name) => name,
+        }
+    }
+}
+
+/// A drive with its path and its role.
 #[derive(Clone, Debug)]
 pub struct NamedDrive {
-    /// The name, such as "as set up" or "optimum".
-    pub name: String,
+    /// The role.
+    pub role: DriveRole,
     /// The drive.
     pub drive: Drive<f64>,
     /// The path of the drive.
@@ -25,13 +50,9 @@ impl NamedDrive {
     ///
     /// # Errors
     /// The errors of [`Drive::new`].
-    pub fn new(name: impl Into<String>, setup: &Setup<f64>) -> Result<Self> {
+    pub fn new(role: DriveRole, setup: &Setup<f64>) -> Result<Self> {
         let drive = Drive::new(setup)?;
         let path = trajectory(setup, &drive.launch)?;
-        Ok(Self {
-            name: name.into(),
-            drive,
-            path,
-        })
+        Ok(Self { role, drive, path })
     }
 }

@@ -13,8 +13,8 @@ use longdrive::report::figures::{
 use longdrive::report::plot::{Figure, Hue, Layer, Look, Shape, figure_csv, figure_svg};
 use longdrive::study::uncertainty::{LandingEllipse, SaltelliDesign, SamplePlan, Uncertain};
 use longdrive::study::{
-    ChartObserver, Constraint, Face, Fineness, Landing, Launches, Map, NamedDrive, Optimum, Region,
-    Search, Sense, Sigma, Vary, chart, flatness, map, optimum, with_defaults,
+    ChartObserver, Constraint, DriveRole, Face, Fineness, Landing, Launches, Map, NamedDrive,
+    Optimum, Region, Search, Sense, Sigma, Vary, chart, flatness, map, optimum, with_defaults,
 };
 use longdrive::units::{System, TableUnits};
 use longdrive::{Drive, Error, Outcome, Setup};
@@ -515,7 +515,7 @@ fn trajectories_and_landings_are_drawn_at_true_scale() {
     ] {
         setup.set("swing.face_angle", face).unwrap();
         setup.set("club.loft", loft).unwrap();
-        let flown = [NamedDrive::new("as set up", &setup).unwrap()];
+        let flown = [NamedDrive::new(DriveRole::AsSetUp, &setup).unwrap()];
         for view in [View::Side, View::Top] {
             let figure = trajectory_figure(&flown, view, System::Us).unwrap();
             let [across, up] = scales(&figure, &line_of(&figure, "as set up"));
@@ -529,7 +529,7 @@ fn trajectories_and_landings_are_drawn_at_true_scale() {
         }
         let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
         let figure = fairway_figure(
-            &[Landing::of("as set up", &setup, &sigmas).unwrap()],
+            &[Landing::of(DriveRole::AsSetUp, &setup, &sigmas).unwrap()],
             System::Us,
         );
         let [across, up] = scales(&figure, &line_of(&figure, &largest_ellipse_name(&figure)));
@@ -541,7 +541,7 @@ fn trajectories_and_landings_are_drawn_at_true_scale() {
 fn a_side_view_has_its_numbers_at_the_points_and_a_stretched_view_below() {
     let setup = setup();
     let figure = trajectory_figure(
-        &[NamedDrive::new("as set up", &setup).unwrap()],
+        &[NamedDrive::new(DriveRole::AsSetUp, &setup).unwrap()],
         View::Side,
         System::Us,
     )
@@ -643,7 +643,7 @@ fn a_constant_map_is_not_drawn() {
 
 #[test]
 fn a_straight_drive_has_no_view_from_above() {
-    let flown = [NamedDrive::new("as set up", &setup()).unwrap()];
+    let flown = [NamedDrive::new(DriveRole::AsSetUp, &setup()).unwrap()];
     let error = trajectory_figure(&flown, View::Top, System::Us).unwrap_err();
     assert!(
         matches!(&error, Error::Plot { reason, .. } if reason.contains("straight")),
@@ -714,7 +714,7 @@ fn sampled_ellipses_on_the_fairway_hold_the_shares_of_the_caption() {
         let given = [Sigma::read(&setup, sigma).unwrap()];
         let defaults = with_defaults(&setup, &given, &of).unwrap();
         for sigmas in [&given[..], &defaults] {
-            let landing = Landing::of("as set up", &setup, sigmas).unwrap();
+            let landing = Landing::of(DriveRole::AsSetUp, &setup, sigmas).unwrap();
             let shares = shares_in_ellipses(&setup, &landing);
             assert_eq!(shares.len(), 2, "{sigma}");
             // four standard errors of the two samples
@@ -751,7 +751,7 @@ fn the_landing_and_the_ellipses_of_the_fairway_are_those_of_the_drive() {
         &of,
     )
     .unwrap();
-    let landing = Landing::of("as set up", &setup, &sigmas).unwrap();
+    let landing = Landing::of(DriveRole::AsSetUp, &setup, &sigmas).unwrap();
     assert!(
         landing
             .sigmas
@@ -822,9 +822,13 @@ fn two_landings() -> [Landing; 2] {
     let setup = setup();
     let search = Search::longest_drive(&setup).unwrap();
     let best = optimum(&setup, search, Observer::default()).unwrap();
-    [("as set up", &setup), ("optimum", &best.setup)].map(|(name, setup)| {
+    [
+        (DriveRole::AsSetUp, &setup),
+        (DriveRole::Optimum, &best.setup),
+    ]
+    .map(|(role, setup)| {
         let sigmas = with_defaults(setup, &[], &[Outcome::Carry]).unwrap();
-        Landing::of(name, setup, &sigmas).unwrap()
+        Landing::of(role, setup, &sigmas).unwrap()
     })
 }
 
@@ -909,7 +913,11 @@ fn same_flights_in_a_launch_map_and_alone() {
         Observer::default(),
     )
     .unwrap();
-    let map = Launches::around(&[("as set up", &setup), ("optimum", &best.setup)]).unwrap();
+    let map = Launches::around(&[
+        (DriveRole::AsSetUp, &setup),
+        (DriveRole::Optimum, &best.setup),
+    ])
+    .unwrap();
     let own = Drive::new(&setup).unwrap();
     let carry = |angle: f64, backspin: f64| {
         outcome_at(
@@ -971,6 +979,7 @@ fn same_flights_in_a_launch_map_and_alone() {
     let mut faster = lofted;
     faster.launch.ball_speed = Some(75.0);
     let drives = [("first", &lofted), ("same", &lofted), ("faster", &faster)];
+    let drives = drives.map(|(name, setup)| (DriveRole::Other(name.into()), setup));
     let map = Launches::around(&drives).unwrap();
     let note = launches_figure(&map, System::Us).note;
     assert_eq!(note.matches(", its own ball speed").count(), 1, "{note}");
@@ -1275,7 +1284,7 @@ fn a_caption_names_a_dashed_line_only_if_it_is_drawn() {
     assert!(!messages.contains("Dashed"), "{messages}");
     let says = "sidespin of the drive as set up;";
     assert!(messages.contains(says), "{messages}");
-    let map = Launches::around(&[("as set up", &setup())]).unwrap();
+    let map = Launches::around(&[(DriveRole::AsSetUp, &setup())]).unwrap();
     let note = launches_figure(&map, System::Us).note;
     assert!(note.starts_with("Dashed: the best launch angle"), "{note}");
 }

@@ -11,7 +11,7 @@ use longdrive::report::{preset_toml, setup_toml};
 use longdrive::study::calibrate::{self, ShotTable, calibrate};
 use longdrive::study::uncertainty::{self, Distribution, Uncertain, uncertainty};
 use longdrive::study::{
-    ChartObserver, Fineness, Landing, Search, Sigma, Vary, chart, effects, map, optimum,
+    ChartObserver, DriveRole, Fineness, Landing, Search, Sigma, Vary, chart, effects, map, optimum,
     sensitivity,
 };
 use longdrive::{Drive, Error, Outcome, Result, Setup};
@@ -152,7 +152,7 @@ fn a_coefficient_of_another_law_is_refused_everywhere() {
         ),
         (
             "a landing",
-            Landing::of("as set up", &setup, &[sigma]).map(|_| ()),
+            Landing::of(DriveRole::AsSetUp, &setup, &[sigma]).map(|_| ()),
         ),
         (
             "uncertainty",

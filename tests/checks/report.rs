@@ -11,7 +11,7 @@ use longdrive::report::plot::{
     Axis, Field, Figure, Hue, Layer, Look, NamedQuantity, Shape, figure_csv, figure_svg,
 };
 use longdrive::study::certificate::certify;
-use longdrive::study::{Fineness, NamedDrive, Sigma, Vary, effects, map, with_defaults};
+use longdrive::study::{DriveRole, Fineness, NamedDrive, Sigma, Vary, effects, map, with_defaults};
 use longdrive::units::{System, TableUnits};
 use longdrive::{Drive, Error, Outcome, Setup, derivative, flight, impact};
 use std::path::Path;
@@ -83,7 +83,7 @@ fn figures() -> Vec<Figure> {
     let landscape = map(&setup, Outcome::Carry, ranges[0], ranges[1], fineness).unwrap();
     let mut crooked = setup;
     crooked.set("swing.path", "3 deg").unwrap();
-    let flown = [NamedDrive::new("as <set> & \"up\"", &crooked).unwrap()];
+    let flown = [NamedDrive::new(DriveRole::Other("as <set> & \"up\"".into()), &crooked).unwrap()];
     let sigmas = with_defaults(&setup, &[], &[Outcome::Carry]).unwrap();
     let effects = effects(&setup, &[Outcome::Carry], &sigmas, &mut |_, _| ()).unwrap();
     let loft = setup.variable("club.loft").unwrap();
@@ -115,7 +115,7 @@ fn same_points_in_the_data_of_a_trajectory_and_in_its_flight() {
     let setup = Setup::modern_driver();
     let path = flight::trajectory(&setup, &impact::strike(&setup).unwrap().launch).unwrap();
     let figure = trajectory_figure(
-        &[NamedDrive::new("", &setup).unwrap()],
+        &[NamedDrive::new(DriveRole::Alone, &setup).unwrap()],
         View::Side,
         System::Us,
     )
@@ -144,7 +144,7 @@ fn a_slice_is_drawn_below_the_target_line_in_the_view_from_above() {
         let mut setup = Setup::modern_driver();
         setup.set("swing.face_angle", face_angle).unwrap();
         let figure = trajectory_figure(
-            &[NamedDrive::new("", &setup).unwrap()],
+            &[NamedDrive::new(DriveRole::Alone, &setup).unwrap()],
             View::Top,
             System::Us,
         )
@@ -722,7 +722,7 @@ fn a_png_has_its_size_and_its_words() {
     // a file with a title is larger; without a font the letters would be missing
     let setup = Setup::modern_driver();
     let figure = trajectory_figure(
-        &[NamedDrive::new("", &setup).unwrap()],
+        &[NamedDrive::new(DriveRole::Alone, &setup).unwrap()],
         View::Side,
         System::Us,
     )

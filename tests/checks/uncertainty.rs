@@ -12,7 +12,7 @@ use longdrive::study::uncertainty::{
     Distribution, LandingEllipse, SaltelliDesign, SamplePlan, Statistics, Uncertain, delta_method,
     uncertainty,
 };
-use longdrive::study::{Landing, Sigma, effects, with_defaults};
+use longdrive::study::{DriveRole, Landing, Sigma, effects, with_defaults};
 use longdrive::{Drive, Error, Outcome, Setup, derivative};
 use std::f64::consts::PI;
 
@@ -1075,7 +1075,7 @@ fn impossible_distributions_are_refused() {
         };
         let refused = [
             effects(&setup, &[Outcome::Carry], &[sigma], &mut |_, _| ()).map(|_| ()),
-            Landing::of("as set up", &setup, &[sigma]).map(|_| ()),
+            Landing::of(DriveRole::AsSetUp, &setup, &[sigma]).map(|_| ()),
         ];
         for error in refused.map(Result::unwrap_err) {
             assert!(

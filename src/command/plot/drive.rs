@@ -12,7 +12,8 @@ use crate::report::figures::{face_figure, fairway_figure, launches_figure, strik
 use crate::report::plot::Figure;
 use crate::report::{Ending, SetupOrigin, computed_text, with_constraints};
 use crate::study::{
-    Cause, Face, Landing, Launches, NamedDrive, Optimum, Search, causes, optimum, with_defaults,
+    Cause, DriveRole, Face, Landing, Launches, NamedDrive, Optimum, Search, causes, optimum,
+    with_defaults,
 };
 use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
@@ -27,14 +28,14 @@ pub fn fairway(args: &PlotFairway) -> Result<Answer> {
     let given = sigmas(&setup, &args.sigma)?;
     let of = [Outcome::Carry, Outcome::Lateral];
     let mut landings = vec![Landing::of(
-        NamedDrive::AS_SET_UP,
+        DriveRole::AsSetUp,
         &setup,
         &with_defaults(&setup, &given, &of)?,
     )?];
     if let Some(best) = &best {
         let setup = best.setup.with_assumed_launch()?;
         let sigmas = with_defaults(&setup, &given, &of)?;
-        landings.push(Landing::of(NamedDrive::OPTIMUM, &setup, &sigmas)?);
+        landings.push(Landing::of(DriveRole::Optimum, &setup, &sigmas)?);
     }
     let figure = with_optimum(fairway_figure(&landings, system()), best.as_ref());
     let shown = [Outcome::Carry, Outcome::Lateral, Outcome::Total];
@@ -48,8 +49,8 @@ pub fn launches(args: &PlotSearch) -> Result<Answer> {
     let (setup, found) = setup_and_optimum(&request, &args.search)?;
     let target = target.ended(found.ending).about(found.origin);
     let best = found.best;
-    let optimum = best.iter().map(|best| (NamedDrive::OPTIMUM, &best.setup));
-    let drives: Vec<_> = std::iter::once((NamedDrive::AS_SET_UP, &setup))
+    let optimum = best.iter().map(|best| (DriveRole::Optimum, &best.setup));
+    let drives: Vec<_> = std::iter::once((DriveRole::AsSetUp, &setup))
         .chain(optimum)
         .collect();
     let spinner = spinner("computing the map");

@@ -28,8 +28,8 @@ use crate::report::plot::Figure;
 use crate::reproduce::while_loop;
 use crate::study::certificate::certify;
 use crate::study::{
-    ChartObserver, Constraint, Fineness, Map, NamedDrive, Region, Search, Vary, chart, effects,
-    map, optimum, short_drive, usual_loss, with_defaults,
+    ChartObserver, Constraint, DriveRole, Fineness, Map, NamedDrive, Region, Search, Vary, chart,
+    effects, map, optimum, short_drive, usual_loss, with_defaults,
 };
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
@@ -68,7 +68,7 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(request.inputs(), &args.drawing)?.about(request.origin());
     let setup = request.within_tolerance(request.setup()?)?;
-    let flown = NamedDrive::new("", &setup)?;
+    let flown = NamedDrive::new(DriveRole::Alone, &setup)?;
     flown.drive.landed()?;
     let figure = trajectory_figure(&[flown], args.view, system()).map_err(|error| match error {
         Error::Plot { reason, .. } if args.view == View::Top => {

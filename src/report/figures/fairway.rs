@@ -162,9 +162,9 @@ fn arcs([x, y]: [[f64; 2]; 2], system: System) -> Vec<Layer> {
 /// The ellipses, the roll-out and the marks of a drive. The legend names each drive once, at its
 /// largest ellipse, or else at its landing.
 fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
-    let (hue, is_dashed) = style(&landing.name, i);
+    let (hue, is_dashed) = style(&landing.role, i);
     let carry = shown::outcome(Outcome::Carry, landing.at[1], system);
-    let name = format!("{}: carry {carry}", landing.name);
+    let name = format!("{}: carry {carry}", landing.role.name());
     let mut layers = vec![];
     for (k, ellipse) in landing.ellipses.iter().rev().enumerate() {
         let points = outline(ellipse);
@@ -185,7 +185,7 @@ fn layers_of(landing: &Landing, i: usize, system: System) -> Vec<Layer> {
         layers.push(if i == 0 {
             run
         } else {
-            run.remarked(&landing.name)
+            run.remarked(landing.role.name())
         });
         layers.push(Layer::new(
             format!("total {}", shown::outcome(Outcome::Total, rest[1], system)),
@@ -215,7 +215,7 @@ fn note_of(landing: &Landing, system: System) -> String {
     });
     format!(
         "{}: carry {}, {}{total}.",
-        capital(&landing.name),
+        capital(landing.role.name()),
         shown::outcome(Outcome::Carry, carry, system),
         beside_target(lateral, system)
     )
@@ -261,6 +261,6 @@ fn too_wide(landing: &Landing) -> String {
         "{}: no ellipses are drawn, because the standard deviations of its inputs are too large: \
          more than 2 % of the drives would have a value outside of its allowed range or would not \
          land.",
-        capital(&landing.name)
+        capital(landing.role.name())
     )
 }

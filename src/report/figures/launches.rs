@@ -2,7 +2,7 @@ use super::style::{field, style};
 use crate::drive::Outcome;
 use crate::report::plot::{Axis, Figure, Hue, Layer, LineNames, NamedQuantity, Shape};
 use crate::report::shown::{self, capital};
-use crate::study::{Launches, NamedDrive, NamedLaunch, Vary};
+use crate::study::{DriveRole, Launches, NamedLaunch, Vary};
 use crate::units::System;
 
 /// A map of the carry as a function of launch angle and backspin at a constant ball speed, as in
@@ -47,8 +47,8 @@ fn layers(map: &Launches) -> Vec<Layer> {
     let launched = map.launched.iter().enumerate();
     let marks = launched.map(|(i, one)| {
         Layer::new(
-            one.name.clone(),
-            style(&one.name, i).0,
+            one.role.name(),
+            style(&one.role, i).0,
             Shape::Mark(place(one)),
         )
     });
@@ -69,7 +69,7 @@ fn note(map: &Launches, system: System) -> String {
     }
     notes.extend(map.launched.iter().map(|one| note_of(one, map, system)));
     let first = match map.launched.first() {
-        Some(one) if one.name == NamedDrive::AS_SET_UP => "drive as set up",
+        Some(one) if one.role == DriveRole::AsSetUp => "drive as set up",
         _ => "first launch",
     };
     notes.push(format!(
@@ -96,9 +96,9 @@ fn note_of(one: &NamedLaunch, map: &Launches, system: System) -> String {
     } else {
         format!(", its own ball speed {speed}")
     };
-    let name = match one.name.as_str() {
-        "" => "this drive",
-        name => name,
+    let name = match &one.role {
+        DriveRole::Alone => "this drive",
+        role => role.name(),
     };
     format!(
         "{}: launch {}, backspin {}, {carry}{speed}.",

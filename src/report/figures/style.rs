@@ -3,16 +3,18 @@
 
 use crate::drive::Outcome;
 use crate::report::plot::{Field, Hue, Layer, NamedQuantity, Shape};
-use crate::study::{NamedDrive, Plane};
+use crate::study::{DriveRole, Plane};
 
-/// The colour of a drive, and true if its lines are dashed. [`NamedDrive::AS_SET_UP`] and
-/// [`NamedDrive::OPTIMUM`] have fixed styles. A drive with another name has the colour of series
-/// `place`, with dashed lines except for series 0.
-pub(super) fn style(name: &str, place: usize) -> (Hue, bool) {
-    match name {
-        NamedDrive::AS_SET_UP => (Hue::SET_UP, false),
-        NamedDrive::OPTIMUM => (Hue::OPTIMUM, true),
-        _ => (Hue::Series(place), place > 0),
+/// The series after that of the drive as set up and that of the optimum.
+const OTHERS: usize = 2;
+
+/// The colour of a drive, and true if its lines are dashed. `place` is the place of the drive among
+/// those of the plot. Another drive than that as set up and its optimum has neither of their colours.
+pub(super) fn style(role: &DriveRole, place: usize) -> (Hue, bool) {
+    match role {
+        DriveRole::Alone | DriveRole::AsSetUp => (Hue::SET_UP, false),
+        DriveRole::Optimum => (Hue::OPTIMUM, true),
+        DriveRole::Other(_) => (Hue::Series(OTHERS + place), place > 0),
     }
 }
 

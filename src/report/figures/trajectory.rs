@@ -7,7 +7,7 @@ use crate::report::drive::total_is_known;
 use crate::report::plot::{Axis, Figure, Hue, Layer, NamedQuantity, Shape};
 use crate::report::shown;
 use crate::statistics::extent;
-use crate::study::NamedDrive;
+use crate::study::{DriveRole, NamedDrive};
 use crate::units::{Quantity, System, significant};
 
 /// The view of a trajectory. The target is to the right of the picture; seen from above, right of
@@ -161,18 +161,18 @@ fn without_layers(view: View, [x, y]: [[f64; 2]; 2]) -> Figure {
 /// A line for the path of each drive, then a line for the roll-out of each drive that has one.
 fn lines(flown: &[NamedDrive], paths: &[Vec<[f64; 2]>], runs: &[Vec<[f64; 2]>]) -> Vec<Layer> {
     let line = |i: usize, points: &Vec<[f64; 2]>, is_run: bool| {
-        let drive = flown[i].name.as_str();
-        let (hue, is_dashed) = style(drive, i);
+        let role = &flown[i].role;
+        let (hue, is_dashed) = style(role, i);
         let points = points.clone();
         // a single drive has no name: its flight and its run are two entries of the legend
-        if drive.is_empty() {
+        if *role == DriveRole::Alone {
             let (name, is_dashed) = match is_run {
                 false => ("flight", is_dashed),
                 true => ("run", true),
             };
             return Layer::new(name, hue, Shape::Line { is_dashed, points });
         }
-        let line = Layer::new(drive, hue, Shape::Line { is_dashed, points });
+        let line = Layer::new(role.name(), hue, Shape::Line { is_dashed, points });
         if is_run { line.remarked("run") } else { line }
     };
     let flights = paths.iter().enumerate();
@@ -219,10 +219,10 @@ fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) 
             return None;
         }
         let total = shown::outcome(Outcome::Total, Outcome::Total.value(&one.drive)?, system);
-        Some(if one.name.is_empty() {
+        Some(if one.role == DriveRole::Alone {
             total
         } else {
-            format!("{total} ({})", one.name)
+            format!("{total} ({})", one.role.name())
         })
     };
     let totals: Vec<String> = flown.iter().zip(runs).filter_map(total).collect();
@@ -238,7 +238,7 @@ fn note_of_totals(flown: &[NamedDrive], runs: &[Vec<[f64; 2]>], system: System) 
 
 /// Marks of the apex and the landing, labelled with their values.
 fn marks(flown: &NamedDrive, i: usize, view: View, system: System) -> Vec<Layer> {
-    let (hue, _) = style(&flown.name, i);
+    let (hue, _) = style(&flown.role, i);
     let value = |of: Outcome| of.value(&flown.drive);
     let text = |of: Outcome, word: &str| {
         value(of).map(|found| format!("{word} {}", shown::outcome(of, found, system)))

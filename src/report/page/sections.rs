@@ -57,7 +57,7 @@ pub(super) fn panel(findings: &Findings) -> Markup {
 pub(super) fn outcomes(flown: &[NamedDrive]) -> Markup {
     html! {
         (scrolled("Launch and flight", html! { table {
-            thead { tr { th { "outcome" } @for one in flown { th.number { (one.name) } } th.doc { "what \
+            thead { tr { th { "outcome" } @for one in flown { th.number { (one.role.name()) } } th.doc { "what \
                 it is" } } }
             tbody {
                 @for of in Outcome::in_group(OutcomeGroup::Launch).chain(Outcome::in_group(OutcomeGroup::Flight)) {
