@@ -133,7 +133,7 @@ impl Report for Mae494Report<'_> {
     /// report and, in parentheses, in the units of `system`.
     fn document(&self, system: System) -> Document {
         let found = self.found;
-        let shown = PaperUnits {
+        let units = PaperUnits {
             angle_decimals: 4,
             paper: Mae494::UNITS,
             system,
@@ -146,15 +146,15 @@ impl Report for Mae494Report<'_> {
              what that model gives. All numbers \
              except the printed ones are computed by this command.",
         );
-        tables::optimum(&mut document, found, shown);
-        tables::tables(&mut document, found, shown);
-        tables::average(&mut document, found, shown);
-        tables::regression(&mut document, found, shown);
-        physics::energy(&mut document, found, shown);
-        physics::subsystems(&mut document, found, shown);
-        physics::parametric(&mut document, found, shown);
-        noise::noise(&mut document, &found.noise, shown);
-        searches::searches(&mut document, found, shown);
+        tables::optimum(&mut document, found, units);
+        tables::tables(&mut document, found, units);
+        tables::average(&mut document, found, units);
+        tables::regression(&mut document, found, units);
+        physics::energy(&mut document, found, units);
+        physics::subsystems(&mut document, found, units);
+        physics::parametric(&mut document, found, units);
+        noise::noise(&mut document, &found.noise, units);
+        searches::searches(&mut document, found, units);
         document
     }
 }

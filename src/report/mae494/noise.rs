@@ -6,7 +6,7 @@ use crate::report::published::{PaperUnits, angles};
 use crate::reproduce::{Landings, Noise, Slopes};
 use crate::units::{Quantity, significant};
 
-pub(super) fn noise(document: &mut Document, noise: &Noise, shown: PaperUnits) {
+pub(super) fn noise(document: &mut Document, noise: &Noise, units: PaperUnits) {
     document.heading("The noise of its flight loop");
     document.paragraph(format!(
         "The report's flight loop stops at the first step of {} s that ends below the ground. \
@@ -19,7 +19,7 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: PaperUnits) {
          the last two steps of the loop removes the jumps.",
         noise.step,
         significant(noise.teeth.width.to_degrees(), 3),
-        Quantity::LENGTH.read_off_difference(noise.teeth.height, shown.length_unit()),
+        Quantity::LENGTH.read_off_difference(noise.teeth.height, units.length_unit()),
         noise.wrong_signs,
         noise.slopes.len(),
     ));
@@ -29,14 +29,14 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: PaperUnits) {
          with an increment of {} rad, as in MATLAB's fmincon:",
         significant(noise.difference, 3)
     ));
-    add_slopes(document, noise, shown);
+    add_slopes(document, noise, units);
     document.figure(slopes(&noise.slopes));
     document.paragraph(
         "A shorter time step does not help. The loop's finite differences at loft 10°, attack \
          angle 0° are:",
     );
     let rows = noise.shorter_steps.iter().map(|at| {
-        let slope = shown.per_radian(at.overshot);
+        let slope = units.per_radian(at.overshot);
         vec![format!("{} s", at.step), slope]
     });
     document.add(DocumentTable::new(["time step", "loop"], rows).right(0..2));
@@ -44,11 +44,11 @@ pub(super) fn noise(document: &mut Document, noise: &Noise, shown: PaperUnits) {
         "Longer differences reach over several jumps, but have an error from the curvature \
          instead. The same loft and attack angle, with the original time step:",
     );
-    add_longer_differences(document, noise, shown);
+    add_longer_differences(document, noise, units);
 }
 
-fn add_slopes(document: &mut Document, noise: &Noise, shown: PaperUnits) {
-    let per_radian = |slope: f64| shown.per_radian(slope);
+fn add_slopes(document: &mut Document, noise: &Noise, units: PaperUnits) {
+    let per_radian = |slope: f64| units.per_radian(slope);
     let rows = noise.slopes.iter().map(|slopes| {
         vec![
             format!("{:.0}°", slopes.loft.to_degrees()),
@@ -79,13 +79,13 @@ fn add_slopes(document: &mut Document, noise: &Noise, shown: PaperUnits) {
 }
 
 /// Adds a table of finite differences with larger steps in the loft.
-fn add_longer_differences(document: &mut Document, noise: &Noise, shown: PaperUnits) {
+fn add_longer_differences(document: &mut Document, noise: &Noise, units: PaperUnits) {
     let rows = noise.longer_differences.iter().map(|slopes| {
         vec![
             format!("{} rad", significant(slopes.difference, 3)),
-            shown.per_radian(slopes.overshot),
-            shown.per_radian(slopes.interpolated),
-            shown.per_radian(slopes.smooth),
+            units.per_radian(slopes.overshot),
+            units.per_radian(slopes.interpolated),
+            units.per_radian(slopes.smooth),
         ]
     });
     let table = DocumentTable::new(

@@ -6,7 +6,7 @@ use crate::report::shown::{NONE, ratio, stated};
 use crate::reproduce::{ByLaunch, Launched, Mae494};
 use crate::units::{fixed, signed};
 
-pub(super) fn energy(document: &mut Document, found: &Mae494, shown: PaperUnits) {
+pub(super) fn energy(document: &mut Document, found: &Mae494, units: PaperUnits) {
     let energy = &found.energy;
     let longest = found.optimum.printed.carry;
     document.heading("Its distances are not possible");
@@ -17,21 +17,21 @@ pub(super) fn energy(document: &mut Document, found: &Mae494, shown: PaperUnits)
          horizontal with {} rad/s of spin, and more speed would \
          add {}. The report's longest distance, {}, needs at least {}, that is {:.1} J: {:.1} % of \
          the club's energy.",
-        shown.computed(SPEED, energy.fastest),
+        units.computed(SPEED, energy.fastest),
         energy.ball,
         energy.club,
-        shown.length(energy.farthest.carry),
-        shown.degrees(energy.farthest.angle),
+        units.length(energy.farthest.carry),
+        units.degrees(energy.farthest.angle),
         spin(&energy.farthest),
-        ratio(LENGTH, SPEED, energy.carry_per_ball_speed, shown.system, 4),
-        shown.printed(LENGTH, longest),
-        shown.computed(SPEED, energy.needed.speed),
+        ratio(LENGTH, SPEED, energy.carry_per_ball_speed, units.system, 4),
+        units.printed(LENGTH, longest),
+        units.computed(SPEED, energy.needed.speed),
         energy.ball_needed,
         100.0 * energy.ball_needed / energy.club,
     ));
 }
 
-pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: PaperUnits) {
+pub(super) fn subsystems(document: &mut Document, found: &Mae494, units: PaperUnits) {
     let parts = &found.subsystems;
     document.heading("Its subsystems");
     document.paragraph(
@@ -42,10 +42,10 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: PaperUn
     );
     let row = |what: &str, launched: &Launched| {
         vec![
-            shown.computed(SPEED, launched.speed),
-            shown.degrees(launched.angle),
+            units.computed(SPEED, launched.speed),
+            units.degrees(launched.angle),
             format!("{} rad/s", spin(launched)),
-            shown.length(launched.carry),
+            units.length(launched.carry),
             what.into(),
         ]
     };
@@ -64,18 +64,18 @@ pub(super) fn subsystems(document: &mut Document, found: &Mae494, shown: PaperUn
         ],
     );
     document.add(table.right(0..4));
-    document.paragraph(optima_of_subsystems(found, shown));
+    document.paragraph(optima_of_subsystems(found, units));
     document.paragraph(format!(
         "At the optimum of the whole: the change of carry in {} for one degree, through each part \
          of the launch (exact):",
-        shown.length_unit()
+        units.length_unit()
     ));
-    add_parts_of_slopes(document, found, shown);
+    add_parts_of_slopes(document, found, units);
 }
 
 /// The optimum of the impact alone and the optimum of the flight alone, compared with the optimum
 /// of the whole drive.
-fn optima_of_subsystems(found: &Mae494, shown: PaperUnits) -> String {
+fn optima_of_subsystems(found: &Mae494, units: PaperUnits) -> String {
     let parts = &found.subsystems;
     format!(
         "The optimum of the impact alone is the greatest ball speed, which a face without loft \
@@ -84,20 +84,20 @@ fn optima_of_subsystems(found: &Mae494, shown: PaperUnits) -> String {
          and the launch angle of this optimum then needs an attack angle of {}, which no golfer \
          reaches. No impact within the ranges gives this launch. So the optimum of the whole is \
          not the optimum of a subsystem: it carries {} less than the optimum of the flight.",
-        shown.degrees(parts.impact.attack_angle),
-        shown.length(parts.impact.carry),
-        shown.degrees(found.energy.farthest.angle),
-        shown.length(parts.flight.carry - parts.whole.carry),
+        units.degrees(parts.impact.attack_angle),
+        units.length(parts.impact.carry),
+        units.degrees(found.energy.farthest.angle),
+        units.length(parts.flight.carry - parts.whole.carry),
     )
 }
 
 /// Adds a table that splits the slopes of the carry into the parts due to ball speed, launch angle
 /// and backspin.
-fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: PaperUnits) {
+fn add_parts_of_slopes(document: &mut Document, found: &Mae494, units: PaperUnits) {
     let parts = &found.subsystems;
     let through = |parts: ByLaunch| {
         let parts = parts.to_array();
-        let for_a_degree = |part: f64| with_sign(shown.length_number(part).to_radians());
+        let for_a_degree = |part: f64| with_sign(units.length_number(part).to_radians());
         let [speed, angle, spin] = parts.map(for_a_degree);
         let sum: f64 = parts.iter().sum();
         vec![
@@ -124,7 +124,7 @@ fn add_parts_of_slopes(document: &mut Document, found: &Mae494, shown: PaperUnit
     document.add(table.right(0..4));
 }
 
-pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: PaperUnits) {
+pub(super) fn parametric(document: &mut Document, found: &Mae494, units: PaperUnits) {
     let study = &found.parametric;
     document.heading("Its parametric study");
     document.paragraph(
@@ -139,11 +139,11 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: PaperUn
         vec![
             format!(
                 "{} {}",
-                with_sign(shown.length_number(constant.carry_per_cent())),
-                shown.length_unit()
+                with_sign(units.length_number(constant.carry_per_cent())),
+                units.length_unit()
             ),
             format!("{}°", with_sign(constant.loft_per_cent().to_degrees())),
-            stated(parameter, constant.at, shown.system),
+            stated(parameter, constant.at, units.system),
             parameter.name.into(),
         ]
     });
@@ -162,12 +162,12 @@ pub(super) fn parametric(document: &mut Document, found: &Mae494, shown: PaperUn
     let rows = study.changes.iter().map(|changed| {
         let value = found.optimum.best.setup.value(changed.parameter);
         let part = changed.change / value.unwrap_or(f64::NAN);
-        let carry = |carry: Option<f64>| carry.map_or(NONE.into(), |carry| shown.length(carry));
+        let carry = |carry: Option<f64>| carry.map_or(NONE.into(), |carry| units.length(carry));
         vec![
             carry(changed.predicted.value),
             carry(changed.resolved.value),
-            shown.degrees(changed.predicted.loft()),
-            shown.degrees(changed.resolved.loft()),
+            units.degrees(changed.predicted.loft()),
+            units.degrees(changed.resolved.loft()),
             format!("{} {:+.0} %", changed.parameter.name, 100.0 * part),
         ]
     });

@@ -10,7 +10,7 @@ use crate::units::Quantity;
 /// A search counts as successful if its carry is at most this much below the best carry, m.
 const FOUND: f64 = 0.01;
 
-pub(super) fn searches(document: &mut Document, found: &Mae494, shown: PaperUnits) {
+pub(super) fn searches(document: &mut Document, found: &Mae494, units: PaperUnits) {
     let best = found.optimum.exact();
     let count = found
         .noise
@@ -29,13 +29,13 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: PaperUnit
          Its carry is taken as 0 where a drive does not fly.",
         Quantity::LENGTH.read_off(
             FOUND,
-            if shown.length_unit() == "yd" {
+            if units.length_unit() == "yd" {
                 "in"
             } else {
                 "mm"
             }
         ),
-        shown.length(best.carry),
+        units.length(best.carry),
     ));
     let rows = found.noise.searches.iter().map(|searches| {
         let losses = searches.losses(best.carry);
@@ -43,8 +43,8 @@ pub(super) fn searches(document: &mut Document, found: &Mae494, shown: PaperUnit
         let successful = losses.iter().filter(|loss| **loss <= FOUND).count();
         vec![
             format!("{successful} of {count}"),
-            shown.length(median(&losses).unwrap_or_default()),
-            shown.length(worst),
+            units.length(median(&losses).unwrap_or_default()),
+            units.length(worst),
             format!("{:.0}", searches.flights() as f64 / count.max(1) as f64),
             landing(searches.landing).into(),
             method(searches.method).into(),

@@ -6,7 +6,7 @@ use crate::report::published::{ANGLE, LENGTH, PaperUnits, angles};
 use crate::report::shown::ratio;
 use crate::reproduce::{Mae494, RecomputedOptimum};
 
-pub(super) fn optimum(document: &mut Document, found: &Mae494, shown: PaperUnits) {
+pub(super) fn optimum(document: &mut Document, found: &Mae494, units: PaperUnits) {
     let RecomputedOptimum { printed, best, .. } = &found.optimum;
     let exact = found.optimum.exact();
     document.heading("The optimum");
@@ -15,20 +15,20 @@ pub(super) fn optimum(document: &mut Document, found: &Mae494, shown: PaperUnits
          loft {}, attack angle {}: {} ({}). The \
          report recommends {} and {} and prints {}; in its model that delivery carries {}, which \
          is {} less than the best.",
-        shown.degrees(exact.loft),
-        shown.degrees(exact.attack_angle),
-        shown.length(exact.carry),
-        active_bounds(&found.optimum, shown),
-        shown.degrees(printed.loft),
-        shown.degrees(printed.attack_angle),
-        shown.printed(LENGTH, printed.carry),
-        shown.carry_if_flown(found.optimum.at_printed),
-        shown.length(found.optimum.cost()),
+        units.degrees(exact.loft),
+        units.degrees(exact.attack_angle),
+        units.length(exact.carry),
+        active_bounds(&found.optimum, units),
+        units.degrees(printed.loft),
+        units.degrees(printed.attack_angle),
+        units.printed(LENGTH, printed.carry),
+        units.carry_if_flown(found.optimum.at_printed),
+        units.length(found.optimum.cost()),
     ));
     document.paragraph(format!("The search {}: {}.", best.status(), best.message()));
 }
 
-pub(super) fn tables(document: &mut Document, found: &Mae494, shown: PaperUnits) {
+pub(super) fn tables(document: &mut Document, found: &Mae494, units: PaperUnits) {
     let active = |rows: &[RecomputedOptimum]| {
         let is_at_a_bound = |row: &&RecomputedOptimum| !row.best.active().is_empty();
         rows.iter().filter(is_at_a_bound).count()
@@ -47,13 +47,13 @@ pub(super) fn tables(document: &mut Document, found: &Mae494, shown: PaperUnits)
     let row = |row: &RecomputedOptimum, given: f64, printed: f64, exact: f64| {
         vec![
             format!("{:.0}°", given.to_degrees()),
-            shown.degrees(printed),
-            shown.printed(LENGTH, row.printed.carry),
-            shown.carry_if_flown(row.at_printed),
-            shown.degrees(exact),
-            shown.length(row.exact().carry),
-            shown.length(row.cost()),
-            active_bounds(row, shown),
+            units.degrees(printed),
+            units.printed(LENGTH, row.printed.carry),
+            units.carry_if_flown(row.at_printed),
+            units.degrees(exact),
+            units.length(row.exact().carry),
+            units.length(row.cost()),
+            active_bounds(row, units),
         ]
     };
     let head = |given: &'static str, best: &'static str, exact: &'static str| {
@@ -118,7 +118,7 @@ fn best_lofts(rows: &[RecomputedOptimum]) -> Figure {
 }
 
 /// The active bounds in words, such as "club.loft at its upper bound, 0.52 m per deg beyond it".
-fn active_bounds(row: &RecomputedOptimum, shown: PaperUnits) -> String {
+fn active_bounds(row: &RecomputedOptimum, units: PaperUnits) -> String {
     let solution = &row.best.solution;
     let bounds = row.best.active().into_iter().filter_map(|active| {
         let i = row
@@ -130,7 +130,7 @@ fn active_bounds(row: &RecomputedOptimum, shown: PaperUnits) -> String {
         let price = solution.lower_multipliers[i] + solution.upper_multipliers[i];
         Some(format!(
             "{active}, {} beyond it",
-            ratio(LENGTH, ANGLE, price, shown.system, 4)
+            ratio(LENGTH, ANGLE, price, units.system, 4)
         ))
     });
     let bounds: Vec<_> = bounds.collect();
@@ -141,7 +141,7 @@ fn active_bounds(row: &RecomputedOptimum, shown: PaperUnits) -> String {
     }
 }
 
-pub(super) fn average(document: &mut Document, found: &Mae494, shown: PaperUnits) {
+pub(super) fn average(document: &mut Document, found: &Mae494, units: PaperUnits) {
     let average = &found.average;
     document.heading("The average over attack angles");
     let longest = average
@@ -152,19 +152,19 @@ pub(super) fn average(document: &mut Document, found: &Mae494, shown: PaperUnits
         format!(
             "Of the computed lofts, {:.0}° has the longest average carry ({}). ",
             longest.loft.to_degrees(),
-            shown.length(longest.carry)
+            units.length(longest.carry)
         )
     });
     document.paragraph(format!(
         "Carry averaged over the attack angles 0, 1 … 10° is longest at {:.0}° by the report. \
          {whole}The exact best is {}, with {}.",
         average.printed.to_degrees(),
-        shown.degrees(average.best.loft),
-        shown.length(average.best.carry),
+        units.degrees(average.best.loft),
+        units.length(average.best.carry),
     ));
 }
 
-pub(super) fn regression(document: &mut Document, found: &Mae494, shown: PaperUnits) {
+pub(super) fn regression(document: &mut Document, found: &Mae494, units: PaperUnits) {
     let fit = &found.regression;
     document.heading("The regression");
     document.paragraph(format!(
@@ -175,13 +175,13 @@ pub(super) fn regression(document: &mut Document, found: &Mae494, shown: PaperUn
          have their maximum at {} ({}); the ordinary polynomial 1 … λ⁴ through the same points has \
          it at {} ({}). In the report's model a ball struck with loft \
          {} at attack angle 10° carries {}.",
-        shown.degrees(fit.with_wrong_powers.loft),
-        shown.length(fit.with_wrong_powers.distance),
-        shown.degrees(fit.as_fitted.loft),
-        shown.length(fit.as_fitted.distance),
-        shown.degrees(fit.ordinary.loft),
-        shown.length(fit.ordinary.distance),
-        shown.degrees(found.with_wrong_powers.loft),
-        shown.length(found.with_wrong_powers.carry),
+        units.degrees(fit.with_wrong_powers.loft),
+        units.length(fit.with_wrong_powers.distance),
+        units.degrees(fit.as_fitted.loft),
+        units.length(fit.as_fitted.distance),
+        units.degrees(fit.ordinary.loft),
+        units.length(fit.ordinary.distance),
+        units.degrees(found.with_wrong_powers.loft),
+        units.length(found.with_wrong_powers.carry),
     ));
 }

@@ -28,10 +28,10 @@ const MOST_SPIN: f64 = 450.0;
 
 /// Adds the law to a document: its formula, its coefficients for some speeds and spin ratios, and
 /// plots.
-pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
+pub(super) fn law(document: &mut Document, found: &WinfieldTan, units: PaperUnits) {
     document.heading("The law");
-    fit(document, found, shown);
-    let (unit, size) = (shown.system.unit(SPEED.unit), SPEED.size_in(shown.system));
+    fit(document, found, units);
+    let (unit, size) = (units.system.unit(SPEED.unit), SPEED.size_in(units.system));
     let [slowest, fastest] = FLOWN.map(|speed| significant(speed / size, 2));
     document.paragraph(format!(
         "It is valid for the speeds and spins of the paper's flights, {slowest} < v < {fastest} \
@@ -39,7 +39,7 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: PaperUnit
          smooth, positive and rises with spin, but is not supported by data.",
         unit
     ));
-    values(document, found, shown.system);
+    values(document, found, units.system);
     for (name, title, is_drag) in [
         ("drag", "Drag coefficient", true),
         ("lift", "Lift coefficient", false),
@@ -50,7 +50,7 @@ pub(super) fn law(document: &mut Document, found: &WinfieldTan, shown: PaperUnit
             Axis::linear(NamedQuantity::plain("spin ratio")),
             Axis::linear(NamedQuantity::plain(title)),
         );
-        for (i, number) in speeds(shown.system).into_iter().enumerate() {
+        for (i, number) in speeds(units.system).into_iter().enumerate() {
             let speed = number * size;
             let spin_ratios = (1..=35).map(|k| f64::from(k) * 0.01);
             let points = spin_ratios.filter(|s| is_flown(found, *s, speed)).map(|s| {
@@ -73,7 +73,7 @@ fn speeds(system: System) -> [f64; 4] {
 }
 
 /// Adds the formula to a document, with the coefficients of the preset and of a new fit.
-fn fit(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
+fn fit(document: &mut Document, found: &WinfieldTan, units: PaperUnits) {
     let fit = &found.fitted.law;
     let scale = (fit.statistics.chi_square / fit.statistics.degrees_of_freedom as f64).sqrt();
     document.paragraph(format!(
@@ -88,17 +88,17 @@ fn fit(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
         fit.residuals.len(),
         significant(found.setup.aero.spin_decay, 3),
         typed(
-            &significant(shown.length_number(CARRY_SIGMA), 2),
-            shown.length_unit()
+            &significant(units.length_number(CARRY_SIGMA), 2),
+            units.length_unit()
         ),
     ));
     let rows = fit.estimates.iter().map(|estimate| {
         let parameter = estimate.parameter;
         let show = |value: Option<f64>| {
-            value.map_or(NONE.into(), |value| stated(parameter, value, shown.system))
+            value.map_or(NONE.into(), |value| stated(parameter, value, units.system))
         };
-        let unit = shown.system.unit(parameter.unit);
-        let size = DisplayUnit::from(parameter).size_in(shown.system);
+        let unit = units.system.unit(parameter.unit);
+        let size = DisplayUnit::from(parameter).size_in(units.system);
         let error = estimate
             .standard_error
             .map(|error| typed(&significant(error * scale / size, 2), unit));

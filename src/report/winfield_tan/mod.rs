@@ -96,7 +96,7 @@ impl Report for WinfieldTanReport<'_> {
     /// with the units of `system` in parentheses.
     fn document(&self, system: System) -> Document {
         let found = self.found;
-        let shown = PaperUnits {
+        let units = PaperUnits {
             angle_decimals: 2,
             paper: WinfieldTan::UNITS,
             system,
@@ -111,11 +111,11 @@ impl Report for WinfieldTanReport<'_> {
              so distances agree by design, and the test is \
              how closely one smooth law can meet all of them. The impact has no fitted parameter.",
         );
-        tables::shot(&mut document, found, shown);
-        tables::optimum(&mut document, found, shown);
-        tables::tables(&mut document, found, shown);
-        tables::average(&mut document, found, shown);
-        law::law(&mut document, found, shown);
+        tables::shot(&mut document, found, units);
+        tables::optimum(&mut document, found, units);
+        tables::tables(&mut document, found, units);
+        tables::average(&mut document, found, units);
+        law::law(&mut document, found, units);
         law::decay(&mut document, found);
         document
     }

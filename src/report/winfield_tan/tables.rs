@@ -7,18 +7,18 @@ use crate::reproduce::{LoftCarry, MISPRINTS, RecomputedOptimum, WinfieldTan};
 use crate::statistics::largest_magnitude;
 use crate::units::{DisplayUnit, Quantity, fixed};
 
-pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
+pub(super) fn shot(document: &mut Document, found: &WinfieldTan, units: PaperUnits) {
     let (ours, theirs) = (&found.shot.computed, &found.shot.printed);
     let row = |what: &str, of: DisplayUnit, ours: f64, theirs: f64| {
         vec![
-            shown.printed(of, theirs),
-            shown.computed(of, ours),
-            shown.difference(of, ours - theirs),
+            units.printed(of, theirs),
+            units.computed(of, ours),
+            units.difference(of, ours - theirs),
             what.into(),
         ]
     };
     document.heading("The single shot");
-    let [at, in_other] = [shown.paper, shown.paper.other()]
+    let [at, in_other] = [units.paper, units.paper.other()]
         .map(|system| Quantity::SPEED.read_off(found.shot.club_speed, system.unit(SPEED.unit)));
     document.paragraph(format!("Loft 10°, attack angle 0°, {at} ({in_other})."));
     let rate = DisplayUnit {
@@ -58,21 +58,21 @@ pub(super) fn shot(document: &mut Document, found: &WinfieldTan, shown: PaperUni
         "The printed launch angle is a misprint: the printed components of the ball's velocity \
          give {}. The robot Iron Byron, with the same \
          delivery, hit {} ± {}: the computed carry lies {:.2} standard deviations from its mean.",
-        shown.degrees(theirs.up.atan2(theirs.downrange)),
-        shown.printed(LENGTH, found.shot.robot.0),
-        shown.printed(LENGTH, found.shot.robot.1),
+        units.degrees(theirs.up.atan2(theirs.downrange)),
+        units.printed(LENGTH, found.shot.robot.0),
+        units.printed(LENGTH, found.shot.robot.1),
         (ours.carry - found.shot.robot.0).abs() / found.shot.robot.1,
     ));
 }
 
-pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
+pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, units: PaperUnits) {
     let (computed, printed) = (found.optimum.exact(), &found.optimum.printed);
-    let at_printed = shown.carry_if_flown(found.optimum.at_printed);
+    let at_printed = units.carry_if_flown(found.optimum.at_printed);
     let less = |by: f64| {
         format!(
             "{} {}",
-            fixed(shown.length_number(by), 3),
-            shown.length_unit()
+            fixed(units.length_number(by), 3),
+            units.length_unit()
         )
     };
     document.heading("The optimum");
@@ -80,21 +80,21 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Paper
         ["loft", "attack angle", "carry", ""],
         [
             vec![
-                shown.degrees(printed.loft),
-                shown.degrees(printed.attack_angle),
-                shown.printed(LENGTH, printed.carry),
+                units.degrees(printed.loft),
+                units.degrees(printed.attack_angle),
+                units.printed(LENGTH, printed.carry),
                 "printed".into(),
             ],
             vec![
-                shown.degrees(printed.loft),
-                shown.degrees(printed.attack_angle),
+                units.degrees(printed.loft),
+                units.degrees(printed.attack_angle),
                 at_printed,
                 "printed delivery, computed".into(),
             ],
             vec![
-                shown.degrees(computed.loft),
-                shown.degrees(computed.attack_angle),
-                shown.length(computed.carry),
+                units.degrees(computed.loft),
+                units.degrees(computed.attack_angle),
+                units.length(computed.carry),
                 "exact".into(),
             ],
         ],
@@ -112,9 +112,9 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Paper
         found.ridge.iter().map(|point| {
             let loss = less((computed.carry - point.carry).max(0.0));
             vec![
-                shown.degrees(point.attack_angle),
-                shown.degrees(point.loft),
-                shown.length(point.carry),
+                units.degrees(point.attack_angle),
+                units.degrees(point.loft),
+                units.length(point.carry),
                 loss,
             ]
         }),
@@ -122,11 +122,11 @@ pub(super) fn optimum(document: &mut Document, found: &WinfieldTan, shown: Paper
     document.add(table.right(0..4));
 }
 
-pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
+pub(super) fn tables(document: &mut Document, found: &WinfieldTan, units: PaperUnits) {
     document.heading("Its tables");
     let all = || found.table1.iter().chain(&found.table2);
     let (carry_rms, carry_worst) = rms_and_largest(
-        all().map(|row| shown.length_number(row.exact().carry - row.printed.carry)),
+        all().map(|row| units.length_number(row.exact().carry - row.printed.carry)),
     );
     let angles = found
         .table1
@@ -146,7 +146,7 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: PaperU
          optimum angles by {angle_rms:.3}° rms (at \
          most {angle_worst:.2}°).",
         all().count(),
-        shown.length_unit(),
+        units.length_unit(),
     ));
     document.paragraph("Table 1: the best attack angle at each loft.");
     let table = DocumentTable::new(
@@ -158,7 +158,7 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: PaperU
             "carry",
             "difference",
         ],
-        found.table1.iter().map(|row| line(row, true, shown)),
+        found.table1.iter().map(|row| line(row, true, units)),
     );
     document.add(table.right(0..6));
     document.paragraph("Table 2: the best loft at each attack angle.");
@@ -171,7 +171,7 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: PaperU
             "carry",
             "difference",
         ],
-        found.table2.iter().map(|row| line(row, false, shown)),
+        found.table2.iter().map(|row| line(row, false, units)),
     );
     document.add(table.right(0..6));
     let slips = MISPRINTS.map(|(table, row, scanned, taken)| {
@@ -185,7 +185,7 @@ pub(super) fn tables(document: &mut Document, found: &WinfieldTan, shown: PaperU
     document.figure(left_over(found));
 }
 
-fn line(row: &RecomputedOptimum, is_by_loft: bool, shown: PaperUnits) -> Vec<String> {
+fn line(row: &RecomputedOptimum, is_by_loft: bool, units: PaperUnits) -> Vec<String> {
     let (computed, printed) = (row.exact(), &row.printed);
     let (given, theirs, ours) = match is_by_loft {
         true => (printed.loft, printed.attack_angle, computed.attack_angle),
@@ -193,11 +193,11 @@ fn line(row: &RecomputedOptimum, is_by_loft: bool, shown: PaperUnits) -> Vec<Str
     };
     vec![
         format!("{:.0}°", given.to_degrees()),
-        shown.degrees(theirs),
-        shown.degrees(ours),
-        shown.printed(LENGTH, printed.carry),
-        shown.length(computed.carry),
-        shown.difference(LENGTH, computed.carry - printed.carry),
+        units.degrees(theirs),
+        units.degrees(ours),
+        units.printed(LENGTH, printed.carry),
+        units.length(computed.carry),
+        units.difference(LENGTH, computed.carry - printed.carry),
     ]
 }
 
@@ -251,7 +251,7 @@ fn left_over(found: &WinfieldTan) -> Figure {
     .with(Layer::dots("Table 2", 1, points(&found.table2)))
 }
 
-pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: PaperUnits) {
+pub(super) fn average(document: &mut Document, found: &WinfieldTan, units: PaperUnits) {
     let mean = &found.average;
     document.heading("The average over attack angles");
     document.paragraph("Carry averaged over attack angles of 0, 1 … 10°, at each loft.");
@@ -260,20 +260,20 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Paper
         mean.rows.iter().map(|row| {
             vec![
                 format!("{:.0}°", row.loft.to_degrees()),
-                shown.length(row.carry),
+                units.length(row.carry),
             ]
         }),
     );
     document.add(table.right(0..2));
     let row =
-        |loft: f64, carry: String, what: &str| vec![shown.degrees(loft), carry, what.to_owned()];
-    let computed = |best: LoftCarry, what: &str| row(best.loft, shown.length(best.carry), what);
+        |loft: f64, carry: String, what: &str| vec![units.degrees(loft), carry, what.to_owned()];
+    let computed = |best: LoftCarry, what: &str| row(best.loft, units.length(best.carry), what);
     let table = DocumentTable::new(
         ["best loft", "average carry", "how"],
         [
             row(
                 mean.printed.loft,
-                shown.printed(LENGTH, mean.printed.carry),
+                units.printed(LENGTH, mean.printed.carry),
                 "printed: maximum of a polynomial of fifth order",
             ),
             computed(
@@ -288,7 +288,7 @@ pub(super) fn average(document: &mut Document, found: &WinfieldTan, shown: Paper
     let points = |rows: &[LoftCarry]| rows.iter().map(|row| [row.loft, row.carry]).collect();
     let best = mean.by_polynomial;
     let best = Layer::new(
-        shown.degrees(best.loft),
+        units.degrees(best.loft),
         Hue::Series(0),
         Shape::Mark([best.loft, best.carry]),
     );
