@@ -727,7 +727,7 @@ fn sampled_ellipses_on_the_fairway_hold_the_shares_of_the_caption() {
 /// The fairway is 30 yd wide, so its edges are 15 yd left and right of the target line.
 #[test]
 fn exact_sides_of_the_fairway_in_titles_of_points() {
-    let landing = Landing::of("as set up", &setup(), &[]).unwrap();
+    let landing = Landing::of(DriveRole::AsSetUp, &setup(), &[]).unwrap();
     let figure = fairway_figure(&[landing], System::Us);
     let picture = figure_svg(&figure, &Look::default()).unwrap();
     assert!(
