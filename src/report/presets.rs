@@ -127,12 +127,12 @@ pub(super) fn sources(
         let value = setup.value(row);
         // a coefficient of a law other than the preset's has its own default and source
         let source = match base.parameter(row.name) {
-            Ok(known) => source(row.name, base.value(known) == value),
-            Err(_) if value == row.default_value() => row.source.into(),
-            Err(_) => format!("as given, instead of {}", set(row, row.default_value())).into(),
+            Ok(known) if known == row => source(row.name, base.value(row) == value),
+            _ if value == row.default_value() => row.source.into(),
+            _ => format!("as given, instead of {}", set(row, row.default_value())).into(),
         };
         let in_file = file.setup.parameter(row.name);
-        let is_of_file = in_file.is_ok_and(|known| file.setup.value(known) == value);
+        let is_of_file = in_file.is_ok_and(|known| known == row && file.setup.value(row) == value);
         let source = comment(row.name, is_of_file).unwrap_or(source);
         SourcedValue::new(row.name, set(row, value), source)
     };

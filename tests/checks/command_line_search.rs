@@ -1178,3 +1178,18 @@ fn exact_order_of_multipliers_is_that_of_the_parameters() {
         assert_eq!(names, ["swing.attack_angle", "club.loft"], "{object}");
     }
 }
+
+/// Ferguson's cd0 is the published one of table.rs; the preset's cd0 belongs to another law.
+#[test]
+fn published_coefficient_of_a_stated_law_is_not_as_given() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("x.toml").display().to_string();
+    let asked = ["optimize", "--set", "aero.law=ferguson", "-o", &file];
+    assert_eq!(longdrive(&asked).status, 0);
+    let text = std::fs::read_to_string(&file).unwrap();
+    let line = text
+        .lines()
+        .find(|line| line.starts_with("cd0 = "))
+        .unwrap();
+    assert_eq!(line, "cd0 = \"0.1304\" # Ferguson, McNally & McPhee (2022)");
+}
