@@ -17,17 +17,14 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let args = &args.optimum;
     let request = args.setup_args.request()?;
-    let setup = request.with_starts(request.partial_setup, &args.search.vary)?;
+    let started = request.with_starts(request.partial_setup, &args.search.vary)?;
     let instead = "`simulate()` flies the drive as stated";
     args.search
-        .refuse_nothing_to_vary(&request, &setup, instead)?;
-    let search = args.search.search(&request, &setup, None)?;
-    let setup = request.for_many(setup, &search.vary)?;
+        .refuse_nothing_to_vary(&request, &started, instead)?;
+    let search = args.search.search(&request, &started, None)?;
+    let setup = request.for_many(request.partial_setup, &search.vary)?;
     let output = args.destination(&request, std::iter::empty())?;
     let mut optima = args.optima(&setup, &search)?;
-    if let Some(set_up) = request.before_starts(&setup) {
-        optima.best = optima.best.compared_with(set_up);
-    }
     let club = optima.club_alone()?;
     let best = &optima.best;
     if let Some(moved) = best.moved_start() {

@@ -45,12 +45,13 @@ pub fn run(args: &Args) -> Result<Answer> {
         setup_args, search, ..
     } = &args.optimum;
     let request = setup_args.request()?;
-    let own = request.with_starts(request.partial_setup, &search.vary)?;
+    let own = request.partial_setup;
+    let started = request.with_starts(own, &search.vary)?;
     let instead = "`sensitivity()` is about the drive as stated";
-    search.refuse_nothing_to_vary(&request, &own, instead)?;
-    let search = search.search(&request, &own, None)?;
+    search.refuse_nothing_to_vary(&request, &started, instead)?;
+    let search = search.search(&request, &started, None)?;
     let setup = request.for_many(own, &search.vary)?;
-    let requested = AnalysisRequest::new(args, &setup, &search)?;
+    let requested = AnalysisRequest::new(args, &started, &search)?;
     let output = args.optimum.destination(&request, std::iter::empty())?;
     let origin = request.origin_with_held(
         &args.optimum.search.vary,

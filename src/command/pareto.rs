@@ -197,10 +197,10 @@ fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Pareto
 
 /// The setup, and the search for the front of two goals of one drive.
 fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
-    let setup = request.with_starts(request.partial_setup, &args.vary)?;
+    let started = request.with_starts(request.partial_setup, &args.vary)?;
     let goals = args.goals(|option, text| Ok(of_a_drive(option, text)?.into()))?;
-    let vary = varied(&args.vary, &setup, || {
-        DefaultRanges::longest_drive(request, &setup)?.vary()
+    let vary = varied(&args.vary, &started, || {
+        DefaultRanges::longest_drive(request, &started)?.vary()
     })?;
     let subject_to = args.subject_to.iter().map(|text| Constraint::read(text));
     let search = ParetoSearch {
@@ -211,9 +211,7 @@ fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Paret
         points: args.points,
         options: options(args.max_iterations),
     };
-    // the front is compared with the drive as set up, which has no start values
-    let set_up = request.before_starts(&setup);
-    Ok((set_up.unwrap_or(setup), search))
+    Ok((request.partial_setup, search))
 }
 
 impl GoalArgs {

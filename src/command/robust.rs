@@ -162,9 +162,9 @@ impl Args {
             request.note_starts(&over.setup, &search.vary);
             return Ok((over.setup, search));
         }
-        let setup = request.with_starts(request.partial_setup, &self.search.vary)?;
-        let search = self.search.search(request, &setup, None)?;
-        Ok((setup, search))
+        let started = request.with_starts(request.partial_setup, &self.search.vary)?;
+        let search = self.search.search(request, &started, None)?;
+        Ok((request.partial_setup, search))
     }
 
     /// The model of the setup, and the alternative models.

@@ -6,7 +6,7 @@ use super::search::Search;
 use crate::error::Result;
 use crate::json::numbers_by_name;
 use crate::optimize::{Observer, Status};
-use crate::parameters::{Parameter, Vary};
+use crate::parameters::{Parameter, Setup, Vary};
 use serde::{Serialize, Serializer};
 
 /// The gain of the optimum in two parts: from the club with the swing as set up, and from the
@@ -116,11 +116,12 @@ pub fn club_alone(best: &mut Optimum) -> Result<Option<ClubAlone>> {
         return Ok(None);
     };
     let is_within = |vary: &Vary| {
-        let own = best.start.value(vary.parameter);
+        let own = best.start.value_or_unset(vary.parameter);
         own.is_some_and(|own| (vary.low..=vary.high).contains(&own))
     };
     if swing.iter().all(is_within) && is_better(value, best) {
-        let found = optimum(&club.setup, best.search.clone(), Observer::default())?;
+        let start = with_own_swing(club.setup, &swing)?;
+        let found = optimum(&start, best.search.clone(), Observer::default())?;
         if found.solution.status == Status::Converged
             && found.value().is_some_and(|value| is_better(value, best))
         {
@@ -130,8 +131,9 @@ pub fn club_alone(best: &mut Optimum) -> Result<Option<ClubAlone>> {
             });
             *best = Optimum {
                 start: best.start,
+                drive_as_set_up: best.drive_as_set_up,
                 sample,
-                ..found.compared_with(best.set_up)
+                ..found
             };
         }
     }
@@ -140,6 +142,16 @@ pub fn club_alone(best: &mut Optimum) -> Result<Option<ClubAlone>> {
         swing_gain: best - value,
         optimum: club,
     }))
+}
+
+/// The setup in which a varied parameter of the swing that has no value gets the value that it
+/// counts as. A search then starts there, and not in the middle of the range.
+fn with_own_swing(setup: Setup<f64>, swing: &[Vary]) -> Result<Setup<f64>> {
+    let mut own = setup;
+    for vary in swing {
+        own.set_value(vary.parameter, setup.value_or_unset(vary.parameter))?;
+    }
+    Ok(own)
 }
 
 /// True if a value of the objective is better than that of `best`, by more than rounding.

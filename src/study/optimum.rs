@@ -37,13 +37,11 @@ pub struct Optimum {
     /// The drive at the optimum, for a search over one drive; `None` if no drive of the search
     /// flies.
     pub drive: Option<Drive<f64>>,
-    /// The setup as given to the search.
+    /// The setup as given to the search. A varied parameter may have no value.
     pub start: Setup<f64>,
-    /// The setup with which the optimum is compared: `start`, unless
-    /// [`compared_with`](Self::compared_with) replaced it. A varied parameter may have no value.
-    pub set_up: Setup<f64>,
-    /// The drive of `set_up`, for a search over one drive; `None` if it cannot be computed, for
-    /// example because the club does not strike the ball.
+    /// The drive of `start`, for a search over one drive; `None` if it cannot be computed, for
+    /// example because the club does not strike the ball, or because a varied parameter that the
+    /// drive needs has no value.
     pub drive_as_set_up: Option<Drive<f64>>,
     /// Comparison of the optimum of one drive with points sampled from the ranges; `None` after a
     /// local search, and after an interrupted search.
@@ -57,16 +55,6 @@ pub struct Optimum {
 }
 
 impl Optimum {
-    /// This optimum of one drive, compared with `set_up` in place of [`start`](Self::start).
-    #[must_use]
-    pub fn compared_with(self, set_up: Setup<f64>) -> Self {
-        Self {
-            drive_as_set_up: Drive::new(&set_up).ok(),
-            set_up,
-            ..self
-        }
-    }
-
     /// True if reports compare both carry and total before and after the search. This is the case
     /// if the objective is carry or total, and the ball runs after it lands.
     pub fn compares_totals(&self) -> bool {
@@ -491,7 +479,7 @@ impl Study {
         if solution.value.is_some() {
             if self.problem.search.scenarios.is_one_drive() {
                 drive = Some(Drive::new(&setup)?);
-                drive_as_set_up = Drive::new(&start).ok();
+                drive_as_set_up = start.validate().and_then(|()| Drive::new(&start)).ok();
             }
             beyond_strokes = match self.problem.beyond_strokes(&solution.x) {
                 Err(_) if self.problem.is_stopped() => None,
@@ -505,7 +493,6 @@ impl Study {
             setup,
             drive,
             start,
-            set_up: start,
             drive_as_set_up,
             sample,
             as_set_up: self.as_set_up,

@@ -2,6 +2,7 @@
 //! the setup.
 
 use crate::command_line::{Output, json, longdrive, number, on_one_line, widest};
+use crate::common::close;
 use crate::program;
 use longdrive::{Drive, Outcome, Setup};
 use serde_json::Value;
@@ -279,15 +280,61 @@ fn same_gain_of_the_club(preset: &str, limit: &str) {
     let before = number(&start["flight"]["carry"]);
     let [both_carry, loft_carry] = [&both, &loft].map(|found| number(&found["value"]));
     let club = &both["club_alone"];
-    let close = |value: &Value, exact: f64| (number(value) - exact).abs() < 1e-6;
-    assert!(close(&club["club_gain"], loft_carry - before), "{club}");
+    let is_close = |value: &Value, exact: f64| (number(value) - exact).abs() < 1e-6;
+    assert!(is_close(&club["club_gain"], loft_carry - before), "{club}");
     assert!(
-        close(&club["swing_gain"], both_carry - loft_carry),
+        is_close(&club["swing_gain"], both_carry - loft_carry),
         "{club}"
     );
     let best = number(&loft["optimum"]["club.loft"]);
-    assert!(close(&club["optimum"]["club.loft"], best), "{club}");
+    assert!(is_close(&club["optimum"]["club.loft"], best), "{club}");
     assert!(loft["club_alone"].is_null());
+}
+
+/// Without a value, the shaft droop counts as 0 in the drive as set up. The search starts in the
+/// middle of its range, which is no value of this drive. Expected: `simulate`, a search over the
+/// loft alone, and the same models with a stated droop of 0.
+#[test]
+fn a_varied_parameter_without_a_value_has_none_as_set_up() {
+    let vary = [
+        "--vary",
+        "club.loft=4deg..20deg",
+        "--vary",
+        "swing.shaft_droop=0deg..5deg",
+    ];
+    let (_, flown) = json(&["simulate"]);
+    let carry = number(&flown["flight"]["carry"]);
+    let (_, loft) = json(&["optimize", "--vary", "club.loft=4deg..20deg"]);
+    let (_, found) = json(&[&["optimize"], &vary[..]].concat());
+    let gain = number(&found["club_alone"]["club_gain"]);
+    close(gain, number(&loft["value"]) - carry, 1.0, 1e-5, "club gain");
+
+    let analysis = ["optimum-sensitivity", "--wrt", "swing.speed"];
+    let (_, found) = json(&[&analysis, &vary[..]].concat());
+    close(
+        number(&found["as_set_up"]["carry"]),
+        carry,
+        1.0,
+        1e-5,
+        "carry",
+    );
+    let droop = &found["as_set_up"]["parameters"]["swing.shaft_droop"];
+    assert!(droop.is_null(), "{droop}");
+
+    let models = [
+        "--model",
+        "impact.gear_scale=0.5",
+        "--model",
+        "aero.law=ferguson",
+    ];
+    let robust = [&["robust"], &models[..], &vary].concat();
+    let (_, unset) = json(&robust);
+    let (_, stated) = json(&[&robust[..], &["--set", "swing.shaft_droop=0deg"]].concat());
+    for k in 0..3 {
+        let [unset, stated] =
+            [&unset, &stated].map(|found| number(&found["models"][k]["loss_as_set_up"]));
+        close(unset, stated, 1.0, 1e-5, "loss as set up");
+    }
 }
 
 /// The optimum of the club alone lies within the ranges of the search, so the search must not end at

@@ -175,18 +175,9 @@ impl Request {
         Ok(self.partial_setup)
     }
 
-    /// The setup of the request before [`with_starts`](Self::with_starts) added start values, with
-    /// the integration method and step of `searched`. `None` if no start value was added, or if the
-    /// setup is incomplete without start values.
-    pub fn before_starts(&self, searched: &Setup<f64>) -> Option<Setup<f64>> {
-        let mut set_up = self.partial_setup;
-        set_up.method = searched.method;
-        set_up.flight.step = searched.flight.step;
-        (set_up != *searched && set_up.validate().is_ok()).then_some(set_up)
-    }
-
-    /// The setup of a search over ranges `NAME=LOW..HIGH`: a varied parameter without a value gets
-    /// the middle of its range.
+    /// The setup at the start of a search over ranges `NAME=LOW..HIGH`: a varied parameter without a
+    /// value gets the middle of its range. Ranges and options are read with this setup. The study
+    /// receives the setup without these values, which is the drive as set up.
     ///
     /// # Errors
     /// The errors of [`setup`](Self::setup) and of [`Vary::read_column`].

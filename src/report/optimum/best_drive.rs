@@ -71,7 +71,7 @@ pub(in crate::report) fn gain_lines(
 /// False if the drive as set up or the best drive lands flatter than any measured bounce.
 fn totals_are_known(optimum: &Optimum) -> bool {
     let drives = [
-        (&optimum.drive_as_set_up, &optimum.set_up),
+        (&optimum.drive_as_set_up, &optimum.start),
         (&optimum.drive, &optimum.setup),
     ];
     drives.into_iter().all(|(drive, setup)| {

@@ -162,7 +162,7 @@ impl StartReport {
             return None;
         }
         let vary = optimum.search.parameters();
-        let parameters = vary.map(|parameter| (parameter.name, optimum.set_up.value(parameter)));
+        let parameters = vary.map(|parameter| (parameter.name, optimum.start.value(parameter)));
         let drive = optimum.drive_as_set_up.as_ref();
         let outcome = |of: Outcome| JsonNumber(drive.and_then(|drive| of.value(drive)));
         Some(Self {

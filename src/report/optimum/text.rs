@@ -86,7 +86,7 @@ pub(in crate::report) fn varied_table(
         });
         let mean_swing = (!is_one_drive).then_some(mean_swing);
         let start = is_one_drive.then(|| {
-            let value = optimum.set_up.value(vary.parameter);
+            let value = optimum.start.value(vary.parameter);
             value.map_or(shown::NONE.into(), |value| {
                 shown::within(vary, value, system)
             })

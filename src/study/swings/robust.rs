@@ -79,7 +79,10 @@ impl Model {
         }
         let mut changed = *setup;
         changed.set_all(pairs.iter().copied())?;
-        changed.validate()?;
+        // the setup may lack a varied parameter: the search validates its start
+        if setup.validate().is_ok() {
+            changed.validate()?;
+        }
         let acts_on_the_club =
             |(name, _): &&(&str, &str)| setup.parameter(name).is_ok_and(Parameter::is_of_strike);
         if let Some((name, _)) = pairs

@@ -76,7 +76,7 @@ impl Optimum {
                     .drive_as_set_up
                     .as_ref()
                     .filter(|_| self.compares_totals());
-                let flat = start.and_then(|start| start.flat_landing_warning(&self.set_up));
+                let flat = start.and_then(|start| start.flat_landing_warning(&self.start));
                 let as_set_up = Message::from("the drive as set up: ");
                 warnings.extend(flat.map(|flat| as_set_up.message(flat)));
                 warnings
