@@ -1,7 +1,6 @@
 //! The part of an optimum's gain that a change of the club alone achieves.
 
-use super::optimum::{LocalOptimum, Optima, Optimum, optimum};
-use super::sample::Sample;
+use super::optimum::{ExtraStart, LocalOptimum, Optima, Optimum, optimum};
 use super::search::Search;
 use crate::error::Result;
 use crate::json::numbers_by_name;
@@ -43,27 +42,27 @@ const ROUNDING: f64 = 1e-9;
 impl Optima {
     /// The best value that club and ball achieve with the swing as set up; see [`club_alone`]. If a
     /// search from there finds a better optimum, that optimum becomes [`best`](Self::best), and its
-    /// start counts like a point of the [`Sample`].
+    /// start is the [`extra`](Self::extra) one.
     ///
     /// # Errors
     /// The errors of [`club_alone`].
     pub fn club_alone(&mut self) -> Result<Option<ClubAlone>> {
-        let is_of_sample = |best: &Optimum| best.sample.is_some_and(|sample| sample.improved);
-        let (value, was_of_sample) = (self.best.value(), is_of_sample(&self.best));
+        let value = self.best.value();
         let club = club_alone(&mut self.best)?;
-        if self.best.value() != value {
-            let local = LocalOptimum {
-                solution: self.best.solution.clone(),
-                value: self.best.value(),
-                starts: vec![self.starts],
-            };
-            if was_of_sample {
-                self.locals[0] = local;
-            } else {
-                self.locals.insert(0, local);
-                self.starts += 1;
-            }
+        if self.best.value() == value {
+            return Ok(club);
         }
+        let extra = self.extra.replace(ExtraStart::ClubAlone);
+        if extra.is_some() {
+            // the search from a point of the sample did not lead to the best optimum
+            self.locals.remove(0);
+        }
+        let local = LocalOptimum {
+            solution: self.best.solution.clone(),
+            value: self.best.value(),
+            starts: vec![self.requested],
+        };
+        self.locals.insert(0, local);
         Ok(club)
     }
 }
@@ -125,14 +124,9 @@ pub fn club_alone(best: &mut Optimum) -> Result<Option<ClubAlone>> {
         if found.solution.status == Status::Converged
             && found.value().is_some_and(|value| is_better(value, best))
         {
-            let sample = found.sample.map(|sample| Sample {
-                improved: true,
-                ..sample
-            });
             *best = Optimum {
                 start: best.start,
                 drive_as_set_up: best.drive_as_set_up,
-                sample,
                 ..found
             };
         }

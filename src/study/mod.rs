@@ -49,7 +49,7 @@ pub use launches::{Launches, NamedLaunch};
 pub use lofts::{LOFT_OUTCOMES, lofts};
 pub use map::{Fineness, Map, Slope, map};
 pub use named_drive::{DriveRole, NamedDrive};
-pub use optimum::{LocalOptimum, Optima, Optimum, optima, optimum};
+pub use optimum::{ExtraStart, LocalOptimum, Optima, Optimum, optima, optimum};
 pub use optimum_analysis::{OptimumAnalysis, OptimumWindows};
 pub use plane::Plane;
 pub use region::Region;

@@ -162,16 +162,31 @@ pub struct Optima {
     pub best: Optimum,
     /// All local optima, best first.
     pub locals: Vec<LocalOptimum>,
-    /// The number of starts. If a search from a point of the [`Sample`], or from the optimum of the
-    /// club alone, led to the best optimum, this point counts as a start.
-    pub starts: usize,
+    /// The number of starts that were requested.
+    pub requested: usize,
+    /// A further start that led to the best optimum, if there is one. Its index in
+    /// [`LocalOptimum::starts`] follows those of the requested starts.
+    pub extra: Option<ExtraStart>,
+}
+
+/// A start that was not requested.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ExtraStart {
+    /// A point of the [`Sample`].
+    SamplePoint,
+    /// The optimum of the club alone, with the swing as set up.
+    ClubAlone,
 }
 
 impl Optima {
-    /// True if several starts were requested. The start from a point of the sample does not count.
+    /// True if several starts were requested.
     pub fn has_several_starts(&self) -> bool {
-        let from_sample = self.best.sample.is_some_and(|sample| sample.improved);
-        self.starts > 1 + usize::from(from_sample)
+        self.requested > 1
+    }
+
+    /// The number of starts, with the further one.
+    pub fn starts(&self) -> usize {
+        self.requested + usize::from(self.extra.is_some())
     }
 
     /// Local optima of the searches that were not interrupted, best first.
@@ -184,12 +199,12 @@ impl Optima {
     /// The number of interrupted searches.
     pub fn stopped(&self) -> usize {
         let ended = self.ended().map(|local| local.starts.len());
-        self.starts - ended.sum::<usize>()
+        self.starts() - ended.sum::<usize>()
     }
 
     /// Message on the progress of the searches, if any was interrupted.
     pub fn interrupted(&self) -> Option<String> {
-        stopped_of(self.stopped(), self.starts, || {
+        stopped_of(self.stopped(), self.starts(), || {
             self.best.message().to_string()
         })
     }
@@ -375,8 +390,8 @@ impl Study {
         let SearchProblem { domain, search, .. } = &self.problem;
         let from = starts(domain, &self.problem.start(), count)?;
         let mut locals = minimize_from(&self.problem, domain, &from, &search.options, follow)?;
-        let mut starts = count;
         let mut sample = None;
+        let mut extra = None;
         let is_interrupted = |local: &LocalMinimum| local.solution.status == Status::Interrupted;
         if !locals.iter().any(is_interrupted)
             && let Some(mut best) = locals.first().map(|local| local.solution.clone())
@@ -387,11 +402,17 @@ impl Study {
                     solution: best,
                     starts: vec![count],
                 };
-                starts += 1;
                 locals.insert(0, improved);
+                extra = Some(ExtraStart::SamplePoint);
             }
         }
-        self.all(locals, starts, sample)
+        let (best, locals) = self.best_and_locals(locals, sample)?;
+        Ok(Optima {
+            best,
+            locals,
+            requested: count,
+            extra,
+        })
     }
 
     fn minimized(&self, start: &[f64], observer: Observer) -> Result<Solution> {
@@ -420,12 +441,12 @@ impl Study {
         compare_with_sample(&self.problem, end, again)
     }
 
-    fn all(
+    /// The best of the ends `locals` of searches, and all of them with the values of the goals.
+    fn best_and_locals(
         self,
         locals: Vec<LocalMinimum>,
-        starts: usize,
         sample: Option<Sample>,
-    ) -> Result<Optima> {
+    ) -> Result<(Optimum, Vec<LocalOptimum>)> {
         let goals: Vec<_> = locals
             .iter()
             .map(|local| self.goals(&local.solution))
@@ -445,11 +466,7 @@ impl Study {
             what: "start",
         })?;
         let goals = goals.into_iter().next().flatten();
-        Ok(Optima {
-            best: self.optimum(best, goals, sample)?,
-            locals,
-            starts,
-        })
+        Ok((self.optimum(best, goals, sample)?, locals))
     }
 
     /// Goals without smoothing at the end of a search. They are computed even after an interrupt.

@@ -19,8 +19,7 @@ pub struct Sample {
     /// The number of points better than the optimum; for an infeasible optimum, points with a
     /// smaller violation.
     pub better: usize,
-    /// True if a search from one of the points, or from the optimum of the club alone, led to the
-    /// optimum.
+    /// True if a search from one of the points led to the optimum.
     pub improved: bool,
 }
 

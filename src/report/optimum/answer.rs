@@ -44,7 +44,9 @@ impl<'a> OptimizeReport<'a> {
                 .collect()
         });
         let optimum = OptimumReport {
-            optima: (optima.starts > 1).then(|| LocalReport::all(optima)),
+            optima: optima
+                .has_several_starts()
+                .then(|| LocalReport::all(optima)),
             window: windows,
             window_loss: around.map(|around| around.loss).into(),
             club_alone: around.and_then(|around| around.club_alone.cloned()),

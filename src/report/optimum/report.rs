@@ -44,8 +44,8 @@ pub struct OptimumReport {
     pub evaluations: u64,
     /// Counters of the quadratic programs that were solved for the steps.
     pub steps: Effort,
-    /// The local optima of a search from several starts, best first; `null` for a single
-    /// start.
+    /// The local optima of a search from several starts, best first; `null` if one start was
+    /// requested.
     pub optima: Option<Vec<LocalReport>>,
     /// The sample of the ranges for comparison with the optimum; `null` for swings, and after an
     /// interruption.

@@ -232,7 +232,7 @@ fn sample_line(optimum: &Optimum) -> Option<Line> {
 /// The results of the searches as a table, best first, and the number of interrupted searches.
 pub fn optima_document(optima: &Optima, system: System) -> Document {
     let search = &optima.best.search;
-    let all = optima.starts;
+    let all = optima.starts();
     let names = search.parameters().map(|parameter| parameter.name);
     let head: Vec<&str> = [search.of.expression.as_str()]
         .into_iter()
