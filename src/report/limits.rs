@@ -18,7 +18,7 @@ pub(super) struct Objective {
 
 /// The signed change of an objective that improves by `gain`. It is negative for a minimized
 /// objective.
-pub(super) fn change_of(sense: Sense, gain: f64) -> f64 {
+pub(in crate::report) fn change_of(sense: Sense, gain: f64) -> f64 {
     -sense.sign() * gain
 }
 

@@ -14,9 +14,10 @@ use serde::{Serialize, Serializer};
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[cfg_attr(test, schemars(rename = "ClubAloneReport"))]
 pub struct ClubAlone {
-    /// The gain of the best club with the swing as set up, SI.
+    /// The improvement of the objective by the best club, with the swing as set up, SI. It is
+    /// positive if a minimized objective falls.
     pub club_gain: f64,
-    /// The additional gain if the swing changes too, SI.
+    /// The further improvement if the swing changes too, SI.
     pub swing_gain: f64,
     /// The best club with the swing as set up, SI.
     // the optimum over the varied parameters of club and ball
@@ -131,9 +132,10 @@ pub fn club_alone(best: &mut Optimum) -> Result<Option<ClubAlone>> {
             };
         }
     }
+    let improvement = |before: f64, after: f64| -best.search.sense.sign() * (after - before);
     Ok(best.value().map(|best| ClubAlone {
-        club_gain: value - as_set_up,
-        swing_gain: best - value,
+        club_gain: improvement(as_set_up, value),
+        swing_gain: improvement(value, best),
         optimum: club,
     }))
 }

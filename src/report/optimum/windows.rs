@@ -1,5 +1,6 @@
 //! The windows of an optimum of a single drive, and the gain of the club alone.
 
+use super::super::limits::change_of;
 use super::super::shown;
 use crate::study::{ClubAlone, Optimum, OptimumWindows, Vary, Window, WindowLimit};
 use crate::units::{System, signed};
@@ -53,11 +54,14 @@ pub(in crate::report) fn window_end(
     }
 }
 
-/// The gain of the club in words, such as "gain by the club alone: +2.60 yd (club.loft 10.40°); by
-/// varying the swing too: a further +11.90 yd".
+/// The gain of the club in words, as a signed change of the objective, such as "by the club alone:
+/// +2.60 yd (club.loft 10.40°); by varying the swing too: a further +11.90 yd".
 fn club_text(optimum: &Optimum, club: &ClubAlone, system: System) -> String {
     let goal = &optimum.search.of;
-    let gain = |amount: f64| signed(amount, shown::goal_difference(goal, amount, system));
+    let change = |gain: f64| {
+        let change = change_of(optimum.search.sense, gain);
+        signed(change, shown::goal_difference(goal, change, system))
+    };
     let vary = club.optimum.search.vary.iter();
     let values = vary.zip(&club.optimum.solution.x).map(|(vary, x)| {
         let value = shown::within(vary, *x, system);
@@ -69,8 +73,8 @@ fn club_text(optimum: &Optimum, club: &ClubAlone, system: System) -> String {
         false => ", from a drive that violates a limit",
     };
     format!(
-        "gain by the club alone: {} ({values}){from}; by varying the swing too: a further {}",
-        gain(club.club_gain),
-        gain(club.swing_gain)
+        "by the club alone: {} ({values}){from}; by varying the swing too: a further {}",
+        change(club.club_gain),
+        change(club.swing_gain)
     )
 }
