@@ -52,7 +52,6 @@ pub fn run(args: &Args) -> Result<Answer> {
         setup = request.with_assumed_launch(setup)?;
     }
     let of = outcomes(&args.of)?;
-    let given = sigmas(&setup, &args.sigma)?;
     let best = find_optimum(args, &request, &setup)?;
     let origin = match &best {
         Some(best) => request.origin_with_held(
@@ -66,6 +65,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     if let Some(best) = &best {
         setup = best.setup;
     }
+    let given = sigmas(&setup, &args.sigma)?;
     let sigmas = if args.no_defaults {
         given
     } else {

@@ -230,6 +230,22 @@ fn effects_and_the_sensitivity_of_an_optimum_as_json() {
     );
 }
 
+/// A percentage is of the value that the parameter has in the analysed drive: the optimum.
+#[test]
+fn a_percentage_at_the_optimum_is_of_the_value_there() {
+    let sigma = ["--no-defaults", "--sigma", "club.loft=10%"];
+    let (status, found) = json(&[&["sensitivity", "--at-optimum"], &sigma[..]].concat());
+    assert_eq!(status, 0);
+    let effects = found["outcomes"][0]["effects"].as_array().unwrap();
+    let loft = effects
+        .iter()
+        .find(|effect| effect["parameter"] == "club.loft")
+        .unwrap();
+    let at_optimum = number(&found["at_optimum"]["optimum"]["club.loft"]);
+    let sigma = number(&loft["standard_uncertainty"]);
+    close(sigma, 0.1 * at_optimum, at_optimum, 1e-12, "a tenth");
+}
+
 #[test]
 fn same_uncertainty_as_json_for_one_seed() {
     let requested = [
