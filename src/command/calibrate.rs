@@ -128,9 +128,10 @@ pub fn run(args: &Args) -> Result<Answer> {
     let validation = CrossValidation::new(args, &setup, &table, &plan)?;
     warn(table.one_drive(&setup, &plan.fit));
     warn(assumed_ground(&request, &table, &plan));
+    let work = interrupt::enable(BEST_SO_FAR);
     let follow = FitObserver {
         iteration: Some(Arc::new(show_iteration(args.starts > 1))),
-        interrupt: interrupt::enable(BEST_SO_FAR),
+        interrupt: work.stop.clone(),
     };
     let found = calibrate(&setup, &table, &plan, &follow)?;
     warn(validity_warnings(
@@ -143,6 +144,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         Some(validation) => validation.run(&setup, &table, &plan, follow.interrupt)?,
         None => vec![],
     };
+    drop(work);
     let mut report = CalibrationReport::new(&table, &found, &held_out);
     let is_found = report.status() == FitStatus::Converged;
     if !is_found {

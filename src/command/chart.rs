@@ -57,7 +57,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
     let setup = request.for_many(setup, &ranges)?;
     request.warn_of_ranges(&setup, &[along]);
-    let stop = interrupt::enable(BEST_SO_FAR);
+    let work = interrupt::enable(BEST_SO_FAR);
     if !at.is_sorted_by(|a, b| a < b) {
         note("the values of `at` are used in ascending order, each once");
     }
@@ -67,8 +67,9 @@ pub fn run(args: &Args) -> Result<Answer> {
         &setup,
         DefaultRanges::longest_drive,
     )?;
-    let chart = follow(&setup, &search, along, &at, &stop);
-    interrupt::disable();
+    let chart = follow(&setup, &search, along, &at, &work.stop);
+    let is_interrupted = work.stop.load(Ordering::Relaxed);
+    drop(work);
     let chart = match chart {
         Err(error) if error.has_valid_input() => {
             note_error(&error);
@@ -77,7 +78,7 @@ pub fn run(args: &Args) -> Result<Answer> {
                 points: vec![],
                 begun: None,
                 ended: Some(error.message()),
-                interrupted: stop.load(Ordering::Relaxed),
+                interrupted: is_interrupted,
             };
             let answer = if request.is_json {
                 let report = ChartReport::new(&none, &search);

@@ -248,7 +248,9 @@ fn of_shots(
         .partition(|unknown| table.gives(unknown.parameter));
     note_assumed(&assumed);
     note_measured(setup, &measured, &table);
-    let all = deliveries(setup, &table, unknowns, &interrupt::enable(BEST_SO_FAR));
+    let work = interrupt::enable(BEST_SO_FAR);
+    let all = deliveries(setup, &table, unknowns, &work.stop);
+    drop(work);
     let population = Population::of(setup, &all, unknowns);
     Ok(Deliveries {
         left_out: table.shots.len() - all.len(),

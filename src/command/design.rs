@@ -1,7 +1,6 @@
 //! The `design` command: the best head and face.
 
 use crate::command::args::{OptimizeArgs, SwingsArgs};
-use crate::command::interrupt;
 use crate::command::output::Answer;
 use crate::command::ranges::{DefaultRanges, kept};
 use crate::command::request::Request;
@@ -83,11 +82,10 @@ pub fn run(args: &Args) -> Result<Answer> {
         design.search.clone(),
     )?;
     let improvements = if found.optima.best.value().is_some() {
-        improvements(&found.setup, &found.optima.best, &found.stop)?
+        improvements(&found.setup, &found.optima.best, &found.work.stop)?
     } else {
         vec![]
     };
-    interrupt::disable();
     let kept = kept(&optimum.search.vary, || {
         Ok(DefaultRanges::new(usual_vary(&found.setup)?, &request))
     })?;

@@ -8,17 +8,26 @@ use std::sync::atomic::AtomicBool;
 /// The message when a search is interrupted.
 pub const BEST_SO_FAR: &str = "stopping with the best result so far";
 
-/// A flag for work that can be interrupted. To interrupt it, the `Host` sets the flag and shows the
-/// message `stopping`; the work then returns its result so far.
-pub fn enable(stopping: &'static str) -> Arc<AtomicBool> {
-    let stop = Arc::new(AtomicBool::new(false));
-    running().host.can_stop(stopping, &stop);
-    stop
+/// Work that can be interrupted until this value is dropped.
+#[must_use]
+pub struct InterruptibleWork {
+    /// The flag that the `Host` sets to interrupt the work.
+    pub stop: Arc<AtomicBool>,
 }
 
-/// Announces that the following work cannot be interrupted.
-pub fn disable() {
-    running().host.cannot_stop();
+/// Announces work that can be interrupted. To interrupt it, the `Host` sets the flag and shows the
+/// message `stopping`; the work then returns its result so far.
+pub fn enable(stopping: &'static str) -> InterruptibleWork {
+    let stop = Arc::new(AtomicBool::new(false));
+    running().host.can_stop(stopping, &stop);
+    InterruptibleWork { stop }
+}
+
+impl Drop for InterruptibleWork {
+    /// Announces that the following work cannot be interrupted.
+    fn drop(&mut self) {
+        running().host.cannot_stop();
+    }
 }
 
 /// Calls `write`, which writes one file or several files that belong together. An interruption does

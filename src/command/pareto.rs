@@ -104,10 +104,10 @@ pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let output = ParetoFile::new(args, &request)?;
     let (setup, search) = args.goals.search(&request)?;
-    let stop = interrupt::enable(POINTS_SO_FAR);
-    let found = follow(&setup, search, &stop)?;
-    let mut warnings = [setup.warnings(), found.warnings(&stop)].concat();
-    interrupt::disable();
+    let work = interrupt::enable(POINTS_SO_FAR);
+    let found = follow(&setup, search, &work.stop)?;
+    let mut warnings = [setup.warnings(), found.warnings(&work.stop)].concat();
+    drop(work);
     let written = match &output {
         Some(output) => output.write(&found, &request, &mut warnings)?,
         None => None,
@@ -129,10 +129,10 @@ pub fn draw(setup_args: &SetupArgs, args: &GoalArgs, drawing: &PictureArgs) -> R
     let target = PlotDestination::new(inputs, drawing)?;
     let (setup, search) = args.search(&request)?;
     let target = target.about(args.origin(&request, &search.vary, &setup)?);
-    let stop = interrupt::enable(POINTS_SO_FAR);
-    let found = follow(&setup, search, &stop)?;
-    let warnings = [setup.warnings(), found.warnings(&stop)].concat();
-    interrupt::disable();
+    let work = interrupt::enable(POINTS_SO_FAR);
+    let found = follow(&setup, search, &work.stop)?;
+    let warnings = [setup.warnings(), found.warnings(&work.stop)].concat();
+    drop(work);
     if found.interrupted {
         let message = "stopped before the whole front was found".into();
         return Err(Error::NotConverged {

@@ -76,17 +76,17 @@ pub fn run(args: &Args) -> Result<Answer> {
     note_models(&models);
     warn(lost_settings(&request, &setup, &models));
     let spinner = spinner("searching for one design for all models");
-    let interrupt = interrupt::enable("stopping with the best design so far");
+    let work = interrupt::enable("stopping with the best design so far");
     let follow = Observers {
-        interrupt: interrupt.clone(),
+        interrupt: work.stop.clone(),
         ..Observers::default()
     };
     let found = robust(models, search, args.starts as usize, &follow);
     spinner.finish();
     let found = found?;
     let is_found = found.is_found();
-    let mut warnings = found.warnings(&interrupt);
-    interrupt::disable();
+    let mut warnings = found.warnings(&work.stop);
+    drop(work);
     let mut written = None;
     if let Some(output) = &output {
         if is_found {

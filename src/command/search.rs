@@ -126,10 +126,8 @@ impl SearchArgs {
 impl OptimumArgs {
     /// Runs the search, which Ctrl-C interrupts.
     pub fn optima(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
-        let stop = interrupt::enable(BEST_SO_FAR);
-        let found = self.optima_until(setup, search, &stop);
-        interrupt::disable();
-        found
+        let work = interrupt::enable(BEST_SO_FAR);
+        self.optima_until(setup, search, &work.stop)
     }
 
     /// Runs the search and writes its checkpoint. `stop` interrupts the search. The progress is the

@@ -1,7 +1,7 @@
 //! The search for the best design over many swings.
 
 use crate::command::args::{OptimizeArgs, OptimumArgs, SearchArgs, SwingsArgs, stated};
-use crate::command::interrupt::{self, BEST_SO_FAR};
+use crate::command::interrupt::{self, BEST_SO_FAR, InterruptibleWork};
 use crate::command::names::note_the_run;
 use crate::command::output::{Answer, note, note_each, system, warn};
 use crate::command::ranges::{DefaultRanges, varied};
@@ -19,8 +19,6 @@ use crate::study::{Constraint, Goal, Optima, Search};
 use crate::units::Message;
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 /// Number of bootstrap samples of recorded swings.
 const RESAMPLES: usize = 200;
@@ -226,8 +224,8 @@ pub struct SwingsOptimum {
     pub setup: Setup<f64>,
     pub optima: Optima,
     pub over: OverSwings,
-    /// A flag that Ctrl-C sets, to skip the rest of the work.
-    pub stop: Arc<AtomicBool>,
+    /// The search and its analyses, which Ctrl-C can interrupt until this value is dropped.
+    pub work: InterruptibleWork,
     /// The file that was written.
     file: Option<String>,
 }
@@ -260,7 +258,6 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     )?;
     request.note_starts(&over.setup, &search.vary);
     let found = optimize_and_write(args, &request, over.setup, over.swings, search)?;
-    interrupt::disable();
     // `held` is empty: the default search varies only the loft, and is refused if the request
     // states the loft
     let origin = request
@@ -270,8 +267,7 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
     Ok(answer.found(found.is_found()))
 }
 
-/// Runs the search, which Ctrl-C can stop, and writes the setup if a file is given. The caller
-/// calls [`interrupt::disable`] afterwards.
+/// Runs the search, which Ctrl-C can stop, and writes the setup if a file is given.
 pub fn optimize_and_write(
     args: &OptimizeArgs,
     request: &Request,
@@ -282,20 +278,21 @@ pub fn optimize_and_write(
     note_the_run(&search.outcomes());
     let setup = request.for_many(setup, &swing_ranges(&search.vary, &search.scenarios))?;
     let output = args.optimum.destination(request, args.swings.inputs())?;
-    let stop = interrupt::enable(BEST_SO_FAR);
-    let optima = args.optimum.optima_until(&setup, &search, &stop)?;
+    let work = interrupt::enable(BEST_SO_FAR);
+    let stop = &work.stop;
+    let optima = args.optimum.optima_until(&setup, &search, stop)?;
     let best = &optima.best;
     let is_found = best.solution.status == Status::Converged;
     let mut analysis = None;
     let mut resampled = None;
     if is_found {
-        analysis = analyse_over_swings(&setup, &swings, best, &stop)?;
+        analysis = analyse_over_swings(&setup, &swings, best, stop)?;
         if let Swings::Recorded { .. } = swings {
             let seed = u64::from(args.swings.seed.unwrap_or(0));
-            resampled = bootstrap_optimum(&setup, best, RESAMPLES, seed, &stop)?;
+            resampled = bootstrap_optimum(&setup, best, RESAMPLES, seed, stop)?;
         }
     }
-    let mut warnings = best.warnings(&stop);
+    let mut warnings = best.warnings(stop);
     if let Some(share) = best.beyond_strokes.filter(|share| *share > 0.0) {
         let percent = 100.0 * share;
         let percent = match percent < 0.1 {
@@ -316,7 +313,7 @@ pub fn optimize_and_write(
             analysis,
             resampled,
         },
-        stop,
+        work,
         file,
     })
 }

@@ -48,11 +48,11 @@ pub fn run(args: &Args) -> Result<Answer> {
     let setup = request.within_tolerance(request.setup()?)?;
     let of = outcomes(&args.of)?;
     let wrt = variables(&setup, &args.wrt, &of)?;
-    let stop = interrupt::enable("stopping after the parameters under way");
+    let work = interrupt::enable("stopping after the parameters under way");
     let certificate = with_bar("parameters", |show| {
         certify(&setup, &of, &wrt, &|done, all| {
             show(done, all);
-            !stop.load(Ordering::Relaxed)
+            !work.stop.load(Ordering::Relaxed)
         })
     })?;
     let of_step = certificate
@@ -69,7 +69,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         vec![]
     };
     // a Ctrl-C before this line stops the work, and the command still prints its answer
-    interrupt::disable();
+    drop(work);
     let report = CertificateReport::new(&certificate, &loops);
     let answer = Answer::report(&report, &request.origin(), request.is_json);
     Ok(answer.found(certificate.passed()))

@@ -5,6 +5,7 @@
 use crate::command_line::{Output, WHOLE, interrupt};
 use crate::program;
 use crate::schema::faults;
+use longdrive::command::{Host, MessageKind, run};
 use longdrive::optimize::Observers;
 use longdrive::parameters::SetupFile;
 use longdrive::report::{optima_document, optimum_setup};
@@ -13,6 +14,7 @@ use longdrive::units::System;
 use longdrive::{Result, Setup};
 use serde_json::Value;
 use std::fs::File;
+use std::io;
 use std::process::Child;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -112,6 +114,64 @@ impl AtWork {
             out,
             err,
         }
+    }
+}
+
+/// A host that knows whether the work of its command can be interrupted.
+#[derive(Default)]
+struct Watching {
+    is_interruptible: AtomicBool,
+    /// True once work was announced.
+    was_interruptible: AtomicBool,
+    /// True if the answer came while work was still announced.
+    is_printed_meanwhile: AtomicBool,
+}
+
+impl Host for Watching {
+    fn print(&self, _: &str) -> io::Result<()> {
+        let meanwhile = self.is_interruptible.load(Ordering::Relaxed);
+        self.is_printed_meanwhile
+            .store(meanwhile, Ordering::Relaxed);
+        Ok(())
+    }
+
+    fn say(&self, _: MessageKind, _: &str) {}
+
+    fn can_stop(&self, _: &'static str, _: &Arc<AtomicBool>) {
+        self.is_interruptible.store(true, Ordering::Relaxed);
+        self.was_interruptible.store(true, Ordering::Relaxed);
+    }
+
+    fn cannot_stop(&self) {
+        self.is_interruptible.store(false, Ordering::Relaxed);
+    }
+}
+
+/// After the rows of `delivery`, its population is computed, which cannot be interrupted: Ctrl-C
+/// then ends the program. An error ends the work, too.
+#[test]
+fn no_answer_and_no_error_while_work_is_announced() {
+    let folder = tempfile::tempdir().unwrap();
+    let shots = folder.path().join("shots.csv");
+    let rows = "ball_speed [mph],launch_angle [deg],spin [rpm]\n165,11.2,2500\n168.1,10.4,2380\n";
+    std::fs::write(&shots, rows).unwrap();
+    let shots = shots.to_str().unwrap();
+    for (words, status) in [
+        (vec!["delivery", "--shots", shots], 0),
+        (vec!["optimize"], 0),
+        (vec!["sweep", "no-such-setup"], 2),
+    ] {
+        let host = Arc::new(Watching::default());
+        let line = [&["longdrive"], &words[..]].concat();
+        let line = line.into_iter().map(Into::into).collect();
+        assert_eq!(run(line, host.clone()), status, "{words:?}");
+        let [was, is, printed] = [
+            &host.was_interruptible,
+            &host.is_interruptible,
+            &host.is_printed_meanwhile,
+        ]
+        .map(|flag| flag.load(Ordering::Relaxed));
+        assert_eq!((was, is, printed), (true, false, false), "{words:?}");
     }
 }
 

@@ -35,14 +35,15 @@ pub fn serve(state: &str) -> Result<()> {
             )
         })?,
     };
-    let stop = interrupt::enable("ending");
+    let work = interrupt::enable("ending");
     let address = format!("http://{}{}#{state}\n", listener.address, site.path);
     running()
         .host
         .write(address.as_bytes())
         .map_err(Error::Output)?;
     note("open this address in a browser; Ctrl-C ends");
-    listener.serve(&stop, TOO_MANY, |stream| answer(stream, &site, &stop));
+    let stop = &work.stop;
+    listener.serve(stop, TOO_MANY, |stream| answer(stream, &site, stop));
     Ok(())
 }
 

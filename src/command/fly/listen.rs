@@ -62,7 +62,7 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
     let flying = flying_within_tolerance(&request, &setup, &[], &of)?;
     let wanted = SocketAddr::new(args.address, port);
     let listener = Listener::bind(wanted).map_err(|error| refused(wanted, &error))?;
-    let stop = interrupt::enable("ending after the messages under way");
+    let work = interrupt::enable("ending after the messages under way");
     note(&format!(
         "listening on {} for messages of GSPro Open Connect; Ctrl-C ends",
         listener.address
@@ -71,8 +71,9 @@ pub fn run(args: &Args, port: u16) -> Result<Answer> {
         address: listener.address.to_string(),
         ..MessageCounts::default()
     };
-    counts.connections = listener.serve(&stop, TOO_MANY, |stream| {
-        serve(stream, &flying, setup.golfer, &stop, &counts)
+    let stop = &work.stop;
+    counts.connections = listener.serve(stop, TOO_MANY, |stream| {
+        serve(stream, &flying, setup.golfer, stop, &counts)
     });
     Ok(if request.is_json {
         Answer::json(&Reply::done("fly", warnings(), &counts))

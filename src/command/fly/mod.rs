@@ -48,7 +48,7 @@ fn fly(args: &Args) -> Result<Answer> {
     let setup = setup(&request, &format!("the rows of {}", file.display()))?;
     let format = format_of(args, request.is_json)?;
     let destination = destination(args, file, &request)?;
-    let stop = interrupt::enable("stopping after the rows under way");
+    let work = interrupt::enable("stopping after the rows under way");
     let filter = RowFilter::read(&args.only)?;
     let mut shots = read_shots(file, filter, &request, &setup)?;
     // `requested_outcomes` prints notes about the outcomes: call it after all checks of the input
@@ -59,7 +59,7 @@ fn fly(args: &Args) -> Result<Answer> {
     note_each(file.display(), &remarks);
     let run = Run {
         threads: args.threads,
-        stop: Some(&stop),
+        stop: Some(&work.stop),
         ..Run::default()
     };
     let maker = shots.maker();
@@ -73,7 +73,7 @@ fn fly(args: &Args) -> Result<Answer> {
     final_remarks.extend(of_further_clubs(&tally));
     note_each(file.display(), &final_remarks);
     remarks.extend(final_remarks);
-    let is_stopped = stop.load(std::sync::atomic::Ordering::Relaxed);
+    let is_stopped = work.stop.load(std::sync::atomic::Ordering::Relaxed);
     if !is_stopped {
         refuse_no_rows(&tally, file)?;
         output.finish()?;

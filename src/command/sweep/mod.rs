@@ -51,7 +51,7 @@ pub fn run(args: &Args) -> Result<Answer> {
 fn whole_sweep(args: &Args) -> Result<Answer> {
     refuse_options_of_parts(args)?;
     // interruptible from here on: reading a long table takes time before the first drive
-    let stop = interrupt::enable("stopping after the drives under way");
+    let work = interrupt::enable("stopping after the drives under way");
     let request = args.setup_args.request()?;
     let format = format_of(args)?;
     let destination = destination(args, &request, format)?;
@@ -73,7 +73,7 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
         points.as_mut(),
         &formatter,
         &mut output,
-        &stop,
+        &work.stop,
     )?;
     let counts = output.status_counts();
     // an incomplete file has the name FILE.part

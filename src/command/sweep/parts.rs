@@ -44,7 +44,7 @@ pub struct CheckedParts {
 
 /// Writes a part.
 pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
-    let stop =
+    let work =
         interrupt::enable("stopping after the drives under way; nothing of the part is kept");
     let request = args.setup_args.request()?;
     let SweepRequest { mut points, batch } = SweepRequest::of(args, &request)?;
@@ -56,7 +56,7 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
     bar.set_length(rows.end - rows.start);
     let run = Run {
         threads: args.threads,
-        stop: Some(&stop),
+        stop: Some(&work.stop),
         ..Run::default()
     };
     let progress = |done| bar.set_position(done);
