@@ -3,7 +3,7 @@ use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::output::{
     Answer, note, note_detail, note_error, once_a_second, spinner, stated_system, system, warn,
 };
-use crate::command::ranges::DefaultRanges;
+use crate::command::search::DriveSearch;
 use crate::optimize::Iteration;
 use crate::report::{ChartReport, iteration_line, outcome_text, parameter_text};
 use crate::statistics::extent;
@@ -45,29 +45,17 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let setup = request.partial_setup;
-    let (along, at) = args.places(&setup)?;
-    let mut starts = request.starts(&setup, &args.search.vary)?;
-    starts.push((along.parameter, along.low));
-    let setup = request.with_values(setup, starts, "begins at")?;
-    let search = args
-        .search
-        .search(&request, &setup, Some(along.parameter))?;
+    let (along, at) = args.places(&request.partial_setup)?;
     request.refuse_stated_besides_launch(&[along.parameter], "`along` gives its values")?;
-    let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
-    let setup = request.for_many(setup, &ranges)?;
-    request.warn_of_ranges(&setup, &[along]);
+    let drive = args.search.of_drive(&request, Some(along), None)?;
+    let DriveSearch { setup, search, .. } = &drive;
+    request.warn_of_ranges(setup, &[along]);
     let work = interrupt::enable(BEST_SO_FAR);
     if !at.is_sorted_by(|a, b| a < b) {
         note("the values of `at` are used in ascending order, each once");
     }
-    let origin = request.origin_with_held(
-        &args.search.vary,
-        &search.vary,
-        &setup,
-        DefaultRanges::longest_drive,
-    )?;
-    let chart = follow(&setup, &search, along, &at, &work.stop);
+    let origin = drive.origin(&request);
+    let chart = follow(setup, search, along, &at, &work.stop);
     let is_interrupted = work.stop.load(Ordering::Relaxed);
     drop(work);
     let chart = match chart {
@@ -81,7 +69,7 @@ pub fn run(args: &Args) -> Result<Answer> {
                 interrupted: is_interrupted,
             };
             let answer = if request.is_json {
-                let report = ChartReport::new(&none, &search);
+                let report = ChartReport::new(&none, search);
                 Answer::report(&report, &origin, true)
             } else {
                 Answer::text(String::new())
@@ -91,7 +79,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         chart => chart?,
     };
     warn(chart.warnings());
-    let report = ChartReport::new(&chart, &search);
+    let report = ChartReport::new(&chart, search);
     let answer = if args.csv {
         for message in chart.begun.iter().chain(&chart.ended) {
             note(&message.in_units(system()));

@@ -2,7 +2,6 @@ pub use crate::command::args::OptimizeArgs as Args;
 
 use crate::Result;
 use crate::command::output::{Answer, note, warn};
-use crate::command::ranges::DefaultRanges;
 use crate::command::search::write;
 use crate::optimize::Status;
 use crate::report::OptimizeReport;
@@ -17,14 +16,10 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     let args = &args.optimum;
     let request = args.setup_args.request()?;
-    let started = request.with_starts(request.partial_setup, &args.search.vary)?;
     let instead = "`simulate()` flies the drive as stated";
-    args.search
-        .refuse_nothing_to_vary(&request, &started, instead)?;
-    let search = args.search.search(&request, &started, None)?;
-    let setup = request.for_many(request.partial_setup, &search.vary)?;
+    let drive = args.search.of_drive(&request, None, Some(instead))?;
     let output = args.destination(&request, std::iter::empty())?;
-    let mut optima = args.optima(&setup, &search)?;
+    let mut optima = args.optima(&drive)?;
     let club = optima.club_alone()?;
     let best = &optima.best;
     if let Some(moved) = best.moved_start() {
@@ -33,12 +28,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(best.warnings(&AtomicBool::new(false)));
     let written = write(output.as_ref(), &request, &optima, None)?;
     let over = OverSwings::default();
-    let origin = request.origin_with_held(
-        &args.search.vary,
-        &best.search.vary,
-        &setup,
-        DefaultRanges::longest_drive,
-    )?;
     let is_converged = best.solution.status == Status::Converged;
     let loss = usual_loss(best);
     let windows = is_converged.then(|| windows(best, loss)).transpose()?;
@@ -48,6 +37,6 @@ pub fn run(args: &Args) -> Result<Answer> {
         club_alone: club.as_ref(),
     });
     let report = OptimizeReport::new(&optima, &over, around, written);
-    let answer = Answer::report(&report, &origin, request.is_json);
+    let answer = Answer::report(&report, &drive.origin(&request), request.is_json);
     Ok(answer.found(is_converged && optima.stopped() == 0))
 }

@@ -1,14 +1,13 @@
 use crate::command::args::OptimumArgs;
 use crate::command::names::variables;
 use crate::command::output::{Answer, note, note_error, spinner, warn, with_bar};
-use crate::command::ranges::DefaultRanges;
-use crate::command::search::{allowed_loss, write};
-use crate::parameters::Parameter;
+use crate::command::search::{DriveSearch, allowed_loss, write};
+use crate::parameters::{Parameter, Vary};
 use crate::report::{OptimizeReport, SensitivityReport};
 use crate::study::swings::OverSwings;
 use crate::study::{
-    Change, Optimum, OptimumAnalysis, Search, change, flatness, refuse_varied, sensitivities,
-    short_drive, usual_loss,
+    Change, Optimum, OptimumAnalysis, change, flatness, refuse_varied, sensitivities, short_drive,
+    usual_loss,
 };
 use crate::{Result, Setup};
 use std::sync::atomic::AtomicBool;
@@ -45,21 +44,13 @@ pub fn run(args: &Args) -> Result<Answer> {
         setup_args, search, ..
     } = &args.optimum;
     let request = setup_args.request()?;
-    let own = request.partial_setup;
-    let started = request.with_starts(own, &search.vary)?;
     let instead = "`sensitivity()` is about the drive as stated";
-    search.refuse_nothing_to_vary(&request, &started, instead)?;
-    let search = search.search(&request, &started, None)?;
-    let setup = request.for_many(own, &search.vary)?;
-    let requested = AnalysisRequest::new(args, &started, &search)?;
+    let drive = search.of_drive(&request, None, Some(instead))?;
+    let requested = AnalysisRequest::new(args, &drive)?;
     let output = args.optimum.destination(&request, std::iter::empty())?;
-    let origin = request.origin_with_held(
-        &args.optimum.search.vary,
-        &search.vary,
-        &setup,
-        DefaultRanges::longest_drive,
-    )?;
-    let optima = args.optimum.optima(&setup, &search)?;
+    let mut optima = args.optimum.optima(&drive)?;
+    // the optimum of the club alone may lead to a better one
+    optima.club_alone()?;
     let best = &optima.best;
     let written = write(output.as_ref(), &request, &optima, None)?;
     if let Some(moved) = best.moved_start() {
@@ -68,8 +59,9 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(best.warnings(&AtomicBool::new(false)));
     // a changed setup gets the integration step that `optimize` would choose for it
     let integrated = |mut changed: Setup<f64>| {
+        let own = request.partial_setup;
         (changed.method, changed.flight.step) = (own.method, own.flight.step);
-        request.for_many(changed, &search.vary)
+        request.for_many(changed, &drive.search.vary)
     };
     let (mut analysis, mut reason) = (None, None);
     if optima.stopped() == 0 {
@@ -90,7 +82,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         written,
     );
     let report = SensitivityReport::new(search, analysis, reason.as_ref());
-    let answer = Answer::report(&report, &origin, request.is_json);
+    let answer = Answer::report(&report, &drive.origin(&request), request.is_json);
     Ok(answer.found(analysis.is_some_and(OptimumAnalysis::is_answered)))
 }
 
@@ -103,7 +95,10 @@ struct AnalysisRequest {
 }
 
 impl AnalysisRequest {
-    fn new(args: &Args, setup: &Setup<f64>, search: &Search) -> Result<Self> {
+    fn new(args: &Args, drive: &DriveSearch) -> Result<Self> {
+        let search = &drive.search;
+        // a varied parameter without a value is refused as a varied one
+        let setup = &Vary::initialized(&drive.setup, &search.vary)?;
         let wrt = variables(setup, &args.wrt, &search.outcomes())?;
         let changes = args
             .change

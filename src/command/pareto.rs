@@ -199,13 +199,11 @@ fn over_swings(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, Pareto
 fn of_one_drive(request: &Request, args: &GoalArgs) -> Result<(Setup<f64>, ParetoSearch)> {
     let started = request.with_starts(request.partial_setup, &args.vary)?;
     let goals = args.goals(|option, text| Ok(of_a_drive(option, text)?.into()))?;
-    let vary = varied(&args.vary, &started, || {
-        DefaultRanges::longest_drive(request, &started)?.vary()
-    })?;
+    let ranges = DefaultRanges::of_drive(&args.vary, request, &started, None)?;
     let subject_to = args.subject_to.iter().map(|text| Constraint::read(text));
     let search = ParetoSearch {
         goals,
-        vary,
+        vary: ranges.vary()?,
         subject_to: subject_to.collect::<Result<_>>()?,
         scenarios: Scenarios::one_drive(),
         points: args.points,
@@ -232,10 +230,7 @@ impl GoalArgs {
 
     /// The description of the setup for the answer. `vary` are the ranges of the search.
     fn origin(&self, request: &Request, vary: &[Vary], setup: &Setup<f64>) -> Result<SetupOrigin> {
-        let origin = request.origin_with_held(&self.vary, vary, setup, |request, setup| {
-            self.swings.default_ranges(request, setup)
-        })?;
-        Ok(origin.with_stated(&self.swings.end_of_title()))
+        request.origin_with_held(&self.vary, vary, setup, &self.swings)
     }
 
     /// The two objectives, parsed by `read`.

@@ -32,46 +32,32 @@ pub fn kept(
     usual: impl FnOnce() -> Result<DefaultRanges>,
 ) -> Result<Vec<&'static Parameter>> {
     match given {
-        [] => Ok(usual()?.kept.iter().map(|range| range.parameter).collect()),
+        [] => Ok(usual()?.kept()),
         _ => Ok(vec![]),
     }
 }
 
 impl Request {
-    /// The description of the setup for the first lines of a search's answer. Its field `held` has
-    /// the parameters of the default ranges that the search does not vary, because the request
-    /// states them. `vary` are the ranges of the search, `given` the texts of `--vary`; `usual`
-    /// gives the default ranges.
+    /// The description of the setup for the first lines of the answer of a search over swings or
+    /// one drive. Its field `held` has the parameters of the default ranges that the search does
+    /// not vary, because the request states them. `vary` are the ranges of the search, `given` the
+    /// texts of `--vary`.
     ///
     /// # Errors
-    /// The errors of `usual`.
+    /// The errors of [`Search::longest_drive`].
     pub fn origin_with_held(
         &self,
         given: &[String],
         vary: &[Vary],
         setup: &Setup<f64>,
-        usual: impl FnOnce(&Self, &Setup<f64>) -> Result<DefaultRanges>,
+        swings: &SwingsArgs,
     ) -> Result<SetupOrigin> {
-        let kept = kept(given, || usual(self, setup))?;
-        Ok(self.origin_of_search(vary).with_held(&kept, setup))
-    }
-}
-
-impl SwingsArgs {
-    /// The default ranges of a search: the loft for a search over swings, and loft and attack angle
-    /// for one drive.
-    ///
-    /// # Errors
-    /// The errors of [`Search::longest_drive`].
-    pub(super) fn default_ranges(
-        &self,
-        request: &Request,
-        setup: &Setup<f64>,
-    ) -> Result<DefaultRanges> {
-        match self.is_given() {
-            true => DefaultRanges::loft(request, setup),
-            false => DefaultRanges::longest_drive(request, setup),
-        }
+        let kept = kept(given, || match swings.is_given() {
+            true => DefaultRanges::loft(self, setup),
+            false => DefaultRanges::longest_drive(self, setup),
+        })?;
+        let origin = self.origin_of_search(vary).with_held(&kept, setup);
+        Ok(origin.with_stated(&swings.end_of_title()))
     }
 }
 
@@ -138,6 +124,30 @@ impl DefaultRanges {
         Ok(Self::new(Search::longest_drive(setup)?.vary, request))
     }
 
+    /// The ranges of a search over one drive: those of `--vary` (`given`); without this option, the
+    /// [ranges of the longest drive](Self::longest_drive) without the parameter `along` of a chart.
+    ///
+    /// # Errors
+    /// The errors of [`Vary::read`] and of [`Search::longest_drive`].
+    pub fn of_drive(
+        given: &[String],
+        request: &Request,
+        setup: &Setup<f64>,
+        along: Option<&Parameter>,
+    ) -> Result<Self> {
+        if !given.is_empty() {
+            let read = |text: &String| Vary::read(setup, text);
+            return Ok(Self {
+                vary: given.iter().map(read).collect::<Result<_>>()?,
+                kept: vec![],
+                examples: String::new(),
+            });
+        }
+        let mut usual = Self::longest_drive(request, setup)?;
+        usual.vary.retain(|range| Some(range.parameter) != along);
+        Ok(usual)
+    }
+
     /// Two ranges of a map of this setup, as arguments.
     ///
     /// # Errors
@@ -159,10 +169,9 @@ impl DefaultRanges {
         Ok(Self::new(vec![loft], request))
     }
 
-    /// Removes the parameter along which a chart runs.
-    pub fn without(mut self, along: &Parameter) -> Self {
-        self.vary.retain(|range| range.parameter.name != along.name);
-        self
+    /// The parameters that the search does not vary, because the request states them.
+    pub fn kept(&self) -> Vec<&'static Parameter> {
+        self.kept.iter().map(|range| range.parameter).collect()
     }
 
     /// The reason why there is no range to vary, with examples of ranges; `None` if there is a

@@ -6,10 +6,9 @@ use crate::command::host::Progress;
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, bar, command_line, note, system, text_of, warn, warnings};
 use crate::command::plot::{counted_points, limits};
-use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::running::running;
-use crate::command::search::of_a_drive;
+use crate::command::search::{DriveSearch, of_a_drive};
 use crate::command::wording::in_host_syntax;
 use crate::derivative::default_variables;
 use crate::flight::Flight;
@@ -75,13 +74,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     names.extend(explorer_page.map(|_| EXPLORER_FILE));
     let folder = OutputRule::new(request.inputs(), args.overwrite).folder(&args.output, &names)?;
 
-    let origin = match &inputs.search {
-        Some(search) => request.origin_with_held(
-            &args.search.vary,
-            &search.vary,
-            &inputs.stated,
-            DefaultRanges::longest_drive,
-        )?,
+    let origin = match &inputs.drive {
+        Some(drive) => drive.origin(&request),
         None => request.origin(),
     };
     let bar = bar("parts");
@@ -129,7 +123,7 @@ struct ReportRequest {
     setup: Setup<f64>,
     /// The outcome that the report is about.
     of: Outcome,
-    search: Option<Search>,
+    drive: Option<DriveSearch>,
     /// The reason why there is no search.
     reason: Option<String>,
     /// The parameter along which the chart runs. `None` if there is no chart: there is no search,
@@ -145,20 +139,18 @@ impl ReportRequest {
     fn new(args: &Args, request: &Request) -> Result<Self> {
         let stated = request.setup()?;
         let of = args.search.objective(of_a_drive, Outcome::Carry)?.0;
-        let reason = args.search.nothing_to_vary(request, &stated)?;
-        let (search, along) = match &reason {
-            None => {
-                let (search, along) = args.search_and_along(request, &stated)?;
-                (Some(search), along)
-            }
-            Some(_) => {
-                args.refuse_idle_search()?;
-                (None, None)
-            }
+        let reason = args.search.nothing_to_vary(request)?;
+        let (mut drive, mut along) = (None, None);
+        if reason.is_none() {
+            along = args.along(&stated)?;
+            drive = Some(args.search.of_drive(request, along, None)?);
+        } else {
+            args.refuse_idle_search()?;
+        }
+        let setup = match &drive {
+            Some(drive) => drive.setup,
+            None => request.for_many(stated, &[])?,
         };
-        let varied = search.iter().flat_map(|search| &search.vary);
-        let ranges: Vec<_> = varied.chain(&along).copied().collect();
-        let setup = request.for_many(stated, &ranges)?;
         let uncertain = request.with_assumed_launch(setup)?;
         let given = sigmas(&uncertain, &args.sigma)?;
         let sigmas = with_defaults(&uncertain, &given, &[of])?;
@@ -166,7 +158,7 @@ impl ReportRequest {
             stated,
             setup,
             of,
-            search,
+            drive,
             reason,
             along,
             given,
@@ -181,7 +173,7 @@ fn add_sections(
     inputs: &ReportRequest,
     bar: &Arc<dyn Progress>,
 ) -> Result<()> {
-    let search = inputs.search.as_ref();
+    let search = inputs.drive.as_ref().map(|drive| &drive.search);
     let mut remarks = vec![];
     add_drives(findings, search, bar, &mut remarks)?;
     let why_none = why_none(findings, inputs.reason.as_deref());
@@ -376,23 +368,19 @@ fn add_derivatives(
 }
 
 impl Args {
-    /// The search, and the parameter along which the chart runs. The parameter is `None` if
-    /// `--along` is not given and the search varies the default parameter.
-    fn search_and_along(
-        &self,
-        request: &Request,
-        setup: &Setup<f64>,
-    ) -> Result<(Search, Option<Vary>)> {
-        let given = self.along.as_ref();
-        let given = given.map(|text| Vary::read(setup, text)).transpose()?;
-        let parameter = given.map(|along| along.parameter);
-        let search = self.search.search(request, setup, parameter)?;
-        if given.is_some() {
-            return Ok((search, given));
+    /// The parameter along which the chart runs. `None` if `--along` is not given and the search
+    /// varies the default parameter.
+    fn along(&self, setup: &Setup<f64>) -> Result<Option<Vary>> {
+        if let Some(text) = &self.along {
+            return Vary::read(setup, text).map(Some);
         }
         let along = usual_speeds(setup)?;
-        let is_varied = search.parameters().any(|varied| varied == along.parameter);
-        Ok((search, (!is_varied).then_some(along)))
+        let is_varied = |range: &String| {
+            let name = range.split('=').next();
+            name.is_some_and(|name| name.trim() == along.parameter.name)
+        };
+        let is_free = !self.search.vary.iter().any(is_varied);
+        Ok(is_free.then_some(along))
     }
 
     /// Refuses options of a search if there is nothing to vary. The objective is allowed, because
@@ -476,6 +464,8 @@ fn rows(setup: &Setup<f64>, of: Outcome, search: Option<&Search>) -> Result<Vec<
         Some(search) => search.parameters().collect(),
         None => default_variables(setup)?,
     };
+    // the drive as set up has no derivative by a parameter that it does not have
+    wrt.retain(|parameter| setup.value(parameter).is_some());
     let speed = setup.variable(if setup.launch.is_given() {
         "launch.ball_speed"
     } else {

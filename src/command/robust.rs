@@ -103,13 +103,8 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(warnings);
     let mut report = RobustReport::new(&found, within);
     report.file = written;
-    let origin = request.origin_with_held(
-        &args.search.vary,
-        &found.search.vary,
-        &setup,
-        |request, setup| args.swings.default_ranges(request, setup),
-    )?;
-    let origin = origin.with_stated(&args.swings.end_of_title());
+    let origin =
+        request.origin_with_held(&args.search.vary, &found.search.vary, &setup, &args.swings)?;
     let answer = Answer::report(&report, &origin, request.is_json);
     Ok(answer.found(is_found))
 }
@@ -163,7 +158,8 @@ impl Args {
             return Ok((over.setup, search));
         }
         let started = request.with_starts(request.partial_setup, &self.search.vary)?;
-        let search = self.search.search(request, &started, None)?;
+        let ranges = DefaultRanges::of_drive(&self.search.vary, request, &started, None)?;
+        let search = self.search.search(request, &started, ranges.vary()?)?;
         Ok((request.partial_setup, search))
     }
 

@@ -6,37 +6,94 @@ use crate::command::host::{Progress, Work};
 use crate::command::interrupt::{self, BEST_SO_FAR};
 use crate::command::names::note_the_run;
 use crate::command::output::{note, shown, system, warn};
-use crate::command::ranges::{DefaultRanges, varied};
+use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::lock::lock;
-use crate::optimize::{Checkpoint, Iteration, Observers, Options, Status};
-use crate::parameters::Parameter;
-use crate::report::{goal_text, iteration_line, optimum_setup};
+use crate::optimize::{Checkpoint, Iteration, Observer, Observers, Options, Status};
+use crate::parameters::{Parameter, Vary};
+use crate::report::{SetupOrigin, goal_text, iteration_line, optimum_setup};
 use crate::study::swings::{Scenarios, Swings};
-use crate::study::{Constraint, Optima, Search, Sense, optima};
+use crate::study::{Constraint, Optima, Optimum, Search, Sense, club_alone, optima, optimum};
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
 
+/// The search for the optimum of one drive, as a request states it.
+pub struct DriveSearch {
+    /// The setup of the request, with method and step for the drives of the search. It is the drive
+    /// as set up: a varied parameter may have no value.
+    pub setup: Setup<f64>,
+    pub search: Search,
+    /// The parameters of the default ranges that the search does not vary, because the request
+    /// states them.
+    held: Vec<&'static Parameter>,
+}
+
+impl DriveSearch {
+    /// The description of the setup for the first lines of the answer.
+    pub fn origin(&self, request: &Request) -> SetupOrigin {
+        let origin = request.origin_of_search(&self.search.vary);
+        origin.with_held(&self.held, &self.setup)
+    }
+
+    /// The optimum, found without a progress and with one start.
+    ///
+    /// # Errors
+    /// The errors of [`optimum`] and [`club_alone`].
+    pub fn optimum(&self) -> Result<Optimum> {
+        let mut best = optimum(&self.setup, self.search.clone(), Observer::default())?;
+        // the optimum of the club alone may lead to a better one
+        club_alone(&mut best)?;
+        Ok(best)
+    }
+}
+
 impl SearchArgs {
-    /// The search. By default it varies loft and attack angle, except for a parameter that the
-    /// request states, and except for the parameter `along` of a chart.
+    /// The search for the optimum of one drive. By default it varies loft and attack angle, except
+    /// for a parameter that the request states. With the parameter `along` of a chart and its
+    /// range, the search does not vary this parameter by default, and the setup has method and step
+    /// for the whole range. `instead` is advice on the drive as stated, for the refusal of a search
+    /// with nothing to vary.
+    ///
+    /// # Errors
+    /// [`Error::Unreadable`] if there is nothing to vary; the errors of [`Request::with_values`],
+    /// [`search`](Self::search) and [`Request::for_many`].
+    pub fn of_drive(
+        &self,
+        request: &Request,
+        along: Option<Vary>,
+        instead: Option<&str>,
+    ) -> Result<DriveSearch> {
+        let setup = request.partial_setup;
+        let mut starts = request.starts(&setup, &self.vary)?;
+        starts.extend(along.map(|along| (along.parameter, along.low)));
+        let started = request.with_values(setup, starts, "begins at")?;
+        let parameter = along.map(|along| along.parameter);
+        let ranges = DefaultRanges::of_drive(&self.vary, request, &started, parameter)?;
+        if let (Some(reason), Some(instead)) = (ranges.reason(), instead) {
+            let source = format!("{reason}; {instead}");
+            return Err(Error::unreadable("the search", source));
+        }
+        let held = ranges.kept();
+        let search = self.search(request, &started, ranges.vary()?)?;
+        let ranges: Vec<_> = search.vary.iter().copied().chain(along).collect();
+        Ok(DriveSearch {
+            setup: request.for_many(setup, &ranges)?,
+            search,
+            held,
+        })
+    }
+
+    /// The search over these ranges. `started` has a value for every varied parameter.
     pub fn search(
         &self,
         request: &Request,
-        setup: &Setup<f64>,
-        along: Option<&Parameter>,
+        started: &Setup<f64>,
+        vary: Vec<Vary>,
     ) -> Result<Search> {
-        let vary = varied(&self.vary, setup, || {
-            let ranges = DefaultRanges::longest_drive(request, setup)?;
-            match along {
-                Some(along) => ranges.without(along).vary(),
-                None => ranges.vary(),
-            }
-        })?;
         let (of, sense) = self.objective(of_a_drive, Outcome::Carry)?;
         let search = Search {
             of: of.into(),
@@ -51,7 +108,7 @@ impl SearchArgs {
             options: options(self.max_iterations),
         };
         note_the_run(&search.outcomes());
-        request.note_starts(setup, &search.vary);
+        request.note_starts(started, &search.vary);
         Ok(search)
     }
 
@@ -60,30 +117,11 @@ impl SearchArgs {
     ///
     /// # Errors
     /// The errors of [`DefaultRanges::longest_drive`].
-    pub fn nothing_to_vary(&self, request: &Request, setup: &Setup<f64>) -> Result<Option<String>> {
+    pub fn nothing_to_vary(&self, request: &Request) -> Result<Option<String>> {
         if !self.vary.is_empty() {
             return Ok(None);
         }
-        Ok(DefaultRanges::longest_drive(request, setup)?.reason())
-    }
-
-    /// Refuses a search with nothing to vary. `instead` is the advice for the drive as stated.
-    ///
-    /// # Errors
-    /// [`Error::Unreadable`], and the errors of [`nothing_to_vary`](Self::nothing_to_vary).
-    pub fn refuse_nothing_to_vary(
-        &self,
-        request: &Request,
-        setup: &Setup<f64>,
-        instead: &str,
-    ) -> Result<()> {
-        match self.nothing_to_vary(request, setup)? {
-            Some(reason) => {
-                let source = format!("{reason}; {instead}");
-                Err(Error::unreadable("the search", source))
-            }
-            None => Ok(()),
-        }
+        Ok(DefaultRanges::longest_drive(request, &request.partial_setup)?.reason())
     }
 
     /// The objective and its sense. By default, `usual` is maximized. `read` takes the name and the
@@ -125,9 +163,9 @@ impl SearchArgs {
 
 impl OptimumArgs {
     /// Runs the search, which Ctrl-C interrupts.
-    pub fn optima(&self, setup: &Setup<f64>, search: &Search) -> Result<Optima> {
+    pub fn optima(&self, drive: &DriveSearch) -> Result<Optima> {
         let work = interrupt::enable(BEST_SO_FAR);
-        self.optima_until(setup, search, &work.stop)
+        self.optima_until(&drive.setup, &drive.search, &work.stop)
     }
 
     /// Runs the search and writes its checkpoint. `stop` interrupts the search. The progress is the

@@ -1,14 +1,11 @@
 use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::{outcomes, sigmas};
 use crate::command::output::{Answer, note, system, warn, with_bar};
-use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
-use crate::optimize::Observer;
 use crate::parameters::Parameter;
-use crate::report::{EffectsReport, by_reason};
+use crate::report::{EffectsReport, SetupOrigin, by_reason};
 use crate::study::{
-    Effects, Optimum, Sensitivity, SigmaEffect, effects, flown_off, optimum, sensitivities,
-    with_defaults,
+    Effects, Optimum, Sensitivity, SigmaEffect, effects, flown_off, sensitivities, with_defaults,
 };
 use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
@@ -47,24 +44,15 @@ pub struct Args {
 
 pub fn run(args: &Args) -> Result<Answer> {
     let request = args.setup_args.request()?;
-    let mut setup = request.within_tolerance(request.setup()?)?;
-    if !args.no_defaults {
-        setup = request.with_assumed_launch(setup)?;
-    }
     let of = outcomes(&args.of)?;
-    let best = find_optimum(args, &request, &setup)?;
-    let origin = match &best {
-        Some(best) => request.origin_with_held(
-            &args.search.vary,
-            &best.search.vary,
-            &setup,
-            DefaultRanges::longest_drive,
-        )?,
-        None => request.origin(),
+    let AnalysedDrive {
+        setup,
+        best,
+        origin,
+    } = match args.at_optimum {
+        true => AnalysedDrive::at_optimum(args, &request)?,
+        false => AnalysedDrive::as_set_up(args, &request)?,
     };
-    if let Some(best) = &best {
-        setup = best.setup;
-    }
     let given = sigmas(&setup, &args.sigma)?;
     let sigmas = if args.no_defaults {
         given
@@ -86,27 +74,54 @@ pub fn run(args: &Args) -> Result<Answer> {
     Ok(Answer::report(&report, &origin, request.is_json))
 }
 
-/// The optimum for `--at-optimum`; `None` without this option.
-fn find_optimum(args: &Args, request: &Request, setup: &Setup<f64>) -> Result<Option<Optimum>> {
-    if !args.at_optimum {
-        return match args.search.given().next() {
-            Some(option) => Err(Error::unreadable(
-                option,
-                "it is an option of the search for an optimum; add `at_optimum`, or leave \
-                 it out",
-            )),
-            None => Ok(None),
-        };
+/// The drive whose slopes and effects are computed.
+struct AnalysedDrive {
+    setup: Setup<f64>,
+    /// The optimum, with `--at-optimum`.
+    best: Option<Optimum>,
+    origin: SetupOrigin,
+}
+
+impl AnalysedDrive {
+    /// The drive of the request. Refuses options of a search.
+    fn as_set_up(args: &Args, request: &Request) -> Result<Self> {
+        let setup = request.within_tolerance(request.setup()?)?;
+        if let Some(option) = args.search.given().next() {
+            let source = "it is an option of the search for an optimum; add `at_optimum`, or leave \
+                          it out";
+            return Err(Error::unreadable(option, source));
+        }
+        Ok(Self {
+            setup: args.with_assumed_launch(request, setup)?,
+            best: None,
+            origin: request.origin(),
+        })
     }
-    let instead = "without `at_optimum`, the answer is about the drive as stated";
-    args.search
-        .refuse_nothing_to_vary(request, setup, instead)?;
-    let search = args.search.search(request, setup, None)?;
-    let setup = request.for_many(*setup, &search.vary)?;
-    let found = optimum(&setup, search, Observer::default())?;
-    found.check_converged()?;
-    note(&found.message().in_units(system()));
-    Ok(Some(found))
+
+    /// The optimum of the search of the request.
+    fn at_optimum(args: &Args, request: &Request) -> Result<Self> {
+        let instead = "without `at_optimum`, the answer is about the drive as stated";
+        let mut drive = args.search.of_drive(request, None, Some(instead))?;
+        drive.setup = args.with_assumed_launch(request, drive.setup)?;
+        let found = drive.optimum()?;
+        found.check_converged()?;
+        note(&found.message().in_units(system()));
+        Ok(Self {
+            setup: found.setup,
+            best: Some(found),
+            origin: drive.origin(request),
+        })
+    }
+}
+
+impl Args {
+    /// The setup with assumed launch conditions, which default uncertainties need.
+    fn with_assumed_launch(&self, request: &Request, setup: Setup<f64>) -> Result<Setup<f64>> {
+        match self.no_defaults {
+            true => Ok(setup),
+            false => request.with_assumed_launch(setup),
+        }
+    }
 }
 
 /// Total derivatives of the optimal outcome by every parameter that is not varied, with the varied

@@ -363,12 +363,12 @@ fn a_varied_parameter_without_a_value_has_none_as_set_up() {
 #[test]
 fn an_optimum_is_at_least_as_good_as_the_club_alone() {
     let spin = [
-        "optimize amateur-average --set aero.law=lyu --minimize spin --vary club.loft=0deg..30deg",
+        "amateur-average --set aero.law=lyu --minimize spin --vary club.loft=0deg..30deg",
         "--vary club.cg_depth=20mm..50mm --vary swing.attack_angle=-10deg..10deg",
         "--vary swing.face_angle=-2deg..1deg",
     ];
     let total = [
-        "optimize modern-driver --wind 7m/s --set wind.from=340deg --maximize total",
+        "modern-driver --wind 7m/s --set wind.from=340deg --maximize total",
         "--vary club.cg_depth=20mm..50mm --vary club.loft=5deg..8deg",
         "--vary club.roll_radius=200mm..600mm --vary swing.face_angle=-5deg..5deg",
         "--vary swing.path=-5deg..5deg",
@@ -381,12 +381,20 @@ fn an_optimum_is_at_least_as_good_as_the_club_alone() {
         (&total[..], 1.0, longest_total),
     ] {
         let words = words.join(" ");
-        let (status, found) = json(&words.split_whitespace().collect::<Vec<_>>());
+        let searched = |command: &str| {
+            let words = format!("{command} {words}");
+            json(&words.split_whitespace().collect::<Vec<_>>())
+        };
+        let (status, found) = searched("optimize");
         // the search began at the club alone, which is no point of the sample
         assert_eq!((status, &found["sample"]["improved"]), (0, &false.into()));
         assert!(sign * number(&found["value"]) >= sign * alone, "{found}");
         let club = &found["club_alone"];
         assert!(number(&club["swing_gain"]) >= -1e-9, "{club}");
+        let (_, analysed) = searched("optimum-sensitivity --wrt swing.speed");
+        assert!(sign * number(&analysed["value"]) >= sign * alone);
+        let (_, effects) = searched("sensitivity --at-optimum --no-defaults");
+        assert!(sign * number(&effects["at_optimum"]["value"]) >= sign * alone);
     }
 }
 

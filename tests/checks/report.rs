@@ -693,6 +693,30 @@ fn the_start_of_a_search_is_no_value_of_the_drive_as_set_up() {
     }
 }
 
+/// Every command about the optimum of one drive finds a start for a varied parameter that has no
+/// value in the setup. Expected: the longest drive has a rigid shaft, as a droop only adds loft, so
+/// that its carry is that of a search over the loft alone.
+#[test]
+fn a_parameter_without_a_value_is_varied_by_every_command_about_an_optimum() {
+    let folder = tempfile::tempdir().unwrap();
+    let loft = ["--vary", "club.loft=4deg..20deg"];
+    let droop = ["--vary", "swing.shaft_droop=0deg..5deg"];
+    let (_, best) = json(&[&["optimize"], &loft[..]].concat());
+    let (status, found) = json(&[&["sensitivity", "--at-optimum"], &loft[..], &droop].concat());
+    assert_eq!(status, 0, "{found}");
+    let carry = number(&found["at_optimum"]["value"]);
+    close(carry, number(&best["value"]), carry, 1e-6, "carry");
+    let (picture, page) = (path(&folder, "x.csv"), path(&folder, "page"));
+    for words in [
+        vec!["plot", "fairway", "-o", &picture],
+        vec!["report", "-o", &page],
+    ] {
+        let output = longdrive(&[&words[..], &loft, &droop].concat());
+        assert_eq!(output.status, 0, "{words:?}: {}", output.err);
+        assert!(!output.err.contains("no optimum"), "{}", output.err);
+    }
+}
+
 #[cfg(feature = "full")]
 #[test]
 fn a_png_has_its_size_and_its_words() {

@@ -5,15 +5,14 @@ use crate::command::args::{SearchArgs, SetupArgs};
 use crate::command::names::sigmas;
 use crate::command::output::{Answer, note, spinner, system, warn};
 use crate::command::picture::{PictureArgs, PlotDestination};
-use crate::command::ranges::DefaultRanges;
 use crate::command::request::{Request, Source};
-use crate::optimize::{Observer, Status};
+use crate::command::search::DriveSearch;
+use crate::optimize::Status;
 use crate::report::figures::{face_figure, fairway_figure, launches_figure, strikes_figure};
 use crate::report::plot::Figure;
 use crate::report::{Ending, SetupOrigin, computed_text, with_constraints};
 use crate::study::{
-    Cause, DriveRole, Face, Landing, Launches, NamedDrive, Optimum, Search, causes, optimum,
-    with_defaults,
+    Cause, DriveRole, Face, Landing, Launches, NamedDrive, Optimum, causes, with_defaults,
 };
 use crate::units::Message;
 use crate::{Drive, Error, Outcome, Result, Setup};
@@ -272,15 +271,9 @@ pub struct DrawnOptimum {
 
 impl DrawnOptimum {
     /// The optimum of a search. Warns if the search finds none; the plot then shows only the drive.
-    pub fn of(
-        request: &Request,
-        setup: &Setup<f64>,
-        search: Search,
-        args: &SearchArgs,
-    ) -> Result<Self> {
-        let usual = DefaultRanges::longest_drive;
-        let origin = request.origin_with_held(&args.vary, &search.vary, setup, usual)?;
-        let best = optimum(setup, search, Observer::default())?;
+    pub fn of(request: &Request, drive: &DriveSearch, args: &SearchArgs) -> Result<Self> {
+        let origin = drive.origin(request);
+        let best = drive.optimum()?;
         if best.solution.status == Status::Converged {
             return Ok(Self {
                 best: Some(best),
@@ -310,7 +303,7 @@ impl DrawnOptimum {
 /// search, a remark says that there is no optimum.
 fn setup_and_optimum(request: &Request, search: &SearchArgs) -> Result<(Setup<f64>, DrawnOptimum)> {
     let setup = request.setup()?;
-    let reason = search.nothing_to_vary(request, &setup)?;
+    let reason = search.nothing_to_vary(request)?;
     if let Some(reason) = reason.filter(|_| search.given().next().is_none()) {
         note(&format!("no optimum is drawn: {reason}"));
         let none = DrawnOptimum {
@@ -320,10 +313,9 @@ fn setup_and_optimum(request: &Request, search: &SearchArgs) -> Result<(Setup<f6
         };
         return Ok((request.for_many(setup, &[])?, none));
     }
-    let varied = search.search(request, &setup, None)?;
-    let setup = request.for_many(setup, &varied.vary)?;
+    let drive = search.of_drive(request, None, None)?;
     // before the search, refuse a drive that does not land: the plot needs its landing
-    Drive::new(&setup)?.landed()?;
-    let drawn = DrawnOptimum::of(request, &setup, varied, search)?;
-    Ok((setup, drawn))
+    Drive::new(&drive.setup)?.landed()?;
+    let drawn = DrawnOptimum::of(request, &drive, search)?;
+    Ok((drive.setup, drawn))
 }

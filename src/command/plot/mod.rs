@@ -15,6 +15,7 @@ use crate::command::pareto;
 use crate::command::picture::PlotDestination;
 use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
+use crate::command::search::DriveSearch;
 use crate::command::verify::note_missing_outcomes;
 use crate::optimize::{Observer, Status};
 use crate::parameters::{Law, Parameter};
@@ -83,18 +84,17 @@ fn trajectory(args: &PlotTrajectory) -> Result<Answer> {
 fn contour(args: &PlotSearch) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(request.inputs(), &args.drawing)?;
-    let setup = request.with_starts(request.partial_setup, &args.search.vary)?;
-    let search = args.search.search(&request, &setup, None)?;
-    let setup = request.for_many(setup, &search.vary)?;
+    let drive = args.search.of_drive(&request, None, None)?;
+    let DriveSearch { setup, search, .. } = &drive;
     let spinner = spinner("computing the map");
-    let (found, map) = mapped(&request, &setup, &search, &args.search)?;
+    let MappedOptimum { found, around, map } = MappedOptimum::of(&request, &drive, &args.search)?;
     let target = target.ended(found.ending).about(found.origin);
     if let Some(flat) = map.flat() {
         let reason = format!("{flat}; vary parameters that change it");
         return Err(target.refused(reason));
     }
     let best = found.best.as_ref();
-    let limits = limits(best.map_or(&setup, |best| &best.setup), &search)?;
+    let limits = limits(&around, search)?;
     if let Some((_, message)) = best.and_then(short_drive) {
         note(message);
     }
@@ -117,29 +117,37 @@ fn contour(args: &PlotSearch) -> Result<Answer> {
         best,
         region: region.as_ref(),
     };
-    let warnings = drive::warnings(&setup, best, &search.outcomes());
+    let warnings = drive::warnings(setup, best, &search.outcomes());
     target.write(request.is_json, &map_figure(&map, &on, system()), warnings)
 }
 
-/// The [`Map`] around an optimum, or around the setup if the search finds none.
-fn mapped(
-    request: &Request,
-    setup: &Setup<f64>,
-    search: &Search,
-    args: &SearchArgs,
-) -> Result<(DrawnOptimum, Map)> {
-    let [across, up, ..] = search.vary[..] else {
-        let reason = format!(
-            "a map needs two parameters; give `vary` twice, for example {}",
-            DefaultRanges::of_map(setup)?
-        );
-        let name = "`vary`".into();
-        return Err(Error::SearchRange { name, reason });
-    };
-    let drawn = DrawnOptimum::of(request, setup, search.clone(), args)?;
-    let around = drawn.best.as_ref().map_or(setup, |best| &best.setup);
-    let map = map(around, search.outcome(), across, up, Fineness::default())?;
-    Ok((drawn, map))
+/// An optimum and the map around it.
+struct MappedOptimum {
+    found: DrawnOptimum,
+    /// The setup at the optimum; if the search finds none, the setup at its start.
+    around: Setup<f64>,
+    map: Map,
+}
+
+impl MappedOptimum {
+    fn of(request: &Request, drive: &DriveSearch, args: &SearchArgs) -> Result<Self> {
+        let DriveSearch { setup, search, .. } = drive;
+        let [across, up, ..] = search.vary[..] else {
+            let reason = format!(
+                "a map needs two parameters; give `vary` twice, for example {}",
+                DefaultRanges::of_map(setup)?
+            );
+            let name = "`vary`".into();
+            return Err(Error::SearchRange { name, reason });
+        };
+        let found = DrawnOptimum::of(request, drive, args)?;
+        let around = match &found.best {
+            Some(best) => best.setup,
+            None => Vary::initialized(setup, &search.vary)?,
+        };
+        let map = map(&around, search.outcome(), across, up, Fineness::default())?;
+        Ok(Self { found, around, map })
+    }
 }
 
 /// The constraints of a search, each with a map of the limited outcome over the first two varied
@@ -163,18 +171,13 @@ pub fn limits(around: &Setup<f64>, search: &Search) -> Result<Vec<(Constraint, M
 fn along(args: &PlotChart) -> Result<Answer> {
     let request = args.setup_args.request()?;
     let target = PlotDestination::new(request.inputs(), &args.drawing)?;
-    let varied = args.search.vary.iter().chain([&args.along]);
-    let setup = request.with_starts(request.partial_setup, varied)?;
-    let along = Vary::read(&setup, &args.along)?;
-    let search = args
-        .search
-        .search(&request, &setup, Some(along.parameter))?;
+    let along = Vary::read_column(&request.partial_setup, &args.along)?;
     request.refuse_stated_besides_launch(&[along.parameter], "`along` gives its values")?;
-    let shown = shown_curve(args, &search)?;
-    let ranges: Vec<_> = search.vary.iter().copied().chain([along]).collect();
-    let setup = request.for_many(setup, &ranges)?;
+    let drive = args.search.of_drive(&request, Some(along), None)?;
+    let DriveSearch { setup, search, .. } = &drive;
+    let shown = shown_curve(args, search)?;
     let bar = bar("optima");
-    let chart = chart(&setup, &search, along, &[], &counted_points(&bar));
+    let chart = chart(setup, search, along, &[], &counted_points(&bar));
     bar.finish();
     let chart = chart?;
     for message in chart.begun.iter().chain(&chart.ended) {
@@ -182,7 +185,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
     }
     let own = request.partial_setup.value(along.parameter);
     let own = own
-        .map(|_| optimum(&setup, search.clone(), Observer::default()))
+        .map(|_| optimum(setup, search.clone(), Observer::default()))
         .transpose()?
         .filter(|own| own.solution.status == Status::Converged);
     let on = OnChart {
@@ -192,11 +195,9 @@ fn along(args: &PlotChart) -> Result<Answer> {
         own: own.as_ref(),
     };
     let figures = chart_figures(&chart, &on, system());
-    let figure = figure_of(&figures, &search, shown, &target)?;
-    let usual = DefaultRanges::longest_drive;
-    let origin = request.origin_with_held(&args.search.vary, &search.vary, &setup, usual)?;
+    let figure = figure_of(&figures, search, shown, &target)?;
     let warnings = [setup.drive_warnings(&[]), chart.warnings()].concat();
-    let target = target.about(origin);
+    let target = target.about(drive.origin(&request));
     target.write(request.is_json, figure, warnings)
 }
 
