@@ -95,7 +95,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         .with_stated(&swings_args.end_of_title());
     let designed = Designed::new(found.report(), &design, &found.setup, &improvements, &notes);
     let answer = Answer::report(&designed, &origin, request.is_json);
-    Ok(answer.found(found.is_found()))
+    Ok(answer.found(found.optima.is_found()))
 }
 
 /// Refuses a setup file that names no preset. Such a file starts from `tour-average`, which exceeds

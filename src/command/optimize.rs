@@ -3,7 +3,6 @@ pub use crate::command::args::OptimizeArgs as Args;
 use crate::Result;
 use crate::command::output::{Answer, note, warn};
 use crate::command::search::write;
-use crate::optimize::Status;
 use crate::report::OptimizeReport;
 use crate::study::swings::OverSwings;
 use crate::study::{OptimumWindows, usual_loss, windows};
@@ -28,7 +27,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     warn(best.warnings(&AtomicBool::new(false)));
     let written = write(output.as_ref(), &request, &optima, None)?;
     let over = OverSwings::default();
-    let is_converged = best.solution.status == Status::Converged;
+    let is_converged = best.is_converged();
     let loss = usual_loss(best);
     let windows = is_converged.then(|| windows(best, loss)).transpose()?;
     let around = windows.as_deref().map(|windows| OptimumWindows {
@@ -38,5 +37,5 @@ pub fn run(args: &Args) -> Result<Answer> {
     });
     let report = OptimizeReport::new(&optima, &over, around, written);
     let answer = Answer::report(&report, &drive.origin(&request), request.is_json);
-    Ok(answer.found(is_converged && optima.stopped() == 0))
+    Ok(answer.found(optima.is_found()))
 }

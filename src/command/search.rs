@@ -10,7 +10,7 @@ use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::running::running;
 use crate::lock::lock;
-use crate::optimize::{Checkpoint, Iteration, Observer, Observers, Options, Status};
+use crate::optimize::{Checkpoint, Iteration, Observer, Observers, Options};
 use crate::parameters::{Parameter, Vary};
 use crate::report::{SetupOrigin, goal_text, iteration_line, optimum_setup};
 use crate::study::swings::{Scenarios, Swings};
@@ -246,7 +246,7 @@ pub fn write(
     let Some(output) = output else {
         return Ok(None);
     };
-    if optima.best.solution.status != Status::Converged {
+    if !optima.best.is_converged() {
         warn([output.not_written("there is no optimum")]);
         return Ok(None);
     }

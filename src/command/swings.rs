@@ -7,7 +7,6 @@ use crate::command::output::{Answer, note, note_each, system, warn};
 use crate::command::ranges::{DefaultRanges, varied};
 use crate::command::request::Request;
 use crate::command::search::{options, write};
-use crate::optimize::Status;
 use crate::parameters::Vary;
 use crate::report::{OptimizeReport, computed_text};
 use crate::study::swings::{
@@ -231,10 +230,6 @@ pub struct SwingsOptimum {
 }
 
 impl SwingsOptimum {
-    pub fn is_found(&self) -> bool {
-        self.optima.best.solution.status == Status::Converged && self.optima.stopped() == 0
-    }
-
     pub fn report(&self) -> OptimizeReport<'_> {
         OptimizeReport::new(&self.optima, &self.over, None, self.file.clone())
     }
@@ -264,7 +259,7 @@ pub fn run(args: &OptimizeArgs) -> Result<Answer> {
         .origin_of_search(&found.optima.best.search.vary)
         .with_stated(&args.swings.end_of_title());
     let answer = Answer::report(&found.report(), &origin, request.is_json);
-    Ok(answer.found(found.is_found()))
+    Ok(answer.found(found.optima.is_found()))
 }
 
 /// Runs the search, which Ctrl-C can stop, and writes the setup if a file is given.
@@ -282,7 +277,7 @@ pub fn optimize_and_write(
     let stop = &work.stop;
     let optima = args.optimum.optima_until(&setup, &search, stop)?;
     let best = &optima.best;
-    let is_found = best.solution.status == Status::Converged;
+    let is_found = best.is_converged();
     let mut analysis = None;
     let mut resampled = None;
     if is_found {

@@ -8,7 +8,6 @@ use super::optimum::{
 use super::reply::{Ending, Report};
 use super::shown;
 use super::swings::{goals, nominal, notes};
-use crate::optimize::Status;
 use crate::parameters::Setup;
 use crate::study::Optimum;
 use crate::study::design::{ConstraintState, Design, DesignConstraint, Enforcement, Improvement};
@@ -100,7 +99,7 @@ impl Report for Designed<'_> {
     fn document(&self, system: System) -> Document {
         let over = self.search.over;
         let mut document = Document::default();
-        let is_converged = self.best.solution.status == Status::Converged;
+        let is_converged = self.best.is_converged();
         if !is_converged {
             document.list([ended_line(self.best, system)]);
         }

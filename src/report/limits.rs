@@ -29,7 +29,7 @@ impl Objective {
             of: (&optimum.search.of).into(),
             value: optimum.value().unwrap_or_default(),
             sense: optimum.search.sense,
-            is_converged: optimum.solution.status == Status::Converged,
+            is_converged: optimum.is_converged(),
         }
     }
 

@@ -6,7 +6,6 @@ use super::json::{ByName, JsonNumber};
 use super::limits::{ended_at, limited_value};
 use super::shown;
 use crate::drive::Outcome;
-use crate::optimize::Status;
 use crate::study::Optimum;
 use crate::study::swings::{
     BootstrapOptimum, GoalError, Measure, Nominal, OverSwings, Rule, SamplingError, Scenarios,
@@ -205,7 +204,7 @@ pub(super) fn notes(best: &Optimum, over: &OverSwings, system: System) -> Vec<Li
     notes.push(sampling(best, over.analysis.as_ref(), system));
     if best.search.scenarios.rule == Rule::Recorded
         && over.resampled.is_none()
-        && best.solution.status == Status::Converged
+        && best.is_converged()
     {
         notes.push(
             "it is not known how well these swings determine the best design: the swings are \

@@ -4,7 +4,7 @@ use super::optimum::{ExtraStart, LocalOptimum, Optima, Optimum, optimum};
 use super::search::Search;
 use crate::error::Result;
 use crate::json::numbers_by_name;
-use crate::optimize::{Observer, Status};
+use crate::optimize::Observer;
 use crate::parameters::{Parameter, Setup, Vary};
 use serde::{Serialize, Serializer};
 
@@ -94,7 +94,7 @@ pub fn club_alone(best: &mut Optimum) -> Result<Option<ClubAlone>> {
             .iter()
             .all(|vary| is_of(["swing.", "strike."], vary.parameter))
         || !best.search.scenarios.is_one_drive()
-        || best.solution.status != Status::Converged
+        || !best.is_converged()
     {
         return Ok(None);
     }
@@ -110,7 +110,7 @@ pub fn club_alone(best: &mut Optimum) -> Result<Option<ClubAlone>> {
     let club = optimum(&best.start, search, Observer::default())?;
     let value = club
         .value()
-        .filter(|_| club.solution.status == Status::Converged)
+        .filter(|_| club.is_converged())
         .filter(|_| !(0..club.search.vary.len()).all(|i| club.is_idle(i)));
     let Some(value) = value else {
         return Ok(None);
@@ -122,9 +122,7 @@ pub fn club_alone(best: &mut Optimum) -> Result<Option<ClubAlone>> {
     if swing.iter().all(is_within) && is_better(value, best) {
         let start = with_own_swing(club.setup, &swing)?;
         let found = optimum(&start, best.search.clone(), Observer::default())?;
-        if found.solution.status == Status::Converged
-            && found.value().is_some_and(|value| is_better(value, best))
-        {
+        if found.is_converged() && found.value().is_some_and(|value| is_better(value, best)) {
             *best = Optimum {
                 start: best.start,
                 drive_as_set_up: best.drive_as_set_up,

@@ -81,8 +81,13 @@ impl Optimum {
         constraint.goal.outcome()?.value(drive)
     }
 
+    /// True if the search converged, so that the result is an optimum.
+    pub fn is_converged(&self) -> bool {
+        self.solution.status == Status::Converged
+    }
+
     pub(crate) fn check_converged(&self) -> Result<()> {
-        if self.solution.status == Status::Converged {
+        if self.is_converged() {
             return Ok(());
         }
         Err(Error::NotConverged {
@@ -187,6 +192,11 @@ impl Optima {
     /// The number of starts, with the further one.
     pub fn starts(&self) -> usize {
         self.requested + usize::from(self.extra.is_some())
+    }
+
+    /// True if no search was interrupted and the best one converged.
+    pub fn is_found(&self) -> bool {
+        self.best.is_converged() && self.stopped() == 0
     }
 
     /// Local optima of the searches that were not interrupted, best first.

@@ -3,8 +3,8 @@ use super::search::Search;
 use super::sigma::{AmountKind, amount_of};
 use super::verdict::{Active, only_in};
 use crate::error::{Error, Result};
+use crate::optimize::Observer;
 use crate::optimize::sensitivity::{Event, first_event, response};
-use crate::optimize::{Observer, Status};
 use crate::parameters::{Parameter, Setup};
 use crate::units::Message;
 use serde::Serialize;
@@ -239,7 +239,7 @@ fn in_words(search: &Search, event: Event) -> Message {
 
 /// Differences of the active sets of two optima.
 fn differences(before: &Optimum, after: &Optimum) -> Vec<Message> {
-    if after.solution.status != Status::Converged {
+    if !after.is_converged() {
         let why = Message::from(format!("no optimum was found ({}: ", after.status()));
         return vec![why.message(after.message()).words(")")];
     }

@@ -7,7 +7,6 @@ use crate::command::output::{Answer, note, spinner, system, warn};
 use crate::command::picture::{PictureArgs, PlotDestination};
 use crate::command::request::{Request, Source};
 use crate::command::search::DriveSearch;
-use crate::optimize::Status;
 use crate::report::figures::{face_figure, fairway_figure, launches_figure, strikes_figure};
 use crate::report::plot::Figure;
 use crate::report::{Ending, SetupOrigin, computed_text, with_constraints};
@@ -274,7 +273,7 @@ impl DrawnOptimum {
     pub fn of(request: &Request, drive: &DriveSearch, args: &SearchArgs) -> Result<Self> {
         let origin = drive.origin(request);
         let best = drive.optimum()?;
-        if best.solution.status == Status::Converged {
+        if best.is_converged() {
             return Ok(Self {
                 best: Some(best),
                 ending: Ending::DONE,

@@ -17,7 +17,7 @@ use crate::command::ranges::DefaultRanges;
 use crate::command::request::Request;
 use crate::command::search::DriveSearch;
 use crate::command::verify::note_missing_outcomes;
-use crate::optimize::{Observer, Status};
+use crate::optimize::Observer;
 use crate::parameters::{Law, Parameter};
 use crate::repeated::first_repeated;
 use crate::report::SetupOrigin;
@@ -29,7 +29,7 @@ use crate::report::plot::Figure;
 use crate::reproduce::while_loop;
 use crate::study::certificate::certify;
 use crate::study::{
-    ChartObserver, Constraint, DriveRole, Fineness, Map, NamedDrive, Region, Search, Vary, chart,
+    ChartObserver, Constraint, DriveRole, Fineness, Map, NamedDrive, Optimum, Region, Search, Vary, chart,
     effects, map, optimum, short_drive, usual_loss, with_defaults,
 };
 use crate::units::Quantity;
@@ -187,7 +187,7 @@ fn along(args: &PlotChart) -> Result<Answer> {
     let own = own
         .map(|_| optimum(setup, search.clone(), Observer::default()))
         .transpose()?
-        .filter(|own| own.solution.status == Status::Converged);
+        .filter(Optimum::is_converged);
     let on = OnChart {
         // without the start values of the search: these are not values of the drive as set up
         setup: &request.partial_setup,

@@ -21,7 +21,7 @@ pub(in crate::report) fn optimum_document(
     system: System,
 ) -> Document {
     let mut document = Document::default();
-    let is_converged = optimum.solution.status == Status::Converged;
+    let is_converged = optimum.is_converged();
     if !is_converged {
         let ended = ended_line(optimum, system);
         let sample = optimum.value().and_then(|_| sample_line(optimum));

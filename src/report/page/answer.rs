@@ -4,7 +4,6 @@
 use super::findings::Findings;
 use super::gain::steps;
 use super::numbers::{from_to, outcome};
-use crate::optimize::Status;
 use crate::report::frame::both;
 use crate::report::limits::Objective;
 use crate::report::optimum::bound_in_words;
@@ -134,7 +133,7 @@ fn is_at_bound(best: &Optimum, i: usize) -> bool {
     if search.vary[i].low == search.vary[i].high {
         return true;
     }
-    if solution.status != Status::Converged {
+    if !best.is_converged() {
         return false;
     }
     let is_corner = solution.kink.is_some_and(|kink| kink.variable == i);

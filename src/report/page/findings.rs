@@ -1,6 +1,5 @@
 use crate::drive::Outcome;
 use crate::flight::Flight;
-use crate::optimize::Status;
 use crate::parameters::{Setup, SetupFile};
 use crate::reproduce::LoopRow;
 use crate::study::certificate::DerivativeRow;
@@ -125,7 +124,7 @@ impl Findings {
     /// The optimum, if the search has converged.
     pub fn best(&self) -> Option<&Optimum> {
         let found = self.found.as_ref();
-        found.filter(|found| found.solution.status == Status::Converged)
+        found.filter(|found| found.is_converged())
     }
 
     /// The effects of uncertainties on an outcome of the drive as set up.

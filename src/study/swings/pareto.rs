@@ -235,7 +235,7 @@ impl ParetoSearch {
         };
         let own = problem.domain.variables.project(&problem.start());
         match optimum(&problem.set_up, search, follow.of_search(function)) {
-            Ok(best) if best.solution.status == Status::Converged => Ok(vec![own, best.solution.x]),
+            Ok(best) if best.is_converged() => Ok(vec![own, best.solution.x]),
             Ok(_) | Err(Error::NotConverged { .. }) => Ok(vec![own]),
             Err(error) => Err(error),
         }

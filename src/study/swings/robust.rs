@@ -259,7 +259,7 @@ impl Robust {
             let [old, new] = [&*best, &again]
                 .map(|optimum| optimum.value().map_or(f64::INFINITY, |value| sign * value));
             let is_better = new < old - rounding(&self.search, old);
-            if again.solution.status == Status::Converged && is_better {
+            if again.is_converged() && is_better {
                 *best = again;
                 is_improved = true;
             }
@@ -410,7 +410,7 @@ fn best_of_each(
             return Err(not_found(&model, status, interrupted.into()));
         }
         let best = optima.best;
-        if best.solution.status != Status::Converged {
+        if !best.is_converged() {
             return Err(not_found(&model, best.status(), best.message()));
         }
         Ok((model, best))

@@ -4,7 +4,7 @@ use super::sets::{Computation, Set};
 use crate::derivative;
 use crate::drive::{Drive, Outcome};
 use crate::error::Result;
-use crate::optimize::{Observer, Status};
+use crate::optimize::Observer;
 use crate::parameters::{Law, Method, Setup, Vary};
 use crate::study::{Search, optimum};
 use crate::units::{DEGREE, MPH, RPM};
@@ -137,9 +137,7 @@ fn at_best_loft(mut setup: Setup<f64>, case: &Case) -> Result<Vec<(Compared, f64
         ..Search::largest(Outcome::CarryDistance)
     };
     let found = optimum(&setup, search, Observer::default())?;
-    let drive = found
-        .drive
-        .filter(|_| found.solution.status == Status::Converged);
+    let drive = found.drive.filter(|_| found.is_converged());
     let of = [
         (Compared::Carry, Outcome::CarryDistance),
         (Compared::LaunchAngle, Outcome::LaunchAngle),
