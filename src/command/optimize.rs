@@ -4,7 +4,6 @@ use crate::Result;
 use crate::command::output::{Answer, note, warn};
 use crate::command::search::write;
 use crate::report::OptimizeReport;
-use crate::study::swings::OverSwings;
 use crate::study::{OptimumWindows, usual_loss, windows};
 use std::sync::atomic::AtomicBool;
 
@@ -26,7 +25,6 @@ pub fn run(args: &Args) -> Result<Answer> {
     }
     warn(best.warnings(&AtomicBool::new(false)));
     let written = write(output.as_ref(), &request, &optima, None)?;
-    let over = OverSwings::default();
     let is_converged = best.is_converged();
     let loss = usual_loss(best);
     let windows = is_converged.then(|| windows(best, loss)).transpose()?;
@@ -35,7 +33,7 @@ pub fn run(args: &Args) -> Result<Answer> {
         windows,
         club_alone: club.as_ref(),
     });
-    let report = OptimizeReport::new(&optima, &over, around, written);
+    let report = OptimizeReport::new(&optima, None, around, written);
     let answer = Answer::report(&report, &drive.origin(&request), request.is_json);
     Ok(answer.found(optima.is_found()))
 }

@@ -4,7 +4,6 @@ use crate::command::output::{Answer, note, note_error, spinner, warn, with_bar};
 use crate::command::search::{DriveSearch, allowed_loss, write};
 use crate::parameters::{Parameter, Vary};
 use crate::report::{OptimizeReport, SensitivityReport};
-use crate::study::swings::OverSwings;
 use crate::study::{
     Change, Optimum, OptimumAnalysis, change, flatness, refuse_varied, sensitivities, short_drive,
     usual_loss,
@@ -74,13 +73,8 @@ pub fn run(args: &Args) -> Result<Answer> {
         }
     }
     let analysis = analysis.as_ref();
-    let over = OverSwings::default();
-    let search = OptimizeReport::new(
-        &optima,
-        &over,
-        analysis.map(OptimumAnalysis::windows),
-        written,
-    );
+    let windows = analysis.map(OptimumAnalysis::windows);
+    let search = OptimizeReport::new(&optima, None, windows, written);
     let report = SensitivityReport::new(search, analysis, reason.as_ref());
     let answer = Answer::report(&report, &drive.origin(&request), request.is_json);
     Ok(answer.found(analysis.is_some_and(OptimumAnalysis::is_answered)))

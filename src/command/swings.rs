@@ -231,7 +231,7 @@ pub struct SwingsOptimum {
 
 impl SwingsOptimum {
     pub fn report(&self) -> OptimizeReport<'_> {
-        OptimizeReport::new(&self.optima, &self.over, None, self.file.clone())
+        OptimizeReport::new(&self.optima, Some(&self.over), None, self.file.clone())
     }
 }
 

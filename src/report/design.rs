@@ -22,64 +22,53 @@ const ROUNDING: f64 = 1e-6;
 ///
 /// The answer of `design`: the best design, with its limits and its changes.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema), schemars(rename = "OptimumReport"))]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Designed<'a> {
     #[serde(skip)]
-    design: &'a Design,
+    problem: &'a Design,
     #[serde(skip)]
     setup: &'a Setup<f64>,
     #[serde(skip)]
     best: &'a Optimum,
-    #[serde(skip)]
-    improvements: &'a [Improvement],
-    #[serde(skip)]
-    notes: &'a [String],
-    /// The optimum, with the limits of the design and its changes.
+    /// The optimum.
     #[serde(flatten)]
     pub search: OptimizeReport<'a>,
+    /// The limits of the design, and its changes.
+    pub design: DesignReport,
 }
 
 impl<'a> Designed<'a> {
-    /// The best design that `search` found, with the rules and limits of `design`. `setup` is the
-    /// setup before the search; `improvements` are the goals before the search and with the best
-    /// design; `notes` are the assumptions, in sentences.
+    /// The best design that `search` found, with the rules and limits of `problem`. `setup` is the
+    /// setup before the search; `parts` are the goals before the search and with the best design;
+    /// `notes` are the assumptions, in sentences.
     pub fn new(
         search: OptimizeReport<'a>,
-        design: &'a Design,
+        problem: &'a Design,
         setup: &'a Setup<f64>,
-        improvements: &'a [Improvement],
-        notes: &'a [String],
+        parts: Vec<Improvement>,
+        notes: Vec<String>,
     ) -> Self {
-        let mut designed = Self {
-            design,
-            setup,
-            best: &search.optima.best,
-            improvements,
-            notes,
-            search,
-        };
-        designed.search.optimum.design = Some(designed.limits_and_changes());
-        designed
-    }
-
-    fn limits_and_changes(&self) -> DesignReport {
-        let before = self.best.search.vary.iter().map(|vary| {
-            (
-                vary.parameter.name,
-                self.setup.value_or_unset(vary.parameter),
-            )
-        });
-        let states = self.design.constraint_states(self.best);
-        DesignReport {
-            rules: if self.design.is_under_rules {
+        let best = &search.found.best;
+        let before = best.search.parameters();
+        let before = before.map(|parameter| (parameter.name, setup.value_or_unset(parameter)));
+        let states = problem.constraint_states(best);
+        let design = DesignReport {
+            rules: if problem.is_under_rules {
                 "golf"
             } else {
                 "none"
             },
-            notes: self.notes.to_vec(),
+            notes,
             as_set_up: before.collect(),
-            parts: self.improvements.to_vec(),
+            parts,
             held: states.iter().map(limit_report).collect(),
+        };
+        Self {
+            problem,
+            setup,
+            best,
+            search,
+            design,
         }
     }
 }
@@ -98,6 +87,7 @@ impl Report for Designed<'_> {
     /// notes, and the convergence.
     fn document(&self, system: System) -> Document {
         let over = self.search.over;
+        let analysis = over.and_then(|over| over.analysis.as_ref());
         let mut document = Document::default();
         let is_converged = self.best.is_converged();
         if !is_converged {
@@ -110,7 +100,7 @@ impl Report for Designed<'_> {
         }
         document.add(self.changes(system));
         let rows: Vec<_> = self
-            .design
+            .problem
             .constraint_states(self.best)
             .into_iter()
             .map(|state| self.row(&state, system))
@@ -119,18 +109,11 @@ impl Report for Designed<'_> {
             let found = ended_at(self.best.solution.status, "best");
             document.add(DocumentTable::new(["rule or limit", "", found, ""], rows).right([2]));
         }
-        document.list(
-            notes(self.best, over, system)
-                .into_iter()
-                .chain(assumptions),
-        );
+        let notes = over.map(|over| notes(self.best, over, system));
+        document.list(notes.into_iter().flatten().chain(assumptions));
         let mut ranges = Document::default();
-        ranges.add(goals(self.best, over.analysis.as_ref(), system));
-        ranges.add(varied_table(
-            self.best,
-            nominal(over.analysis.as_ref()),
-            system,
-        ));
+        ranges.add(goals(self.best, analysis, system));
+        ranges.add(varied_table(self.best, nominal(analysis), system));
         document.append_detail(ranges, Detail::WithAll);
         if is_converged {
             add_convergence(&mut document, self.best, system);
@@ -163,11 +146,11 @@ impl Designed<'_> {
             as_set_up: self.best.as_set_up.as_ref().map(|goals| goals[0]),
             best: self.best.value(),
         };
-        let mut listed = self.improvements.iter();
+        let mut listed = self.design.parts.iter();
         let is_listed = listed.any(|part| part.goal.expression == objective.goal.expression);
         let goals = (!is_listed).then_some(&objective).into_iter();
         let goals = goals
-            .chain(self.improvements)
+            .chain(&self.design.parts)
             .map(|goal| goal_row(goal, system));
         let found = ended_at(solution.status, "best");
         let head = ["design", "as set up", found, "change", ""];
@@ -176,13 +159,13 @@ impl Designed<'_> {
 
     /// The rules that apply, then the assumptions.
     fn assumptions(&self) -> Vec<Line> {
-        let rules = if self.design.is_under_rules {
+        let rules = if self.problem.is_under_rules {
             "the rules above are the Rules of Golf (sources: docs/design.md)"
         } else {
             "without the Rules of Golf (`rules none`)"
         };
         std::iter::once(rules)
-            .chain(self.notes.iter().map(String::as_str))
+            .chain(self.design.notes.iter().map(String::as_str))
             .map(Line::flush)
             .collect()
     }

@@ -107,7 +107,7 @@ impl<'a> SensitivityReport<'a> {
         analysis: Option<&'a OptimumAnalysis>,
         why: Option<&'a Error>,
     ) -> Self {
-        let best = &search.optima.best;
+        let best = &search.found.best;
         let sensitivity = analysis.map(|analysis| {
             let all = analysis.sensitivities.iter();
             all.map(|(parameter, found)| (parameter.name, SensitivityOf::new(best, found)))
@@ -160,7 +160,11 @@ impl Report for SensitivityReport<'_> {
 
     /// The analysed optimum, or without an analysis the best end of the searches.
     fn document(&self, system: System) -> Document {
-        let OptimizeReport { optima, over, .. } = self.search;
+        let OptimizeReport {
+            found: optima,
+            over,
+            ..
+        } = self.search;
         let Some(analysis) = self.analysis else {
             return optimum_document(&optima.best, over, None, system);
         };

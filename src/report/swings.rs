@@ -89,18 +89,15 @@ pub struct NominalReport {
 }
 
 impl StudiesReport {
-    /// The additional results of an optimum; `None` for a single drive.
-    pub(super) fn new(best: &Optimum, over: &OverSwings) -> Option<Self> {
+    /// The additional results of an optimum over swings.
+    pub(super) fn new(best: &Optimum, over: &OverSwings) -> Self {
         let search = &best.search;
-        if search.scenarios.is_one_drive() {
-            return None;
-        }
         let goals = |values: &[f64]| -> ByName<JsonNumber> {
             let names = search.goals().map(|goal| goal.expression.clone());
             names.zip(values.iter().copied()).collect()
         };
         let error = over.analysis.as_ref().and_then(SwingsAnalysis::error);
-        Some(Self {
+        Self {
             scenarios: ScenariosReport::new(&search.scenarios),
             as_set_up: best.as_set_up.as_deref().map(goals),
             nominal: nominal(over.analysis.as_ref()).map(|nominal| NominalReport {
@@ -119,7 +116,7 @@ impl StudiesReport {
             },
             beyond_strokes: best.beyond_strokes,
             resampled: over.resampled.clone(),
-        })
+        }
     }
 }
 

@@ -1,12 +1,13 @@
 //! The answer of `optimize`, as JSON and for readers.
 
 use super::super::document::{Document, Line};
+use super::super::json::{ByName, JsonNumber};
 use super::super::reply::{Ending, Report};
 use super::super::swings::StudiesReport;
 use super::report::{LocalReport, OptimumReport};
 use super::text::{optima_document, optimum_document};
 use crate::study::swings::OverSwings;
-use crate::study::{Optima, OptimumWindows};
+use crate::study::{ClubAlone, Optima, OptimumWindows, Window};
 use crate::units::System;
 use serde::Serialize;
 
@@ -14,51 +15,64 @@ use serde::Serialize;
 ///
 /// The answer of `optimize`: the best optimum, with the results of all searches.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema), schemars(rename = "OptimumReport"))]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct OptimizeReport<'a> {
     #[serde(skip)]
-    pub(in crate::report) optima: &'a Optima,
+    pub(in crate::report) found: &'a Optima,
     #[serde(skip)]
-    pub(in crate::report) over: &'a OverSwings,
+    pub(in crate::report) over: Option<&'a OverSwings>,
     #[serde(skip)]
     around: Option<OptimumWindows<'a>>,
     /// The best optimum.
     #[serde(flatten)]
     pub optimum: OptimumReport,
+    /// The local optima of a search from several starts, best first; `null` if one start was
+    /// requested.
+    pub optima: Option<Vec<LocalReport>>,
+    /// For each varied parameter: the range in which the drive loses at most `window_loss` if only
+    /// this parameter varies; `null` for swings, and without an optimum.
+    pub window: Option<ByName<Window>>,
+    /// The loss allowed in each window, SI; `null` without windows.
+    pub window_loss: JsonNumber,
+    /// The gain of the optimum in two parts: from the club with the swing as set up, and from the
+    /// swing; `null` if the search does not vary both, or if the first part is unknown.
+    pub club_alone: Option<ClubAlone>,
+    /// The setup file that was written; `null` without one.
+    pub file: Option<String>,
+    /// Results over swings; omitted for a single drive.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub swings: Option<StudiesReport>,
 }
 
 impl<'a> OptimizeReport<'a> {
-    /// The report of a search. `around` contains the windows of the optimum, and the gain of the
-    /// club alone. `file` is the setup file that was written.
+    /// The report of a search. `over` has the further results of a search over swings. `around`
+    /// contains the windows of the optimum, and the gain of the club alone. `file` is the setup
+    /// file that was written.
     pub fn new(
-        optima: &'a Optima,
-        over: &'a OverSwings,
+        found: &'a Optima,
+        over: Option<&'a OverSwings>,
         around: Option<OptimumWindows<'a>>,
         file: Option<String>,
     ) -> Self {
-        let best = &optima.best;
+        let best = &found.best;
         let windows = around.map(|around| {
             let windows = best.search.vary.iter().zip(around.windows);
             windows
                 .map(|(vary, window)| (vary.parameter.name, window.clone()))
                 .collect()
         });
-        let optimum = OptimumReport {
-            optima: optima
-                .has_several_starts()
-                .then(|| LocalReport::all(optima)),
+        let several = found.has_several_starts();
+        Self {
+            found,
+            over,
+            around,
+            optimum: OptimumReport::new(best),
+            optima: several.then(|| LocalReport::all(found)),
             window: windows,
             window_loss: around.map(|around| around.loss).into(),
             club_alone: around.and_then(|around| around.club_alone.cloned()),
             file,
-            swings: StudiesReport::new(best, over),
-            ..OptimumReport::new(best)
-        };
-        Self {
-            optima,
-            over,
-            around,
-            optimum,
+            swings: over.map(|over| StudiesReport::new(best, over)),
         }
     }
 }
@@ -70,8 +84,8 @@ impl Report for OptimizeReport<'_> {
     const STATUSES: &'static [&'static str] = &crate::study::Optimum::STATUSES;
 
     fn ending(&self) -> Ending {
-        let best = &self.optima.best;
-        match self.optima.interrupted() {
+        let best = &self.found.best;
+        match self.found.interrupted() {
             None => Ending {
                 status: best.status(),
                 message: Some(best.message().to_string()),
@@ -86,7 +100,7 @@ impl Report for OptimizeReport<'_> {
     /// The varied parameters with the gains of their bounds, the constraints, and the drive or the
     /// goals over the swings. After several starts, the results of all searches follow.
     fn document(&self, system: System) -> Document {
-        let optima = self.optima;
+        let optima = self.found;
         // with one start, `optimum_document` already reports an interruption
         let several = optima.has_several_starts();
         let mut document = Document::default();

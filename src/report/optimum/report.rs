@@ -2,13 +2,12 @@
 
 use super::super::drive::{LaunchReport, LawRanges, flight, launch, law_range};
 use super::super::json::{ByName, JsonNumber, Settings, settings};
-use super::super::swings::StudiesReport;
 use crate::drive::Outcome;
 use crate::optimize::Effort;
 #[cfg(test)]
 use crate::study::Sense;
 use crate::study::design::Improvement;
-use crate::study::{ClubAlone, ConstraintAtEnd, LocalOptimum, Optima, Optimum, Sample, Window};
+use crate::study::{ConstraintAtEnd, LocalOptimum, Optima, Optimum, Sample};
 use serde::Serialize;
 
 /// An optimum as JSON, SI and radians.
@@ -44,9 +43,6 @@ pub struct OptimumReport {
     pub evaluations: u64,
     /// Counters of the quadratic programs that were solved for the steps.
     pub steps: Effort,
-    /// The local optima of a search from several starts, best first; `null` if one start was
-    /// requested.
-    pub optima: Option<Vec<LocalReport>>,
     /// The sample of the ranges for comparison with the optimum; `null` for swings, and after an
     /// interruption.
     pub sample: Option<Sample>,
@@ -60,22 +56,6 @@ pub struct OptimumReport {
     /// The fitted ranges of the law, each with the range that the optimal flight covers; `null` if
     /// there is no air or no flight, and for swings.
     pub law_range: Option<LawRanges>,
-    /// For each varied parameter: the range in which the drive loses at most `window_loss` if only
-    /// this parameter varies; `null` for swings, and without an optimum.
-    pub window: Option<ByName<Window>>,
-    /// The loss allowed in each window, SI; `null` without windows.
-    pub window_loss: JsonNumber,
-    /// The gain of the optimum in two parts: from the club with the swing as set up, and from the
-    /// swing; `null` if the search does not vary both, or if the first part is unknown.
-    pub club_alone: Option<ClubAlone>,
-    /// The setup file that was written; `null` without one.
-    pub file: Option<String>,
-    /// Results over swings; omitted for a single drive.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub swings: Option<StudiesReport>,
-    /// The limits of a design; omitted for other searches.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub design: Option<DesignReport>,
 }
 
 /// A constraint at an optimum.
@@ -199,18 +179,11 @@ impl OptimumReport {
             iterations: solution.iterations,
             evaluations: solution.effort.evaluations,
             steps: solution.effort,
-            optima: None,
             sample: optimum.sample,
             setup: found.then(|| settings(&optimum.setup)),
             launch: drive.map(launch),
             flight: drive.and_then(flight),
             law_range: drive.and_then(|drive| law_range(&optimum.setup, drive)),
-            window: None,
-            window_loss: JsonNumber(None),
-            club_alone: None,
-            file: None,
-            swings: None,
-            design: None,
         }
     }
 }

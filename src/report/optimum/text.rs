@@ -16,7 +16,7 @@ use crate::units::{DisplayUnit, System, counted, counted_of, fixed, with_unit};
 /// its status is first. If the objective has no value, the document has only the status.
 pub(in crate::report) fn optimum_document(
     optimum: &Optimum,
-    over: &OverSwings,
+    over: Option<&OverSwings>,
     around: Option<&OptimumWindows<'_>>,
     system: System,
 ) -> Document {
@@ -36,7 +36,7 @@ pub(in crate::report) fn optimum_document(
         }
         add_varied_and_constraints(&mut document, optimum, around, system);
         document.list(drive_lines(optimum, value, drive, system));
-    } else {
+    } else if let Some(over) = over {
         document.add(goals(optimum, over.analysis.as_ref(), system));
         document.add(varied_table(
             optimum,
