@@ -175,8 +175,8 @@ fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
     let goal = &found.search.of;
     let show = |value: f64| shown::goal_difference(goal, value, system);
     let least = format!(
-        "The design loses at most {} of {} with any of the models; no design was found whose \
-         greatest loss is smaller.",
+        "the design loses at most {} of {} with any of the models, and no design with a smaller \
+         greatest loss was found",
         show(found.greatest()),
         goal.expression
     );
@@ -187,12 +187,12 @@ fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
         + &match within {
             Some(within) if found.greatest() <= within => {
                 format!(
-                    "One design is within {} of the best for every model. {least}",
+                    "one design is within {} of the best for every model; {least}",
                     show(within)
                 )
             }
             Some(within) => format!(
-                "No design was found within {} of the best for every model. {least}",
+                "no design was found within {} of the best for every model; {least}",
                 show(within)
             ),
             None => least,

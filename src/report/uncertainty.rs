@@ -383,12 +383,7 @@ fn depends(outcome: &OutcomeUncertainty, found: &Uncertainty) -> bool {
 
 fn ellipses(found: &Uncertainty, system: System) -> DocumentTable {
     use crate::drive::Outcome::Carry;
-    let head = [
-        "landing ellipse",
-        "half-axes",
-        "long axis, from the target line",
-        "inside",
-    ];
+    let head = ["landing ellipse", "half-axes", "long axis points", "inside"];
     let rows = found.ellipses.iter().map(|sampled| {
         let [long, short] = sampled.ellipse.half_axes;
         let lengths =

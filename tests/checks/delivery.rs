@@ -253,7 +253,7 @@ fn the_text_on_unidentified_changes_names_the_prior_as_it_is_stated() {
         "swing.path=0.2deg",
     ];
     let text = on_one_line(&longdrive(&request).out);
-    let says = "How far the delivery goes along them follows from ± before, not from the launch:";
+    let says = "the launch does not determine their sizes: these follow from ± before.";
     assert!(text.contains(says), "{text}");
 }
 

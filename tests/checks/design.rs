@@ -505,8 +505,8 @@ fn assumptions_of_a_design_are_printed() {
         "varied by default: club.bulge_radius, club.roll_radius, club.loft",
         "the gear effect, and the scatter from it, is known to about 30 %",
         "moment of inertia",
-        "not checked, because its value is unknown; it can be stated as a named limit",
-        "under the Rules of Golf",
+        "not checked: no parameter gives it",
+        "the rules above are the Rules of Golf",
         "std(carry)",
     ] {
         assert!(text.contains(part), "{part}: {text}");

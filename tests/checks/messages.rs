@@ -61,7 +61,7 @@ fn one_thing_is_in_the_singular() {
         (
             &fast,
             0,
-            "warning: the only drive that landed: at launch outside",
+            "warning: the only drive that landed: the launch is outside",
         ),
     ] {
         let (ended, text) = both_streams(args);

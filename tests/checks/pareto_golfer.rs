@@ -381,9 +381,9 @@ fn bad_goals_of_a_front_have_a_message() {
     let cases: [(Vec<&str>, &str); 10] = [
         (
             vec!["--maximize", "carry"],
-            "one is given, and a front has two goals",
+            "one is given, but a front needs two",
         ),
-        (vec![], "0 are given"),
+        (vec![], "none is given"),
         (
             vec!["--maximize", "carry", "--minimize", "carry"],
             "both are the same",

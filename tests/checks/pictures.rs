@@ -600,6 +600,10 @@ fn degrees_signs_and_units_have_one_spelling_wherever_people_read() {
     let mut read = vec![];
     for entry in std::fs::read_dir(&directory).unwrap() {
         let file = entry.unwrap().path();
+        // with the feature `explore` the folder has the explorer too, which is compressed
+        if file.ends_with("explorer.html") {
+            continue;
+        }
         let text = std::fs::read_to_string(&file).unwrap();
         match file.extension().and_then(|ending| ending.to_str()) {
             Some("svg") => read.push((

@@ -854,6 +854,9 @@ fn the_page_is_self_contained_and_describes_its_content() {
         "{figures}"
     );
     for name in files {
+        if name == "explorer.html" {
+            continue;
+        }
         let text = std::fs::read_to_string(folder.path().join(name)).unwrap();
         assert!(!text.is_empty());
         if name.ends_with(".svg") {

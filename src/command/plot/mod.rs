@@ -29,8 +29,8 @@ use crate::report::plot::Figure;
 use crate::reproduce::while_loop;
 use crate::study::certificate::certify;
 use crate::study::{
-    ChartObserver, Constraint, DriveRole, Fineness, Map, NamedDrive, Optimum, Region, Search, Vary, chart,
-    effects, map, optimum, short_drive, usual_loss, with_defaults,
+    ChartObserver, Constraint, DriveRole, Fineness, Map, NamedDrive, Optimum, Region, Search, Vary,
+    chart, effects, map, optimum, short_drive, usual_loss, with_defaults,
 };
 use crate::units::Quantity;
 use crate::{Error, Outcome, Result, Setup};

@@ -48,7 +48,7 @@ pub(super) fn summary(document: &mut Document, found: &[SetScores], system: Syst
     });
     let mut head = vec!["drives", default, ALTERNATIVE];
     head.extend(own.map(|_| "your table"));
-    head.extend(["smallest", "of the law", "set"]);
+    head.extend(["best", "of the law", "set"]);
     let numbers = 0..head.len() - 2;
     let mut table = DocumentTable::new(head, rows).right(numbers);
     table.caption = format!(
