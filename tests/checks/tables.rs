@@ -1,5 +1,5 @@
 //! Tables of points in Arrow IPC files and streams written by pyarrow
-//! (`tests/data/tables/make.py`), compared with CSV and Parquet; refused, truncated and damaged
+//! (`tests/data/tables/make.py`), compared with CSV and Parquet; Parquet of DuckDB; refused, truncated and damaged
 //! files.
 
 use crate::sweep::{all, table};
@@ -127,6 +127,46 @@ fn independent_ends_of_every_kind_of_number() {
     for (name, first, second) in expected {
         let at = names.iter().position(|found| *found == name).unwrap();
         assert_eq!([values[at], values[10 + at]], [first, second], "{name}");
+    }
+}
+
+/// DuckDB stores decimals and small integers as integers of 32 or 64 bits. The expected values are
+/// the literals of `make.py`.
+#[test]
+fn independent_decimals_and_unsigned_integers_of_parquet() {
+    let mut points = open(&file("duckdb.parquet")).unwrap();
+    let parameters = points.parameters().iter();
+    let names: Vec<_> = parameters.map(|parameter| parameter.name).collect();
+    assert_eq!(
+        names,
+        [
+            "swing.speed",
+            "club.loft",
+            "air.density",
+            "club.mass",
+            "strike.high"
+        ]
+    );
+    let values = all(points.as_mut());
+    assert_eq!(
+        values[..5],
+        [51.4, 0.175, 1.184_123_456_789, 255.0, 4_294_967_295.0]
+    );
+    assert_eq!(values[5..7], [-2.5, 0.5]);
+    assert!(values[7].is_nan());
+    assert_eq!(values[8..], [0.0, 7.0]);
+}
+
+#[test]
+fn dates_times_and_long_decimals_of_parquet_are_refused_by_name() {
+    for (name, kind) in [
+        ("date.parquet", "DATE"),
+        ("nanoseconds.parquet", "TIMESTAMP"),
+        ("long_decimal.parquet", "DECIMAL of 38 digits"),
+    ] {
+        let message = refusal(&file(name));
+        let says = format!("column swing.speed: its type is {kind}; a column must hold numbers");
+        assert!(message.contains(&says), "{message}");
     }
 }
 

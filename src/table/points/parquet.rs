@@ -2,10 +2,11 @@ use super::columnar::ColumnarFile;
 use crate::external_errors::{parquet_error_text, read_error_text};
 use crate::input_file::InputFile;
 use bytes::Bytes;
-use parquet::basic::{Compression, Type};
+use parquet::basic::{Compression, ConvertedType, LogicalType, Type};
 use parquet::column::reader::ColumnReader;
 use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::schema::types::{ColumnDescPtr, ColumnDescriptor};
 use std::collections::BTreeMap;
 use std::io::{Read, Seek, SeekFrom};
 use std::ops::Range;
@@ -21,6 +22,11 @@ pub(super) struct ParquetFile {
 }
 
 impl ParquetFile {
+    fn head(&self, column: usize) -> ColumnDescPtr {
+        let metadata = self.file.metadata().file_metadata();
+        metadata.schema_descr().column(column)
+    }
+
     fn next(&mut self, column: usize, rows: usize) -> Result<Vec<Option<f64>>, ParquetError> {
         macro_rules! read {
             ($column:expr, $into:expr) => {{
@@ -52,11 +58,16 @@ impl ParquetFile {
                 .get_column_reader(column)?;
             self.columns.insert(column, reader);
         }
+        let integers = StoredIntegers::of(&self.head(column)).unwrap_or(StoredIntegers::Signed);
         Ok(match self.columns.get_mut(&column) {
             Some(ColumnReader::DoubleColumnReader(column)) => read!(column, |value| value),
             Some(ColumnReader::FloatColumnReader(column)) => read!(column, f64::from),
-            Some(ColumnReader::Int32ColumnReader(column)) => read!(column, f64::from),
-            Some(ColumnReader::Int64ColumnReader(column)) => read!(column, |value| value as f64),
+            Some(ColumnReader::Int32ColumnReader(column)) => {
+                read!(column, |value| integers.number_of_i32(value))
+            }
+            Some(ColumnReader::Int64ColumnReader(column)) => {
+                read!(column, |value| integers.number_of_i64(value))
+            }
             _ => {
                 return Err(ParquetError::General(
                     "it is not a column of numbers".into(),
@@ -87,19 +98,19 @@ impl ColumnarFile for ParquetFile {
     }
 
     fn refusal(&self, column: usize) -> Option<String> {
-        let metadata = self.file.metadata();
-        let head = metadata.file_metadata().schema_descr().column(column);
+        let head = self.head(column);
         if head.max_rep_level() > 0 || head.max_def_level() > 1 {
             return Some("it is nested; a column must hold numbers".into());
         }
-        let kind = head.physical_type();
-        if !matches!(kind, Type::DOUBLE | Type::FLOAT | Type::INT32 | Type::INT64) {
+        if !is_number(&head) {
             return Some(format!(
-                "its type is {kind}; a column must hold numbers (DOUBLE, FLOAT, INT32 or INT64)"
+                "its type is {}; a column must hold numbers (DOUBLE, FLOAT, integers, or DECIMAL \
+                 of at most 18 digits)",
+                type_name(&head)
             ));
         }
-        let by = metadata
-            .row_groups()
+        let row_groups = self.file.metadata().row_groups();
+        let by = row_groups
             .iter()
             .find_map(|group| not_read(group.column(column).compression()))?;
         Some(format!(
@@ -124,6 +135,83 @@ impl ColumnarFile for ParquetFile {
     fn values(&mut self, column: usize, rows: Range<usize>) -> Result<Vec<Option<f64>>, String> {
         self.next(column, rows.len())
             .map_err(|error| parquet_error_text(&error))
+    }
+}
+
+/// Meaning of the integers in a column.
+#[derive(Clone, Copy)]
+enum StoredIntegers {
+    Signed,
+    Unsigned,
+    /// Decimal numbers: each is the integer divided by this power of 10.
+    Decimal {
+        divisor: f64,
+    },
+}
+
+impl StoredIntegers {
+    /// The meaning by the type of the column; `None` for dates, times and other types that are no
+    /// numbers.
+    fn of(head: &ColumnDescriptor) -> Option<Self> {
+        let logical = head.logical_type_ref();
+        // times in nanoseconds have no converted type
+        if matches!(
+            logical,
+            Some(LogicalType::Time(_) | LogicalType::Timestamp(_))
+        ) {
+            return None;
+        }
+        match head.converted_type() {
+            ConvertedType::NONE
+            | ConvertedType::INT_8
+            | ConvertedType::INT_16
+            | ConvertedType::INT_32
+            | ConvertedType::INT_64 => Some(Self::Signed),
+            ConvertedType::UINT_8
+            | ConvertedType::UINT_16
+            | ConvertedType::UINT_32
+            | ConvertedType::UINT_64 => Some(Self::Unsigned),
+            // at most 18 digits: the power is exact
+            ConvertedType::DECIMAL => Some(Self::Decimal {
+                divisor: 10_f64.powi(head.type_scale()),
+            }),
+            _ => None,
+        }
+    }
+
+    fn number_of_i32(self, value: i32) -> f64 {
+        match self {
+            Self::Signed => f64::from(value),
+            Self::Unsigned => f64::from(value.cast_unsigned()),
+            Self::Decimal { divisor } => f64::from(value) / divisor,
+        }
+    }
+
+    fn number_of_i64(self, value: i64) -> f64 {
+        match self {
+            Self::Signed => value as f64,
+            Self::Unsigned => value.cast_unsigned() as f64,
+            Self::Decimal { divisor } => value as f64 / divisor,
+        }
+    }
+}
+
+fn is_number(head: &ColumnDescriptor) -> bool {
+    match head.physical_type() {
+        Type::DOUBLE | Type::FLOAT => true,
+        Type::INT32 | Type::INT64 => StoredIntegers::of(head).is_some(),
+        _ => false,
+    }
+}
+
+/// Name of a column's type, for messages.
+fn type_name(head: &ColumnDescriptor) -> String {
+    match (head.logical_type_ref(), head.converted_type()) {
+        (Some(LogicalType::Time(_)), _) => "TIME".into(),
+        (Some(LogicalType::Timestamp(_)), _) => "TIMESTAMP".into(),
+        (_, ConvertedType::DECIMAL) => format!("DECIMAL of {} digits", head.type_precision()),
+        (_, ConvertedType::NONE) => head.physical_type().to_string(),
+        (_, converted) => converted.to_string(),
     }
 }
 

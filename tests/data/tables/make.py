@@ -1,6 +1,7 @@
-"""Writes the tables of this folder: python3 -m venv v && v/bin/pip install pyarrow==26.0.1 &&
-v/bin/python make.py"""
+"""Writes the tables of this folder: python3 -m venv v && v/bin/pip install pyarrow==26.0.1
+duckdb==2.0.1 && v/bin/python make.py"""
 
+import duckdb
 import pyarrow as pa
 import pyarrow.feather as feather
 import pyarrow.parquet as parquet
@@ -88,3 +89,21 @@ for name, columns in refused.items():
 write("twice.arrow", pa.Table.from_arrays([pa.array(loft)] * 2, ["club.loft", "club.loft"]))
 write("no_rows.arrow", points.slice(0, 0))
 write("no_rows.arrows", points.slice(0, 0), new=pa.ipc.new_stream)
+
+# DuckDB writes number literals as decimals: integers with a scale
+duckdb.sql(
+    """
+    copy (
+        select * from (values
+            (51.4, 0.175, 1.184123456789, 255::utinyint, 4294967295::uinteger),
+            (-2.5, 0.5, null, 0, 7)
+        ) as t("swing.speed", "club.loft", "air.density", "club.mass", "strike.high")
+    ) to 'duckdb.parquet'
+    """
+)
+duckdb.sql("copy (select date '2026-01-02' as \"swing.speed\") to 'date.parquet'")
+duckdb.sql(
+    "copy (select 2.5::decimal(38, 1) as \"swing.speed\") to 'long_decimal.parquet'"
+)
+nanoseconds = pa.table({"swing.speed": pa.array([51], pa.timestamp("ns"))})
+parquet.write_table(nanoseconds, "nanoseconds.parquet")
