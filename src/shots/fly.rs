@@ -10,7 +10,7 @@ use crate::drive::{Outcome, OutcomeGroup};
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::table::{LAUNCH_PARAMETERS, Record};
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Batch and requested outcomes for flying shots.
 #[derive(Clone, Debug)]
@@ -93,7 +93,9 @@ impl Flying {
     }
 
     /// Flies all shots. `work` processes a chunk on the thread that computed the chunk; `sink`
-    /// receives the results of `work` in the order of the rows.
+    /// receives the results of `work` in the order of the rows. An interruption leaves out the rows
+    /// of a chunk whose flights it cut short, and all later rows; the statistics say whether they
+    /// are complete.
     ///
     /// # Errors
     /// Errors of the source and of `sink`. If the source becomes unreadable, `sink` still receives
@@ -111,12 +113,15 @@ impl Flying {
             other_parameters,
             ..
         } = shots;
-        let is_stopped = || run.stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
+        let never = AtomicBool::new(false);
+        let stop = run.stop.unwrap_or(&never);
+        let mut has_ended = false;
         let next = || {
-            if is_stopped() {
+            if stop.load(Ordering::Relaxed) {
                 return Ok(None);
             }
             let Some(chunk) = rows.next_rows(CHUNK)? else {
+                has_ended = true;
                 return Ok(None);
             };
             let flying = match &chunk.section {
@@ -127,15 +132,22 @@ impl Flying {
         };
         let work = |(flying, chunk): (Self, Chunk)| {
             let (shots, section) = chunk.shots(other_parameters);
-            let flown = flying.flown(shots, section);
+            let flown = flying.flown(shots, section, stop)?;
             let mut statistics = ShotStatistics::new(self.outcomes());
             statistics.add(&flown);
-            (statistics, work(flown))
+            Some((statistics, work(flown)))
         };
-        in_order(run.threads, u64::MAX, next, work, |(part, result)| {
-            statistics.merge(part);
-            sink(result)
+        let mut is_cut = false;
+        in_order(run.threads, u64::MAX, next, work, |chunk| {
+            // rows after an incomplete chunk are not delivered
+            is_cut |= chunk.is_none();
+            if let Some((part, result)) = chunk.filter(|_| !is_cut) {
+                statistics.merge(part);
+                sink(result)?;
+            }
+            Ok(())
         })?;
+        statistics.is_complete = has_ended && !is_cut;
         Ok(statistics)
     }
 
@@ -150,10 +162,18 @@ impl Flying {
 
     /// Flies the shot of a message of GSPro Open Connect.
     pub fn message(&self, message: Record) -> Flown {
-        self.flown(vec![open_connect::shot(message, &[])], None)
+        let shots = vec![open_connect::shot(message, &[])];
+        self.flown(shots, None, &AtomicBool::new(false))
+            .unwrap_or_else(|| unreachable!("the flag is never set"))
     }
 
-    fn flown(&self, shots: Vec<Shot>, section: Option<Section>) -> Flown {
+    /// The flights of shots; `None` if `stop` became true and interrupted a flight.
+    fn flown(
+        &self,
+        shots: Vec<Shot>,
+        section: Option<Section>,
+        stop: &AtomicBool,
+    ) -> Option<Flown> {
         let mut points = vec![];
         let mut flights = Vec::with_capacity(shots.len());
         let mut count = 0;
@@ -165,14 +185,14 @@ impl Flying {
                 count += 1;
             }
         }
-        let block = self.batch.evaluate(0, points);
-        Flown {
+        let block = self.batch.evaluate_until(0, points, stop)?;
+        Some(Flown {
             of: self.outcomes().to_vec(),
             shots,
             flights,
             block,
             compares_roll_out: self.compares_roll_out,
             section,
-        }
+        })
     }
 }

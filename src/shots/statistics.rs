@@ -136,6 +136,8 @@ pub struct ShotStatistics {
     pub of: Vec<Outcome>,
     /// Number of rows.
     pub rows: u64,
+    /// False if an interruption left out rows of the source.
+    pub is_complete: bool,
     /// Number of rows whose ball landed.
     pub flown: u64,
     /// Rows that were refused, and rows whose ball did not land, by kind of reason.
@@ -174,6 +176,7 @@ impl ShotStatistics {
         Self {
             of: of.to_vec(),
             rows: 0,
+            is_complete: true,
             flown: 0,
             refused: BTreeMap::new(),
             bands: (0..=BANDS.len()).map(band).collect(),
@@ -252,6 +255,7 @@ impl ShotStatistics {
     /// Adds the statistics of later shots.
     pub fn merge(&mut self, other: Self) {
         self.rows += other.rows;
+        self.is_complete &= other.is_complete;
         self.flown += other.flown;
         self.spin_not_measured += other.spin_not_measured;
         self.normalized += other.normalized;

@@ -4,7 +4,7 @@
 use crate::command_line::{json, longdrive, number, on_one_line};
 use crate::common::close;
 use crate::schema::faults;
-use longdrive::batch::Run;
+use longdrive::batch::{CHUNK, Run};
 use longdrive::report::ShotWriter;
 use longdrive::shots::{Flown, Flying, Origin, ShotStatistics, Shots};
 use longdrive::units::System;
@@ -15,7 +15,7 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 const OF: [Outcome; 5] = [
     Outcome::CarryDistance,
@@ -775,6 +775,55 @@ fn same_streamed_rows_for_any_number_of_threads() {
         bytes
     });
     assert!(written[0] == written[1]);
+}
+
+/// Statistics of a chunk and 6 rows, flown in small steps. `work` is called after the flights of
+/// each chunk, before the flights of the next; `sink` when the source has ended.
+fn fly_two_chunks(
+    stop: &AtomicBool,
+    work: impl Fn() + Sync,
+    sink: impl Fn(),
+) -> longdrive::Result<ShotStatistics> {
+    let mut setup = Setup::modern_driver();
+    setup.set_all([("flight.step", "0.5ms")])?;
+    let source = Many {
+        rows: CHUNK + 6,
+        given: Arc::default(),
+        line: HEAD.into(),
+        at: 0,
+    };
+    let mut shots = Shots::read(&setup, "many.csv", source)?;
+    let flying = Flying::new(&setup, &shots.other_parameters, &OF)?;
+    let run = Run {
+        threads: 1,
+        stop: Some(stop),
+        ..Run::default()
+    };
+    let sink = |()| {
+        sink();
+        Ok(())
+    };
+    flying.fly(&mut shots, &run, |_| work(), sink)
+}
+
+#[test]
+fn an_interruption_cuts_the_flights_of_a_chunk() {
+    let stop = AtomicBool::new(false);
+    let set = || stop.store(true, Ordering::Relaxed);
+    let flown = fly_two_chunks(&stop, set, || {}).unwrap();
+    assert_eq!((flown.rows, flown.is_complete), (CHUNK as u64, false));
+}
+
+#[test]
+fn rows_are_complete_if_all_were_flown_before_the_interruption() {
+    let stop = AtomicBool::new(false);
+    let chunks = AtomicUsize::new(0);
+    let set_after_last = || {
+        let before = chunks.fetch_add(1, Ordering::Relaxed);
+        stop.store(before == 1, Ordering::Relaxed);
+    };
+    let flown = fly_two_chunks(&stop, || {}, set_after_last).unwrap();
+    assert_eq!((flown.rows, flown.is_complete), (CHUNK as u64 + 6, true));
 }
 
 #[test]

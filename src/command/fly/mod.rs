@@ -73,13 +73,12 @@ fn fly(args: &Args) -> Result<Answer> {
     final_remarks.extend(of_further_clubs(&tally));
     note_each(file.display(), &final_remarks);
     remarks.extend(final_remarks);
-    let is_stopped = work.stop.load(std::sync::atomic::Ordering::Relaxed);
-    if !is_stopped {
+    if tally.is_complete {
         refuse_no_rows(&tally, file)?;
         output.finish()?;
     }
     warn_about_shots(&tally, &shots, &setup.law);
-    let stopped = is_stopped.then(|| stopped(&tally, &destination));
+    let stopped = (!tally.is_complete).then(|| stopped(&tally, &destination));
     let nothing = nothing(&tally, &remarks);
     if request.is_json {
         warn(nothing.iter().cloned().map(Message::from));

@@ -261,6 +261,27 @@ impl SweepSummary {
         } else {
             format!("{} of {drives}", self.written)
         };
+        if self.written == 0 {
+            return format!("{written}{file}");
+        }
         format!("{written}{file}: {}", self.counts)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sweep_stopped_before_its_first_row_lists_no_statuses() {
+        let summary = SweepSummary {
+            counts: StatusCounts::default(),
+            file: "a.csv".into(),
+            rows: 1200,
+            written: 0,
+            statuses: BTreeMap::new(),
+            remarks: vec![],
+        };
+        assert_eq!(summary.text(None), "0 of 1200 drives");
     }
 }
