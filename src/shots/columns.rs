@@ -7,9 +7,8 @@ use crate::error::Result;
 use crate::parameters::{Golfer, Parameter, Setup};
 use crate::table::{
     Column, Content, DecimalMark, ShotLabels, TableFormat, TableHead, TextTable, air_of_rows,
-    assume_unit, assumed_units_remark, club_column, columns_remark, given_air, ignore_stated_air,
-    in_degrees, is_condition_head, missing_of_launch, near_known, rest_of_head, split_unit,
-    with_nearest, words,
+    assume_unit, club_column, columns_remark, ignore_stated_air, is_condition_head,
+    missing_of_launch, near_known, rest_of_head, split_unit, with_nearest, words,
 };
 use crate::units::Message;
 use std::ops::Range;
@@ -77,55 +76,45 @@ impl ShotColumns {
             ignore_stated_air(&mut head.columns);
         }
         let repeated = head.ignore_repeated();
-        let TableHead {
-            heads,
-            columns,
-            format,
-            units,
-            rows,
-            encoding,
-            maker,
-            turned,
-            labels,
-            flown,
-            ..
-        } = head;
-        let is_export = format.is_export;
+        // columns that are not used are listed in one remark, with those of the club
+        head.remarks.clear();
+        let is_text = |at: usize| head.columns[at].content == Content::Note;
         let name = &table.name;
         let mut found = Self {
             separator: table.separator,
-            maker,
+            maker: head.maker,
             read: vec![],
             club: Default::default(),
             other_parameters: vec![],
             spin_type: None,
             condition: None,
-            club_name: club_column(&heads, |at| columns[at].content == Content::Note),
-            is_export,
-            labels,
-            decimal_mark: format.decimal_mark,
-            added: flown,
+            club_name: club_column(&head.heads, is_text),
+            is_export: head.format.is_export,
+            labels: head.labels.clone(),
+            decimal_mark: head.format.decimal_mark,
+            added: head.flown.clone(),
             golfer: setup.golfer,
             air: setup.air.density,
-            remarks: encoding.map(Message::from).into_iter().collect(),
-            units,
-            heads,
+            remarks: vec![],
+            units: head.units.clone(),
+            heads: head.heads.clone(),
         };
-        for (at, column) in columns.iter().enumerate() {
+        for (at, column) in head.columns.iter().enumerate() {
             found
                 .add(setup, at, column)
                 .map_err(|error| name.refused(format!(", column {}", at + 1), error.to_string()))?;
         }
         for (at, column) in found.club.iter_mut().flatten() {
-            assumed_units.extend(assume_unit(*at, column, &rows));
+            assumed_units.extend(assume_unit(*at, column, &head.rows));
         }
-        if let Some(reason) = found.why_no_launch(&columns) {
+        if let Some(reason) = found.why_no_launch(&head.columns) {
             return Err(name.refused(String::new(), reason));
         }
         found.find_descriptions();
-        let remark = assumed_units_remark(&assumed_units);
-        found.add_remarks(&columns, &rows, remark, repeated);
-        found.remarks.extend(turned.map(Message::from));
+        let club = found.club.iter().flatten();
+        let club: Vec<Column> = club.map(|(_, column)| column.clone()).collect();
+        found.remarks = head.column_remarks(&club, &assumed_units);
+        found.add_remarks(&head, repeated);
         Ok(found)
     }
 
@@ -253,17 +242,11 @@ impl ShotColumns {
         ))
     }
 
-    /// Adds remarks on the columns. A column that states the air is used if one of its cells in the
-    /// first `rows` can be read.
-    fn add_remarks(
-        &mut self,
-        columns: &[Column],
-        rows: &[Vec<String>],
-        assumed_units: Option<Message>,
-        repeated: Option<Message>,
-    ) {
+    /// Adds remarks on the use of the columns. A column that states the air is used if one of its
+    /// cells in the first rows can be read.
+    fn add_remarks(&mut self, head: &TableHead, repeated: Option<Message>) {
         let has_air = |air: &&RowParameter| {
-            let mut cells = rows.iter().map(|row| &row[air.at]);
+            let mut cells = head.rows.iter().map(|row| &row[air.at]);
             cells.any(|cell| air.column.stated_air(cell).is_ok())
         };
         let stated_air = self.stated_air().filter(has_air);
@@ -282,7 +265,7 @@ impl ShotColumns {
             let has_remark = [Content::Written, Content::Repeated].contains(&column.content);
             has_remark || column.is_overridden_air
         };
-        let not_read = columns.iter().enumerate().filter(|(at, column)| {
+        let not_read = head.columns.iter().enumerate().filter(|(at, column)| {
             !is_read(*at) && !column.head.is_empty() && !is_reported_elsewhere(column)
         });
         let not_read = not_read.map(|(_, column)| {
@@ -293,17 +276,13 @@ impl ShotColumns {
             }
         });
         let not_read: Vec<String> = not_read.collect();
-        let of_club = self.club.iter().flatten().map(|(_, column)| column);
-        let in_degrees = in_degrees(columns.iter().chain(of_club)).filter(|_| self.is_export);
         let stated_air = stated_air.map(|air| air_of_rows(&air.column.head));
-        let of_air = stated_air.or_else(|| given_air(columns));
         let replaced = (!self.added.is_empty()).then_some(
             "the column Line and all after it, which an earlier 'fly' added, are replaced",
         );
-        let remarks = assumed_units
+        let remarks = stated_air
+            .map(Message::from)
             .into_iter()
-            .chain(in_degrees.map(Message::from))
-            .chain(of_air.map(Message::from))
             .chain(repeated)
             .chain(replaced.map(Message::from))
             .chain(columns_remark(

@@ -4,7 +4,9 @@ use super::CONDITIONS;
 use super::air::weather_column;
 use super::column::{Column, Content, LAUNCH, SHOTS_ADVICE, STATUS, TableFormat};
 use super::decimal_mark::DecimalMark;
-use super::export_columns::{ClubColumns, ignore_columns};
+use super::export_columns::{
+    ClubColumns, assumed_units_remark, given_air, ignore_columns, in_degrees,
+};
 use super::heads::rest_of_head;
 use super::launch_monitor::{is_export, split_unit, units_row, words};
 use super::maker::maker;
@@ -231,6 +233,19 @@ impl TableHead {
             }
         }
         columns_remark("columns given twice; only the first is used", &repeated)
+    }
+
+    /// Remarks on how the columns are read. `club` are columns of the club that are read although
+    /// the head ignores them; `assumed_units` are the columns without a unit, each with the assumed
+    /// unit.
+    pub fn column_remarks(&self, club: &[Column], assumed_units: &[String]) -> Vec<Message> {
+        let mut remarks: Vec<Message> = self.encoding.map(Message::from).into_iter().collect();
+        remarks.extend(self.remarks.iter().cloned());
+        remarks.extend(in_degrees(self.columns.iter().chain(club)).map(Message::from));
+        remarks.extend(assumed_units_remark(assumed_units));
+        remarks.extend(self.turned.clone().map(Message::from));
+        remarks.extend(given_air(&self.columns).map(Message::from));
+        remarks
     }
 
     /// True if a column is a parameter of swing, strike, club or impact.

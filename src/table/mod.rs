@@ -34,9 +34,8 @@ pub(crate) use decimal_mark::DecimalMark;
 #[cfg(feature = "commands")]
 pub(crate) use export_columns::ASSUMED_UNITS;
 pub(crate) use export_columns::{
-    CLUB_LEFT_OUT, ClubColumns, assume_unit, assumed_units_remark, given_air, has_whole_launch,
-    heads_of, in_degrees, missing_launch_remark, missing_of_launch, near_known,
-    redundant_spins_remark, with_nearest,
+    CLUB_LEFT_OUT, ClubColumns, assume_unit, has_whole_launch, heads_of, missing_launch_remark,
+    missing_of_launch, near_known, redundant_spins_remark, with_nearest,
 };
 pub(crate) use head::{OF_FLOWN, TableHead, TableOptions, columns_remark, remark_from_line};
 pub(crate) use heads::{is_condition_head, rest_of_head};

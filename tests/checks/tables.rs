@@ -157,6 +157,23 @@ fn independent_decimals_and_unsigned_integers_of_parquet() {
     assert_eq!(values[8..], [0.0, 7.0]);
 }
 
+/// The sign of a degree in Windows-1252, in the head, and in a row behind the part of the file that
+/// is read for the head.
+#[test]
+fn a_table_of_points_in_windows_1252_says_so() {
+    let of_head = b"swing.speed [mph],swing.attack_angle [\xb0]\n100,1\n".to_vec();
+    let mut of_row = b"swing.speed [mph],note\n".to_vec();
+    of_row.extend("100,\n".repeat(20_000).bytes());
+    of_row.extend(b"100,\xb0\n");
+    for text in [of_head, of_row] {
+        let (_folder, path) = table("a.csv", text);
+        let notes = open(&path).unwrap().notes();
+        let notes: Vec<String> = notes.iter().map(ToString::to_string).collect();
+        let says = "its text is not in UTF-8, and is read as Windows-1252";
+        assert!(notes.iter().any(|note| note == says), "{notes:?}");
+    }
+}
+
 #[test]
 fn dates_times_and_long_decimals_of_parquet_are_refused_by_name() {
     for (name, kind) in [

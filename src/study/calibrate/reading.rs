@@ -8,11 +8,10 @@ use crate::parameters::{Parameter, Setup};
 use crate::shots::{Club as ClubOfShot, Shot, interpret};
 use crate::table::{
     CLUB_LEFT_OUT, CONDITIONS, ClubColumns, Column, ConditionFault, Content, LAUNCH_PARAMETERS,
-    ShotLabels, StatedConditions as Launch, TableHead, TextTable, assumed_units_remark,
-    club_column, columns_remark, conditions, contradiction, given_air, has_whole_launch, heads_of,
-    ignore_stated_air, implausible_club, implausible_launch, impossible, in_degrees,
-    is_straight_by_assumption, missing_launch_remark, near_known, not_compared, outside,
-    redundant_spins_remark, without_redundant_spins,
+    ShotLabels, StatedConditions as Launch, TableHead, TextTable, club_column, columns_remark,
+    conditions, contradiction, has_whole_launch, heads_of, ignore_stated_air, implausible_club,
+    implausible_launch, impossible, is_straight_by_assumption, missing_launch_remark, near_known,
+    not_compared, outside, redundant_spins_remark, without_redundant_spins,
 };
 use crate::units::{Digits, Message, Quantity};
 
@@ -173,12 +172,7 @@ impl Reading {
             ignore_stated_air(&mut head.columns);
         }
         let is_export = head.format.is_export;
-        let mut remarks: Vec<Message> = head.encoding.map(Message::from).into_iter().collect();
-        remarks.append(&mut head.remarks);
-        remarks.extend(in_degrees(&head.columns).map(Message::from));
-        remarks.extend(assumed_units_remark(&assumed_units));
-        remarks.extend(head.turned.take().map(Message::from));
-        remarks.extend(given_air(&head.columns).map(Message::from));
+        let mut remarks = head.column_remarks(&[], &assumed_units);
         if is_export {
             remarks.extend(without_totals(&mut head));
         } else if club == ClubColumns::Read {

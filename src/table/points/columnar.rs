@@ -51,8 +51,8 @@ impl<P: ColumnarFile> ColumnarRows<P> {
         let file = SourceName(path.display().to_string());
         let pieces = P::open(path).map_err(|reason| file.refused(String::new(), reason))?;
         let names = pieces.names();
-        let head = TableHead::in_si(setup, &names, &file.0)?;
-        let columns = PointColumns::new(setup, &file, &head)?;
+        let mut head = TableHead::in_si(setup, &names, &file.0)?;
+        let columns = PointColumns::new(setup, &file, &mut head)?;
         let refusal = columns
             .at
             .iter()

@@ -4,8 +4,7 @@ use crate::batch::refuse_repeated;
 use crate::error::{Error, Result};
 use crate::parameters::{Parameter, Setup};
 use crate::table::{
-    CONDITIONS, Column, Content, SourceName, TableHead, columns_remark, given_air, heads_of,
-    in_degrees, near_known,
+    CONDITIONS, Column, Content, SourceName, TableHead, columns_remark, heads_of, near_known,
 };
 use crate::units::Message;
 
@@ -22,7 +21,7 @@ pub(super) struct PointColumns {
 impl PointColumns {
     /// Selects the columns of parameters. If no column is a parameter of swing, strike, club or
     /// impact, the columns of launch conditions are selected too.
-    pub fn new(setup: &Setup<f64>, file: &SourceName, head: &TableHead) -> Result<Self> {
+    pub fn new(setup: &Setup<f64>, file: &SourceName, head: &mut TableHead) -> Result<Self> {
         let is_struck = head.has_strike();
         let parameter = |column: &Column| match column.content {
             Content::Input(parameter) => Some(parameter),
@@ -59,18 +58,12 @@ impl PointColumns {
                 .check_launch(&names)
                 .map_err(|error| file.refused(String::new(), format!("{error}{near}")))?;
         }
-        let of_units = in_degrees(&head.columns)
-            .into_iter()
-            .chain(given_air(&head.columns))
-            .chain(head.turned.clone().filter(|_| !is_struck))
-            .map(Message::from);
-        let notes = head
-            .remarks
-            .iter()
-            .cloned()
-            .chain(of_units)
-            .chain(not_read(head, &at))
-            .collect();
+        if is_struck {
+            // the spins are not read
+            head.turned = None;
+        }
+        let mut notes = head.column_remarks(&[], &[]);
+        notes.extend(not_read(head, &at));
         Ok(Self {
             at,
             parameters,

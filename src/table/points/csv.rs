@@ -44,8 +44,9 @@ impl CsvRows {
     /// repeated, if no column is a parameter, or if a unit has the wrong dimension. Reading a row
     /// fails if a cell is not a number, or if its decimal mark is ambiguous.
     pub fn open(setup: &Setup<f64>, path: &Path) -> Result<Self> {
-        let (table, head) = TextTable::open(Text::of_file(path)?, setup, &TableOptions::POINTS)?;
-        let columns = PointColumns::new(setup, &table.name, &head)?;
+        let text = Text::of_file(path)?;
+        let (table, mut head) = TextTable::open(text, setup, &TableOptions::POINTS)?;
+        let columns = PointColumns::new(setup, &table.name, &mut head)?;
         let section = CsvSection::new(&table.name, &head, &columns.parameters, &columns.at)?;
         let (path, setup) = (path.to_owned(), *setup);
         Ok(Self {
@@ -64,11 +65,11 @@ impl CsvRows {
     /// first section; other columns are not read.
     fn begin(&mut self, record: &Record) -> Result<()> {
         let wanted = &TableOptions::POINTS;
-        let Some(head) = self.table.section(record, &self.setup, wanted)? else {
+        let Some(mut head) = self.table.section(record, &self.setup, wanted)? else {
             return Ok(());
         };
         let (file, parameters) = (&self.table.name, &self.columns.parameters);
-        let own = PointColumns::new(&self.setup, file, &head)?;
+        let own = PointColumns::new(&self.setup, file, &mut head)?;
         let at = own.places_of(parameters).map_err(|missing| {
             let reason = format!(
                 "the column heads in line {} lack {missing}; the column heads at the top of the \
@@ -192,6 +193,7 @@ impl PointRows for CsvRows {
             .chain(&self.section_notes)
             .cloned()
             .chain(self.no_shots.messages().into_iter().map(Message::from))
+            .chain(self.table.final_remarks())
             .collect()
     }
 }
