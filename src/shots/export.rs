@@ -1,7 +1,7 @@
 //! Reads the rows of an export as shots.
 
 use super::columns::ShotColumns;
-use super::shot::{Club, Origin, REFUSED, RowParameter, Shot, StatedValue, within};
+use super::shot::{Club, NOT_COMPARED, Origin, REFUSED, RowParameter, Shot, StatedValue, within};
 use crate::drive::Outcome;
 use crate::table::{
     CONDITIONS, Record, Refusal, RowFault, StatedConditions, air_of_setup, cells, conditions,
@@ -75,7 +75,7 @@ impl ShotColumns {
                 Ok(Some(value)) => {
                     let origin = read.origin.or(spin.filter(|_| OF_SPIN.contains(&of)));
                     match not_compared(of, value, carry).filter(|_| !is_condition) {
-                        Some(why) => shot.notes.push(format!("not compared: {name}: {why}")),
+                        Some(why) => shot.notes.push(format!("{NOT_COMPARED}{name}: {why}")),
                         None => shot.values.push(StatedValue { of, value, origin }),
                     }
                 }
@@ -83,7 +83,7 @@ impl ShotColumns {
                     wrong
                         .get_or_insert(Refusal::new(Refusal::UNREADABLE, format!("{name}: {why}")));
                 }
-                Err(why) => shot.notes.push(format!("not compared: {name}: {why}")),
+                Err(why) => shot.notes.push(format!("{NOT_COMPARED}{name}: {why}")),
             }
         }
         let club = self.club.each_ref();

@@ -1,12 +1,12 @@
 //! Reads messages of GSPro Open Connect as shots.
 
 use super::export::{OF_SPIN, add_notes, launch};
-use super::shot::{Club, Origin, REFUSED, Shot, StatedValue};
+use super::shot::{Club, NOT_COMPARED, Origin, REFUSED, Shot, StatedValue};
 use super::written;
 use crate::drive::Outcome;
 use crate::error::nearest;
 use crate::parameters::Parameter;
-use crate::table::{Record, Refusal, outside};
+use crate::table::{NOT_MEASURED, Record, Refusal, outside};
 use crate::units::{DisplayUnit, Quantity};
 use serde_json::{Map, Value as Json};
 
@@ -167,9 +167,9 @@ fn fill(
                 shot.club = club_data(club, speed_unit, &mut shot.notes);
             }
             None | Some(Json::Null) => {}
-            Some(_) => shot
-                .notes
-                .push("ClubData is not an object; the club counts as not measured".into()),
+            Some(_) => shot.notes.push(format!(
+                "ClubData is not an object; the club {NOT_MEASURED}"
+            )),
         }
     }
     remove_unsent(&mut shot.values);
@@ -217,7 +217,7 @@ fn fill_ball(
                     // 0 means that the value was not sent
                     Some(_) if number == 0.0 => {}
                     Some(why) => {
-                        let note = format!("not compared: BallData.{key}: {why}");
+                        let note = format!("{NOT_COMPARED}BallData.{key}: {why}");
                         shot.notes.push(note);
                     }
                     None => shot.values.push(StatedValue {
@@ -229,7 +229,7 @@ fn fill_ball(
             }
             Ok(None) => {}
             Err(refusal) if of == Outcome::CarryDistance => {
-                shot.notes.push(format!("not compared: {}", refusal.reason))
+                shot.notes.push(format!("{NOT_COMPARED}{}", refusal.reason))
             }
             Err(refusal) => return Err(refusal),
         }

@@ -3,11 +3,15 @@
 use crate::drive::Outcome;
 use crate::parameters::{Golfer, Parameter};
 use crate::table::{
-    CONDITIONS, Column, LAUNCH_PARAMETERS, Refusal, StatedConditions, implausible_club,
+    CONDITIONS, Column, LAUNCH_PARAMETERS, NOT_MEASURED, Refusal, StatedConditions,
+    implausible_club,
 };
 
 /// Flight status of a row that was not flown.
 pub(super) const REFUSED: &str = "refused";
+
+/// Beginning of each note on a stated outcome that is not compared with predictions.
+pub(super) const NOT_COMPARED: &str = "not compared: ";
 
 /// Origin of a value, as the export states it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,7 +89,7 @@ impl Club {
     ) -> Self {
         let stated = stated.map(|value| {
             value.unwrap_or_else(|why| {
-                notes.push(format!("{why}; it counts as not measured"));
+                notes.push(format!("{why}; it {NOT_MEASURED}"));
                 None
             })
         });
@@ -157,7 +161,7 @@ pub struct Shot {
     pub values: Vec<StatedValue>,
     /// Club data.
     pub club: Club,
-    /// Name of the club, if a column has it.
+    /// Name of the club, if a column or a JSON line of `fly` has it.
     pub club_name: Option<String>,
     /// Conditions that the row states for its values, such as normalized weather; `None` if the row
     /// states none.
@@ -223,6 +227,20 @@ impl Shot {
     pub fn spin_origin(&self) -> Option<Origin> {
         let spin = self.value(Outcome::Spin);
         spin.or_else(|| self.value(Outcome::Backspin))?.origin
+    }
+
+    /// The notes on values of the club that are not used.
+    pub(crate) fn club_notes(&self) -> impl Iterator<Item = &String> {
+        self.notes
+            .iter()
+            .filter(|note| note.ends_with(NOT_MEASURED))
+    }
+
+    /// The reasons why stated outcomes are not compared with predictions.
+    pub(crate) fn not_compared(&self) -> impl Iterator<Item = String> {
+        self.notes
+            .iter()
+            .filter_map(|note| note.strip_prefix(NOT_COMPARED).map(str::to_owned))
     }
 
     /// Stated launch conditions in the order of [`CONDITIONS`].

@@ -116,10 +116,9 @@ fn read_stated(shot: &mut Shot, message: &Map<String, Json>) -> Result<(), Refus
         shot.values.push(StatedValue { of, value, origin });
     }
     shot.club = club(message)?;
-    shot.condition = message
-        .get("condition")
-        .and_then(Json::as_str)
-        .map(str::to_owned);
+    let text = |key: &str| message.get(key).and_then(Json::as_str).map(str::to_owned);
+    shot.club_name = text("club_name");
+    shot.condition = text("condition");
     shot.is_normalized = message.get("normalized") == Some(&Json::Bool(true));
     let notes = message
         .get("notes")

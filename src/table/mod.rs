@@ -41,7 +41,7 @@ pub(crate) use head::{OF_FLOWN, TableHead, TableOptions, columns_remark, remark_
 pub(crate) use heads::{is_condition_head, rest_of_head};
 pub(crate) use launch_monitor::{split_unit, words};
 pub(crate) use plausible::{
-    implausible_club, implausible_launch, impossible, not_compared, outside,
+    NOT_MEASURED, implausible_club, implausible_launch, impossible, not_compared, outside,
 };
 pub use points::{open_table, sweep_points};
 pub use records::Record;

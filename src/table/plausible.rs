@@ -53,6 +53,9 @@ const CLUB_RANGES: [ClubRange; 4] = [
 static CLUB_RANGES_IN_SI: LazyLock<[[f64; 2]; 4]> =
     LazyLock::new(|| CLUB_RANGES.map(|range| range.ends.map(|end| end * range.shown.size())));
 
+/// End of each note on a value of the club that is not used.
+pub(crate) const NOT_MEASURED: &str = "counts as not measured";
+
 /// Message for an implausible value of a club parameter, or a club speed of 0; `None` for a
 /// plausible value. `head` is the column head.
 pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Option<String> {
@@ -66,7 +69,7 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
         return None;
     }
     if is_still {
-        return Some(format!("{head}: a club speed of 0 counts as not measured"));
+        return Some(format!("{head}: a club speed of 0 {NOT_MEASURED}"));
     }
     let ClubRange {
         ends: [low, high],
@@ -74,8 +77,7 @@ pub(crate) fn implausible_club(parameter: &str, value: f64, head: &str) -> Optio
         ..
     } = CLUB_RANGES[at];
     Some(format!(
-        "{head}: {} is outside of the range of clubs, {low} to {high} {}; it counts as not \
-         measured",
+        "{head}: {} is outside of the range of clubs, {low} to {high} {}; it {NOT_MEASURED}",
         shown.show(value),
         shown.unit
     ))

@@ -2,12 +2,16 @@
 //! totals, which are compared only on a named ground.
 
 use crate::command_line::{file_with, json, longdrive, number, on_one_line};
+use crate::shots::fly_shots;
 use longdrive::Setup;
+use longdrive::report::ShotWriter;
 use longdrive::study::calibrate::ShotTable;
 use longdrive::table::RowFilter;
+use longdrive::units::Message;
 use serde_json::Value;
 use std::fs;
-use std::path::Path;
+use std::io::Cursor;
+use std::path::{Path, PathBuf};
 
 fn shots(name: &str) -> String {
     format!("{}/data/shots/{name}", env!("CARGO_MANIFEST_DIR"))
@@ -82,6 +86,64 @@ fn same_fit_of_a_table_and_of_the_lines_that_fly_made_of_it() {
         remarks.contains("the ground of the launch monitor is not known: total"),
         "{of_lines}"
     );
+}
+
+/// The file of JSON lines that `fly` makes of a table.
+fn lines_of(folder: &Path, table: &str) -> PathBuf {
+    let (shots, flown, _) = fly_shots(Cursor::new(table.to_owned()));
+    let writer = ShotWriter::json_lines(&shots, &flown[0].of);
+    let lines = folder.join("shots.jsonl");
+    fs::write(&lines, writer.rows(&flown[0])).unwrap();
+    lines
+}
+
+fn texts(messages: &[Message]) -> Vec<String> {
+    messages.iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn clubs_of_json_lines_are_told_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = "Club,Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Carry [yd]\n\
+                 Driver,160,11,2600,262\nDriver,161,11,2600,263\n7 Iron,120,17,6500,170\n";
+    let lines = lines_of(folder.path(), table);
+    let setup = Setup::modern_driver();
+    let measured = ShotTable::open(&setup, &lines, RowFilter::default(), false).unwrap();
+    let warnings = texts(&measured.warnings);
+    let says = "has shots of several clubs, which are fitted together: Driver (2), 7 Iron (1)";
+    assert!(
+        warnings.iter().any(|warning| warning.contains(says)),
+        "{warnings:?}"
+    );
+    let (.., statistics) = fly_shots(fs::File::open(&lines).unwrap());
+    let clubs = statistics.clubs.iter();
+    let clubs: Vec<_> = clubs
+        .map(|(name, shots)| (name.as_str(), shots.rows))
+        .collect();
+    assert_eq!(clubs, [("7 Iron", 1), ("Driver", 2)]);
+}
+
+/// A club speed of 300 mph and a carry of 900 yd are not used. The first messages are those of the
+/// table.
+#[test]
+fn values_of_json_lines_that_are_not_used_have_remarks() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = "Ball Speed [mph],Launch Angle [deg],Spin Rate [rpm],Club Speed [mph],\
+                 Attack Angle [deg],Carry [yd],Apex Height [ft]\n160,11,2600,300,1,900,100\n";
+    let lines = lines_of(folder.path(), table);
+    let setup = Setup::modern_driver();
+    let filter = RowFilter::default;
+    let launches = ShotTable::open_launches(&setup, &lines, filter()).unwrap();
+    let remarks = texts(&launches.remarks);
+    let of_club = |remark: &String| {
+        remark.starts_with("Club Speed: 300 mph is outside of the range of clubs")
+            && remark.ends_with("; the prior is used in its place: row 1")
+    };
+    assert!(remarks.iter().any(of_club), "{remarks:?}");
+    let measured = ShotTable::open(&setup, &lines, filter(), false).unwrap();
+    let remarks = texts(&measured.remarks);
+    let of_carry = |remark: &String| remark.starts_with("row 1: not compared: Carry: ");
+    assert!(remarks.iter().any(of_carry), "{remarks:?}");
 }
 
 #[test]

@@ -56,6 +56,8 @@ pub struct FlyRow {
     /// The delivery of the club that the row states.
     #[schemars(extend("propertyNames" = { "enum": Club::NAMES }))]
     club: ByName<JsonNumber>,
+    /// The name of the club that the row states.
+    club_name: Option<String>,
     /// The conditions for which the export states its values.
     condition: Option<String>,
     /// The outcomes that the row states, including the launch.
@@ -200,6 +202,8 @@ impl Keys {
             .zip(shot.club.values())
             .filter(|(_, value)| value.is_some());
         push_numbers(bytes, club);
+        bytes.extend_from_slice(b",\"club_name\":");
+        push(bytes, &shot.club_name);
         bytes.extend_from_slice(b",\"condition\":");
         push(bytes, &shot.condition);
         bytes.extend_from_slice(b",\"stated\":");

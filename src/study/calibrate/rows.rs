@@ -148,8 +148,17 @@ impl ShotRows {
             return;
         }
         let numbers = reading.numbers(shot, other_parameters);
+        let mut read = reading.shot(self.row, Values::Numbers(&numbers));
+        if let Ok(row) = &mut read {
+            let club = shot.club_name.clone().unwrap_or_default();
+            *self.clubs.entry(club).or_default() += 1;
+            match reading.club {
+                ClubColumns::Read => row.not_stated.extend(shot.club_notes().cloned()),
+                ClubColumns::Ignored => row.implausible.extend(shot.not_compared()),
+            }
+        }
         // never an error: messages count as an export, whose faulty rows are left out
-        let _ = self.add(reading, reading.shot(self.row, Values::Numbers(&numbers)));
+        let _ = self.add(reading, read);
     }
 
     fn add(
@@ -284,15 +293,19 @@ impl ShotRows {
         let mut readings = self.sections.iter().map(|section| &section.reading);
         let head = readings.find_map(|reading| Some(&reading.columns[reading.club_name?].head));
         let Some(head) = head else {
-            return Some(
-                format!(
-                    "{} has shots below several titles, such as clubs, which are fitted together: \
-                     {counts}; to fit those of one title, put them with the column heads into a \
-                     file of their own",
-                    self.file
-                )
-                .into(),
-            );
+            let file = &self.file;
+            let warning = match self.title {
+                Some(_) => format!(
+                    "{file} has shots below several titles, such as clubs, which are fitted \
+                     together: {counts}; to fit those of one title, put them with the column \
+                     heads into a file of their own"
+                ),
+                None => format!(
+                    "{file} has shots of several clubs, which are fitted together: {counts}; to \
+                     fit one club alone, write its lines into a file of their own"
+                ),
+            };
+            return Some(warning.into());
         };
         if filter.names(head) {
             return None;
