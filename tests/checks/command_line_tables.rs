@@ -84,7 +84,18 @@ fn same_points_for_every_spelling_of_the_head() {
     ] {
         assert!(found.2.contains(says), "{says}: {}", found.2);
     }
-    // rows of an export are numbered as in the file
+    // rows of an export are numbered as in the file, also where a row is invalid
+    let (_folder, path) = table(
+        "a.csv",
+        "Shot,Ball Speed [mph],Launch Angle [deg],Backspin [rpm]\n\
+         1,150,12,2500\nAverage,150,12,2500\n2,,12,2500\n",
+    );
+    let notes = open_table(&setup, &path).unwrap().notes();
+    let notes: Vec<String> = notes.iter().map(ToString::to_string).collect();
+    let notes = notes.concat();
+    for says in ["row 2 (Average)", "row 3: launch.ball_speed is missing"] {
+        assert!(notes.contains(says), "{says}: {notes}");
+    }
     let (_folder, path) = table(
         "a.csv",
         "Ball Speed [mph],Launch Angle [deg],Backspin [rpm]\nAverage,1,2\n150,x,2500\n",

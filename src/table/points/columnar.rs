@@ -81,7 +81,7 @@ impl<P: ColumnarFile> PointRows for ColumnarRows<P> {
         Ok(())
     }
 
-    fn read(&mut self, most: usize, into: &mut Vec<f64>) -> Result<usize> {
+    fn read(&mut self, most: usize, into: &mut Vec<f64>, numbers: &mut Vec<u64>) -> Result<usize> {
         let PointColumns { at, parameters, .. } = &self.columns;
         let refused = |place: String, reason: String| self.file.refused(place, reason);
         let mut rows = 0;
@@ -122,7 +122,9 @@ impl<P: ColumnarFile> PointRows for ColumnarRows<P> {
                 }
             }
             self.unread.start = part.end;
+            let before = self.next;
             self.next += wanted as u64;
+            numbers.extend(before + 1..=self.next);
             rows += wanted;
         }
         Ok(rows)

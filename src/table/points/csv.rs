@@ -21,7 +21,7 @@ pub(super) struct CsvRows {
     section: CsvSection,
     /// Remarks on later sections.
     section_notes: Vec<Message>,
-    /// Number of the row in the file.
+    /// Number of the row below the column heads, from 1. Averages and titles count too.
     row: u64,
     no_shots: NonShotRows,
 }
@@ -169,7 +169,12 @@ impl PointRows for CsvRows {
         Ok(())
     }
 
-    fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
+    fn read(
+        &mut self,
+        most: usize,
+        values: &mut Vec<f64>,
+        numbers: &mut Vec<u64>,
+    ) -> Result<usize> {
         for count in 0..most {
             let Some(row) = self.cells()? else {
                 return Ok(count);
@@ -182,6 +187,7 @@ impl PointRows for CsvRows {
                 };
                 values.push(column.value(cell).map_err(wrong)?.unwrap_or(f64::NAN));
             }
+            numbers.push(self.row);
         }
         Ok(most)
     }

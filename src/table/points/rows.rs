@@ -12,9 +12,11 @@ pub(super) trait PointRows {
     /// Goes back to the first row.
     fn rewind(&mut self) -> Result<()>;
 
-    /// Appends the values of the next rows, at most `most` of them, as [`Points::read`] does.
-    /// Returns the number of rows. A missing value is NaN.
-    fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize>;
+    /// Appends the values of the next rows, at most `most` of them, as [`Points::read`] does, and
+    /// the number of each row below the column heads, from 1. Returns how many rows were read. A
+    /// missing value is NaN.
+    fn read(&mut self, most: usize, values: &mut Vec<f64>, numbers: &mut Vec<u64>)
+    -> Result<usize>;
 
     /// Remarks on the columns and rows, complete after the last row.
     fn notes(&self) -> Vec<Message> {
@@ -48,24 +50,23 @@ impl<R: PointRows> TablePoints<R> {
             high: f64::NEG_INFINITY,
         };
         let mut ranges: Vec<Vary> = rows.columns().parameters.iter().map(none).collect();
-        let (mut count, mut fingerprint, mut values) = (0, Fingerprint::new(), vec![]);
+        let (mut count, mut fingerprint) = (0, Fingerprint::new());
+        let (mut values, mut numbers) = (vec![], vec![]);
         let (mut listed, mut others) = (vec![], 0);
-        let mut row_number = 0_u64;
         rows.rewind()?;
         loop {
-            match rows.read(CHUNK, &mut values)? {
+            match rows.read(CHUNK, &mut values, &mut numbers)? {
                 0 => break,
                 more => count += more as u64,
             }
-            for row in values.chunks(ranges.len()) {
-                row_number += 1;
+            for (row, number) in values.chunks(ranges.len()).zip(&numbers) {
                 let wrong = ranges
                     .iter()
                     .zip(row)
                     .find_map(|(range, value)| why_invalid(range.parameter, *value));
                 match wrong {
                     Some(why) if listed.len() < LISTED => {
-                        listed.push(format!("row {row_number}: {why}"));
+                        listed.push(format!("row {number}: {why}"));
                     }
                     Some(_) => others += 1,
                     None => {}
@@ -78,6 +79,7 @@ impl<R: PointRows> TablePoints<R> {
                 }
             }
             values.clear();
+            numbers.clear();
         }
         ranges.retain(|range| range.low <= range.high);
         let mut notes = rows.notes();
@@ -151,7 +153,7 @@ impl<R: PointRows> Points for TablePoints<R> {
     fn read(&mut self, most: usize, values: &mut Vec<f64>) -> Result<usize> {
         // ignore rows that were appended after the table was opened
         let left = usize::try_from(self.count - self.next).unwrap_or(most);
-        let rows = self.rows.read(most.min(left), values)?;
+        let rows = self.rows.read(most.min(left), values, &mut vec![])?;
         self.next += rows as u64;
         Ok(rows)
     }
