@@ -234,10 +234,7 @@ fn of_shots(
             .extend(loft_warning(&requests.club, setup, unknowns));
     }
     warn(table.warnings.iter().cloned());
-    let remarks = table
-        .remarks
-        .iter()
-        .filter(|remark| !table.warnings.contains(remark));
+    let remarks = table.remarks.iter();
     remarks.for_each(|remark| note(&remark.in_units(system())));
     note(&format!(
         "{}: only the launch of each row is used, not the flight",

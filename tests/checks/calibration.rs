@@ -13,7 +13,7 @@ use longdrive::study::calibrate::{
     Calibration, FitPlan, FitRange, FitStatistics, MeasuredShot, ShotTable, SigmaOrigin, calibrate,
     held_out,
 };
-use longdrive::units::System;
+use longdrive::units::{Message, System};
 use longdrive::{Drive, Outcome, Setup};
 use std::fmt::Write;
 use std::io::Write as _;
@@ -603,6 +603,32 @@ fn exports_omit_summaries_and_incomplete_rows_by_name_and_have_angles_in_degrees
             .contains("row 1: ball_speed: 3000 mph is outside of the range of drives"),
         "{error}"
     );
+}
+
+/// A row without a speed, and two rows whose backspin and spin differ.
+#[test]
+fn a_reason_is_a_warning_or_a_remark() {
+    let text = "ball_speed [mph],launch_angle [deg],spin [rpm],backspin [rpm],carry [yd]\n\
+                160,11,2600,2600,262\n,11,2600,2600,262\n\
+                160,11,2600,4000,262\n160,11,2600,4000,262\n";
+    let table = ShotTable::read(&Setup::modern_driver(), "a", text.as_bytes()).unwrap();
+    let texts = |messages: &[Message]| -> Vec<String> {
+        messages.iter().map(ToString::to_string).collect()
+    };
+    let (warnings, remarks) = (texts(&table.warnings), texts(&table.remarks));
+    assert_eq!(warnings.len(), 2, "{warnings:?}");
+    for (warning, says) in warnings.iter().zip([
+        "rows left out, since they lack a value that every shot needs: row 2 (ball_speed)",
+        "row 3: ",
+    ]) {
+        assert!(warning.starts_with(says), "{warning}");
+    }
+    for remark in remarks {
+        assert!(
+            !remark.contains("row 2") && !remark.contains("row 3"),
+            "{remark}"
+        );
+    }
 }
 
 #[test]

@@ -262,7 +262,8 @@ impl ShotRows {
     }
 
     /// Remarks in this order: on columns, rejected rows, values that are not compared, club values
-    /// that a prior distribution replaces, implausible values, and contradictory spins.
+    /// that a prior distribution replaces, implausible values, and contradictory spins. A reason
+    /// that has a warning has no remark.
     fn remarks(&mut self, left_out: Vec<Message>) -> Vec<Message> {
         let mut remarks: Vec<Message> = vec![];
         for section in &self.sections {
@@ -412,18 +413,16 @@ impl ShotRows {
         if self.shots.is_empty() {
             return Err(self.without_shots(&left_out));
         }
-        let left_out: Vec<Message> = left_out.into_iter().map(Message::from).collect();
-        let readings = || self.sections.iter().map(|section| &section.reading);
-        let mut warnings = if readings().any(|reading| reading.is_export) {
-            vec![]
-        } else {
-            left_out
-                .iter()
-                .cloned()
-                .chain(self.contradiction_warning())
-                .collect()
-        };
+        let mut left_out: Vec<Message> = left_out.into_iter().map(Message::from).collect();
+        let mut warnings = vec![];
+        let mut sections = self.sections.iter();
+        if !sections.any(|section| section.reading.is_export) {
+            warnings.append(&mut left_out);
+            warnings.extend(self.contradiction_warning());
+            self.contradictions.clear();
+        }
         warnings.extend(self.clubs_warning(filter));
+        let readings = || self.sections.iter().map(|section| &section.reading);
         let is_launched = readings().any(|reading| reading.is_launched);
         let launch_beside_club = readings().find_map(Reading::launch_beside_club);
         let mut remarks = self.remarks(left_out);
