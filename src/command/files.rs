@@ -467,22 +467,6 @@ impl Folder {
     }
 }
 
-/// Refuses the option `overwrite` if the rows go to standard output.
-pub fn refuse_overwrite_of_standard_output(path: &Path, overwrite: bool) -> Result<()> {
-    if path != Path::new("-") || !overwrite {
-        return Ok(());
-    }
-    let reason = "`overwrite` replaces a file, and the rows go to standard output; name a file \
-                  with `output`, or leave `overwrite` out";
-    Err(refused(path, reason))
-}
-
-/// The error if the format is Parquet and no file is named.
-pub fn parquet_without_file(path: &Path) -> Error {
-    let reason = "Parquet needs a file; name one with `output`, or take `format csv` or jsonl";
-    refused(path, reason)
-}
-
 /// Refuses "-", which stands for standard output. `what` is the needed output: a file or a folder.
 fn refuse_standard_output(path: &Path, what: &str) -> Result<()> {
     match path == Path::new("-") {

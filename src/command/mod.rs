@@ -65,6 +65,7 @@ mod report;
 mod reproduce;
 mod request;
 mod robust;
+mod rows_target;
 mod run;
 mod running;
 #[cfg(test)]

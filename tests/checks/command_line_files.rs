@@ -490,6 +490,10 @@ fn an_unwritable_path_is_reported_in_plain_words() {
             "it is standard output; write -o -",
         ),
         (
+            vec!["fly", &shots, "-o", "/dev/stdout"],
+            "it is standard output; write -o -",
+        ),
+        (
             [&sweep[..], &["--overwrite"]].concat(),
             "--overwrite replaces a file, and the rows go to standard output",
         ),

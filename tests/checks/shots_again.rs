@@ -763,12 +763,14 @@ fn same_shots_in_parquet_and_in_json_lines() {
             )
         );
     }
-    let output = longdrive(&["fly", &table, "--format", "parquet"]);
-    assert!(
-        output.status == 2 && output.err.contains("Parquet needs a file"),
-        "{}",
-        output.err
-    );
+    for stream in ["-", "/dev/null"] {
+        let output = longdrive(&["fly", &table, "-o", stream, "--format", "parquet"]);
+        assert!(
+            output.status == 2 && output.err.contains("Parquet needs a file"),
+            "{stream}: {}",
+            output.err
+        );
+    }
 }
 
 #[cfg(feature = "full")]

@@ -19,10 +19,12 @@ use crate::command::files::refused;
 use crate::command::files::{Destination, DestinationKind};
 use crate::command::interrupt;
 use crate::command::output::{Answer, bar, note, say_error, warn, warnings};
+use crate::command::rows_target::RowsTarget;
 use crate::drive::CheckScope;
 use crate::report::{Ending, Reply};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result};
+use args::SweepFormat;
 use request::SweepRequest;
 use resumable::part_of;
 use rows::{FormattedRows, Identity, RowFormatter};
@@ -30,7 +32,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
-use target::{SweepOutput, destination, format_of};
+use target::{SweepOutput, destination};
 
 pub fn run(args: &Args) -> Result<Answer> {
     refuse_threads(args.threads)?;
@@ -53,8 +55,9 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
     // interruptible from here on: reading a long table takes time before the first drive
     let work = interrupt::enable("stopping after the drives under way");
     let request = args.setup_args.request()?;
-    let format = format_of(args)?;
-    let destination = destination(args, &request, format)?;
+    let target = RowsTarget::new(&args.output, args.overwrite)?;
+    let format = target.format(args.format, SweepFormat::Csv)?;
+    let destination = destination(args, &request, target)?;
     let SweepRequest { mut points, batch } = SweepRequest::of(args, &request)?;
     let identity = Identity::new(&batch, format, points.identity());
     let formatter = identity.formatter(&batch, format)?;

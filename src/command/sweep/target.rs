@@ -5,72 +5,52 @@ use super::journal::Journal;
 use super::resumable::{ResumableFile, refuse_unfinished_sweep};
 use super::rows::{FormattedRows, Identity, RowFormatter};
 use crate::batch::StatusCounts;
-use crate::command::files::{
-    Destination, DestinationKind, OutputRule, OutputStream, ending, parquet_without_file,
-    refuse_overwrite_of_standard_output, refused,
-};
+use crate::command::files::{Destination, DestinationKind, OutputRule, OutputStream, refused};
 use crate::command::request::Request;
+use crate::command::rows_target::{RowFormat, RowsTarget};
 use crate::external_errors::write_error_text;
 use crate::units::counted;
 use crate::{Error, Result};
 use std::io;
-use std::path::Path;
 
-/// The format of `--format`, or else of the file name extension.
-pub fn format_of(args: &Args) -> Result<SweepFormat> {
-    let path = args.output.as_path();
-    let standard_output = ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
-    if standard_output.map(Path::new).contains(&path) {
-        let reason = "it is standard output; write `output -` with `format csv` or jsonl";
-        return Err(refused(path, reason));
-    }
-    refuse_overwrite_of_standard_output(path, args.overwrite)?;
-    Ok(match (args.format, ending(path).as_str()) {
-        (Some(format), _) => format,
-        (None, "csv") => SweepFormat::Csv,
-        (None, "jsonl" | "ndjson") => SweepFormat::Jsonl,
+impl RowFormat for SweepFormat {
+    const EXTENSIONS: &'static [(&'static str, Self)] = &[
+        ("csv", Self::Csv),
+        ("jsonl", Self::Jsonl),
+        ("ndjson", Self::Jsonl),
         #[cfg(feature = "parquet")]
-        (None, "parquet") => SweepFormat::Parquet,
-        #[cfg(not(feature = "parquet"))]
-        (None, "parquet") => {
-            return Err(refused(path, crate::features::how_to_get("parquet")));
+        ("parquet", Self::Parquet),
+    ];
+    const LISTED: &'static str = ".csv, .jsonl or .parquet";
+
+    fn is_text(self) -> bool {
+        match self {
+            Self::Csv | Self::Jsonl => true,
+            #[cfg(feature = "parquet")]
+            Self::Parquet => false,
         }
-        (None, _) if path == Path::new("-") => SweepFormat::Csv,
-        _ => {
-            return Err(refused(
-                path,
-                "its name must end in .csv, .jsonl or .parquet, or `format` must name the format",
-            ));
-        }
-    })
+    }
 }
 
-/// The destination of the rows in this format.
-pub fn destination(args: &Args, request: &Request, format: SweepFormat) -> Result<Destination> {
-    let path = args.output.as_path();
-    let refuse = |reason: &str| Err(refused(path, reason));
-    let is_standard = path == Path::new("-");
+/// The destination of the rows.
+pub fn destination(args: &Args, request: &Request, target: RowsTarget<'_>) -> Result<Destination> {
+    let refuse = |reason: &str| Err(refused(target.0, reason));
+    let is_standard = target.is_standard_output();
     if is_standard && request.is_json {
         return refuse(
             "standard output cannot hold both the rows and the summary of `json`; name a file \
              with `output`",
         );
     }
-    // a pipe, a terminal or a device does not store the bytes
-    let is_stream = is_standard || std::fs::metadata(path).is_ok_and(|found| !found.is_file());
-    if is_stream && args.resume {
+    if target.is_stream() && args.resume {
         return refuse("only a file can be resumed; name one with `output`");
-    }
-    let is_text = matches!(format, SweepFormat::Csv | SweepFormat::Jsonl);
-    if is_stream && !is_text {
-        return Err(parquet_without_file(path));
     }
     if is_standard {
         return Ok(Destination::without_file(DestinationKind::StandardOutput));
     }
     let inputs = request.inputs().chain(args.points.clone());
     // with `--resume` a file may exist; the code below checks that it belongs to a sweep
-    let destination = OutputRule::new(inputs, args.overwrite || args.resume).file(path)?;
+    let destination = OutputRule::new(inputs, args.overwrite || args.resume).file(target.0)?;
     if destination.kind == DestinationKind::Memory {
         return refuse(
             "there is no disk here; write the rows to standard output, with `format csv` or jsonl",
