@@ -44,7 +44,7 @@ macro_rules! variant_names {
             pub const NAMES: [&'static str; Self::ALL.len()] = [$($name),+];
 
             $(#[doc = $doc])*
-            pub fn name(self) -> &'static str {
+            pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$Variant => $name,)+
                 }

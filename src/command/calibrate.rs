@@ -12,8 +12,8 @@ use crate::optimize::least_squares::{FitObserver, FitStatus, Loss};
 use crate::parameters::{Law, Vary};
 use crate::report::CalibrationReport;
 use crate::study::calibrate::{
-    Calibration, FitPlan, HeldOut, ShotTable, calibrate, check_folds, held_out, ranges,
-    validity_warnings,
+    Calibration, CalibrationStatus, FitPlan, HeldOut, ShotTable, calibrate, check_folds, held_out,
+    ranges, validity_warnings,
 };
 use crate::table::RowFilter;
 use crate::units::Message;
@@ -146,7 +146,7 @@ pub fn run(args: &Args) -> Result<Answer> {
     };
     drop(work);
     let mut report = CalibrationReport::new(&table, &found, &held_out);
-    let is_found = report.status() == FitStatus::Converged;
+    let is_found = report.status() == CalibrationStatus::CONVERGED;
     if !is_found {
         warn([Message::from(format!(
             "the fit ended as '{}': {}",
@@ -231,8 +231,8 @@ fn write_setup(
     report: &CalibrationReport<'_>,
 ) -> Result<Option<String>> {
     let is_unfinished = matches!(
-        found.fit.status,
-        FitStatus::Interrupted | FitStatus::IterationLimit
+        found.verdict.status,
+        CalibrationStatus::Search(FitStatus::Interrupted | FitStatus::IterationLimit)
     );
     if is_unfinished && !found.is_minimum {
         warn([output.not_written("the fit ended before it came to a minimum")]);

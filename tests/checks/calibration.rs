@@ -7,11 +7,11 @@ use crate::common::panic_of;
 use crate::random::Random;
 use longdrive::derivative::{Order, evaluate};
 use longdrive::launch::Launch;
-use longdrive::optimize::least_squares::{FitObserver, FitStatus, Loss, Rows};
+use longdrive::optimize::least_squares::{FitObserver, Loss, Rows};
 use longdrive::report::{CalibrationReport, Reply, Report};
 use longdrive::study::calibrate::{
-    Calibration, FitPlan, FitRange, FitStatistics, MeasuredShot, ShotTable, SigmaOrigin, calibrate,
-    held_out,
+    Calibration, CalibrationStatus, FitPlan, FitRange, FitStatistics, MeasuredShot, ShotTable,
+    SigmaOrigin, calibrate, held_out,
 };
 use longdrive::units::{Message, System};
 use longdrive::{Drive, Outcome, Setup};
@@ -940,7 +940,7 @@ fn interrupted_folds_are_omitted_and_counted() {
     let whole = held_out(&setup, &table, &plan, 4, &FitObserver::default()).unwrap();
     assert_eq!(
         (
-            whole.count(FitStatus::Converged),
+            whole.count(CalibrationStatus::CONVERGED),
             whole.is_interrupted(),
             whole.residuals.len()
         ),
@@ -949,13 +949,16 @@ fn interrupted_folds_are_omitted_and_counted() {
 
     let at_once = held_out(&setup, &table, &plan, 4, &interrupting(1)).unwrap();
     assert_eq!(
-        (at_once.count(FitStatus::Interrupted), at_once.mean_square()),
+        (
+            at_once.count(CalibrationStatus::INTERRUPTED),
+            at_once.mean_square()
+        ),
         (4, None)
     );
     let mut partly = 0;
     for after in 2..40 {
         let part = held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap();
-        let done = 4 - part.count(FitStatus::Interrupted);
+        let done = 4 - part.count(CalibrationStatus::INTERRUPTED);
         assert_eq!(part.residuals.len(), 6 * done, "after {after}");
         // the result equals the result of the uninterrupted fit
         for residual in &part.residuals {
@@ -971,10 +974,10 @@ fn interrupted_folds_are_omitted_and_counted() {
 
     let found = calibrate(&setup, &table, &plan, &interrupting(2)).unwrap();
     assert_eq!(
-        found.fit.status,
-        FitStatus::Interrupted,
+        found.verdict.status,
+        CalibrationStatus::INTERRUPTED,
         "{}",
-        found.fit.message
+        found.verdict.message
     );
 }
 
@@ -1064,7 +1067,7 @@ fn an_interrupted_calibration_from_many_starts_names_its_best_fit() {
         .find(|found| found.is_minimum && found.stopped > 0)
         .unwrap();
     let ended = 60 - found.stopped;
-    assert_eq!(found.fit.status, FitStatus::Interrupted);
+    assert_eq!(found.verdict.status, CalibrationStatus::INTERRUPTED);
     assert!(
         found.starts.at_best <= ended,
         "{:?} of {ended}",
@@ -1087,9 +1090,9 @@ fn an_interrupted_calibration_from_many_starts_names_its_best_fit() {
     // if the best search was stopped, the calibration is interrupted
     let at_once = calibrate(&setup, &table, &plan, &interrupting(1)).unwrap();
     assert!(
-        !at_once.is_minimum && at_once.fit.status == FitStatus::Interrupted,
+        !at_once.is_minimum && at_once.verdict.status == CalibrationStatus::INTERRUPTED,
         "{}",
-        at_once.fit.message
+        at_once.verdict.message
     );
 }
 
@@ -1104,16 +1107,16 @@ fn an_interrupted_comparison_says_so_and_ends_with_status_1() {
         (2..60).map(|after| held_out(&setup, &table, &plan, 4, &interrupting(after)).unwrap());
     let held = partly
         .into_iter()
-        .find(|held| (1..4).contains(&held.count(FitStatus::Interrupted)))
+        .find(|held| (1..4).contains(&held.count(CalibrationStatus::INTERRUPTED)))
         .unwrap();
-    let stopped = held.count(FitStatus::Interrupted);
+    let stopped = held.count(CalibrationStatus::INTERRUPTED);
     let never = held_out(&setup, &table, &plan, 4, &interrupting(1)).unwrap();
     let held = [
         ("linear, fitted as above".to_owned(), held),
         ("robinson, all coefficients fitted".into(), never),
     ];
     let report = CalibrationReport::new(&table, &found, &held);
-    assert!(report.interrupted && report.status() == FitStatus::Interrupted);
+    assert!(report.interrupted && report.status() == CalibrationStatus::INTERRUPTED);
     let text = on_one_line(&report.document(System::Us).text(&WHOLE));
     assert!(
         text.contains(&format!(

@@ -36,15 +36,6 @@ const COSINE: &str = "cosine between the residuals and their slopes";
 pub enum FitStatus {
     /// The sum is stationary within the bounds.
     Converged,
-    /// The sum is at a minimum that is not isolated: along some direction the residuals hardly
-    /// change. The fit itself does not test this; `study::calibrate` does, from the Jacobian.
-    Undetermined,
-    /// The sum is at a minimum, but one residual is so large that the others have no influence. Set
-    /// by `study::calibrate`, not by the fit.
-    DominatedByOneResidual,
-    /// The sum is at a minimum, but the residuals are much larger than their uncertainties: the
-    /// model does not describe the data. Set by `study::calibrate`, not by the fit.
-    Misfit,
     /// No step lowers the sum, although the gradient is not 0.
     Stalled,
     /// The limit of iterations was reached.
@@ -59,9 +50,6 @@ variant_names! {
     /// Name in reports, such as `converged`.
     FitStatus as "FitStatus" {
         Converged = "converged",
-        Undetermined = "undetermined",
-        DominatedByOneResidual = "outweighed",
-        Misfit = "misfit",
         Stalled = "stalled",
         IterationLimit = "iteration-limit",
         Interrupted = "interrupted",

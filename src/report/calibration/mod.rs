@@ -8,9 +8,11 @@ use super::json::{ByName, JsonNumber, Matrix, Settings, settings};
 use super::reply::{Ending, Report};
 use super::setup_file::CommentedSetup;
 use super::shown::computed;
-use crate::optimize::least_squares::{FitStatus, RejectedPoints};
+use crate::optimize::least_squares::RejectedPoints;
 use crate::parameters::SetupFile;
-use crate::study::calibrate::{Calibration, Estimate, FitResidual, HeldOut, ShotTable, Starts};
+use crate::study::calibrate::{
+    Calibration, CalibrationStatus, Estimate, FitResidual, HeldOut, ShotTable, Starts,
+};
 use crate::units::{Message, System, counted, counted_of, typed};
 use serde::Serialize;
 use text::{by_outcome, rounded_to_error};
@@ -131,7 +133,7 @@ impl<'a> CalibrationReport<'a> {
             table,
             found,
             cross_validations: held_out,
-            interrupted: found.fit.status == FitStatus::Interrupted
+            interrupted: found.verdict.status == CalibrationStatus::INTERRUPTED
                 || held_out.iter().any(|(_, held)| held.is_interrupted()),
             data: DataReport {
                 file: table.file.clone(),
@@ -164,47 +166,47 @@ impl<'a> CalibrationReport<'a> {
     }
 
     /// The status of the fit; `interrupted` if a fit of the cross-validation was interrupted.
-    pub fn status(&self) -> FitStatus {
+    pub fn status(&self) -> CalibrationStatus {
         if self.interrupted {
-            FitStatus::Interrupted
+            CalibrationStatus::INTERRUPTED
         } else {
-            self.found.fit.status
+            self.found.verdict.status
         }
     }
 
     /// The status in a sentence.
     pub fn message(&self) -> String {
-        let fit = &self.found.fit;
+        let verdict = &self.found.verdict;
         let (stopped, all) =
             self.cross_validations
                 .iter()
                 .fold((0, 0), |(stopped, all), (_, held)| {
                     (
-                        stopped + held.count(FitStatus::Interrupted),
+                        stopped + held.count(CalibrationStatus::INTERRUPTED),
                         all + held.statuses.len(),
                     )
                 });
         let of_all = counted_of(stopped as u64, all as u64, ["fit", "fits"]);
         match stopped {
-            0 => fit.message.clone(),
-            _ if fit.status == FitStatus::Interrupted => {
-                format!("{}; the held-out error lacks {of_all}", fit.message)
+            0 => verdict.message.clone(),
+            _ if verdict.status == CalibrationStatus::INTERRUPTED => {
+                format!("{}; the held-out error lacks {of_all}", verdict.message)
             }
             _ => format!(
                 "the held-out error lacks the interrupted fits ({of_all}); the fit of all data: \
                  {}, {}",
-                fit.status, fit.message
+                verdict.status, verdict.message
             ),
         }
     }
 
-    /// The fitted setup for a setup file. Each fitted parameter has a comment with its standard error. `file` is the setup before the fit, `data` the name of the
-    /// file with the shots.
+    /// The fitted setup for a setup file. Each fitted parameter has a comment with its standard
+    /// error. `file` is the setup before the fit, `data` the name of the file with the shots.
     pub fn fitted_setup(&self, file: &SetupFile, data: &str) -> CommentedSetup {
         let found = self.found;
         let about = vec![
             format!("{}, fitted to {data}", file.name),
-            format!("{}: {}", found.fit.status, found.fit.message),
+            format!("{}: {}", found.verdict.status, found.verdict.message),
         ];
         let remarks = found.estimates.iter().map(|estimate| {
             let Estimate {
@@ -235,7 +237,7 @@ impl<'a> CalibrationReport<'a> {
 
 impl HeldOutReport {
     fn new(fit: &str, held: &HeldOut) -> Self {
-        let mut statuses: Vec<FitStatus> = vec![];
+        let mut statuses: Vec<CalibrationStatus> = vec![];
         for status in &held.statuses {
             if !statuses.contains(status) {
                 statuses.push(*status);
@@ -261,7 +263,7 @@ impl Report for CalibrationReport<'_> {
     const COMMAND: &'static str = "calibrate";
 
     #[cfg(test)]
-    const STATUSES: &'static [&'static str] = &FitStatus::NAMES;
+    const STATUSES: &'static [&'static str] = &CalibrationStatus::NAMES;
 
     fn ending(&self) -> Ending {
         Ending {

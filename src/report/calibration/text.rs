@@ -2,8 +2,8 @@ use crate::optimize::least_squares::{FitStatus, Loss};
 use crate::report::document::{Document, DocumentTable};
 use crate::report::shown;
 use crate::study::calibrate::{
-    Calibration, Estimate, FitResidual, FitStatistics, HeldOut, ShotTable, SigmaOrigin, Starts,
-    Undetermined,
+    Calibration, CalibrationStatus, Estimate, FitResidual, FitStatistics, HeldOut, ShotTable,
+    SigmaOrigin, Starts, Undetermined,
 };
 use crate::units::{
     DisplayUnit, Quantity, System, counted, counted_of, fixed, significant, with_unit,
@@ -65,16 +65,8 @@ pub(super) fn starts(document: &mut Document, found: &Calibration) {
         };
     }
     document.paragraph(text + ".");
-    let has_end = |status: &FitStatus| {
-        matches!(
-            status,
-            FitStatus::Converged
-                | FitStatus::Undetermined
-                | FitStatus::DominatedByOneResidual
-                | FitStatus::Misfit
-        )
-    };
-    if others.iter().any(|(status, _)| !has_end(status)) {
+    let mut others = others.iter();
+    if others.any(|(status, _)| *status != FitStatus::Converged) {
         document.paragraph(
             "Starts are spread over the ranges of the parameters: with narrower ranges more of the \
              starts reach a minimum.",
@@ -103,7 +95,7 @@ pub(super) fn estimates(
 ) {
     let statistics = &found.statistics;
     document.heading("Estimates");
-    if found.fit.status == FitStatus::Interrupted {
+    if found.verdict.status == CalibrationStatus::INTERRUPTED {
         document.paragraph(if found.is_minimum {
             "The fit was interrupted: these values are a minimum, but the stopped searches might \
              have found a lower minimum."
@@ -402,8 +394,8 @@ fn held_row(name: &str, held: &HeldOut, system: System) -> Vec<String> {
     let rms = held
         .mean_square()
         .map_or(shown::NONE.into(), |mean| format!("{:.3}", mean.sqrt()));
-    let interrupted = held.count(FitStatus::Interrupted);
-    let others = held.statuses.len() - interrupted - held.count(FitStatus::Converged);
+    let interrupted = held.count(CalibrationStatus::INTERRUPTED);
+    let others = held.statuses.len() - interrupted - held.count(CalibrationStatus::CONVERGED);
     let mut what = match (interrupted, held.statuses.len()) {
         (0, _) => name.to_owned(),
         (stopped, all) if stopped == all => format!("{name}: interrupted, nothing was fitted"),

@@ -6,6 +6,7 @@ use crate::json::{by_name, number};
 use crate::optimize::least_squares::{Fit, FitStatus};
 use crate::parameters::{Parameter, Setup};
 use serde::Serialize;
+use std::fmt::{Display, Formatter};
 
 /// The estimate of a parameter.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -77,11 +78,73 @@ pub struct Starts {
     pub others: Vec<(FitStatus, usize)>,
 }
 
+/// Status of a calibration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CalibrationStatus {
+    /// The status of the best search, if its values are not questioned by the data.
+    Search(FitStatus),
+    /// The sum is at a minimum that is not isolated: along some direction the residuals hardly
+    /// change.
+    Undetermined,
+    /// The sum is at a minimum, but one residual is so large that the others have no influence.
+    DominatedByOneResidual,
+    /// The sum is at a minimum, but the residuals are much larger than their uncertainties: the
+    /// model does not describe the data.
+    Misfit,
+}
+
+impl CalibrationStatus {
+    /// The sum is stationary within the bounds, and the data determine the parameters.
+    pub const CONVERGED: Self = Self::Search(FitStatus::Converged);
+    /// A search was interrupted.
+    pub const INTERRUPTED: Self = Self::Search(FitStatus::Interrupted);
+
+    /// The names of all statuses.
+    pub const NAMES: [&'static str; 8] = [
+        Self::CONVERGED.name(),
+        Self::Undetermined.name(),
+        Self::DominatedByOneResidual.name(),
+        Self::Misfit.name(),
+        Self::Search(FitStatus::Stalled).name(),
+        Self::Search(FitStatus::IterationLimit).name(),
+        Self::INTERRUPTED.name(),
+        Self::Search(FitStatus::Undefined).name(),
+    ];
+
+    /// Name in reports, such as `converged`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Search(status) => status.name(),
+            Self::Undetermined => "undetermined",
+            Self::DominatedByOneResidual => "outweighed",
+            Self::Misfit => "misfit",
+        }
+    }
+}
+
+/// Writes the name.
+impl Display for CalibrationStatus {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// The status of a calibration, with its reason.
+#[derive(Clone, Debug)]
+pub struct CalibrationVerdict {
+    /// The status.
+    pub status: CalibrationStatus,
+    /// The status in a sentence, with the numbers of the test.
+    pub message: String,
+}
+
 /// Parameters fitted to shots.
 #[derive(Clone, Debug)]
 pub struct Calibration {
     /// The setup with the fitted values.
     pub setup: Setup<f64>,
+    /// Status of the calibration.
+    pub verdict: CalibrationVerdict,
     /// Result of the best search.
     pub fit: Fit,
     /// Number of starts that reached the smallest sum of squares, and of those that did not.

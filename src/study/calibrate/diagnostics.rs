@@ -1,12 +1,11 @@
 //! Warnings and notes about a table of shots and the fit to it.
 
-use super::calibration::{Calibration, Estimate};
+use super::calibration::{Calibration, CalibrationStatus, Estimate};
 use super::residuals::at_shot;
 use super::shot_table::{MeasuredShot, ShotTable};
 use super::statistics::SigmaOrigin;
 use super::verdict::{WARNED_MISFIT, misfit_text};
 use crate::drive::{CheckScope, ExceededCount, exceeded_in_flight};
-use crate::optimize::least_squares::FitStatus;
 use crate::parameters::{Parameter, Setup, Vary};
 use crate::study::cancellable::{LIMITS_NOT_CHECKED, each_until};
 use crate::units::{Digits, Message};
@@ -49,8 +48,8 @@ impl Calibration {
     /// already reports them, or if an uncertainty is unknown.
     fn misfit_warning(&self, table: &ShotTable) -> Option<Message> {
         let is_unreported = !matches!(
-            self.fit.status,
-            FitStatus::DominatedByOneResidual | FitStatus::Misfit
+            self.verdict.status,
+            CalibrationStatus::DominatedByOneResidual | CalibrationStatus::Misfit
         );
         let is_judged = table.sigma_origin != SigmaOrigin::Weights;
         misfit_text(&self.statistics, WARNED_MISFIT)

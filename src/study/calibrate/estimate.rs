@@ -215,8 +215,8 @@ pub fn calibrate(
     let is_stopped = |fit: &&Fit| fit.status == FitStatus::Interrupted;
     let stopped = searches.fits.iter().filter(is_stopped).count();
     let is_minimum = searches.is_settled && searches.fits[0].status == FitStatus::Converged;
-    verdict::set_status_of_searches(
-        &mut searches.fits,
+    let of_searches = verdict::of_searches(
+        &searches.fits,
         searches.is_settled,
         observer.is_interrupted(),
     );
@@ -232,9 +232,12 @@ pub fn calibrate(
         estimates: estimates(&problem.fitted, &fit.x, &ranges, &statistics),
         residuals: residuals(&table.shots, &fit.rows.residuals),
         statistics,
+        verdict: of_searches,
         fit,
     };
-    verdict::set_status_of_data(&mut found, loss, origin);
+    if let Some(of_data) = verdict::of_data(&found, loss, origin) {
+        found.verdict = of_data;
+    }
     Ok(found)
 }
 

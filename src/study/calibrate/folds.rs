@@ -1,10 +1,10 @@
 //! Cross-validation: prediction errors of shots that were not used in the fit.
 
-use super::calibration::FitResidual;
+use super::calibration::{CalibrationStatus, FitResidual};
 use super::estimate::{FitPlan, calibrate, flown};
 use super::shot_table::ShotTable;
 use crate::error::{Error, Result};
-use crate::optimize::least_squares::{FitObserver, FitStatus};
+use crate::optimize::least_squares::FitObserver;
 use crate::parameters::Setup;
 use crate::units::counted;
 
@@ -14,7 +14,7 @@ pub struct HeldOut {
     /// Number of folds; 0 for a setup flown without a fit.
     pub folds: usize,
     /// Status of the fit of each fold. An interrupted fit gives no residuals.
-    pub statuses: Vec<FitStatus>,
+    pub statuses: Vec<CalibrationStatus>,
     /// Residuals of the held-out rows.
     pub residuals: Vec<FitResidual>,
 }
@@ -28,13 +28,13 @@ impl HeldOut {
     }
 
     /// Number of fits with this status.
-    pub fn count(&self, status: FitStatus) -> usize {
+    pub fn count(&self, status: CalibrationStatus) -> usize {
         self.statuses.iter().filter(|own| **own == status).count()
     }
 
     /// Reports whether a fit was interrupted.
     pub fn is_interrupted(&self) -> bool {
-        self.count(FitStatus::Interrupted) > 0
+        self.count(CalibrationStatus::INTERRUPTED) > 0
     }
 
     /// Residuals of shots flown with the setup itself, without a fit. If the flights are
@@ -49,7 +49,7 @@ impl HeldOut {
     ) -> Result<Self> {
         let flown = flown(setup, &table.shots, &observer.interrupt)?;
         let statuses = if flown.is_none() {
-            vec![FitStatus::Interrupted]
+            vec![CalibrationStatus::INTERRUPTED]
         } else {
             vec![]
         };
@@ -119,7 +119,7 @@ pub fn held_out(
     let (mut residuals, mut statuses) = (vec![], vec![]);
     for fold in 0..folds {
         if observer.is_interrupted() {
-            statuses.push(FitStatus::Interrupted);
+            statuses.push(CalibrationStatus::INTERRUPTED);
             continue;
         }
         let (held_out, seen): (Vec<_>, Vec<_>) = table
@@ -137,7 +137,9 @@ pub fn held_out(
         let found = match calibrate(setup, &seen, plan, observer) {
             // interrupted before the fit began
             Err(_) if observer.is_interrupted() => None,
-            found => Some(found?).filter(|found| found.fit.status != FitStatus::Interrupted),
+            found => {
+                Some(found?).filter(|found| found.verdict.status != CalibrationStatus::INTERRUPTED)
+            }
         };
         let held_out = match &found {
             Some(found) => flown(&found.setup, &strip(held_out), &observer.interrupt)?,
@@ -145,7 +147,7 @@ pub fn held_out(
         };
         let status = found
             .filter(|_| held_out.is_some())
-            .map_or(FitStatus::Interrupted, |found| found.fit.status);
+            .map_or(CalibrationStatus::INTERRUPTED, |found| found.verdict.status);
         statuses.push(status);
         residuals.extend(held_out.into_iter().flatten());
     }

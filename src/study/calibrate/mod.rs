@@ -14,7 +14,9 @@ mod shot_table;
 mod statistics;
 mod verdict;
 
-pub use calibration::{Calibration, Estimate, FitResidual, Starts};
+pub use calibration::{
+    Calibration, CalibrationStatus, CalibrationVerdict, Estimate, FitResidual, Starts,
+};
 pub use diagnostics::validity_warnings;
 pub use estimate::{FitPlan, calibrate};
 pub use folds::{HeldOut, check_folds, held_out};

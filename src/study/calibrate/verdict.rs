@@ -1,43 +1,47 @@
-//! Final status of a fit, with regard to the data: a converged search may leave parameters
+//! Status of a calibration, by its searches and by the data: a converged search may leave parameters
 //! undetermined.
 
-use super::calibration::{Calibration, FitResidual};
+use super::calibration::{Calibration, CalibrationStatus, CalibrationVerdict, FitResidual};
 use super::statistics::{FitStatistics, SigmaOrigin, Undetermined};
 use crate::optimize::least_squares::{Fit, FitStatus, Loss};
 use crate::units::{counted, significant};
 
-/// Changes the status and the message of the first fit, which is the best, in two cases: another
-/// search was interrupted, or `is_settled` is false.
-pub(super) fn set_status_of_searches(fits: &mut [Fit], is_settled: bool, is_interrupted: bool) {
+/// CalibrationVerdict on the searches, whose `fits` begin with the best: its status, except in two cases:
+/// another search was interrupted, or `is_settled` is false.
+pub(super) fn of_searches(
+    fits: &[Fit],
+    is_settled: bool,
+    is_interrupted: bool,
+) -> CalibrationVerdict {
     let all = fits.len();
-    let stopped = fits
-        .iter()
-        .filter(|fit| fit.status == FitStatus::Interrupted)
-        .count();
-    let Some(best) = fits.first_mut() else {
-        return;
+    let is_stopped = |fit: &&Fit| fit.status == FitStatus::Interrupted;
+    let stopped = fits.iter().filter(is_stopped).count();
+    let Fit {
+        status, message, ..
+    } = &fits[0];
+    let mut verdict = CalibrationVerdict {
+        status: CalibrationStatus::Search(*status),
+        message: message.clone(),
     };
-    let ended = best.status;
-    if stopped > 0 && ended != FitStatus::Interrupted {
-        best.status = FitStatus::Interrupted;
-        best.message = format!(
+    if stopped > 0 && *status != FitStatus::Interrupted {
+        verdict.status = CalibrationStatus::INTERRUPTED;
+        verdict.message = format!(
             "{} of {all} searches ended, and {stopped} were stopped before their end; the best \
-             finished search is {ended}: {}",
+             finished search is {status}: {message}",
             all - stopped,
-            best.message
         );
     }
-    if !is_settled && ended == FitStatus::Converged {
-        best.status = if is_interrupted {
-            FitStatus::Interrupted
-        } else {
-            FitStatus::Stalled
-        };
-        best.message = format!(
+    if !is_settled && *status == FitStatus::Converged {
+        verdict.status = CalibrationStatus::Search(match is_interrupted {
+            true => FitStatus::Interrupted,
+            false => FitStatus::Stalled,
+        });
+        verdict.message = format!(
             "{}; but the curvatures of carry, computed again at the optima, still change",
-            best.message
+            verdict.message
         );
     }
+    verdict
 }
 
 /// A fit gets a warning if the root mean square of its residuals, in standard uncertainties,
@@ -46,7 +50,7 @@ pub(super) fn set_status_of_searches(fits: &mut [Fit], is_settled: bool, is_inte
 /// of 2.
 pub(super) const WARNED_MISFIT: f64 = 3.0;
 
-/// A fit has the status [`FitStatus::Misfit`] if the root mean square exceeds this number, twice
+/// A fit has the status [`CalibrationStatus::Misfit`] if the root mean square exceeds this number, twice
 /// [`WARNED_MISFIT`]. Uncertainties that are stated too small do not explain so much.
 const MISFIT: f64 = 6.0;
 
@@ -85,16 +89,23 @@ pub(super) fn misfit_text(statistics: &FitStatistics, most: f64) -> Option<Strin
     ))
 }
 
-/// Changes the status of a converged or stalled fit if one residual dominates it, if parameters are
-/// undetermined, or if the model does not describe the data.
-pub(super) fn set_status_of_data(found: &mut Calibration, loss: Loss, origin: SigmaOrigin) {
+/// CalibrationVerdict on a converged or stalled fit if one residual dominates it, if parameters are
+/// undetermined, or if the model does not describe the data. `None` if the verdict on the searches
+/// holds.
+pub(super) fn of_data(
+    found: &Calibration,
+    loss: Loss,
+    origin: SigmaOrigin,
+) -> Option<CalibrationVerdict> {
     // a search also stalls if the data hardly depend on the parameters
-    if !matches!(found.fit.status, FitStatus::Converged | FitStatus::Stalled) {
-        return;
+    if !matches!(
+        found.verdict.status,
+        CalibrationStatus::Search(FitStatus::Converged | FitStatus::Stalled)
+    ) {
+        return None;
     }
     if let Some(row) = dominating_residual(&found.residuals, loss) {
-        found.fit.status = FitStatus::DominatedByOneResidual;
-        found.fit.message = format!(
+        let message = format!(
             "row {}: {} is {:.1e} standard uncertainties from the fit. All other residuals \
              together are less than a millionth of the sum of squares; correct the row or its \
              sigma, or remove the row",
@@ -102,7 +113,10 @@ pub(super) fn set_status_of_data(found: &mut Calibration, loss: Loss, origin: Si
             row.outcome.name(),
             row.residual.abs()
         );
-        return;
+        return Some(CalibrationVerdict {
+            status: CalibrationStatus::DominatedByOneResidual,
+            message,
+        });
     }
     let undetermined = &found.statistics.undetermined;
     if !undetermined.is_empty() {
@@ -110,23 +124,27 @@ pub(super) fn set_status_of_data(found: &mut Calibration, loss: Loss, origin: Si
             .iter()
             .map(|direction| parameter_names(found, direction))
             .collect();
-        found.fit.status = FitStatus::Undetermined;
-        found.fit.message = format!(
+        let message = format!(
             "the data do not determine {}: many other values of these fit as well as those shown. \
              Fit fewer parameters, give narrower ranges, or measure outcomes that depend on them \
              ({})",
             all.join(", nor "),
-            found.fit.message
+            found.verdict.message
         );
-        return;
+        return Some(CalibrationVerdict {
+            status: CalibrationStatus::Undetermined,
+            message,
+        });
     }
     // no verdict if rows may deviate from the model (Huber's loss), or if the uncertainties are
     // unknown
-    let is_judged = loss == Loss::Squares && origin != SigmaOrigin::Weights;
-    if let Some(text) = misfit_text(&found.statistics, MISFIT).filter(|_| is_judged) {
-        found.fit.status = FitStatus::Misfit;
-        found.fit.message = text;
+    if loss != Loss::Squares || origin == SigmaOrigin::Weights {
+        return None;
     }
+    Some(CalibrationVerdict {
+        status: CalibrationStatus::Misfit,
+        message: misfit_text(&found.statistics, MISFIT)?,
+    })
 }
 
 /// The residual r of largest magnitude, if it dominates the fit. It dominates if it meets one of
