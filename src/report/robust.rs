@@ -9,7 +9,7 @@ use super::swings::ScenariosReport;
 use crate::optimize::Status;
 use crate::parameters::SetupFile;
 use crate::study::Sense;
-use crate::study::swings::Robust;
+use crate::study::swings::{ModelResult, Robust};
 use crate::units::{System, counted, is_zero, leading_number};
 use serde::Serialize;
 
@@ -92,8 +92,8 @@ impl<'a> RobustReport<'a> {
         let swings = found
             .models
             .first()
-            .filter(|(_, best)| !best.search.scenarios.is_one_drive());
-        let models = 0..found.models.len();
+            .filter(|of| !of.best.search.scenarios.is_one_drive());
+        let models = found.models.iter().enumerate();
         Self {
             found,
             allowed: within,
@@ -104,8 +104,10 @@ impl<'a> RobustReport<'a> {
             greatest_loss: found.greatest().into(),
             within: within.into(),
             holds_for_all: within.map(|within| found.greatest() <= within),
-            models: models.map(|k| ModelReport::new(found, k)).collect(),
-            swings: swings.map(|(_, best)| ScenariosReport::new(&best.search.scenarios)),
+            models: models
+                .map(|(k, of)| ModelReport::new(found, k, of))
+                .collect(),
+            swings: swings.map(|of| ScenariosReport::new(&of.best.search.scenarios)),
             setup: settings(&found.setup),
             file: None,
         }
@@ -113,21 +115,22 @@ impl<'a> RobustReport<'a> {
 }
 
 impl ModelReport {
-    fn new(found: &Robust, k: usize) -> Self {
-        let (model, best) = &found.models[k];
+    fn new(found: &Robust, k: usize, of: &ModelResult) -> Self {
+        let ModelResult { model, best, .. } = of;
         Self {
             model: model.name.clone(),
             reason: Some(model.reason).filter(|reason| !reason.is_empty()),
             value: best.value().into(),
             optimum: ByName::of_varied(&found.search.vary, &best.solution.x),
-            loss: found.losses[k].into(),
-            share: found.loss_multipliers[k].into(),
-            losses: found.matrix[k]
+            loss: of.loss.into(),
+            share: of.multiplier.into(),
+            losses: of
+                .losses_of_bests
                 .iter()
                 .copied()
                 .map(JsonNumber::from)
                 .collect(),
-            loss_as_set_up: found.as_set_up[k].into(),
+            loss_as_set_up: of.loss_as_set_up.into(),
             constraints: found
                 .constraints(k)
                 .map(|limit| ConstraintReport::new(&limit))
@@ -202,9 +205,10 @@ fn verdict(found: &Robust, within: Option<f64>, system: System) -> String {
 fn models(found: &Robust, system: System) -> Vec<Line> {
     let goal = &found.search.of;
     let mut lines = vec![Line::flush("models")];
-    for (k, (model, best)) in found.models.iter().enumerate() {
-        let value = shown::goal_or_dash(goal, best.value(), system);
-        let decides = if found.loss_multipliers[k] > LEAST_SHARE {
+    for (k, of) in found.models.iter().enumerate() {
+        let model = &of.model;
+        let value = shown::goal_or_dash(goal, of.best.value(), system);
+        let decides = if of.multiplier > LEAST_SHARE {
             "; its loss decides the robust design"
         } else {
             ""
@@ -233,7 +237,7 @@ fn designs(found: &Robust, system: System) -> DocumentTable {
     let head = std::iter::once("vary".to_owned()).chain(heads_of_bests(found));
     let rows = found.search.vary.iter().enumerate().map(|(i, vary)| {
         let bests = found.models.iter();
-        let bests = bests.map(|(_, best)| shown::within(vary, best.solution.x[i], system));
+        let bests = bests.map(|of| shown::within(vary, of.best.solution.x[i], system));
         std::iter::once(vary.parameter.name.into())
             .chain(bests)
             .collect()
@@ -248,12 +252,14 @@ fn losses(found: &Robust, system: System) -> DocumentTable {
     let or_dash = |loss: Option<f64>| loss.map_or(shown::NONE.into(), show);
     let head = ["", "robust", "as set up"].map(str::to_owned);
     let head = head.into_iter().chain(heads_of_bests(found));
-    let rows = (0..found.models.len()).map(|k| {
-        let robust = show(found.losses[k]);
-        [(k + 1).to_string(), robust, or_dash(found.as_set_up[k])]
-            .into_iter()
-            .chain(found.matrix[k].iter().copied().map(or_dash))
-            .collect()
+    let rows = found.models.iter().enumerate().map(|(k, of)| {
+        let own = [
+            (k + 1).to_string(),
+            show(of.loss),
+            or_dash(of.loss_as_set_up),
+        ];
+        let of_bests = of.losses_of_bests.iter().copied().map(or_dash);
+        own.into_iter().chain(of_bests).collect()
     });
     let mut table = DocumentTable::new(head, rows).right(1..found.models.len() + 3);
     table.caption = format!(
@@ -378,7 +384,7 @@ pub fn robust_setup(
         found
             .models
             .iter()
-            .map(|(model, _)| format!("model: {}", model.name)),
+            .map(|of| format!("model: {}", of.model.name)),
     );
     about.extend(search.subject_to.iter().map(about_constraint));
     CommentedSetup {

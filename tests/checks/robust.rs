@@ -43,24 +43,21 @@ fn independent_loft_of_the_smallest_greatest_loss_of_two_models_by_a_grid() {
     let best = found(&setup, &[change]);
     assert_eq!(best.status(), "converged");
     close(
-        best.losses[0],
-        best.losses[1],
+        best.models[0].loss,
+        best.models[1].loss,
         1.0,
         1e-8,
         "both lose the same",
     );
     close(
-        best.loss_multipliers[0] + best.loss_multipliers[1],
+        best.models[0].multiplier + best.models[1].multiplier,
         1.0,
         1.0,
         1e-8,
         "shares",
     );
-    assert!(
-        best.loss_multipliers.iter().all(|share| *share > 0.01),
-        "{:?}",
-        best.loss_multipliers
-    );
+    let mut shares = best.models.iter().map(|of| of.multiplier);
+    assert!(shares.all(|share| share > 0.01));
     let models = [setup, Model::read(&setup, change).unwrap().setup];
     let carry = |model: &Setup<f64>, loft: f64| {
         let mut model = *model;
@@ -70,7 +67,7 @@ fn independent_loft_of_the_smallest_greatest_loss_of_two_models_by_a_grid() {
     let lofts = best
         .models
         .iter()
-        .map(|(_, best)| best.solution.x[0])
+        .map(|of| of.best.solution.x[0])
         .collect::<Vec<_>>();
     assert!(
         (lofts[0] - lofts[1]).abs() > 1e-3,
@@ -79,7 +76,7 @@ fn independent_loft_of_the_smallest_greatest_loss_of_two_models_by_a_grid() {
     let own = best
         .models
         .iter()
-        .map(|(_, best)| best.value().unwrap())
+        .map(|of| of.best.value().unwrap())
         .collect::<Vec<_>>();
     let greatest = |loft: f64| {
         models
@@ -97,7 +94,8 @@ fn independent_loft_of_the_smallest_greatest_loss_of_two_models_by_a_grid() {
     );
     let grid = (0..400).map(|k| greatest((8.0 + 0.02 * f64::from(k)).to_radians()));
     assert!(grid.fold(f64::INFINITY, f64::min) >= best.greatest() - 1e-7);
-    for (k, row) in best.matrix.iter().enumerate() {
+    for (k, of) in best.models.iter().enumerate() {
+        let row = &of.losses_of_bests;
         close(
             row[k].unwrap(),
             0.0,
@@ -105,7 +103,7 @@ fn independent_loft_of_the_smallest_greatest_loss_of_two_models_by_a_grid() {
             1e-8,
             "nothing is lost at the own best",
         );
-        let other = best.models[1 - k].1.solution.x[0];
+        let other = best.models[1 - k].best.solution.x[0];
         close(
             row[1 - k].unwrap(),
             own[k] - carry(&models[k], other),

@@ -31,6 +31,6 @@ pub use golfer::{Correlation, Swings};
 pub use measure::Measure;
 pub use over_swings::OverSwings;
 pub use pareto::{Pareto, ParetoPoint, ParetoSearch, pareto};
-pub use robust::{Model, Robust, robust};
+pub use robust::{Model, ModelResult, Robust, robust};
 pub use scenarios::{Rule, Scenarios};
 pub use strokes::Strokes;

@@ -135,6 +135,29 @@ impl Model {
     }
 }
 
+/// A model, its best design, and its losses.
+#[derive(Clone, Debug)]
+pub struct ModelResult {
+    /// The model.
+    pub model: Model,
+    /// The best design of this model alone.
+    pub best: Optimum,
+    /// Loss of this model with the best design of each model, SI. `None` if the design violates a
+    /// constraint with this model, or if the ball does not fly in one of the swings.
+    pub losses_of_bests: Vec<Option<f64>>,
+    /// The values of the goals at the minimax design, SI: first the objective, then the limited
+    /// goals.
+    pub goals: Vec<f64>,
+    /// The loss with the minimax design, SI.
+    pub loss: f64,
+    /// Multiplier of the constraint loss ≤ greatest loss. The multipliers of all models sum to 1.
+    /// It is 0 if the loss is below the greatest loss.
+    pub multiplier: f64,
+    /// The loss with the design as set up; `None` if a constraint is violated or the ball does not
+    /// fly in one of the swings.
+    pub loss_as_set_up: Option<f64>,
+}
+
 /// Minimax design: the design whose greatest loss over several models is smallest. Each model has a
 /// best design. The loss of any other design with this model is the amount by which its objective
 /// is worse.
@@ -142,12 +165,8 @@ impl Model {
 pub struct Robust {
     /// The search.
     pub search: Search,
-    /// The models, each with its own best design.
-    pub models: Vec<(Model, Optimum)>,
-    /// Loss of each model (row) with the best design of each model (column), SI. `None` if the
-    /// design violates a constraint with the model of the row, or if the ball does not fly in one
-    /// of the swings.
-    pub matrix: Vec<Vec<Option<f64>>>,
+    /// The models.
+    pub models: Vec<ModelResult>,
     /// Result of the search for the minimax design. Its variables are the design parameters and the
     /// greatest loss t.
     pub solution: Solution,
@@ -155,17 +174,6 @@ pub struct Robust {
     pub design: Vec<f64>,
     /// The first model's setup with the minimax design.
     pub setup: Setup<f64>,
-    /// The values of each model's goals at the minimax design, SI: first the objective, then the
-    /// limited goals.
-    pub goals: Vec<Vec<f64>>,
-    /// The loss of each model with the minimax design, SI.
-    pub losses: Vec<f64>,
-    /// Multiplier of each model's constraint, loss ≤ greatest loss. The multipliers sum to 1. A
-    /// model whose loss is below the greatest loss has the multiplier 0.
-    pub loss_multipliers: Vec<f64>,
-    /// The loss of each model with the design as set up; `None` if a constraint is violated or the
-    /// ball does not fly in one of the swings.
-    pub as_set_up: Vec<Option<f64>>,
     /// The number of searches for the minimax design.
     pub searches: usize,
     /// Number of interrupted searches.
@@ -181,7 +189,7 @@ impl Robust {
             // each model's first constraint is its loss
             let row = model * (1 + self.search.subject_to.len()) + 1 + limit;
             let at = self.solution.constraints.get(row)?;
-            let at = constraint.exactly(self.goals[model][1 + limit], at);
+            let at = constraint.exactly(self.models[model].goals[1 + limit], at);
             Some(ConstraintAtEnd {
                 constraint,
                 at,
@@ -194,13 +202,12 @@ impl Robust {
     /// If the lower or the upper bound of a variable is widened by one unit, the greatest loss
     /// decreases by this amount, to first order. It is the multiplier of the bound at the minimax
     /// design, minus a mean of the multipliers of the bound at the best design of each model. The
-    /// weights of this mean are [`loss_multipliers`](Self::loss_multipliers). The subtraction is necessary because the wider
-    /// bound also improves the best designs.
+    /// weights of this mean are the [multipliers](ModelResult::multiplier) of the models. The
+    /// subtraction is necessary because the wider bound also improves the best designs.
     pub fn bound_prices(&self, variable: usize) -> [f64; 2] {
         let price = |multipliers: fn(&Solution) -> &[f64]| {
-            let of_bests = self.loss_multipliers.iter().zip(&self.models);
-            let gained =
-                of_bests.map(|(share, (_, best))| share * multipliers(&best.solution)[variable]);
+            let of_best = |of: &ModelResult| multipliers(&of.best.solution)[variable];
+            let gained = self.models.iter().map(|of| of.multiplier * of_best(of));
             multipliers(&self.solution)[variable] - gained.sum::<f64>()
         };
         [
@@ -211,28 +218,30 @@ impl Robust {
 
     /// [`ConstraintAtEnd::gain`] for constraint `limit` of a model.
     fn gain(&self, model: usize, limit: usize, at: &ConstraintValue) -> f64 {
-        let (_, best) = &self.models[model];
+        let ModelResult {
+            best,
+            multiplier: share,
+            ..
+        } = &self.models[model];
         let of_best = best.solution.constraints.get(limit);
         let of_best = of_best.map_or(0.0, |best| best.multiplier);
         match at.multiplier {
-            own if self.search.subject_to[limit].is_equation() => {
-                own - self.loss_multipliers[model] * of_best
-            }
+            own if self.search.subject_to[limit].is_equation() => own - share * of_best,
             // the best design of the model is at the opposite limit, so the relaxed limit does not
             // improve it
             own if own * of_best < 0.0 => own.abs(),
-            own => own.abs() - self.loss_multipliers[model] * of_best.abs(),
+            own => own.abs() - share * of_best.abs(),
         }
     }
 
     /// The design that is best for a model, if it is better than the best design that the search of
     /// this model found. The candidates are the best designs of all models and the minimax design.
-    fn better_design(&self, model: usize) -> Option<&[f64]> {
-        let bests = self.matrix[model].iter().zip(&self.models);
-        let bests = bests.filter_map(|(loss, (_, best))| Some(((*loss)?, &best.solution.x[..])));
-        let mut limits = self.search.subject_to.iter().zip(&self.goals[model][1..]);
+    fn better_design<'a>(&'a self, of: &ModelResult) -> Option<&'a [f64]> {
+        let bests = of.losses_of_bests.iter().zip(&self.models);
+        let bests = bests.filter_map(|(loss, other)| Some(((*loss)?, &other.best.solution.x[..])));
+        let mut limits = self.search.subject_to.iter().zip(&of.goals[1..]);
         let is_feasible = limits.all(|(limit, value)| limit.is_met(*value));
-        let minimax = is_feasible.then_some((self.losses[model], &self.design[..]));
+        let minimax = is_feasible.then_some((of.loss, &self.design[..]));
         let (loss, design) = bests
             .chain(minimax)
             .min_by(|(a, _), (b, _)| a.total_cmp(b))?;
@@ -246,10 +255,12 @@ impl Robust {
             return Ok(None);
         }
         let sign = self.search.sense.sign();
-        let mut models = self.models.clone();
+        let pairs = self.models.iter();
+        let pairs = pairs.map(|of| (of.model.clone(), of.best.clone()));
+        let mut models: Vec<(Model, Optimum)> = pairs.collect();
         let mut is_improved = false;
-        for (k, (model, best)) in models.iter_mut().enumerate() {
-            let Some(design) = self.better_design(k) else {
+        for (of, (model, best)) in self.models.iter().zip(&mut models) {
+            let Some(design) = self.better_design(of) else {
                 continue;
             };
             let again = comparable_optimum_from(best, design, follow)?;
@@ -269,9 +280,9 @@ impl Robust {
 
     /// The greatest loss.
     pub fn greatest(&self) -> f64 {
-        self.losses
+        self.models
             .iter()
-            .copied()
+            .map(|of| of.loss)
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
@@ -378,19 +389,28 @@ fn minimax(
         .constraints
         .iter()
         .step_by(1 + search.subject_to.len());
-    let loss_multipliers = of_losses.map(|at| at.multiplier.max(0.0)).collect();
+    let multipliers: Vec<f64> = of_losses.map(|at| at.multiplier.max(0.0)).collect();
     let design = solution.x[..search.vary.len()].to_vec();
     let goals = losses.goals(&design)?;
+    let of_design = losses.losses(&goals);
+    let setup = losses.problems[0].setup_at(&design)?;
+    let mut results = vec![];
+    for (k, (model, best)) in models.into_iter().enumerate() {
+        results.push(ModelResult {
+            model,
+            best,
+            losses_of_bests: matrix[k].clone(),
+            goals: goals[k].clone(),
+            loss: of_design[k],
+            multiplier: multipliers.get(k).copied().unwrap_or_default(),
+            loss_as_set_up: as_set_up[k],
+        });
+    }
     Ok(Robust {
-        setup: losses.problems[0].setup_at(&design)?,
-        losses: losses.losses(&goals),
-        loss_multipliers,
-        models,
-        matrix,
+        setup,
+        models: results,
         solution,
         design,
-        goals,
-        as_set_up,
         searches: starts.len(),
         stopped,
         search,

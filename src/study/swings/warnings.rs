@@ -2,7 +2,7 @@
 //! outside the face, flat landings.
 
 use super::pareto::Pareto;
-use super::robust::Robust;
+use super::robust::{ModelResult, Robust};
 use super::scenarios::Scenarios;
 use crate::drive::{CheckScope, ExceededCount, ExceededLimits, Outcome, exceeded_in_flight};
 use crate::parameters::Setup;
@@ -97,7 +97,7 @@ impl Robust {
         let design: Vec<_> = self.search.parameters().collect();
         let of_side = self.search.sense.side_warning(&self.search.of);
         let mut all: Vec<Message> = of_side.into_iter().collect();
-        for (model, _) in &self.models {
+        for ModelResult { model, .. } in &self.models {
             let Ok(setup) = model.setup.with_values(&design, &self.design) else {
                 continue;
             };
