@@ -9,7 +9,6 @@ use crate::results::{Chunk, Results, Shared};
 use crate::setup::PySetup;
 use crate::step::{PyIntegration, step_choice};
 use longdrive::batch::{Batch, Block, CHUNK, Points, Run};
-use longdrive::drive::CheckScope;
 use longdrive::integration::{Integration, StepChoice};
 use longdrive::parameters::{Parameter, Vary};
 use longdrive::units::{Message, System, ratio};
@@ -95,11 +94,7 @@ impl Request {
 
     /// The warnings about the drives. `is_whole` is true if every row was computed.
     fn warnings(&self, results: &Results, is_whole: bool) -> Vec<String> {
-        let exceeded = results.status_counts.exceeded().warnings(
-            &self.setup.law,
-            ["drive that landed", "drives that landed"],
-            CheckScope::Launch,
-        );
+        let exceeded = results.status_counts.warnings(&self.setup.law);
         let mut warnings = in_units(&exceeded);
         if is_whole && !results.status_counts.has_any(&self.of) {
             warnings.push(self.without_outcomes(results));

@@ -1,4 +1,6 @@
-use crate::drive::{ExceededCount, ExceededLimits, Outcome, OutcomeGroup};
+use crate::drive::{CheckScope, ExceededCount, ExceededLimits, Outcome, OutcomeGroup};
+use crate::parameters::Law;
+use crate::units::Message;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt::{self, Display, Formatter};
@@ -48,7 +50,8 @@ pub struct StatusCounts {
     /// that the law was fitted to, strike outside the largest face that the Rules of Golf allow,
     /// and landing flatter than any measured bounce.
     #[serde(rename = "beyond")]
-    exceeded: [u64; 3],
+    #[cfg_attr(test, schemars(with = "[u64; 3]"))]
+    exceeded: ExceededLimits<u64>,
 }
 
 impl StatusCounts {
@@ -60,9 +63,7 @@ impl StatusCounts {
         }
         for (status, limits) in block.status.iter().zip(&block.exceeded) {
             if *status == Status::Landed {
-                self.exceeded[0] += u64::from(limits.law);
-                self.exceeded[1] += u64::from(limits.face);
-                self.exceeded[2] += u64::from(limits.flat);
+                self.exceeded.add(*limits);
             }
         }
     }
@@ -72,20 +73,21 @@ impl StatusCounts {
         for (status, count) in &other.statuses {
             *self.statuses.entry(*status).or_default() += count;
         }
-        for (ours, theirs) in self.exceeded.iter_mut().zip(other.exceeded) {
-            *ours += theirs;
-        }
+        self.exceeded.merge(other.exceeded);
     }
 
     /// Number of landed drives, and how many of them exceed each validity limit.
     pub fn exceeded(&self) -> ExceededCount {
-        let [law, face, flat] = self.exceeded;
         ExceededCount {
             all: self.count(Status::Landed),
-            law,
-            face,
-            flat,
+            limits: self.exceeded,
         }
+    }
+
+    /// A warning for each validity limit that a landed drive exceeds.
+    pub fn warnings(&self, law: &Law<f64>) -> Vec<Message> {
+        let noun = ["drive that landed", "drives that landed"];
+        self.exceeded().warnings(law, noun, CheckScope::Launch)
     }
 
     /// True if some drive has an outcome in `of`, or if there are no drives. A ball that does not

@@ -8,6 +8,7 @@ use crate::ground::angle_of_impact;
 use crate::number::Number;
 use crate::parameters::{Law, Setup};
 use crate::units::{Digits, Message, Quantity, YARD, counted_of};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::sync::atomic::AtomicBool;
 
 /// Smallest change of the carry, m, that causes a warning: 0.3 yd. The change is the effect of a
@@ -69,7 +70,8 @@ pub(super) fn with_flat_landing_warning(before: Message) -> Message {
 }
 
 /// A field for each validity limit of the model. If T is `bool`, a field is true if a drive exceeds
-/// the limit. If T is `f64`, a field is the share of drives, from 0 to 1, that exceed the limit.
+/// the limit. If T is `u64`, a field is the number of drives that exceed the limit; if `f64`, the
+/// share of drives, from 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExceededLimits<T = bool> {
     /// Spin ratio, spin, Reynolds number or airspeed outside the ranges that the law was fitted to.
@@ -138,23 +140,9 @@ pub(crate) fn exceeded_in_flight(
     Some(drive.exceeded_limits(setup, CheckScope::Flight, of, stop))
 }
 
-/// Number of drives that exceed each validity limit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct ExceededCount {
-    /// All drives that landed.
-    pub all: u64,
-    /// Drives outside the ranges of the law.
-    pub law: u64,
-    /// Drives struck outside the largest face that the Rules of Golf allow.
-    pub face: u64,
-    /// Drives that landed flatter than any measured bounce.
-    pub flat: u64,
-}
-
-impl ExceededCount {
+impl ExceededLimits<u64> {
     /// Counts a drive.
     pub fn add(&mut self, drive: ExceededLimits) {
-        self.all += 1;
         self.law += u64::from(drive.law);
         self.face += u64::from(drive.face);
         self.flat += u64::from(drive.flat);
@@ -162,10 +150,46 @@ impl ExceededCount {
 
     /// Adds the counts of other drives.
     pub fn merge(&mut self, other: Self) {
-        self.all += other.all;
         self.law += other.law;
         self.face += other.face;
         self.flat += other.flat;
+    }
+}
+
+/// Written as a list, in the order of the fields.
+impl Serialize for ExceededLimits<u64> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        [self.law, self.face, self.flat].serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for ExceededLimits<u64> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let [law, face, flat] = Deserialize::deserialize(deserializer)?;
+        Ok(Self { law, face, flat })
+    }
+}
+
+/// Number of drives that landed, and number of those that exceed each validity limit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ExceededCount {
+    /// All drives that landed.
+    pub all: u64,
+    /// The drives that exceed each limit.
+    pub limits: ExceededLimits<u64>,
+}
+
+impl ExceededCount {
+    /// Counts a drive.
+    pub fn add(&mut self, drive: ExceededLimits) {
+        self.all += 1;
+        self.limits.add(drive);
+    }
+
+    /// Adds the counts of other drives.
+    pub fn merge(&mut self, other: Self) {
+        self.all += other.all;
+        self.limits.merge(other.limits);
     }
 
     /// A warning for each limit that a drive exceeds. `noun` names the drives, in singular and
@@ -173,11 +197,11 @@ impl ExceededCount {
     pub fn warnings(&self, law: &Law<f64>, noun: [&str; 2], scope: CheckScope) -> Vec<Message> {
         let subject = |count: u64| (count > 0).then(|| counted_of(count, self.all, noun));
         let subjects = ExceededLimits {
-            law: subject(self.law),
-            face: subject(self.face),
-            flat: subject(self.flat),
+            law: subject(self.limits.law),
+            face: subject(self.limits.face),
+            flat: subject(self.limits.flat),
         };
-        subjects.warnings(law, scope, self.flat == 1)
+        subjects.warnings(law, scope, self.limits.flat == 1)
     }
 }
 

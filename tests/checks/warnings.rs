@@ -476,7 +476,7 @@ fn exact_validity_limits_of_a_batch_by_their_definitions() {
                 "{law}: {outside} of {landed}"
             );
             let exceeded = status_counts.exceeded();
-            assert_eq!((exceeded.all, exceeded.law), (landed, outside));
+            assert_eq!((exceeded.all, exceeded.limits.law), (landed, outside));
         }
     }
 }

@@ -20,7 +20,6 @@ use crate::command::files::{Destination, DestinationKind};
 use crate::command::interrupt;
 use crate::command::output::{Answer, bar, note, say_error, warn, warnings};
 use crate::command::rows_target::RowsTarget;
-use crate::drive::CheckScope;
 use crate::report::{Ending, Reply};
 use crate::units::{Message, counted};
 use crate::{Error, Outcome, Result};
@@ -90,11 +89,7 @@ fn whole_sweep(args: &Args) -> Result<Answer> {
         statuses: counts.counts().collect(),
         remarks: points.notes(),
     };
-    warn(counts.exceeded().warnings(
-        &batch.setup().law,
-        ["drive that landed", "drives that landed"],
-        CheckScope::Launch,
-    ));
+    warn(counts.warnings(&batch.setup().law));
     if !is_complete {
         note(&stopped(&summary, &output));
     }

@@ -8,7 +8,6 @@ use crate::command::files::{refused, unwritable};
 use crate::command::interrupt;
 use crate::command::output::{Answer, bar, note, system, text_of, warn, warnings};
 use crate::command::request::Request;
-use crate::drive::CheckScope;
 use crate::input_file::is_in_memory;
 use crate::parameters::DEFAULT_PRESET;
 use crate::parts::{self, Checked, Dataset, Manifest, PartResult, SweepDefinition};
@@ -74,11 +73,7 @@ pub fn write(args: &Args, part: PartOf, folder: &Path) -> Result<Answer> {
         PartResult::Existing(manifest) => (manifest, false),
         PartResult::Stopped => return Ok(stopped(part, &request)),
     };
-    warn(manifest.part.summary.status_counts.exceeded().warnings(
-        &setup.law,
-        ["drive that landed", "drives that landed"],
-        CheckScope::Launch,
-    ));
+    warn(manifest.part.summary.status_counts.warnings(&setup.law));
     let there = (!is_new)
         .then(|| "it existed already, complete and of the same sweep, and is kept".to_owned());
     if request.is_json {
