@@ -1,6 +1,6 @@
 use nalgebra::DMatrix;
 
-/// Orthonormal basis of the null space of a matrix.
+/// Orthonormal basis of the null space of a matrix, whose rows have length 1 or 0.
 pub(super) fn null_space(rows: &DMatrix<f64>) -> DMatrix<f64> {
     let n = rows.ncols();
     if n == 0 {
@@ -18,9 +18,13 @@ pub(super) fn null_space(rows: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 /// Orthonormal basis of the null space of `rows`, in all `n` variables. The columns of `rows`
-/// belong to the `free` variables; the basis is 0 in the other variables.
-pub(super) fn tangent_basis(n: usize, free: &[usize], rows: &DMatrix<f64>) -> DMatrix<f64> {
-    let basis = null_space(rows);
+/// belong to the `free` variables; the basis is 0 in the other variables. The rows may have
+/// different units: each is divided by its length.
+pub(super) fn tangent_basis(n: usize, free: &[usize], mut rows: DMatrix<f64>) -> DMatrix<f64> {
+    for mut row in rows.row_iter_mut() {
+        row.try_normalize_mut(0.0);
+    }
+    let basis = null_space(&rows);
     let row = |i: usize| free.iter().position(|&f| f == i);
     DMatrix::from_fn(n, basis.ncols(), |i, k| {
         row(i).map_or(0.0, |row| basis[(row, k)])

@@ -162,5 +162,5 @@ fn tangents(scaling: &Scaling, at: &EvaluatedPoint, multipliers: &[f64]) -> DMat
         .map(|j| DVector::from_iterator(n, scaling.normal(at, j)))
         .collect();
     let rows = DMatrix::from_fn(normals.len(), free.len(), |r, c| normals[r][free[c]]);
-    tangent_basis(n, &free, &rows)
+    tangent_basis(n, &free, rows)
 }

@@ -131,7 +131,7 @@ pub fn reduced_hessian(solution: &Solution, domain: &Domain) -> (DMatrix<f64>, D
     let rows = DMatrix::from_fn(active.len(), free.len(), |r, c| {
         solution.jacobian[active[r]][free[c]] * scale[free[c]]
     });
-    let basis = tangent_basis(solution.x.len(), &free, &rows);
+    let basis = tangent_basis(solution.x.len(), &free, rows);
     let reduced = basis.transpose() * curvatures(solution, &scale) * &basis;
     (basis, reduced)
 }

@@ -512,6 +512,47 @@ fn exact_minimum_at_a_kink_of_the_objective_on_a_constraint() {
 }
 
 #[test]
+fn exact_tangents_of_constraints_in_units_of_different_sizes() {
+    // ½ (x² + y² + z²) with x + y + z ≥ 3 and x − y ≥ 2: at (2, 0, 1) both limits are active, so
+    // the only tangent is (1, 1, −2)/√6. The curvature is 1, or 10² in units of the ranges
+    for unit in [1e-9, 1.0, 1e9] {
+        let problem = |v: &[f64]| {
+            let linear = |value: f64, gradient: [f64; 3]| Taylor {
+                value,
+                gradient: gradient.to_vec(),
+                hessian: vec![vec![0.0; 3]; 3],
+            };
+            let identity = |i: usize| (0..3).map(|k| f64::from(i == k)).collect();
+            Ok(Evaluation {
+                objective: Taylor {
+                    value: 0.5 * v.iter().map(|x| x * x).sum::<f64>(),
+                    gradient: v.to_vec(),
+                    hessian: (0..3).map(identity).collect(),
+                },
+                constraints: vec![
+                    linear((v[0] + v[1] + v[2]) * unit, [unit; 3]),
+                    linear(v[0] - v[1], [1.0, -1.0, 0.0]),
+                ],
+            })
+        };
+        let domain = Domain::new(vec![-5.0; 3], vec![5.0; 3])
+            .unwrap()
+            .with_constraints(vec![3.0 * unit, 2.0], vec![f64::INFINITY; 2])
+            .unwrap();
+        let found = minimize(&problem, &domain, &[0.5; 3], &Options::default()).unwrap();
+        assert_eq!(found.status, Status::Converged, "{}", found.message);
+        let (tangents, curvatures) = sensitivity::reduced_hessian(&found, &domain);
+        assert_eq!(tangents.shape(), (3, 1), "unit {unit}");
+        let sign = tangents[0].signum();
+        let expected = [1.0, 1.0, -2.0].map(|part| part / 6.0_f64.sqrt());
+        for (tangent, expected) in tangents.iter().zip(expected) {
+            close(sign * tangent, expected, 1.0, 1e-12, "tangent");
+        }
+        close(curvatures[0], 100.0, 100.0, 1e-12, "curvature");
+    }
+}
+
+#[test]
 fn a_kink_along_a_line_oblique_to_the_axes_is_not_taken_for_a_minimum() {
     // |x − y| + (x + y − 1)²: along the line of the kink y moves with x
     let f = |v: &[f64]| {
