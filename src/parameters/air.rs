@@ -127,6 +127,59 @@ pub(super) fn replacement_advice(name: &str) -> String {
     })
 }
 
+/// A parameter that was given together with a parameter that replaces it.
+pub(super) struct Conflict<'a> {
+    pub given: &'a str,
+    pub by: &'static str,
+    alternatives: &'static Alternatives,
+}
+
+impl<'a> Conflict<'a> {
+    /// The first parameter of `names` with a parameter that replaces it, which is also in `names`,
+    /// or already set.
+    pub fn find(names: &[&'a str], is_set: impl Fn(&str) -> bool) -> Option<Self> {
+        ALTERNATIVES.iter().find_map(|alternatives| {
+            let place_of = |name: &&str| names.iter().position(|given| given == name);
+            let place = alternatives.replaced.iter().find_map(place_of)?;
+            let is_given = |name: &&&str| names.contains(*name) || is_set(name);
+            Some(Self {
+                given: names[place],
+                by: alternatives.by.iter().find(is_given)?,
+                alternatives,
+            })
+        })
+    }
+
+    /// The error. `advice` is the end of a sentence that says how to leave out one of the two.
+    pub fn error(&self, advice: &str) -> Error {
+        let rule = self.alternatives.rule;
+        Error::Together {
+            given: format!("{} and {} are both given", self.given, self.by),
+            reason: format!("{rule}; leave out one of the two{advice}"),
+        }
+    }
+
+    /// Advice to unset the parameter that was given first. `names` are in the order in which they
+    /// were given.
+    pub fn unset_advice(&self, names: &[&str], is_set: impl Fn(&str) -> bool) -> String {
+        let place = |name: &str| names.iter().position(|given| *given == name);
+        // a parameter that is set but not in `names` was given before all of `names`
+        let is_by_first = place(self.by) < place(self.given);
+        let is_given = |name: &&&str| names.contains(*name) || is_by_first && is_set(name);
+        let first = if is_by_first {
+            self.alternatives.by
+        } else {
+            self.alternatives.replaced
+        };
+        let back: Vec<_> = first
+            .iter()
+            .filter(is_given)
+            .map(|name| format!("`set {name}=none`"))
+            .collect();
+        format!(", or unset the value of the setup with {}", back.join(" "))
+    }
+}
+
 /// Refuses a parameter of `names` if a parameter that replaces it is also in `names`, or already
 /// set. `names` are in the order in which they were given.
 ///
@@ -134,41 +187,10 @@ pub(super) fn replacement_advice(name: &str) -> String {
 /// [`Error::Together`] for a replaced parameter. The advice says how to unset the parameter that
 /// was given first.
 pub(crate) fn refuse_replaced(names: &[&str], is_set: impl Fn(&str) -> bool) -> Result<()> {
-    for Alternatives {
-        by: by_all,
-        replaced,
-        rule,
-        ..
-    } in &ALTERNATIVES
-    {
-        let Some(given) = replaced.iter().find(|name| names.contains(name)) else {
-            continue;
-        };
-        if let Some(by) = by_all
-            .iter()
-            .find(|name| names.contains(name) || is_set(name))
-        {
-            let place = |name: &&&str| names.iter().position(|given| *given == **name);
-            // a parameter that is set but not in `names` was given before all of `names`
-            let is_by_first = place(&by) < place(&given);
-            let is_given = |name: &&&str| names.contains(*name) || is_by_first && is_set(name);
-            let first = if is_by_first { by_all } else { replaced };
-            let back: Vec<_> = first
-                .iter()
-                .filter(is_given)
-                .map(|name| format!("`set {name}=none`"))
-                .collect();
-            let reason = format!(
-                "{rule}; leave out one of the two, or unset the value of the setup with {}",
-                back.join(" ")
-            );
-            return Err(Error::Together {
-                given: format!("{given} and {by} are both given"),
-                reason,
-            });
-        }
+    match Conflict::find(names, &is_set) {
+        Some(conflict) => Err(conflict.error(&conflict.unset_advice(names, is_set))),
+        None => Ok(()),
     }
-    Ok(())
 }
 
 /// Published changes of a driver's carry, m, if air and ball become 10 °F warmer: from 1.3 to 2 yd

@@ -3,11 +3,10 @@
 
 use super::air::is_reset;
 use super::declare::{Parameter, UNSET};
-use super::law_table::{TABLE, TABLE_LAW};
+use super::law_table::TABLE;
 use super::presets::{DEFAULT_PRESET, Preset};
-use super::setup::{CHOICES, SettingText, rank, table_with_another_law};
-use super::table::{LAW, Law, Setup};
-use super::turf::{TURF, refuse_idle_turf};
+use super::setup::{CHOICES, SettingText};
+use super::table::{Law, Setup};
 use crate::error::{Error, Result};
 use crate::external_errors::toml_error_text;
 use crate::input_file::InputFile;
@@ -36,6 +35,67 @@ impl Item<'_> {
 
     fn is_reset(&self) -> bool {
         is_reset(&self.key, self.text())
+    }
+
+    /// The preset that the item names.
+    fn preset(&self) -> Result<&'static Preset> {
+        let name = self.value.as_str();
+        let name = name.ok_or_else(|| self.wrong_type("a name in quotes".into()))?;
+        Preset::known(name)
+    }
+
+    /// The setting that the item gives. The file of a table is relative to `folder`; `rows` are all
+    /// parameters, of all laws.
+    fn setting(&self, folder: &Path, rows: &[&'static Parameter]) -> Result<SettingText<'_>> {
+        if let Some(expected) = self.other_expected_type(rows) {
+            return Err(self.wrong_type(expected));
+        }
+        let text = match self.value {
+            DeValue::Integer(number) => number.to_string().into(),
+            DeValue::Float(number) => number.as_str().into(),
+            _ if self.key == TABLE => folder.join(self.text()).display().to_string().into(),
+            _ => self.text().into(),
+        };
+        Ok(SettingText {
+            name: &self.key,
+            text,
+            is_bare: false,
+        })
+    }
+
+    /// The expected type, in words; `None` if the value has this type, or if neither a parameter of
+    /// `rows` nor a choice has the name of the item.
+    fn other_expected_type(&self, rows: &[&'static Parameter]) -> Option<String> {
+        let is_text = matches!(self.value, DeValue::String(_));
+        let is_number = matches!(self.value, DeValue::Integer(_) | DeValue::Float(_));
+        if self.key == TABLE {
+            return (!is_text).then(|| "the name of a file in quotes".into());
+        }
+        if CHOICES.contains(&self.key.as_str()) {
+            return (!is_text).then(|| "a name in quotes".into());
+        }
+        let group = format!("{}.", self.key);
+        if rows.iter().any(|row| row.name.starts_with(&group)) {
+            return Some(format!("a table, [{}]", self.key));
+        }
+        let parameter = rows.iter().find(|row| row.name == self.key)?;
+        (!is_text && !is_number).then(|| accepted(parameter))
+    }
+
+    fn wrong_type(&self, expected: String) -> Error {
+        let found = match self.value {
+            DeValue::String(_) => "a string",
+            DeValue::Integer(_) | DeValue::Float(_) => "a number",
+            DeValue::Boolean(_) => "a boolean",
+            DeValue::Datetime(_) => "a date",
+            DeValue::Array(_) => "an array",
+            DeValue::Table(_) => "a table",
+        };
+        Error::WrongType {
+            key: self.key.clone(),
+            found,
+            expected,
+        }
     }
 }
 
@@ -114,40 +174,51 @@ impl SetupFile {
         })?;
         let mut items = Vec::new();
         flatten(table.get_ref(), "", &mut items);
-        items.sort_by_key(|item| {
-            let rank = rank(&item.key, item.text());
-            (item.key != PRESET, rank, item.key_at)
-        });
+        items.sort_by_key(|item| item.key_at);
         refuse_duplicate_keys(&items, text, file)?;
+        let remarks = items.iter().filter_map(|item| {
+            let remark = comment_after(text, item.value_end)?;
+            Some((item.key.clone(), remark.to_owned()))
+        });
+        let remarks = remarks.collect();
 
-        let mut setup = Setup::preset(DEFAULT_PRESET)?;
+        let at_value = |item: &Item<'_>, error| in_file(text, file, item.value_at, error);
+        let (named, items): (Vec<_>, Vec<_>) =
+            items.into_iter().partition(|item| item.key == PRESET);
+        let preset = match named.first() {
+            Some(item) => item.preset().map_err(|error| at_value(item, error))?,
+            None => Preset::known(DEFAULT_PRESET)?,
+        };
+        let mut setup = Setup::preset(preset.name)?;
+        let rows: Vec<_> = setup
+            .parameters()
+            .into_iter()
+            .chain(Law::all_rows())
+            .collect();
         let folder = Path::new(file).parent().unwrap_or(Path::new(""));
-        for item in &items {
-            setup
-                .apply(item, folder)
-                .map_err(|(at, source)| in_file(text, file, at, source))?;
-        }
-        refuse_conflicts(&setup, &items, text, file)?;
-        let preset = items
-            .iter()
-            .find(|item| item.key == PRESET)
-            .and_then(|item| item.value.as_str());
+        let setting =
+            |item| Item::setting(item, folder, &rows).map_err(|error| at_value(item, error));
+        let settings = items.iter().map(setting).collect::<Result<Vec<_>>>()?;
+        setup.apply_each(&settings).map_err(|fault| {
+            let item = &items[fault.index];
+            if fault.is_of_value {
+                at_value(item, fault.error)
+            } else {
+                in_file(text, file, item.key_at, fault.error)
+            }
+        })?;
         let given = items
             .iter()
             .filter(|item| !item.is_reset())
             .flat_map(|item| setup.set_by(&item.key))
             .collect();
-        let remarks = items.iter().filter_map(|item| {
-            let remark = comment_after(text, item.value_end)?;
-            Some((item.key.clone(), remark.to_owned()))
-        });
         Ok(Self {
             name: file.into(),
             setup,
-            preset: Preset::known(preset.unwrap_or(DEFAULT_PRESET))?,
-            names_preset: preset.is_some(),
+            preset,
+            names_preset: !named.is_empty(),
             given,
-            remarks: remarks.collect(),
+            remarks,
         })
     }
 }
@@ -169,68 +240,6 @@ fn refuse_duplicate_keys(items: &[Item<'_>], text: &str, file: &str) -> Result<(
     Err(in_file(text, file, items[again].key_at, source))
 }
 
-/// Refuses a turf if the file gives all of its numbers too, and refuses parameters that other
-/// parameters of the file replace.
-fn refuse_conflicts(setup: &Setup<f64>, items: &[Item<'_>], text: &str, file: &str) -> Result<()> {
-    if let Some(turf) = items.iter().find(|item| item.key == TURF) {
-        refuse_idle_turf(|name| items.iter().any(|item| item.key == name))
-            .map_err(|source| in_file(text, file, turf.key_at, source))?;
-    }
-    for item in items.iter().filter(|item| !item.is_reset()) {
-        setup
-            .refuse_replaced(&[&item.key])
-            .map_err(|source| in_file(text, file, item.key_at, source))?;
-    }
-    Ok(())
-}
-
-impl Setup<f64> {
-    fn apply(&mut self, item: &Item<'_>, folder: &Path) -> Result<(), (usize, Error)> {
-        let at_value = |e| (item.value_at, e);
-        let name_in_quotes = || string(item, "a name in quotes").map_err(at_value);
-        if item.key == PRESET {
-            *self = Self::preset(name_in_quotes()?).map_err(at_value)?;
-            return Ok(());
-        }
-        if item.key == TABLE {
-            let name = string(item, "the name of a file in quotes").map_err(at_value)?;
-            return self.set_table(&folder.join(name)).map_err(at_value);
-        }
-        if CHOICES.contains(&item.key.as_str()) {
-            let name = name_in_quotes()?;
-            let has_table = matches!(self.law, Law::Table(_));
-            if item.key == LAW && has_table && name.trim() != TABLE_LAW {
-                return Err(at_value(table_with_another_law(name)));
-            }
-            let setting = SettingText {
-                name: &item.key,
-                text: name.into(),
-                is_bare: false,
-            };
-            return self.apply_setting(&setting).map_err(at_value);
-        }
-        let group = format!("{}.", item.key);
-        if self
-            .parameters()
-            .iter()
-            .any(|row| row.name.starts_with(&group))
-        {
-            let expected = format!("a table, [{}]", item.key);
-            return Err(at_value(wrong_type(item, expected)));
-        }
-        let parameter = self.parameter(&item.key).map_err(|e| (item.key_at, e))?;
-        let value = match item.value {
-            DeValue::String(_) if item.is_reset() => Ok(None),
-            DeValue::String(text) => parameter.read(text, false),
-            DeValue::Integer(number) => parameter.read(&number.to_string(), false),
-            DeValue::Float(number) => parameter.read(number.as_str(), false),
-            _ => Err(wrong_type(item, accepted(parameter))),
-        };
-        self.set_value(parameter, value.map_err(at_value)?)
-            .map_err(at_value)
-    }
-}
-
 /// Accepted type of the values of a parameter, with an example, for messages.
 fn accepted(parameter: &Parameter) -> String {
     let kind = if parameter.unit.is_empty() {
@@ -244,28 +253,6 @@ fn accepted(parameter: &Parameter) -> String {
         parameter.default.into()
     };
     format!("{kind} like \"{}\"", example.trim_end())
-}
-
-fn string<'a>(item: &'a Item<'a>, expected: &str) -> Result<&'a str> {
-    item.value
-        .as_str()
-        .ok_or_else(|| wrong_type(item, expected.into()))
-}
-
-fn wrong_type(item: &Item<'_>, expected: String) -> Error {
-    let found = match item.value {
-        DeValue::String(_) => "a string",
-        DeValue::Integer(_) | DeValue::Float(_) => "a number",
-        DeValue::Boolean(_) => "a boolean",
-        DeValue::Datetime(_) => "a date",
-        DeValue::Array(_) => "an array",
-        DeValue::Table(_) => "a table",
-    };
-    Error::WrongType {
-        key: item.key.clone(),
-        found,
-        expected,
-    }
 }
 
 fn flatten<'a>(table: &'a DeTable<'a>, prefix: &str, items: &mut Vec<Item<'a>>) {

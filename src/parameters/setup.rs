@@ -1,4 +1,4 @@
-use super::air::{is_reset, replacement_advice};
+use super::air::{Conflict, is_reset, replacement_advice};
 use super::choices::{GOLFER, Golfer, METHOD, Method, SPEED_OF, SpeedOf};
 use super::declare::{Kind, Parameter, Slot, is_unset};
 use super::law_table::{LawTable, TABLE, TABLE_LAW};
@@ -32,6 +32,33 @@ pub struct SettingText<'a> {
     pub text: Cow<'a, str>,
     /// True if a number without a unit is SI; otherwise a quantity with a dimension needs its unit.
     pub is_bare: bool,
+}
+
+/// A setting of a list that cannot be applied.
+pub(super) struct SettingFault {
+    /// Index of the setting in the list.
+    pub index: usize,
+    /// True if the value is at fault, not the name.
+    pub is_of_value: bool,
+    pub error: Error,
+}
+
+impl SettingFault {
+    fn of_name(index: usize, error: Error) -> Self {
+        Self {
+            index,
+            is_of_value: false,
+            error,
+        }
+    }
+
+    fn of_value(index: usize, error: Error) -> Self {
+        Self {
+            index,
+            is_of_value: true,
+            error,
+        }
+    }
 }
 
 impl Parameter {
@@ -323,7 +350,7 @@ impl Setup<f64> {
         let choice = text.trim();
         match name {
             LAW => return self.set_law(choice),
-            TABLE => return self.set_table(Path::new(choice)),
+            TABLE => return self.set_table(Path::new(text)),
             TURF => return self.set_turf(choice),
             METHOD => {
                 self.method = Method::from_name(choice).ok_or_else(|| {
@@ -392,33 +419,46 @@ impl Setup<f64> {
     /// The errors of [`set`](Self::set). The setup is then unchanged.
     pub fn set_each(&mut self, settings: &[SettingText<'_>]) -> Result<()> {
         let mut changed = *self;
-        changed.apply_each(settings)?;
+        changed.apply_each(settings).map_err(|fault| fault.error)?;
         *self = changed;
         Ok(())
     }
 
-    fn apply_each(&mut self, settings: &[SettingText<'_>]) -> Result<()> {
-        let is_given = |name: &str| settings.iter().any(|setting| setting.name == name);
-        let is_another_law =
-            |setting: &&SettingText<'_>| setting.name == LAW && setting.text.trim() != TABLE_LAW;
-        if let Some(law) = settings.iter().find(is_another_law)
-            && is_given(TABLE)
-        {
-            return Err(table_with_another_law(law.text.trim()));
+    /// Applies settings that are given at once, as [`set_all`](Self::set_all) says. After a fault,
+    /// some of them are applied.
+    pub(super) fn apply_each(&mut self, settings: &[SettingText<'_>]) -> Result<(), SettingFault> {
+        refuse_idle_law_and_turf(settings)?;
+        let mut order: Vec<usize> = (0..settings.len()).collect();
+        order.sort_by_key(|&index| rank(settings[index].name, &settings[index].text));
+        for &index in &order {
+            let setting = &settings[index];
+            if !CHOICES.contains(&setting.name) {
+                self.parameter(setting.name)
+                    .map_err(|error| SettingFault::of_name(index, error))?;
+            }
+            self.apply_setting(setting)
+                .map_err(|error| SettingFault::of_value(index, error))?;
         }
-        refuse_idle_turf(is_given)?;
-        let mut settings = settings.to_vec();
-        settings.sort_by_key(|setting| rank(setting.name, &setting.text));
-        for setting in &settings {
-            self.apply_setting(setting)?;
-        }
-        let given: Vec<&str> = settings
+        let given: Vec<&str> = order
             .iter()
+            .map(|&index| &settings[index])
             .filter(|setting| !is_reset(setting.name, &setting.text))
             .map(|setting| setting.name)
             .filter(|name| self.is_set(name))
             .collect();
-        self.refuse_replaced(&given)
+        let is_set = |name: &str| self.is_set(name);
+        let Some(conflict) = Conflict::find(&given, is_set) else {
+            return Ok(());
+        };
+        // a setting given at once with the other one cannot also be unset
+        let advice = if given.contains(&conflict.by) {
+            String::new()
+        } else {
+            conflict.unset_advice(&given, is_set)
+        };
+        let is_replaced = |setting: &SettingText<'_>| setting.name == conflict.given;
+        let index = settings.iter().position(is_replaced).unwrap_or_default();
+        Err(SettingFault::of_name(index, conflict.error(&advice)))
     }
 
     /// Changes the aerodynamic law to the law `name` with its published coefficients. If `name` is
@@ -697,10 +737,27 @@ impl Setup<f64> {
     }
 }
 
+/// Refuses a law beside a table, and a turf beside all of its numbers: one of the two would have no
+/// effect.
+fn refuse_idle_law_and_turf(settings: &[SettingText<'_>]) -> Result<(), SettingFault> {
+    let place = |name: &str| settings.iter().position(|setting| setting.name == name);
+    let is_given = |name: &str| place(name).is_some();
+    let is_another_law =
+        |setting: &SettingText<'_>| setting.name == LAW && setting.text.trim() != TABLE_LAW;
+    if let Some(index) = settings.iter().position(is_another_law)
+        && is_given(TABLE)
+    {
+        let error = table_with_another_law(settings[index].text.trim());
+        return Err(SettingFault::of_value(index, error));
+    }
+    let index = place(TURF).unwrap_or_default();
+    refuse_idle_turf(is_given).map_err(|error| SettingFault::of_name(index, error))
+}
+
 /// Place of a setting in the order in which several settings are applied: table, law, turf, values,
 /// resets (`none`). Table and law determine which coefficients exist, and values override those of
 /// the turf. A parameter can be reset only after the parameter that replaces it is set.
-pub(super) fn rank(name: &str, text: &str) -> u8 {
+fn rank(name: &str, text: &str) -> u8 {
     match name {
         TABLE => 0,
         LAW => 1,
@@ -728,7 +785,7 @@ pub(crate) fn refuse_twice(wrt: &[&'static Parameter]) -> Result<()> {
 }
 
 /// The error for a user's own table (`aero.table`) together with another law (`aero.law`).
-pub(super) fn table_with_another_law(law: &str) -> Error {
+fn table_with_another_law(law: &str) -> Error {
     let reason = format!("a table is a law of its own, {LAW} = {TABLE_LAW}; keep one of the two");
     Error::Together {
         given: format!("{TABLE} and {LAW} = {law} are both given"),

@@ -321,6 +321,42 @@ fn the_turf_is_set_before_its_numbers() {
     assert!(setup.variable("ground.turf").is_err());
 }
 
+/// A file cannot state a value and unset it, so the only remedy is to delete a line.
+#[test]
+fn advice_for_a_conflict_within_a_file_is_to_leave_out_one_of_the_two() {
+    let weather = "density and viscosity follow from the weather (air.temperature, air.pressure, \
+                   air.altitude, air.humidity)";
+    let wind = "wind.right and wind.downrange follow from wind.speed and wind.from";
+    for (lines, start, rule) in [
+        (
+            ["air.density = '1.1 kg/m^3'", "air.temperature = '20 degC'"],
+            "a.toml:1:5: air.density and air.temperature are both given",
+            weather,
+        ),
+        (
+            ["air.temperature = '20 degC'", "air.viscosity = '2e-5 Pa s'"],
+            "a.toml:2:5: air.viscosity and air.temperature are both given",
+            weather,
+        ),
+        (
+            ["wind.right = '3 m/s'", "wind.speed = '3 m/s'"],
+            "a.toml:1:6: wind.right and wind.speed are both given",
+            wind,
+        ),
+    ] {
+        let message = SetupFile::read(&lines.join("\n"), "a.toml")
+            .unwrap_err()
+            .to_string();
+        assert_eq!(
+            message,
+            format!("{start}: {rule}; leave out one of the two")
+        );
+        for line in lines {
+            assert!(SetupFile::read(line, "a.toml").is_ok(), "{line}");
+        }
+    }
+}
+
 #[test]
 fn a_turf_beside_all_of_its_numbers_is_refused() {
     let numbers = "friction = '0.4'\ncompliance = '15.4 deg'\nrolling = '1'\nslope = '0 deg'\n";
