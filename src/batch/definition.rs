@@ -2,7 +2,7 @@ use super::points::refuse_repeated;
 use crate::drive::Outcome;
 use crate::error::{Error, Result};
 use crate::number::Level;
-use crate::parameters::{NO_CLUB, Parameter, Setup, follows_from, refuse_twice};
+use crate::parameters::{Parameter, Setup};
 
 /// Definition of a batch: setup, swept parameters, outcomes, and parameters of differentiation.
 #[derive(Clone, Debug)]
@@ -34,7 +34,6 @@ impl Batch {
         of: &[Outcome],
         wrt: &[&'static Parameter],
     ) -> Result<Self> {
-        setup.validate_values()?;
         if of.is_empty() {
             return Err(Error::Nothing {
                 doing: "evaluate",
@@ -42,38 +41,7 @@ impl Batch {
             });
         }
         refuse_repeated(parameters)?;
-        for parameter in parameters {
-            setup.check_column(parameter)?;
-        }
-        for parameter in wrt
-            .iter()
-            .filter(|parameter| !parameters.contains(parameter))
-        {
-            setup.check_variable(parameter)?;
-            let mut swept = parameters.iter();
-            if let Some(by) = swept.find(|swept| follows_from(parameter.name, swept.name)) {
-                return Err(Error::NotVariable {
-                    name: parameter.name.into(),
-                    reason: format!("it follows from {}, which each row gives", by.name),
-                });
-            }
-        }
-        refuse_twice(wrt)?;
-        let names: Vec<_> = parameters.iter().map(|parameter| parameter.name).collect();
-        setup.check_launch(&names)?;
-        setup.check_air(&names)?;
-        let is_launched =
-            setup.launch.is_given() || parameters.iter().any(|parameter| parameter.is_of_launch());
-        if let Some(of_club) = parameters
-            .iter()
-            .chain(wrt)
-            .find(|parameter| is_launched && parameter.is_of_strike())
-        {
-            return Err(Error::NotVariable {
-                name: of_club.name.into(),
-                reason: NO_CLUB.into(),
-            });
-        }
+        setup.check_lists(parameters, wrt)?;
         let (parameters, of, wrt) = (parameters.to_vec(), of.to_vec(), wrt.to_vec());
         Ok(Self {
             setup: *setup,

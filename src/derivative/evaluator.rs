@@ -5,7 +5,7 @@ use super::pass::EvaluationPoint;
 use crate::drive::{Outcome, OutcomeGroup, with_accepted_step};
 use crate::error::{Error, Result};
 use crate::number::Level;
-use crate::parameters::{Parameter, Setup, refuse_twice};
+use crate::parameters::{Parameter, Setup};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Order of differentiation.
@@ -47,7 +47,8 @@ pub struct Evaluator {
 }
 
 impl Evaluator {
-    /// Evaluator of the outcomes `of`, with derivatives by `wrt` up to `order`.
+    /// Evaluator of the outcomes `of`, with derivatives by `wrt` up to `order`. For order `Value`,
+    /// the parameters may be unset, and may complete a launch, the weather or the wind.
     ///
     /// # Errors
     /// Errors of [`Setup::validate`] and [`Setup::variable`] (of [`Setup::column`] for order
@@ -60,7 +61,6 @@ impl Evaluator {
         wrt: &[&'static Parameter],
         order: Order,
     ) -> Result<Self> {
-        setup.validate()?;
         if of.is_empty() {
             return Err(Error::Nothing {
                 doing: "evaluate",
@@ -73,14 +73,11 @@ impl Evaluator {
                 what: "parameter",
             });
         }
-        for parameter in wrt {
-            if order > Order::Value {
-                setup.check_variable(parameter)
-            } else {
-                setup.check_column(parameter)
-            }?;
+        if order > Order::Value {
+            setup.check_lists(&[], wrt)?;
+        } else {
+            setup.check_lists(wrt, &[])?;
         }
-        refuse_twice(wrt)?;
         let split = ParameterSplit::of(wrt, of.iter().any(|outcome| outcome.needs_run()));
         let (of, wrt) = (of.to_vec(), wrt.to_vec());
         Ok(Self {

@@ -10,6 +10,7 @@ mod idle;
 mod inertia;
 mod launch;
 mod law_table;
+mod lists;
 mod number_table;
 mod presets;
 mod range;
@@ -23,12 +24,11 @@ mod weights;
 pub use air::Alternatives;
 #[cfg(feature = "reports")]
 pub(crate) use air::is_given_alike;
-#[cfg(feature = "commands")]
-pub(crate) use air::is_reset;
 pub(crate) use air::{
-    DEFAULT_TEMPERATURE, LAPSE_RATE, SEA_LEVEL_TEMPERATURE, described_differently, follows_from,
-    refuse_replaced,
+    DEFAULT_TEMPERATURE, LAPSE_RATE, SEA_LEVEL_TEMPERATURE, described_differently, refuse_replaced,
 };
+#[cfg(feature = "commands")]
+pub(crate) use air::{follows_from, is_reset};
 pub use choices::{GOLFER, Golfer, METHOD, Method, SPEED_OF, SpeedOf};
 #[cfg(feature = "commands")]
 pub(crate) use declare::is_unset;
@@ -43,8 +43,8 @@ pub(crate) use law_table::{Cell, CoefficientGrid, Surface, cells_of};
 pub(crate) use number_table::{NumberTable, TableFault};
 pub use presets::{DEFAULT_PRESET, PRESETS, Preset, PresetEntry};
 pub use range::Range;
+pub(crate) use setup::NO_CLUB;
 pub use setup::{CHOICES, SettingText};
-pub(crate) use setup::{NO_CLUB, refuse_twice};
 pub use steps::is_of_step;
 pub(crate) use table::with_law;
 pub use table::{

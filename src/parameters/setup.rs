@@ -8,7 +8,6 @@ use super::table::{LAW, Law, Setup, Table, TableFactors};
 use super::turf::{TURF, refuse_idle_turf};
 use crate::error::{Error, Result};
 use crate::number::{Numbers, inlined};
-use crate::repeated::first_repeated;
 use crate::units::{Message, Quantity, UnitError, counted};
 use std::borrow::Cow;
 use std::path::Path;
@@ -765,23 +764,6 @@ fn rank(name: &str, text: &str) -> u8 {
         _ if is_reset(name, text) => 4,
         _ => 3,
     }
-}
-
-/// Refuses a parameter that is given twice.
-///
-/// # Errors
-/// [`Error::Together`] for a repeated parameter.
-pub(crate) fn refuse_twice(wrt: &[&'static Parameter]) -> Result<()> {
-    let Some([_, again]) = first_repeated(wrt, |a, b| a == b) else {
-        return Ok(());
-    };
-    Err(Error::Together {
-        given: format!(
-            "{} is given twice among the parameters to differentiate by",
-            wrt[again]
-        ),
-        reason: "name it once".into(),
-    })
 }
 
 /// The error for a user's own table (`aero.table`) together with another law (`aero.law`).

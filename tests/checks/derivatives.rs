@@ -27,6 +27,51 @@ fn outcomes_with_variables<D: Number, const N: usize>(
     of.map(|of| of.of(&drive).unwrap())
 }
 
+/// Values of parameters that make a launch or a wind only together.
+#[test]
+fn values_that_are_incomplete_or_without_effect_are_refused_as_in_a_batch() {
+    let setup = Setup::modern_driver();
+    let column = |name: &str| setup.column(name).unwrap();
+    for (names, says) in [
+        (&["launch.ball_speed"][..], "launch_angle is missing"),
+        (&["wind.speed"], "wind.speed is given without wind.from"),
+        (
+            &["air.pressure", "air.altitude"],
+            "air.pressure and air.altitude are both given",
+        ),
+        (
+            &[
+                "launch.ball_speed",
+                "launch.launch_angle",
+                "launch.spin",
+                "club.loft",
+            ],
+            "no club strikes the ball",
+        ),
+    ] {
+        let parameters: Vec<_> = names.iter().map(|name| column(name)).collect();
+        let of = [Outcome::Carry];
+        let evaluator = Evaluator::new(&setup, &of, &parameters, Order::Value).unwrap_err();
+        assert!(evaluator.to_string().contains(says), "{evaluator}");
+        let batch = Batch::new(&setup, &parameters, &of, &[]).unwrap_err();
+        assert_eq!(evaluator.to_string(), batch.to_string());
+    }
+}
+
+#[test]
+fn same_value_with_a_wind_of_the_setup_and_with_a_wind_given_as_values() {
+    let mut windy = Setup::modern_driver();
+    let calm = windy;
+    windy
+        .set_all([("wind.speed", "5 m/s"), ("wind.from", "90 deg")])
+        .unwrap();
+    let wind = ["wind.speed", "wind.from"].map(|name| calm.column(name).unwrap());
+    let lateral = Evaluator::new(&calm, &[Outcome::Lateral], &wind, Order::Value).unwrap();
+    let given = lateral.at(&[5.0, 90.0_f64.to_radians()]).unwrap()[0].value;
+    let set = Outcome::Lateral.of(&Drive::new(&windy).unwrap()).unwrap();
+    close(given, set, 10.0, 1e-13, "lateral");
+}
+
 #[test]
 fn independent_number_types_of_num_dual_agree_with_ours() {
     for setup in landing(60) {
