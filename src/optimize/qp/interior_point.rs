@@ -270,25 +270,14 @@ impl StandardForm {
 
     /// Matrix A and limits b of A x + s = b.
     fn constraints(&self) -> (CscMatrix<f64>, Vec<f64>) {
-        let mut columns = vec![vec![]; self.size];
+        let mut entries = Entries::default();
         for (at, row) in self.rows().enumerate() {
             for (column, value) in &row.coefficients {
-                columns[*column].push((at, *value));
+                entries.push(at, *column, *value);
             }
-        }
-        let (mut column_starts, mut row_indices, mut values) = (vec![0], vec![], vec![]);
-        for column in columns {
-            for (row, value) in column {
-                row_indices.push(row);
-                values.push(value);
-            }
-            column_starts.push(values.len());
         }
         let limits: Vec<f64> = self.rows().map(|row| row.limit).collect();
-        (
-            CscMatrix::new(limits.len(), self.size, column_starts, row_indices, values),
-            limits,
-        )
+        (entries.matrix(limits.len(), self.size), limits)
     }
 
     /// Converts Clarabel's solution x and multipliers z to a step within the bounds.
@@ -318,21 +307,31 @@ impl StandardForm {
 
 /// Upper triangle of the scaled Hessian, with a full sparsity pattern.
 fn upper_triangle(program: &QuadraticProgram, size: usize, scale: f64) -> CscMatrix<f64> {
-    let (n, mut column_starts, mut row_indices, mut values) =
-        (program.dimension(), vec![0], vec![], vec![]);
-    for column in 0..size {
-        if column < n {
-            row_indices.extend(0..=column);
-            values.extend(
-                program
-                    .hessian
-                    .column(column)
-                    .iter()
-                    .take(column + 1)
-                    .map(|entry| entry * scale),
-            );
+    let mut entries = Entries::default();
+    for column in 0..program.dimension() {
+        for row in 0..=column {
+            entries.push(row, column, program.hessian[(row, column)] * scale);
         }
-        column_starts.push(values.len());
     }
-    CscMatrix::new(size, size, column_starts, row_indices, values)
+    entries.matrix(size, size)
+}
+
+/// Entries of a sparse matrix, also those that are 0: they belong to its sparsity pattern.
+#[derive(Default)]
+struct Entries {
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+    values: Vec<f64>,
+}
+
+impl Entries {
+    fn push(&mut self, row: usize, column: usize, value: f64) {
+        self.rows.push(row);
+        self.columns.push(column);
+        self.values.push(value);
+    }
+
+    fn matrix(self, rows: usize, columns: usize) -> CscMatrix<f64> {
+        CscMatrix::new_from_triplets(rows, columns, self.rows, self.columns, self.values)
+    }
 }
