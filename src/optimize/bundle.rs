@@ -5,7 +5,7 @@
 //! one term.
 
 use super::qp::MaxTerm;
-use super::scaling::{EvaluatedPoint, Scaling, largest_scaled};
+use super::scaling::{EvaluatedPoint, Scaling, largest_scaled, scaled_hessian};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
@@ -82,10 +82,7 @@ impl Bundle {
         // use the smallest known curvature for all sides, because the rounded tip of a smoothed
         // kink has a large curvature that belongs to no side
         let mildest = |least: DMatrix<f64>, other: &EvaluatedPoint| {
-            let scale = &scaling.scale;
-            let other = DMatrix::from_fn(scale.len(), scale.len(), |i, j| {
-                other.f.objective.hessian[i][j] * scale[i] * scale[j]
-            });
+            let other = scaled_hessian(&other.f.objective.hessian, &scaling.scale);
             if other.amax() < least.amax() {
                 other
             } else {

@@ -1,7 +1,7 @@
 //! Continuation of an optimum along a parameter: adaptive steps, the predictor, and the search for
 //! the parameter value at which a property of the optimum changes.
 
-use super::domain::Bounds;
+use super::domain::{Bounds, scaled_distance};
 
 /// Longest step, as a fraction of the range.
 pub(crate) const LONGEST: f64 = 1.0 / 16.0;
@@ -92,11 +92,7 @@ pub(crate) fn predicted(x: &[f64], rates: &[f64], change: f64, bounds: &Bounds) 
 
 /// Distance of two points in the maximum norm, in units of the variables' scales at `x`.
 pub(crate) fn relative_distance(x: &[f64], predicted: &[f64], bounds: &Bounds) -> f64 {
-    let scales = bounds.scale(x);
-    let pairs = x.iter().zip(predicted).zip(scales);
-    pairs
-        .map(|((x, predicted), scale)| (x - predicted).abs() / scale)
-        .fold(0.0, f64::max)
+    scaled_distance(x, predicted, &bounds.scale(x))
 }
 
 /// Locates a change between the points `before` and `after` by bisection, and returns a point after

@@ -93,6 +93,14 @@ impl Bounds {
     }
 }
 
+/// Distance of two points in the maximum norm, in units of the scale of each variable.
+pub(super) fn scaled_distance(a: &[f64], b: &[f64], scale: &[f64]) -> f64 {
+    let pairs = a.iter().zip(b).zip(scale);
+    pairs
+        .map(|((a, b), scale)| ((a - b) / scale).abs())
+        .fold(0.0, f64::max)
+}
+
 /// Feasible set: bounds of the variables and limits of the constraint functions.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Domain {

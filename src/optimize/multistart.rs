@@ -1,7 +1,7 @@
 //! Multistart: local searches from many starting points, and the distinct local optima.
 
 use super::checkpoint::{Checkpoint, SavedSearch};
-use super::domain::Domain;
+use super::domain::{Domain, scaled_distance};
 use super::iteration::Iteration;
 use super::minimize::{minimize_observed, other_problem};
 use super::observer::Observer;
@@ -194,14 +194,8 @@ fn distinct_optima(domain: &Domain, solutions: Vec<Solution>) -> Vec<LocalMinimu
                 return local.solution.value.is_none()
                     && local.solution.status == Status::Interrupted;
             }
-            let mut distances = local
-                .solution
-                .x
-                .iter()
-                .zip(&solution.x)
-                .zip(&scale)
-                .map(|((a, b), s)| ((a - b) / s).abs());
-            local.solution.status == solution.status && distances.all(|distance| distance <= SAME)
+            local.solution.status == solution.status
+                && scaled_distance(&local.solution.x, &solution.x, &scale) <= SAME
         };
         match locals.iter_mut().find(|local| is_same(local)) {
             Some(local) => {

@@ -1,4 +1,4 @@
-use super::domain::Domain;
+use super::domain::{Domain, scaled_distance};
 use super::problem::Evaluation;
 use crate::number::Taylor;
 use nalgebra::DMatrix;
@@ -106,6 +106,13 @@ pub(super) const ZERO_MULTIPLIER: f64 = 1e-9;
 /// Size of the objective: the larger of its value and its largest scaled derivative.
 pub(super) fn objective_size(value: f64, gradient: &[f64], scale: &[f64]) -> f64 {
     largest_scaled(gradient, scale).max(value.abs())
+}
+
+/// Second derivatives by the scaled variables.
+pub(super) fn scaled_hessian(hessian: &[Vec<f64>], scale: &[f64]) -> DMatrix<f64> {
+    DMatrix::from_fn(scale.len(), scale.len(), |i, k| {
+        hessian[i][k] * scale[i] * scale[k]
+    })
 }
 
 impl Scaling {
@@ -296,12 +303,7 @@ impl Scaling {
 
     /// Distance of two points in the maximum norm, in units of the scale.
     pub fn distance(&self, a: &EvaluatedPoint, b: &EvaluatedPoint) -> f64 {
-        let distances =
-            a.x.iter()
-                .zip(&b.x)
-                .zip(&self.scale)
-                .map(|((a, b), s)| ((a - b) / s).abs());
-        distances.fold(0.0, f64::max)
+        scaled_distance(&a.x, &b.x, &self.scale)
     }
 
     /// Variables on a bound that blocks descent of the Lagrangian.

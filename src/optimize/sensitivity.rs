@@ -5,7 +5,7 @@ use super::kink::Kink;
 use super::null_space::tangent_basis;
 use super::problem::Evaluation;
 use super::qp::SymmetricSystem;
-use super::scaling::{largest_scaled, objective_size};
+use super::scaling::{largest_scaled, objective_size, scaled_hessian};
 use super::solution::Solution;
 use super::status::Status;
 use crate::error::{Error, Result};
@@ -97,8 +97,7 @@ impl ActiveSet {
 fn curvatures(solution: &Solution, scale: &[f64]) -> DMatrix<f64> {
     let value = solution.value.unwrap_or_default();
     let least = ROUNDING * objective_size(value, &solution.gradient, scale);
-    DMatrix::from_fn(scale.len(), scale.len(), |i, k| {
-        let curvature = solution.hessian[i][k] * scale[i] * scale[k];
+    scaled_hessian(&solution.hessian, scale).map(|curvature| {
         if curvature.abs() > least {
             curvature
         } else {
